@@ -5,7 +5,7 @@ import { at } from "./state.js";
 
 // The words of `burnish lobe claims`, in the order in which they are counted.
 const MARKS = {
-  holds: ["holds", "✓"], "holds to the digits given": ["digits", "≈"], "does not hold": ["fails", "✕"],
+  holds: ["holds", "✓"], "holds in part": ["part", "≈"], "does not hold": ["fails", "✕"],
   "measured by benchmark": ["elsewhere", "·"], "counted in machine code": ["elsewhere", "·"],
 };
 
@@ -41,6 +41,9 @@ function itemOf(rows) {
   verdict.ariaHidden = "true";
   summary.append(verdict, element("span", claim.claim, "what"), element("span", rangeOf(values), "range"), element("span", claim.verdict, "verdict"));
   details.append(summary);
+  if (claim.source !== "the paper") {
+    details.append(element("p", `Source: ${claim.source}, not the paper`, "source"));
+  }
   if (values.length > 0) {
     const asked = claim.relation === "" || bound === null ? "" : `: ${claim.relation} ${number(bound)}`;
     details.append(element("p", `${claim.quantity[0].toUpperCase()}${claim.quantity.slice(1)}${asked}`), tableOf(values));

@@ -49,8 +49,10 @@
  * m zeta lambda u^(m-1) never exceeds 1/2. test_lobe prints and asserts the resulting errors
  * of every fit and order over 4,000 reference values.
  *
- * Sources. Phong, Illumination for Computer Generated Pictures, CACM 1975; Blinn, Models of Light
- * Reflection, SIGGRAPH 1977. The form of the lobe is not new: Lyon, Phong Shading Reformulated for
+ * Sources. Order 2 and its fits W, W1 and W_Q: a paper that approximates BRDFs by cosine-quadratic
+ * functions. Its references date it after 2005; no bibliographic record of it was found.
+ * Phong, Illumination for Computer Generated Pictures, CACM 1975; Blinn, Models of Light
+ * Reflection, SIGGRAPH 1977. The form of the lobe is not new: Lyon, Phong Shading Reformulation for
  * Hardware Renderer Simplification, Apple TR 43, 1993 (general m, chord form, zeta = n/m); Beaudoin
  * and Guardado, A Non-Integer Power Function on the Pixel Shader, 2002 (fitted constants); Doom 3
  * shipped zeta = 4, m = 2, Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast
@@ -109,7 +111,7 @@ typedef enum burnish_lobe_fit {
     BURNISH_FIT_TAYLOR,    /* n/m: the same curvature at the peak; never above cos^n (paper's W) */
     BURNISH_FIT_ENERGY,    /* (n+1)/(m+1): the same integral over solid angle (paper's W1) */
     BURNISH_FIT_LEVEL,     /* meets cos^n where that is Q (paper's W_Q) */
-    BURNISH_FIT_SHIFT7,    /* 7n/16, m = 2: shift and subtract in integers (paper's W_0.5) */
+    BURNISH_FIT_SHIFT7,    /* 7n/16, m = 2: integers (paper's W_0.5; its Q is 0.58) */
     BURNISH_FIT_SHIFT3,    /* 3n/8, m = 2: as cheap, lower largest absolute error for n >= 6 */
     BURNISH_FIT_PROJECTED, /* the same cosine-weighted integral */
     BURNISH_FIT_MINIMAX,   /* least maximum absolute error, c in [0, 1] */

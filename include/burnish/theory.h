@@ -400,19 +400,20 @@ BURNISH_API burnish_status burnish_theory_memory_fill(const burnish_theory_memor
 
 /* ---- The paper's claims ----
  *
+ * The paper approximates BRDFs by cosine-quadratic functions, order 2 of the family. Its references
+ * date it after 2005; no bibliographic record of it was found.
  * Every number is computed on request; every verdict follows from the numbers. */
 
 typedef enum burnish_theory_verdict {
     BURNISH_THEORY_HOLDS,
-    BURNISH_THEORY_HOLDS_TO_DIGITS, /* missed by less than one unit of the last digit stated */
-    BURNISH_THEORY_DOES_NOT_HOLD,
-    BURNISH_THEORY_BENCHMARK, /* a timing; run the benchmark */
-    BURNISH_THEORY_COUNTED,   /* a count of operations; docs/theory.md has the table */
+    BURNISH_THEORY_HOLDS_IN_PART, /* for some of the values; the note says for which */
+    BURNISH_THEORY_DOES_NOT_HOLD, /* for none of the values */
+    BURNISH_THEORY_BENCHMARK,     /* a timing; run the benchmark */
+    BURNISH_THEORY_COUNTED,       /* a count of operations; docs/theory.md has the table */
     BURNISH_THEORY_VERDICT_COUNT
 } burnish_theory_verdict;
 
-/* "holds", "holds to the digits given", "does not hold", "measured by benchmark", "counted in
- * machine code". */
+/* "holds", "holds in part", "does not hold", "measured by benchmark", "counted in machine code". */
 BURNISH_API const char *burnish_theory_verdict_text(burnish_theory_verdict verdict);
 
 /* How the verdict follows from values and bound. */
@@ -423,11 +424,12 @@ typedef enum burnish_theory_relation {
     BURNISH_THEORY_NONE      /* not judged here: BENCHMARK or COUNTED */
 } burnish_theory_relation;
 
-enum { BURNISH_THEORY_CLAIM_VALUES = 12 };
+enum { BURNISH_THEORY_CLAIM_VALUES = 18 };
 
 typedef struct burnish_theory_claim {
     const char *id;       /* one word for tables and options */
-    const char *claim;    /* the paper's statement, in our words */
+    const char *claim;    /* the statement, in our words */
+    const char *source;   /* who states it: "the paper", or "Lyon 1993" for background */
     const char *quantity; /* what the values measure, with unit */
     const char *note;     /* why, for a verdict that needs an explanation; otherwise "" */
     const char *command;  /* a command line that shows it */
@@ -439,7 +441,8 @@ typedef struct burnish_theory_claim {
     } values[BURNISH_THEORY_CLAIM_VALUES];
     burnish_theory_relation relation;
     double bound; /* what the values are judged against */
-    double unit;  /* one unit of the last digit that the paper gives; 0 for an exact statement */
+    double
+        unit; /* one unit of the last digit stated, 0 for an exact statement; widens ABOUT only */
     burnish_theory_verdict verdict;
 } burnish_theory_claim;
 

@@ -9,8 +9,8 @@ const char *burnish_theory_verdict_text(burnish_theory_verdict verdict) {
     switch (verdict) {
     case BURNISH_THEORY_HOLDS:
         return "holds";
-    case BURNISH_THEORY_HOLDS_TO_DIGITS:
-        return "holds to the digits given";
+    case BURNISH_THEORY_HOLDS_IN_PART:
+        return "holds in part";
     case BURNISH_THEORY_DOES_NOT_HOLD:
         return "does not hold";
     case BURNISH_THEORY_BENCHMARK:
@@ -51,12 +51,18 @@ burnish_theory_model burnish_claim_other(burnish_lobe_kind kind, double n) {
     return model;
 }
 
+double burnish_claim_core_relative(const burnish_theory_model *model) {
+    burnish_theory_difference difference;
+    burnish_theory_compare(model, burnish_theory_inflection_angle(model->exponent), &difference);
+    return 100 * difference.relative;
+}
+
 /* ---- The list ---- */
 
 /* The claim of that index, NULL past the last; counts them where `count` is not NULL. */
 static const burnish_claim_source *find(size_t index, size_t *count) {
     const burnish_claim_source *const lists[] = {burnish_claims_w, burnish_claims_fits,
-                                                 burnish_claims_vectors};
+                                                 burnish_claims_others, burnish_claims_vectors};
     const burnish_claim_source *found = NULL;
     size_t seen = 0;
     for (size_t i = 0; i < sizeof lists / sizeof lists[0]; ++i) {
@@ -78,15 +84,16 @@ size_t burnish_theory_claim_count(void) {
 
 /* ---- Verdicts ---- */
 
-/* How far the value is beyond the bound. */
-static double excess(const burnish_theory_claim *claim, double value) {
+/* Whether one value agrees with the statement, up to rounding; NaN does not. */
+static int agrees(const burnish_theory_claim *claim, double value) {
+    const double rounding = 1e-12 * (1 + fabs(claim->bound));
     switch (claim->relation) {
     case BURNISH_THEORY_AT_MOST:
-        return value - claim->bound;
+        return value - claim->bound <= rounding;
     case BURNISH_THEORY_AT_LEAST:
-        return claim->bound - value;
+        return claim->bound - value <= rounding;
     case BURNISH_THEORY_ABOUT:
-        return fabs(value - claim->bound) - 0.5 * claim->unit;
+        return fabs(value - claim->bound) - 0.5 * claim->unit <= rounding;
     case BURNISH_THEORY_NONE:
         break;
     }
@@ -94,16 +101,14 @@ static double excess(const burnish_theory_claim *claim, double value) {
 }
 
 static burnish_theory_verdict judge(const burnish_theory_claim *claim) {
-    double worst = 0, rounding = 1e-12 * (1 + fabs(claim->bound));
+    int judged = 0, agreeing = 0;
     for (int i = 0; i < claim->count; ++i) {
-        double miss = claim->values[i].judged ? excess(claim, claim->values[i].value) : 0;
-        worst = miss <= worst ? worst : miss; /* keeps NaN, which never holds */
+        judged += claim->values[i].judged;
+        agreeing += claim->values[i].judged && agrees(claim, claim->values[i].value);
     }
-    if (worst <= rounding) {
-        return BURNISH_THEORY_HOLDS;
-    }
-    double allowed = claim->relation == BURNISH_THEORY_ABOUT ? 0.5 * claim->unit : claim->unit;
-    return worst < allowed ? BURNISH_THEORY_HOLDS_TO_DIGITS : BURNISH_THEORY_DOES_NOT_HOLD;
+    return agreeing == 0        ? BURNISH_THEORY_DOES_NOT_HOLD
+           : agreeing == judged ? BURNISH_THEORY_HOLDS
+                                : BURNISH_THEORY_HOLDS_IN_PART;
 }
 
 burnish_status burnish_theory_claim_compute(size_t index, burnish_theory_claim *claim) {
@@ -113,6 +118,7 @@ burnish_status burnish_theory_claim_compute(size_t index, burnish_theory_claim *
     }
     *claim = (burnish_theory_claim){.id = source->id,
                                     .claim = source->claim,
+                                    .source = source->source ? source->source : "the paper",
                                     .quantity = source->quantity,
                                     .note = source->note,
                                     .command = source->command,

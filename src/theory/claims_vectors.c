@@ -5,6 +5,20 @@
 
 /* ---- Lyon ---- */
 
+/* How far the chord is short of the angle, and half its square off 1 - cos. */
+static void chord(burnish_theory_claim *claim) {
+    static const double degrees[] = {10, 30, 45, 60, 90};
+    for (int i = 0; i < 5; ++i) {
+        const double angle = degrees[i] * BURNISH_PI / 180;
+        const double x = sin(angle), y = cos(angle) - 1, square = x * x + y * y;
+        const double lambda = burnish_theory_lambda_of_angle(angle);
+        burnish_claim_add(claim, degrees[i] > 10, 100 * (1 - sqrt(square) / angle),
+                          "angle %g degrees", degrees[i]);
+        burnish_claim_add(claim, degrees[i] > 10, 100 * fabs(0.5 * square / lambda - 1),
+                          "1 - cos %g degrees", degrees[i]);
+    }
+}
+
 static void lyon_accuracy(burnish_theory_claim *claim) {
     static const double n[] = {16, 100, 1000};
     for (int i = 0; i < 12; ++i) {
@@ -12,7 +26,7 @@ static void lyon_accuracy(burnish_theory_claim *claim) {
         burnish_theory_model w = burnish_claim_lobe(BURNISH_FIT_TAYLOR, n[i / 4]), lyon;
         (void)burnish_theory_model_create(
             &lyon, &(burnish_lobe_spec){.kind = BURNISH_LOBE_LYON, .order = order}, n[i / 4]);
-        burnish_claim_add(claim, 1,
+        burnish_claim_add(claim, order > 2,
                           burnish_theory_maximum_error(&lyon, 0.5 * BURNISH_PI) /
                               burnish_theory_maximum_error(&w, 0.5 * BURNISH_PI),
                           "order %d n=%g", order, n[i / 4]);
@@ -87,37 +101,47 @@ static void integer_zeta(burnish_theory_claim *claim) {
 #define INVISIBLE 0.196
 
 const burnish_claim_source burnish_claims_vectors[] = {
-    {"lyon-accuracy", "Lyon's lobe is less accurate than W",
+    {"chord", "the chord in place of the angle changes little, but only at low angles",
+     "per cent by which chord and angle differ, and half its square and 1 - cos",
+     "true of the chord as an angle; but the lobe is made of half its square, which is 1 - cos at "
+     "every angle (10 degrees: *)",
+     BURNISH_CLAIM_SHOW("chord"), BURNISH_THEORY_AT_LEAST, 1, 0, chord, 0, NULL},
+    {"lyon-accuracy", "Lyon's approximation is not accurate enough",
      "its largest absolute error over W's, vectors of unit length",
-     "of order 2 it is W; every further squaring halves its error",
-     BURNISH_CLAIM_SHOW("lyon-accuracy"), BURNISH_THEORY_AT_LEAST, 1, 0, lyon_accuracy, 0},
+     "of order 2 it is W (*); every further squaring halves its error",
+     BURNISH_CLAIM_SHOW("lyon-accuracy"), BURNISH_THEORY_AT_LEAST, 1, 0, lyon_accuracy, 0, NULL},
     {"lyon-series", "Lyon's three terms of 1/sqrt(N.N) do not normalize the normals",
      "per cent of W's peak lost midway between normals that far apart",
      "visible from 0.196 on, half a step of 8 bits: true of normals 60 degrees apart or more, and "
      "of high exponents; up to 30 degrees apart nothing is lost",
-     BURNISH_CLAIM_SHOW("lyon-series"), BURNISH_THEORY_AT_LEAST, INVISIBLE, 0, lyon_series, 0},
+     BURNISH_CLAIM_SHOW("lyon-series"), BURNISH_THEORY_AT_LEAST, INVISIBLE, 0, lyon_series, 0,
+     NULL},
     {"lyon-lengths", "Lyon's chord takes vectors that are not of unit length",
      "per cent of W's peak lost there without normalization",
-     "only nearly: the chord is off by half the square of what the length lacks, the cosine by all "
-     "of it (* beside the claim)",
-     BURNISH_CLAIM_SHOW("lyon-lengths"), BURNISH_THEORY_AT_MOST, INVISIBLE, 0, lyon_lengths, 0},
+     "only nearly: the chord is off by half the square of what the length lacks, the cosine (*) by "
+     "all of it",
+     BURNISH_CLAIM_SHOW("lyon-lengths"), BURNISH_THEORY_AT_MOST, INVISIBLE, 0, lyon_lengths, 0,
+     "Lyon 1993"},
     {"speed-w", "W is 2.3 times as fast as Schlick's lobe (Pentium M)", "",
-     "measured on a Pentium M: run the benchmark on your machine", "make bench",
-     BURNISH_THEORY_NONE, 2.3, 0.1, NULL, BURNISH_THEORY_BENCHMARK},
+     "docs/performance.md has both forms, latency and throughput: section The paper's factors",
+     "make bench", BURNISH_THEORY_NONE, 2.3, 0.1, NULL, BURNISH_THEORY_BENCHMARK, NULL},
     {"speed-w05", "W_0.5 is 1.69 times as fast as Schlick's lobe (Pentium M)", "",
-     "measured on a Pentium M: run the benchmark on your machine", "make bench",
-     BURNISH_THEORY_NONE, 1.69, 0.01, NULL, BURNISH_THEORY_BENCHMARK},
+     "docs/performance.md has both forms, latency and throughput: section The paper's factors",
+     "make bench", BURNISH_THEORY_NONE, 1.69, 0.01, NULL, BURNISH_THEORY_BENCHMARK, NULL},
     {"operations-w", "W takes 2 multiplications, a shift, an increment and a decrement", "",
      "instructions of three processors and cells of the circuit: the table of operations in "
      "docs/theory.md",
-     "make operations", BURNISH_THEORY_NONE, 2, 1, NULL, BURNISH_THEORY_COUNTED},
+     "make operations", BURNISH_THEORY_NONE, 2, 1, NULL, BURNISH_THEORY_COUNTED, NULL},
     {"operations-w05",
      "W_0.5 takes 2 multiplications, a decrement, an increment, a subtraction and 7 shift places",
      "", "the same table", "make operations", BURNISH_THEORY_NONE, 2, 1, NULL,
-     BURNISH_THEORY_COUNTED},
+     BURNISH_THEORY_COUNTED, NULL},
+    {"operations-schlick", "Schlick's lobe takes a multiplication, a division and a decrement", "",
+     "the same table; c / (n - (n - 1) c) also takes the subtraction from n", "make operations",
+     BURNISH_THEORY_NONE, 3, 1, NULL, BURNISH_THEORY_COUNTED, NULL},
     {"integer-zeta", "in integers zeta is n >> 1 for W and (8n - n) >> 4 for W_0.5",
      "largest difference of the lobe from that of the exact zeta",
      "exact for multiples of 2 and of 16; burnish keeps n and 7n whole and shifts the product",
-     BURNISH_CLAIM_SHOW("integer-zeta"), BURNISH_THEORY_AT_MOST, 0, 0, integer_zeta, 0},
+     BURNISH_CLAIM_SHOW("integer-zeta"), BURNISH_THEORY_AT_MOST, 0, 0, integer_zeta, 0, NULL},
     {0},
 };

@@ -172,10 +172,12 @@ try {
 
   // ---- Claims ----
   check("claims", (await page.locator("#claims details").count()), JSON.parse(printed("claims", "--format=json").stdout).claims.length);
+  check("whose statement", (await page.locator("#claim-lyon-lengths .source").allTextContents()).join(), "Source: Lyon 1993, not the paper");
+  check("statements not of the paper", await page.locator("#claims .source").count(), 1);
   check("a claim's verdict", await page.textContent("#claim-w05-large .verdict"), "does not hold");
   await page.click("#claim-core-w summary");
   check("a claim's command", await page.textContent("#claim-core-w code"), "burnish lobe claims core-w");
-  check("verdicts are counted", /31 claims, computed just now. 17 hold, 1 holds to the digits given, 9 do not hold,/.test(await page.textContent("#claims-count")), true);
+  check("verdicts are counted", /41 claims, computed just now. 21 hold, 13 hold in part, 2 do not hold,/.test(await page.textContent("#claims-count")), true);
 
   // ---- Code ----
   await page.selectOption("#fit", "energy");

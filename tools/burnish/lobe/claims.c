@@ -29,13 +29,16 @@ const cli_command lobe_claims_command = {
     .operand = "[ID]",
     .summary = "what the paper states and what is true",
     .operand_help = "a claim, such as core-w; without it all of them",
-    .manual = "Computes every number that the paper of the order 2 lobe states, and says whether "
-              "the statement holds, holds to the digits given (missed by less than one unit of "
-              "the last digit that the paper gives), or does not hold. The paper's W is "
-              "*taylor:2*, its W1 *energy:2*, its W with the index 0.5 *shift7*. Speeds are not "
-              "judged here but measured by *make bench*, operations counted in machine code by "
-              "*make operations*.\n"
-              "A verdict is a result, not a failure: the exit code stays 0.",
+    .manual =
+        "Computes every number that the paper of the order 2 lobe states, and says whether "
+        "the statement holds, holds in part (for some of the numbers; a note says for which), "
+        "or does not hold. The paper approximates BRDFs by cosine-quadratic functions; its "
+        "references date it after 2005, and no bibliographic record of it was found. A "
+        "statement of somebody else names its source. The paper's W is *taylor:2*, its W1 "
+        "*energy:2*, its W with the index 0.5 *shift7*. Speeds are not "
+        "judged here but measured by *make bench*, operations counted in machine code by "
+        "*make operations*.\n"
+        "A verdict is a result, not a failure: the exit code stays 0.",
     .operands_max = 1,
     .flags = claims_flags,
     .flag_count = sizeof claims_flags / sizeof *claims_flags,
@@ -80,6 +83,8 @@ static burnish_status compute(const char *id, claim_list *list, burnish_error *e
 
 enum { INDENT = 4 };
 
+static const char PAPER[] = "the paper";
+
 static void print_bound(FILE *stream, const burnish_theory_claim *claim) {
     char number[CLI_REAL_SIZE];
     if (claim->relation != BURNISH_THEORY_NONE) {
@@ -92,8 +97,8 @@ static void format_value(double value, char *text, size_t size) {
     snprintf(text, size, "%.5g", fabs(value) < 1e-13 ? 0.0 : value);
 }
 
-/* The values in columns of one width, as many as a line holds; an asterisk marks those that are
- * shown beside the others. */
+/* The values in columns of one width, as many as a line holds; an asterisk marks those that
+ * are not judged. */
 static void print_values(FILE *stream, const burnish_theory_claim *claim) {
     int label = 0, number = 0, unjudged = 0;
     char text[32];
@@ -116,7 +121,7 @@ static void print_values(FILE *stream, const burnish_theory_claim *claim) {
         fputs(last ? "\n" : "", stream);
     }
     if (unjudged) {
-        fprintf(stream, "%*s(* beside the claim)\n", INDENT, "");
+        fprintf(stream, "%*s(* for information, not judged)\n", INDENT, "");
     }
 }
 
@@ -125,6 +130,9 @@ static void print_claim(FILE *stream, const burnish_theory_claim *claim) {
     fprintf(stream, "%-*s%s\n%*s", CLI_TEXT_WIDTH - (int)strlen(verdict), claim->id, verdict, 2,
             "");
     cli_print_wrapped(stream, claim->claim, 2, CLI_TEXT_WIDTH);
+    if (strcmp(claim->source, PAPER) != 0) {
+        fprintf(stream, "  Source: %s, not the paper\n", claim->source);
+    }
     if (claim->count > 0) {
         fprintf(stream, "  %s: ", claim->quantity);
         print_bound(stream, claim);
@@ -188,7 +196,11 @@ static void print_markdown(FILE *stream, const claim_list *list) {
         judged_range(claim, &low, &high);
         format_value(low, low_text, sizeof low_text);
         format_value(high, high_text, sizeof high_text);
-        fprintf(stream, "| %s | %s | ", claim->claim, claim->quantity);
+        fprintf(stream, "| %s", claim->claim);
+        if (strcmp(claim->source, PAPER) != 0) {
+            fprintf(stream, " (%s, not the paper)", claim->source);
+        }
+        fprintf(stream, " | %s | ", claim->quantity);
         print_bound(stream, claim);
         fprintf(stream, " | %s%s%s | %s |\n", claim->count > 0 ? low_text : "",
                 strcmp(low_text, high_text) != 0 && claim->count > 0 ? " to " : "",
@@ -199,8 +211,8 @@ static void print_markdown(FILE *stream, const claim_list *list) {
 
 /* A row for every value; a claim without values has one row with empty fields. */
 static void print_csv(FILE *stream, const claim_list *list) {
-    fprintf(stream,
-            "id,claim,quantity,note,label,value,judged,relation,bound,unit,verdict,command\n");
+    fprintf(stream, "id,claim,quantity,note,label,value,judged,relation,bound,unit,verdict,source,"
+                    "command\n");
     for (size_t i = 0; i < list->count; ++i) {
         const burnish_theory_claim *claim = &list->items[i];
         for (int k = 0; k < (claim->count > 0 ? claim->count : 1); ++k) {
@@ -224,6 +236,8 @@ static void print_csv(FILE *stream, const claim_list *list) {
             fputc(',', stream);
             cli_csv_text(stream, burnish_theory_verdict_text(claim->verdict));
             fputc(',', stream);
+            cli_csv_text(stream, claim->source);
+            fputc(',', stream);
             cli_csv_text(stream, claim->command);
             fputc('\n', stream);
         }
@@ -234,6 +248,7 @@ static cJSON *claim_object(const burnish_theory_claim *claim, int *failed) {
     cJSON *object = cJSON_CreateObject(), *values = cJSON_CreateArray();
     cli_json_add(object, "id", cJSON_CreateString(claim->id), failed);
     cli_json_add(object, "claim", cJSON_CreateString(claim->claim), failed);
+    cli_json_add(object, "source", cJSON_CreateString(claim->source), failed);
     cli_json_add(object, "quantity", cJSON_CreateString(claim->quantity), failed);
     for (int i = 0; i < claim->count; ++i) {
         cJSON *value = cJSON_CreateObject();
