@@ -30,8 +30,9 @@ typedef struct context {
 typedef struct section {
     const char *name;
     burnish_bench_table *table;
-    int first; /* row */
-    int count; /* jobs */
+    int is_inverse; /* of all rows; copies are without it */
+    int first;      /* row */
+    int count;      /* jobs */
     burnish_bench_job jobs[JOBS_MAX];
     int rows[JOBS_MAX];
     context contexts[JOBS_MAX];
@@ -59,7 +60,7 @@ int burnish_bench_has(burnish_isa isa) {
 }
 
 void burnish_bench_key(const burnish_bench_row *row, char *key, size_t size) {
-    snprintf(key, size, row->is_copy ? "%s.over_%s" : "%s.%s_over", row->section, row->name);
+    snprintf(key, size, row->is_inverse ? "%s.over_%s" : "%s.%s_over", row->section, row->name);
 }
 
 static const burnish_bench_shader *shader_of(const context *given) {
@@ -132,6 +133,7 @@ static void run_chain(const void *given) {
 static void section_begin(section *made, const char *name, burnish_bench_table *table) {
     made->name = name;
     made->table = table;
+    made->is_inverse = strncmp(name, "paper.", 6) == 0;
     made->first = table->count;
     made->count = 0;
 }
@@ -143,7 +145,7 @@ static void section_add(section *to, const char *name, const char *label, void (
     *row = (burnish_bench_row){.section = to->name,
                                .name = name,
                                .label = label,
-                               .is_copy = strstr(name, "copy") != NULL,
+                               .is_inverse = to->is_inverse || strstr(name, "copy"),
                                .nanoseconds = NAN,
                                .cycles = NAN,
                                .ratio = NAN,
@@ -165,8 +167,8 @@ static void section_run(section *given, int rounds, double seconds) {
         burnish_bench_row *row = &given->table->rows[given->rows[i]];
         const burnish_bench_job *job = &given->jobs[i], *lobe = &given->jobs[0];
         row->nanoseconds = burnish_bench_median(job, rounds);
-        row->ratio = row->is_copy ? burnish_bench_median_ratio(lobe, job, rounds)
-                                  : burnish_bench_median_ratio(job, lobe, rounds);
+        row->ratio = row->is_inverse ? burnish_bench_median_ratio(lobe, job, rounds)
+                                     : burnish_bench_median_ratio(job, lobe, rounds);
     }
 }
 
@@ -293,27 +295,37 @@ static void finish_scalar(burnish_bench_table *table, int first, int is_chain, d
         rows[i].cycles = hertz > 0 ? rows[i].nanoseconds * hertz * 1e-9 : NAN;
         if (is_chain) {
             rows[i].ratio = rows[i].nanoseconds / rows[0].nanoseconds;
+            rows[i].ratio = rows[i].is_inverse ? 1 / rows[i].ratio : rows[i].ratio;
         }
     }
 }
 
 static void measure_scalar(section *made, burnish_bench_input *input, int rounds, int quick,
                            burnish_bench_report *report) {
-    static const char *const NAMES[] = {"scalar.latency", "scalar.throughput"};
+    static const struct {
+        const char *name;
+        const burnish_bench_scalar *list;
+        int is_chain;
+    } SECTIONS[] = {{"scalar.latency", burnish_bench_scalars, 1},
+                    {"scalar.throughput", burnish_bench_scalars, 0},
+                    {"paper.latency", burnish_bench_paper, 1},
+                    {"paper.throughput", burnish_bench_paper, 0}};
     burnish_bench_scalar_lobe lobe;
     (void)burnish_lobe_create(&lobe.family, BURNISH_FIT_ENERGY, 2, BURNISH_BENCH_EXPONENT);
     lobe.exponent = BURNISH_BENCH_EXPONENT;
+    lobe.whole_exponent = BURNISH_BENCH_EXPONENT;
     lobe.offset = (float)(1.0 - (double)lobe.family.zeta);
     report->scalar.count = 0;
-    for (int through = 0; through < 2; ++through) {
-        section_begin(made, NAMES[through], &report->scalar);
-        for (const burnish_bench_scalar *scalar = burnish_bench_scalars; scalar->name; ++scalar) {
+    for (size_t i = 0; i < sizeof SECTIONS / sizeof *SECTIONS; ++i) {
+        const int is_chain = SECTIONS[i].is_chain;
+        section_begin(made, SECTIONS[i].name, &report->scalar);
+        for (const burnish_bench_scalar *scalar = SECTIONS[i].list; scalar->name; ++scalar) {
             context given = {.input = input, .scalar = scalar, .scalar_lobe = &lobe};
-            section_add(made, scalar->name, scalar->label, through ? run_through : run_chain,
+            section_add(made, scalar->name, scalar->label, is_chain ? run_chain : run_through,
                         &given, BURNISH_BENCH_POINTS, NULL);
         }
         section_run(made, rounds, quick ? 0.2e-3 : 1e-3);
-        finish_scalar(&report->scalar, made->first, !through, report->tsc_hertz);
+        finish_scalar(&report->scalar, made->first, is_chain, report->tsc_hertz);
     }
 }
 

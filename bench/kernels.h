@@ -27,10 +27,10 @@ typedef struct burnish_bench_row {
     const char *section; /* "lobe.l1" */
     const char *name;    /* "schlick" */
     const char *label;   /* for display */
-    int is_copy;         /* 1: ratio is the lobe's time over this row's; its key is over_NAME */
-    double nanoseconds;  /* per element; NaN where missing */
-    double cycles;       /* of the time-stamp counter; NaN where not measured */
-    double ratio;        /* this row's time over the lobe's, but see is_copy; NaN where missing */
+    int is_inverse;     /* 1: ratio is the first row's time over this row's; its key is over_NAME */
+    double nanoseconds; /* per element; NaN where missing */
+    double cycles;      /* of the time-stamp counter; NaN where not measured */
+    double ratio; /* this row's time over the first's, but see is_inverse; NaN where missing */
     const char *missing; /* why there is no number; NULL where there is one */
     /* By burnish_bench_errors only: the largest errors, NaN where a value is none. */
     double absolute, relative;
@@ -55,7 +55,7 @@ typedef struct burnish_bench_report {
     double tsc_hertz;   /* time-stamp counter; 0 where there is none */
     int has_isa[BURNISH_ISA_COUNT];
     burnish_bench_table isa[BURNISH_ISA_COUNT];
-    burnish_bench_table scalar; /* scalar code, one value at a time */
+    burnish_bench_table scalar; /* scalar code, one value at a time; the paper's forms */
 } burnish_bench_report;
 
 /* Measures. Takes some seconds per instruction set and the memory of two arrays.

@@ -67,6 +67,34 @@ INLINE float schlick_header(const burnish_bench_scalar_lobe *lobe, float c) {
     return burnish_schlick_at_cosine(c, lobe->exponent);
 }
 
+/* The exponent as a number that the compiler has to read anew for each value. */
+INLINE int exponent_anew(const burnish_bench_scalar_lobe *lobe) {
+    int n = lobe->whole_exponent;
+    __asm__ volatile("" : "+r"(n));
+    return n;
+}
+
+/* The paper's W_Q: (zeta (c - 1) + 1)^2, with the test for the zero that it needs. */
+INLINE float paper_lobe(int zeta, float c) {
+    float u = positive((float)zeta * (c - 1.0f) + 1.0f);
+    return u * u;
+}
+
+INLINE float paper_w(const burnish_bench_scalar_lobe *lobe, float c) {
+    return paper_lobe(exponent_anew(lobe) >> 1, c);
+}
+
+INLINE float paper_w_half(const burnish_bench_scalar_lobe *lobe, float c) {
+    const int n = exponent_anew(lobe);
+    return paper_lobe(((n << 3) - n) >> 4, c);
+}
+
+INLINE float paper_schlick(const burnish_bench_scalar_lobe *lobe, float c) {
+    const float n = (float)exponent_anew(lobe);
+    c = positive(c);
+    return c / (n - n * c + c);
+}
+
 INLINE float library(const burnish_bench_scalar_lobe *lobe, float c) {
     return powf(positive(c), lobe->exponent);
 }
@@ -100,6 +128,9 @@ LOOPS(schlick_folded)
 LOOPS(schlick_unfolded)
 LOOPS(schlick_header)
 LOOPS(library)
+LOOPS(paper_w)
+LOOPS(paper_w_half)
+LOOPS(paper_schlick)
 
 const burnish_bench_scalar burnish_bench_scalars[] = {
     {"lobe", "max(0, c zeta + (1 - zeta))^2", folded_through, folded_chain},
@@ -110,5 +141,13 @@ const burnish_bench_scalar burnish_bench_scalars[] = {
     {"lobe_h", "burnish_lobe_at_cosine", header_through, header_chain},
     {"schlick_h", "burnish_schlick_at_cosine", schlick_header_through, schlick_header_chain},
     {"powf", "powf", library_through, library_chain},
+    {NULL, NULL, NULL, NULL},
+};
+
+const burnish_bench_scalar burnish_bench_paper[] = {
+    {"schlick", "Schlick, c / (n - n c + c)", paper_schlick_through, paper_schlick_chain},
+    {"loop", "the loop alone (subtracted from the latencies)", nothing_through, nothing_chain},
+    {"w", "W, zeta = n >> 1", paper_w_through, paper_w_chain},
+    {"w_half", "W_0.5, zeta = (8n - n) >> 4", paper_w_half_through, paper_w_half_chain},
     {NULL, NULL, NULL, NULL},
 };

@@ -10,6 +10,7 @@
 typedef struct burnish_bench_scalar_lobe {
     burnish_lobe family;
     float exponent, offset; /* n, 1 - zeta */
+    int whole_exponent;     /* n, of the paper's forms */
 } burnish_bench_scalar_lobe;
 
 /* A lobe in two loops: `through` has independent values, out[i] = lobe(in[i]); in `chain` each
@@ -22,7 +23,12 @@ typedef struct burnish_bench_scalar {
     burnish_bench_scalar_function *through, *chain;
 } burnish_bench_scalar;
 
-/* The first is the lobe, the second the loops alone, a NULL name ends the list. */
+/* The first is what the others are compared with, the second the loops alone, a NULL name ends the
+ * list. */
 extern const burnish_bench_scalar burnish_bench_scalars[];
+
+/* The paper's W and W_0.5 and Schlick's lobe, first, each from a whole exponent: what depends on it
+ * is made again for every value. */
+extern const burnish_bench_scalar burnish_bench_paper[];
 
 #endif

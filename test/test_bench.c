@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bench/kernels.h"
+#include "bench/kernels_scalar.h"
 #include "support.h"
 
 /* Largest errors against max(0, c)^32 and 1/sqrt: the absolute one, and the relative one where the
@@ -73,12 +74,34 @@ static void check_isa(burnish_isa isa) {
 
 static void check_keys(void) {
     char key[64];
-    burnish_bench_row row = {.section = "lobe.l1", .name = "copy", .is_copy = 1};
+    burnish_bench_row row = {.section = "lobe.l1", .name = "copy", .is_inverse = 1};
     burnish_bench_key(&row, key, sizeof key);
     CHECK(strcmp(key, "lobe.l1.over_copy") == 0, "%s", key);
     row = (burnish_bench_row){.section = "shade.point", .name = "libmvec"};
     burnish_bench_key(&row, key, sizeof key);
     CHECK(strcmp(key, "shade.point.libmvec_over") == 0, "%s", key);
+}
+
+/* The paper's forms from a whole exponent, against their formulas. */
+static void check_paper(void) {
+    static const float cosines[] = {-0.5f, 0.0f, 0.9f, 0.95f, 0.99f, 1.0f};
+    enum { COUNT = sizeof cosines / sizeof *cosines };
+    const burnish_bench_scalar_lobe lobe = {.whole_exponent = 21};
+    float values[COUNT];
+    for (const burnish_bench_scalar *form = burnish_bench_paper; form->name; ++form) {
+        /* 21 >> 1, (8 * 21 - 21) >> 4 */
+        const double zeta = strcmp(form->name, "w") == 0 ? 10 : 9;
+        if (strcmp(form->name, "loop") == 0) {
+            continue;
+        }
+        (void)form->through(&lobe, COUNT, cosines, values);
+        for (int i = 0; i < COUNT; ++i) {
+            const double c = fmax(0, (double)cosines[i]), u = fmax(0, 1 + zeta * (c - 1));
+            const double exact = strcmp(form->name, "schlick") == 0 ? c / (21 - 20 * c) : u * u;
+            CHECK(fabs((double)values[i] - exact) < 1e-6, "%s(%g): %g, not %g", form->name, c,
+                  (double)values[i], exact);
+        }
+    }
 }
 
 int main(int count, char **arguments) {
@@ -89,5 +112,6 @@ int main(int count, char **arguments) {
         }
     }
     RUN(check_keys());
+    RUN(check_paper());
     return test_end("bench");
 }

@@ -14,7 +14,8 @@ shade_keys="none_over libmvec_over sleef_over table_over vector_pow_over schlick
 check_keys() {
     for key in $(for k in $lobe_keys; do echo "lobe.l1.$k"; done) lobe.memory.over_nt_copy \
         $(for k in $shade_keys; do echo "shade.directional.$k shade.point.$k"; done) \
-        root.l1.ieee_over scalar.latency.schlick_over scalar.throughput.schlick_over; do
+        root.l1.ieee_over scalar.latency.schlick_over scalar.throughput.schlick_over \
+        paper.latency.over_w paper.latency.over_w_half paper.throughput.over_w paper.throughput.over_w_half; do
         first=$(tr -d '\n\t ' <"$out" | grep -oF -m 1 "\"$key\":" | head -n 1)
         check "bench $1: no key $key" [ -n "$first" ]
         found=$(tr -d '\n\t ' <"$out" | sed 's/"missing":.*//' |
