@@ -111,7 +111,7 @@ typedef enum burnish_lobe_fit {
     BURNISH_FIT_TAYLOR,    /* n/m: the same curvature at the peak; never above cos^n (paper's W) */
     BURNISH_FIT_ENERGY,    /* (n+1)/(m+1): the same integral over solid angle (paper's W1) */
     BURNISH_FIT_LEVEL,     /* meets cos^n where that is Q (paper's W_Q) */
-    BURNISH_FIT_SHIFT7,    /* 7n/16, m = 2: integers (paper's W_0.5; its Q is 0.58) */
+    BURNISH_FIT_SHIFT7,    /* 7n/16, m = 2: integers (paper's W_0.5; its Q tends to 0.58) */
     BURNISH_FIT_SHIFT3,    /* 3n/8, m = 2: as cheap, lower largest absolute error for n >= 6 */
     BURNISH_FIT_PROJECTED, /* the same cosine-weighted integral */
     BURNISH_FIT_MINIMAX,   /* least maximum absolute error, c in [0, 1] */
