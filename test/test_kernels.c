@@ -323,6 +323,40 @@ static void check_choice(void) {
     CHECK(burnish_isa_best(0) == BURNISH_ISA_SCALAR, "an empty mask");
 }
 
+/* NULL kernels, which burnish_kernels_for returns for a set that is missing, give the best one's
+ * results. */
+static void check_null_kernels(void) {
+    static const float x[2] = {3, 0}, y[2] = {0, 0.5f}, z[2] = {4, 0.5f}, cosines[2] = {0.9f, 1};
+    const burnish_kernels *choices[2] = {burnish_kernels_best(), NULL};
+    const float *const vectors[3] = {x, y, z};
+    struct {
+        float cosine[2], lambda[2], unit[3][2], rgb[3][2];
+        uint8_t rgba[8];
+    } results[2];
+    const burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    const burnish_kernels_points points = {.normal = {x, y, z}};
+    burnish_kernels_shader *shader;
+    burnish_status status = burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
+    memset(results, 0, sizeof results);
+    for (int i = 0; i < 2; ++i) {
+        float *const unit[3] = {results[i].unit[0], results[i].unit[1], results[i].unit[2]};
+        float *const rgb[3] = {results[i].rgb[0], results[i].rgb[1], results[i].rgb[2]};
+        const burnish_kernels *k = choices[i];
+        status |= burnish_kernels_lobe_of_cosines(k, &lighting.lobe, 30, 2, cosines,
+                                                  results[i].cosine, NULL);
+        status |= burnish_kernels_lobe_of_lambdas(k, &lighting.lobe, 30, 2, cosines,
+                                                  results[i].lambda, NULL);
+        burnish_kernels_normalize(k, 2, vectors, unit);
+        status |= burnish_kernels_shade_rgba8(k, shader, &points, 2, results[i].rgba, NULL);
+        status |= burnish_kernels_shade_float(k, shader, &points, 2, rgb, NULL);
+    }
+    CHECK(status == BURNISH_STATUS_OK && memcmp(&results[0], &results[1], sizeof *results) == 0,
+          "NULL kernels: status %d, or other values", (int)status);
+    CHECK(results[0].cosine[1] == 1 && results[0].unit[0][0] > 0.59f, "nothing was computed");
+    CHECK(burnish_kernels_isa(NULL) == burnish_kernels_isa(choices[0]), "the set of NULL kernels");
+    burnish_kernels_shader_destroy(shader);
+}
+
 /* ---- Times, for --bench ---- */
 
 static double nanoseconds(void) {
@@ -390,6 +424,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, "--bench");
     RUN(check_choice());
     RUN(check_errors());
+    RUN(check_null_kernels());
     RUN(check_instruction_sets());
     RUN(check_processors());
     if (test_option()) {

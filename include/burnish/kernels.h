@@ -45,7 +45,8 @@ typedef struct burnish_isa_ops burnish_kernels;
  * result: it asks the processor. */
 BURNISH_API const burnish_kernels *burnish_kernels_best(void);
 
-/* The kernels of an instruction set, NULL where this build or processor lacks it. */
+/* The kernels of an instruction set, or NULL if this build or processor lacks it. Every function
+ * below takes NULL as burnish_kernels_best(): the results are the same. */
 BURNISH_API const burnish_kernels *burnish_kernels_for(burnish_isa isa);
 
 /* The instruction set of these kernels. */
@@ -61,7 +62,7 @@ BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *kernels);
  *   whole power  the same as power, by multiplications */
 
 /* values[i] = lobe(cosines[i]).
- *   kernels   from burnish_kernels_best or burnish_kernels_for
+ *   kernels   from burnish_kernels_best or burnish_kernels_for; NULL: the best
  *   lobe      any that burnish_lobe_spec_check accepts, and whole power; not NULL. The searched
  *             fits (minimax, leastsquares, affine) are solved in each call: 10 to 100 microseconds
  *   exponent  n: [1, 65536], for the family as burnish_lobe_solve has it; a whole number for whole
@@ -90,9 +91,10 @@ BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels
 
 /* Scales vectors to unit length, each component within 2e-7 relative, with neither root nor
  * division.
- *   in   x, y, z of lengths in [2^-60, 2^60]; (0, 0, 0) stays (0, 0, 0), others give no unit
- *        vector
- *   out  receives x, y, z; may be in's arrays */
+ *   kernels  from burnish_kernels_best or burnish_kernels_for; NULL: the best
+ *   in       x, y, z of lengths in [2^-60, 2^60]; (0, 0, 0) stays (0, 0, 0), others give no unit
+ *            vector
+ *   out      receives x, y, z; may be in's arrays */
 BURNISH_API void burnish_kernels_normalize(const burnish_kernels *kernels, size_t count,
                                            const float *const in[3], float *const out[3]);
 
@@ -159,7 +161,7 @@ typedef struct burnish_kernels_points {
 } burnish_kernels_points;
 
 /* Shades points into pixels: channel = 255 min(1, value), halves to even; alpha 255.
- *   kernels  from burnish_kernels_best or burnish_kernels_for
+ *   kernels  from burnish_kernels_best or burnish_kernels_for; NULL: the best
  *   shader   from burnish_kernels_shader_create; not NULL
  *   points   no array overlaps the output; differences of positions in [2^-60, 2^60]
  *   count    number of points

@@ -20,8 +20,13 @@ const burnish_kernels *burnish_kernels_best(void) {
     return burnish_isa_ops_for(isa);
 }
 
+/* NULL, as burnish_kernels_for returns it, stands for the best. */
+static const burnish_kernels *or_best(const burnish_kernels *kernels) {
+    return kernels ? kernels : burnish_kernels_best();
+}
+
 burnish_isa burnish_kernels_isa(const burnish_kernels *kernels) {
-    return kernels->isa;
+    return or_best(kernels)->isa;
 }
 
 /* ---- Lobes ---- */
@@ -34,7 +39,7 @@ static burnish_status lobe_array(const burnish_kernels *kernels, const burnish_l
     float scale;
     burnish_status status = burnish_lobe_constants_make(lobe, exponent, &constants, &scale, error);
     if (status == BURNISH_STATUS_OK) {
-        kernels->lobe[constants.body][input](&constants, count, in, out);
+        or_best(kernels)->lobe[constants.body][input](&constants, count, in, out);
         for (size_t i = 0; scale != 1.0f && i < count; ++i) {
             out[i] *= scale;
         }
@@ -62,7 +67,7 @@ burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *kernels,
 void burnish_kernels_normalize(const burnish_kernels *kernels, size_t count,
                                const float *const in[3], float *const out[3]) {
     const burnish_environment environment = burnish_environment_enter();
-    kernels->normalize_array(count, in, out);
+    or_best(kernels)->normalize_array(count, in, out);
     burnish_environment_leave(environment);
 }
 
@@ -150,8 +155,8 @@ static burnish_status shade(const burnish_kernels *kernels, const burnish_kernel
     if (status == BURNISH_STATUS_OK) {
         const burnish_environment environment = burnish_environment_enter();
         const int output = rgba ? BURNISH_SHADE_RGBA8 : BURNISH_SHADE_FLOAT;
-        kernels->shade[shader->lobe.body][shader->geometry][output](shader, points, count, rgba,
-                                                                    rgb);
+        or_best(kernels)->shade[shader->lobe.body][shader->geometry][output](shader, points, count,
+                                                                             rgba, rgb);
         burnish_environment_leave(environment);
     }
     return status;
