@@ -1,4 +1,4 @@
-/* A file to a picture: load, frame, draw, write.
+/* A file to the picture that `burnish render FILE` draws: load, choose the look, frame, draw, write.
  *
  *     cc picture.c $(pkg-config --cflags --libs burnish) -o picture && ./picture part.stl part.png
  */
@@ -17,6 +17,12 @@ static burnish_status draw(const char *input, const char *output, burnish_error 
     framing.aspect = (double)render.width / render.height;
 
     burnish_status status = burnish_mesh_load(input, &load, &mesh, error);
+    if (status == BURNISH_STATUS_OK) { /* without these two calls: --look=plain */
+        status = burnish_render_options_set_look(&render, BURNISH_LOOK_STUDIO, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_look_set_materials(BURNISH_LOOK_STUDIO, mesh, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_camera_frame(mesh, &framing, &render.camera, error);
     }

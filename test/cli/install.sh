@@ -22,7 +22,7 @@ mv "$scratch/staged/opt/burnish" "$scratch/moved"
 libdir=$(dirname "$(find "$scratch/moved" -name libburnish.a)")
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 export LD_LIBRARY_PATH="$libdir"
-"$scratch/moved/bin/burnish" render :teapot --look=plain -o "$scratch/expected.png" || fail "the installed program"
+"$scratch/moved/bin/burnish" render :teapot -o "$scratch/expected.png" || fail "the installed program"
 for text in man/man1/burnish.1 burnish/shaders/burnish.glsl bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
     [ -s "$scratch/moved/share/$text" ] || fail "no $text"
 done
