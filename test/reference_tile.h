@@ -1,4 +1,4 @@
-/* The reference renderer of a tile, kept plain: what src/raster/tile does fast must come out
+/* The reference renderer of a tile, kept plain: what src/raster/tile*.c do fast must come out
  * as it comes out here, bit for bit. Included by tests.
  *
  * The rules. A sample belongs to the triangle that is nearest there; of two at the same depth to

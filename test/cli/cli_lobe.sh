@@ -23,34 +23,6 @@ number() {
     near "$value" "$4" "$5" || fail "$1: $2 $3 is '$value', not $4"
 }
 
-# ---- Examples ----
-
-printf 'angle,intensity\n' >samples.csv
-awk 'BEGIN { for (a = 0; a <= 40; ++a) {
-    u = 1 - 61 / 5 * (1 - cos(a * atan2(0, -1) / 180)); printf "%d,%.12g\n", a, 0.8 * (u > 0 ? u^4 : 0) } }' >>samples.csv
-examples=0
-mkdir bin
-ln -s "$burnish" bin/burnish
-for screen in "" table claims choose fit boundary sample plot; do
-    # shellcheck disable=SC2086
-    run lobe $screen --help
-    sed -n '/^Examples/,/^$/s/^  \(burnish .*[^ ]\)   *[^ ].*$/\1/p' "$out" | sed 's/   *.*$//' >list.txt
-    while read -r example; do
-        examples=$((examples + 1))
-        case $example in # figures are drawn by gnuplot, which make test does not ask for
-        *" plot object"* | *--format=csv*) ;;
-        *" plot "*) command -v gnuplot >/dev/null || continue ;;
-        esac
-        check "the help's example fails: $example" sh -c "PATH='$scratch/bin':\$PATH; $example </dev/null"
-    done <list.txt
-    check "burnish lobe $screen --help has no examples" [ -s list.txt ]
-done
-check "only $examples examples" [ "$examples" -ge 20 ]
-for file in lobes.csv claims.json boundary.c boundary.mem rays.csv residuals.csv; do
-    check "the examples leave no $file" [ -s "$file" ]
-done
-rm -rf ./*
-
 # ---- Numbers ----
 
 run lobe table --lobes=taylor:2,energy:4,level0.5:2,schlick,power,minimax:2 --exponents=18 --metrics=all --format=csv

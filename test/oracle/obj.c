@@ -3,8 +3,7 @@
  *
  * vt, o, g, s and unknown keywords are passed over; l and p too, with one warning. Vertex colours
  * follow the coordinates (v x y z r g b). An index refers to what stands before it in the file.
- * Large files are read by threads where they can be (obj_parts.h); all others, and those with
- * something wrong or unusual in them, statement by statement here. */
+ * Statement by statement, on one thread. */
 #include "oracle/append.h"
 #include "oracle/obj_line.h"
 #include "oracle/obj_materials.h"

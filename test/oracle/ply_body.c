@@ -1,7 +1,4 @@
-/* The body of a PLY file: element by element.
- *
- * Rows of one size and rows that are lines are read all at once, by threads (ply_rows.h,
- * ply_lines.h); all others value by value. */
+/* The body of a PLY file: element by element, value by value, on one thread. */
 #include <string.h>
 
 #include "oracle/append.h"
