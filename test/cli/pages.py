@@ -169,7 +169,7 @@ def mentions(path, lines):
         if path.endswith((".c", ".h")): # in quotes, and bold in texts of the manual
             found += re.findall(rf'(?<![\w`])[*"](burnish (?:{COMMANDS})\b[^"*\\`]*)', line)
         if not found:
-            found = re.findall(r"(?<![\w`*\"])(burnish (?:[a-z-]+ -|lobe [a-z]+ -|[a-z]+ :)[^\"`*)]*)", line)
+            found = re.findall(r"(?<![\w`*\"])(burnish (?:(?!with )[a-z-]+ -|lobe [a-z]+ -|[a-z]+ :)[^\"`*)]*)", line)
         for command in found:
             words = command.split()[1:]
             prose = [word for word in words[2 if words[0] == "lobe" else 1:] if not re.search(r"[-.:=\d]", word)]
