@@ -198,6 +198,17 @@ check "--max-seconds: $(cat "$err")" grep -q '^burnish: in/sheets.obj: not done 
 check "nothing half done" [ "$(find out -name '.*' -o -name 'sheets*' | wc -l)" = 0 ]
 rm -rf out
 
+# A file that burnish did not write is not replaced, however long its name is.
+part=$(printf '%0200d' 0)
+mkdir -p "long/$part/$part/$part" "out/$part/$part/$part"
+cp in/a.obj "long/$part/$part/$part/a.obj"
+echo mine >"out/$part/$part/$part/a.png"
+batch long -r -d out --size=16
+check "a foreign file of a long name: exit code $code" [ "$code" = 11 ]
+check "a foreign file of a long name: $(cat "$err")" grep -q 'exists and is no picture by burnish' "$err"
+check "it is replaced" [ "$(cat "out/$part/$part/$part/a.png")" = mine ]
+rm -rf long out
+
 # A signal: what is done is kept, and the next run goes on.
 mkdir many
 for i in 1 2 3 4 5 6 7 8 9; do cp in/a.obj many/$i.obj; done

@@ -331,11 +331,7 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
     settings->input = item->input;
     settings->output = item->output;
     settings->overwrite |= order->is_ours;
-    if (strlen(item->output) < sizeof settings->default_output) {
-        /* what stands there and is no picture of ours may be a texture */
-        snprintf(settings->default_output, sizeof settings->default_output, "%s", item->output);
-        settings->output = settings->default_output;
-    }
+    settings->is_default_output = 1; /* what has the name may be a texture */
     if (item->view >= 0) {
         settings->views.items[0] = settings->views.items[item->view];
         settings->views.count = 1;

@@ -179,7 +179,9 @@ typedef struct render_settings {
 
     cli_given given; /* flags of the command line */
 
-    char default_output[512]; /* what output points to when the name is made from the input's */
+    int is_default_output;    /* 1: the name is made from the input's, so what has it is replaced
+                                 only if burnish wrote it */
+    char default_output[512]; /* what output may then point to */
 } render_settings;
 
 /* What the subcommand does once its flags are read. */

@@ -37,6 +37,7 @@ static burnish_status derive_output(render_settings *settings, burnish_error *er
     }
     snprintf(name, sizeof settings->default_output, "%.*s.%s", (int)length, base, ending);
     settings->output = name;
+    settings->is_default_output = 1;
     return BURNISH_STATUS_OK;
 }
 
@@ -191,8 +192,8 @@ static burnish_status check_output(render_settings *settings, burnish_error *err
                         "--output: \"%.200s\" is the input; name another file", settings->output);
     }
     /* What happens to have the picture's name may be a texture of the mesh. */
-    if (settings->output == settings->default_output && !settings->overwrite &&
-        cli_name_exists(settings->output) && !is_own_picture(settings->output)) {
+    if (settings->is_default_output && !settings->overwrite && cli_name_exists(settings->output) &&
+        !is_own_picture(settings->output)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "%.200s: exists and is no picture by burnish; replace it with --overwrite, "
                         "or name the picture with --output=FILE",
