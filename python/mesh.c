@@ -1,4 +1,5 @@
 /* burnish.Mesh: loading, and drawing again and again. */
+#include <stdatomic.h>
 #include <string.h>
 
 #include "cli/options.h"
@@ -7,7 +8,31 @@
 typedef struct mesh_object {
     PyObject_HEAD session *session;
     PyThread_type_lock lock; /* one thread at a time draws a mesh */
+    atomic_ulong holder;     /* the thread that has the lock */
+    atomic_int is_held;
 } mesh_object;
+
+/* Waits for the lock without Python's. Drawing runs handlers of signals: in one of them this thread
+ * has the lock already and would wait for itself, which is an exception instead. */
+static int enter(mesh_object *self) {
+    const unsigned long thread = PyThread_get_thread_ident();
+    if (atomic_load(&self->is_held) && atomic_load(&self->holder) == thread) {
+        PyErr_SetString(PyExc_RuntimeError,
+                        "a signal's handler can't use the mesh that it interrupts; use another");
+        return 0;
+    }
+    Py_BEGIN_ALLOW_THREADS;
+    PyThread_acquire_lock(self->lock, WAIT_LOCK);
+    Py_END_ALLOW_THREADS;
+    atomic_store(&self->holder, thread);
+    atomic_store(&self->is_held, 1);
+    return 1;
+}
+
+static void leave(mesh_object *self) {
+    atomic_store(&self->is_held, 0);
+    PyThread_release_lock(self->lock);
+}
 
 /* ---- Making ---- */
 
@@ -201,14 +226,16 @@ static PyObject *draw(PyObject *object, PyObject *arguments) {
         return NULL;
     }
     const session_flags flags = flags_of(texts, size);
+    if (!enter(self)) {
+        return NULL;
+    }
     Py_BEGIN_ALLOW_THREADS;
-    PyThread_acquire_lock(self->lock, WAIT_LOCK);
     status = session_draw(self->session, flags, &error);
     Py_END_ALLOW_THREADS;
     PyObject *image = status == BURNISH_STATUS_OK && !PyErr_Occurred()
                           ? image_take(state, self->session)
                           : module_fail(state, &error);
-    PyThread_release_lock(self->lock);
+    leave(self);
     return image;
 }
 
@@ -273,11 +300,11 @@ static PyObject *get_bounds(PyObject *object, void *unused) {
 static PyObject *get_warnings(PyObject *object, void *unused) {
     (void)unused;
     mesh_object *self = (mesh_object *)object;
-    Py_BEGIN_ALLOW_THREADS;
-    PyThread_acquire_lock(self->lock, WAIT_LOCK); /* drawing adds to them */
-    Py_END_ALLOW_THREADS;
+    if (!enter(self)) { /* drawing adds to them */
+        return NULL;
+    }
     PyObject *lines = image_warnings(self->session);
-    PyThread_release_lock(self->lock);
+    leave(self);
     return lines;
 }
 

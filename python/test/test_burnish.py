@@ -369,6 +369,32 @@ class Process(unittest.TestCase):
         self.assertEqual(drawn, [])
         self.assertEqual(mesh.render(size=32).hash, burnish.render(":knot", tessellation=128, size=32).hash)
 
+    def test_handler(self):
+        """A signal's handler that uses the mesh being drawn gets an exception instead of waiting for itself."""
+        mesh = burnish.load(":knot", tessellation=128)
+        drawing = threading.Event()
+        found = []
+
+        def handle(*_):
+            for use in (lambda: mesh.render(size=8), lambda: mesh.warnings):
+                try:
+                    use()
+                except RuntimeError as error:
+                    found.append(str(error))
+            found.append(burnish.render(":sphere", size=8).hash)
+            raise KeyboardInterrupt
+
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, handle))
+        thread = threading.Thread(target=lambda: (drawing.wait(), os.kill(os.getpid(), signal.SIGINT)))
+        thread.start()
+        with self.assertRaises(KeyboardInterrupt):
+            drawing.set()
+            mesh.render(size=8192, samples=16, threads=1, ground=True)
+        thread.join()
+        line = "a signal's handler can't use the mesh that it interrupts; use another"
+        self.assertEqual(found, [line, line, burnish.render(":sphere", size=8).hash])
+        self.assertEqual(mesh.warnings, ())
+
     def test_no_leak(self):
         vertices, faces = array("f", (x for c in CORNERS for x in c)), array("i", (i for f in FACES for i in f))
         content = stl(CORNERS, FACES)
