@@ -199,6 +199,29 @@ static void test_sphere_distance(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* What a file has besides triangles stays without a material, too. */
+static void test_no_materials(void) {
+    burnish_load_options load = burnish_load_options_default();
+    burnish_mesh_data data = {0};
+    burnish_mesh *mesh = NULL;
+    CHECK1(burnish_make_builtin("sphere", &load, &data, NULL) == BURNISH_STATUS_OK);
+    data.cameras =
+        burnish_allocate_zeroed(&data.memory, 1, sizeof *data.cameras, "a camera without a name");
+    data.lights = burnish_allocate_zeroed(&data.memory, 1, sizeof *data.lights, "a light");
+    if (CHECK1(data.cameras && data.lights)) {
+        data.cameras->camera.position[1] = 7;
+        data.camera_count = data.light_count = 1;
+        CHECK1(data.material_count == 0);
+        CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_BUILTIN, &mesh) ==
+               BURNISH_STATUS_OK);
+        const burnish_named_camera *camera = burnish_mesh_camera(mesh, 0);
+        CHECK(camera && camera->camera.position[1] == 7, "the camera is lost");
+        CHECK(burnish_mesh_light_count(mesh) == 1, "the light is lost");
+    }
+    burnish_mesh_data_destroy(&data);
+    burnish_mesh_destroy(mesh);
+}
+
 static void test_three_quarter(void) {
     burnish_mesh *mesh = builtin("sphere");
     burnish_framing options = burnish_framing_default();
@@ -422,6 +445,7 @@ int main(int count, char **arguments) {
     RUN(test_exact_fit());
     RUN(test_insets());
     RUN(test_sphere_distance());
+    RUN(test_no_materials());
     RUN(test_three_quarter());
     RUN(test_named_views());
     RUN(test_turns());

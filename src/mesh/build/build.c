@@ -8,15 +8,6 @@
 static burnish_status take_materials(burnish_builder *b) {
     burnish_mesh_data *data = b->data;
     burnish_mesh *mesh = b->mesh;
-    if (data->material_count == 0) {
-        mesh->materials = burnish_allocate(b->memory, 1, sizeof *mesh->materials, "materials");
-        if (!mesh->materials) {
-            return b->memory->status;
-        }
-        *mesh->materials = burnish_material_default();
-        mesh->material_count = 1;
-        return BURNISH_STATUS_OK;
-    }
     mesh->cameras = data->cameras;
     mesh->camera_count = data->camera_count;
     data->cameras = NULL;
@@ -29,6 +20,15 @@ static burnish_status take_materials(burnish_builder *b) {
     mesh->texture_count = data->texture_count;
     data->textures = NULL;
     data->texture_count = data->texture_capacity = 0;
+    if (data->material_count == 0) {
+        mesh->materials = burnish_allocate(b->memory, 1, sizeof *mesh->materials, "materials");
+        if (!mesh->materials) {
+            return b->memory->status;
+        }
+        *mesh->materials = burnish_material_default();
+        mesh->material_count = 1;
+        return BURNISH_STATUS_OK;
+    }
     mesh->materials = data->materials;
     mesh->material_count = data->material_count;
     data->materials = NULL;
