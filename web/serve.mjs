@@ -10,8 +10,8 @@ const [folder = "build/web", port = "8000", plain] = process.argv.slice(2);
 const root = resolve(folder);
 
 createServer(async (request, response) => {
-  const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname));
   try {
+    const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname)); // throws for "/%"
     const file = join(root, path.endsWith("/") ? `${path}index.html` : path);
     const bytes = await readFile(file);
     response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", ...(plain ? {} : ISOLATION) });

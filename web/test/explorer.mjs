@@ -38,6 +38,9 @@ function check(what, found, expected) {
   }
 }
 
+check("an address that can't be decoded", (await fetch(`${HOME}%`)).status, 404);
+check("the server after it", (await fetch(HOME)).status, 200);
+
 async function openPage(address = "", { width = 1280, height = 900, colorScheme = "light" } = {}, home = HOME) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme });
   page.on("pageerror", (error) => check("no error of the page", error.message, ""));
