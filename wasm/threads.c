@@ -35,6 +35,7 @@ static struct {
     atomic_int number; /* of the job: threads sleep on it */
     atomic_int gate;   /* how many are at the job, and whether it is closed */
     atomic_int taken;  /* numbers of threads */
+    atomic_int busy;   /* 1 while there is a job */
     int wanted;
     burnish_pool_work *work;
     void *data;
@@ -53,6 +54,9 @@ int burnish_processor_count(void) {
 }
 
 int burnish_pool_run(int count, burnish_pool_work *work, void *data) {
+    if (atomic_exchange(&job.busy, 1)) {
+        return 0; /* work that runs work: by its own thread alone */
+    }
     job.work = work;
     job.data = data;
     job.wanted = count;
@@ -65,6 +69,7 @@ int burnish_pool_run(int count, burnish_pool_work *work, void *data) {
     for (int left; (left = atomic_load(&job.gate)) != CLOSED;) {
         sleep_while(&job.gate, left);
     }
+    atomic_store(&job.busy, 0);
     return 1;
 }
 
