@@ -98,7 +98,8 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
     }
     const size_t used = HEADER_SIZE + *count * FACET_SIZE;
     if (used < input->size) {
-        burnish_reader_warn(reader, input->bytes + used,
+        /* of a file in pieces only its head is there, and the warning has it read whole */
+        burnish_reader_warn(reader, input->bytes + (input->pieces ? 0 : used),
                             "%zu bytes after the last triangle were ignored", input->size - used);
     }
     return BURNISH_STATUS_OK;
