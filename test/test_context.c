@@ -161,6 +161,25 @@ static void test_version(void) {
     CHECK1(burnish_version_number() == BURNISH_VERSION_NUMBER);
 }
 
+/* Each status has a text and an exit code of its own; values outside the list have these. */
+static void test_statuses(void) {
+    for (int i = 0; i < BURNISH_STATUS_COUNT; ++i) {
+        const char *text = burnish_status_text((burnish_status)i);
+        CHECK(text[0] != 0 && strcmp(text, "unknown status") != 0, "status %d: %s", i, text);
+        for (int k = 0; k < i; ++k) {
+            CHECK(strcmp(text, burnish_status_text((burnish_status)k)) != 0, "%d and %d: %s", i, k,
+                  text);
+            CHECK(burnish_status_exit_code((burnish_status)i) !=
+                      burnish_status_exit_code((burnish_status)k),
+                  "%d and %d have one exit code", i, k);
+        }
+    }
+    CHECK1(burnish_status_exit_code(BURNISH_STATUS_OK) == 0);
+    CHECK_TEXT(burnish_status_text(BURNISH_STATUS_COUNT), "unknown status");
+    CHECK_TEXT(burnish_status_text((burnish_status)-1), "unknown status");
+    CHECK1(burnish_status_exit_code((burnish_status)-1) == 1);
+}
+
 /* Every errno has a text, also one that no system has. */
 static void test_reasons(void) {
     CHECK1(burnish_errno_reason(2).text[0] != 0);
@@ -174,6 +193,7 @@ int main(int count, char **arguments) {
     RUN(test_memory_of(0));
     RUN(test_memory_of(1));
     RUN(test_version());
+    RUN(test_statuses());
     RUN(test_reasons());
     return test_end("context");
 }

@@ -426,6 +426,36 @@ static void test_write_png(void) {
     CHECK(access(PATH, F_OK) != 0, "a file without pixels");
 }
 
+/* Views with a stride and options become the file that burnish_png_encode gives. */
+static void test_write_view(void) {
+    burnish_image image = make(40, 30, 4);
+    const burnish_pixels view = {.pixels = image.pixels + 4 * (40 * 5 + 3),
+                                 .width = 20,
+                                 .height = 11,
+                                 .format = BURNISH_PIXELS_RGBA8,
+                                 .stride = 4 * 40};
+    burnish_png_options options = burnish_png_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    uint8_t *bytes = NULL, found[4000];
+    size_t size = 0;
+    options.dots_per_inch = 300;
+    CHECK1(burnish_png_encode(&view, &options, &bytes, &size, &error) == BURNISH_STATUS_OK);
+    CHECK(burnish_png_write(&view, PATH, &options, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    FILE *file = fopen(PATH, "rb");
+    if (CHECK(file != NULL, "no file")) {
+        CHECK(fread(found, 1, sizeof found, file) == size && memcmp(found, bytes, size) == 0,
+              "another file");
+        fclose(file);
+    }
+    unlink(PATH);
+    CHECK1(burnish_png_write(NULL, PATH, &options, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_png_write(&view, TEST_BINARY_DIR "/none/a.png", &options, &error) ==
+           BURNISH_STATUS_WRITE);
+    CHECK(access(PATH, F_OK) != 0, "a file after an error");
+    burnish_release(NULL, bytes);
+    burnish_image_destroy(&image);
+}
+
 /* ---- Streams ---- */
 
 /* The whole file from pieces of at most `most` rows. */
@@ -525,5 +555,6 @@ int main(int count, char **arguments) {
     RUN(test_context());
     RUN(test_places());
     RUN(test_write_png());
+    RUN(test_write_view());
     return test_end("png");
 }
