@@ -338,9 +338,12 @@ int main(int count, char **arguments) {
     }
     redirect();
     importer_prepare();
-    const int code = sandbox_lock(STREAM + 1, 1);
+    const char *wall;
+    const int code = sandbox_lock(STREAM + 1, 1, &wall);
     if (code != 0) {
-        importer_fail(BURNISH_BMS_FORMAT_ERROR, "can't lock itself in: this kernel has no seccomp");
+        char text[160];
+        snprintf(text, sizeof text, "can't lock itself in (%s: %s)", wall, strerror(code));
+        importer_fail(BURNISH_BMS_FORMAT_ERROR, text);
     }
     importer_input input = read_input(ending);
     importer_import(&input, &mesh);

@@ -1,12 +1,17 @@
-/* The sandbox's lock: what a hostile program tries ends it, what drawing needs goes on. */
+/* The sandbox's lock: what a hostile program tries ends it, what drawing needs goes on; each wall
+ * holds without the others, and one that can't be built is an error. */
 #include <errno.h>
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <pthread.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -16,24 +21,117 @@
 #include "sandbox/lock.h"
 #include "support.h"
 
+/* ---- Systems that lack something ---- */
+
+/* What the functions below, which the linker puts before the system's, do as lock.c calls them. */
+static struct {
+    int landlock_version; /* an errno of the question for it; 0: the kernel's answer */
+    int landlock_create, landlock_restrict, seccomp, limits, rights, close_range; /* their errno */
+    int skips_restrict, skips_seccomp; /* 1: reports success and does nothing */
+    int pretends_seccomp;              /* 1: and its trial finds the filter there */
+} faults;
+
+long __real_syscall(long number, ...);
+long __wrap_syscall(long number, ...);
+int __real_seccomp_load(void *filter);
+int __wrap_seccomp_load(void *filter);
+int __real_setrlimit64(int what, const struct rlimit *limit);
+int __wrap_setrlimit64(int what, const struct rlimit *limit);
+int __real_prctl(int what, ...);
+int __wrap_prctl(int what, ...);
+int __real_close_range(unsigned first, unsigned last, int flags);
+int __wrap_close_range(unsigned first, unsigned last, int flags);
+
+enum { LANDLOCK_CREATE = 444, LANDLOCK_RESTRICT = 446, LANDLOCK_VERSION = 1 };
+
+static int fail(int code) {
+    errno = code;
+    return -1;
+}
+
+long __wrap_syscall(long number, ...) {
+    long a[5];
+    va_list arguments;
+    va_start(arguments, number);
+    for (int i = 0; i < 5; ++i) {
+        a[i] = va_arg(arguments, long);
+    }
+    va_end(arguments);
+    const int is_version = number == LANDLOCK_CREATE && a[2] == LANDLOCK_VERSION;
+    if (is_version && faults.landlock_version) {
+        return fail(faults.landlock_version);
+    }
+    if (number == LANDLOCK_CREATE && !is_version && faults.landlock_create) {
+        return fail(faults.landlock_create);
+    }
+    if (number == LANDLOCK_RESTRICT && faults.landlock_restrict) {
+        return fail(faults.landlock_restrict);
+    }
+    if (number == LANDLOCK_RESTRICT && faults.skips_restrict) {
+        return 0;
+    }
+    return number == SYS_statx && faults.pretends_seccomp
+               ? fail(EPERM)
+               : __real_syscall(number, a[0], a[1], a[2], a[3], a[4]);
+}
+
+int __wrap_seccomp_load(void *filter) {
+    return faults.seccomp         ? -faults.seccomp
+           : faults.skips_seccomp ? 0
+                                  : __real_seccomp_load(filter);
+}
+
+int __wrap_setrlimit64(int what, const struct rlimit *limit) {
+    return faults.limits ? fail(faults.limits) : __real_setrlimit64(what, limit);
+}
+
+int __wrap_prctl(int what, ...) {
+    va_list arguments;
+    va_start(arguments, what);
+    const unsigned long value = va_arg(arguments, unsigned long);
+    va_end(arguments);
+    return faults.rights ? fail(faults.rights) : __real_prctl(what, value, 0, 0, 0);
+}
+
+int __wrap_close_range(unsigned first, unsigned last, int flags) {
+    return faults.close_range ? fail(faults.close_range) : __real_close_range(first, last, flags);
+}
+
+/* ---- What a hostile program tries ---- */
+
+enum {
+    HELD = 40, /* a descriptor that is open before the lock */
+    REFUSED = 255
+};
+
+static int descriptors = STDERR_FILENO + 1; /* what the lock leaves */
+
+static char scratch[] = "/tmp/burnish-sandbox-XXXXXX";
+static char victim[64], created[64]; /* files in it; the second is not there */
+
+/* How an attempt ended: 0 where it was not refused, else its errno. */
+static void leave(long result) {
+    _exit(result >= 0 ? 0 : errno);
+}
+
 static void open_file(void) {
-    open("/etc/passwd", O_RDONLY | O_CLOEXEC);
+    leave(open(victim, O_RDONLY | O_CLOEXEC));
 }
 
 static void write_file(void) {
-    open("/tmp/burnish-hostile", O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    leave(open(created, O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
 }
 
 static void remove_file(void) {
-    unlink("/tmp/burnish-hostile");
+    leave(unlink(victim));
 }
 
 static void open_socket(void) {
-    socket(AF_INET, SOCK_STREAM, 0);
+    leave(socket(AF_INET, SOCK_STREAM, 0));
 }
 
 static void start_program(void) {
-    execl("/bin/true", "true", (char *)NULL);
+    leave(execl("/bin/true", "true", (char *)NULL));
 }
 
 static void start_process(void) {
@@ -50,7 +148,7 @@ static void make_code(void) {
 }
 
 static void end_parent(void) {
-    kill(getppid(), SIGUSR1);
+    leave(kill(getppid(), 0));
 }
 
 static void raise_limit(void) {
@@ -59,7 +157,7 @@ static void raise_limit(void) {
 }
 
 static void *try_file(void *context) {
-    open("/etc/passwd", O_RDONLY | O_CLOEXEC);
+    open(victim, O_RDONLY | O_CLOEXEC);
     return context;
 }
 
@@ -74,6 +172,34 @@ static void open_in_thread(void) {
 static void ask_state(void) {
     struct stat state;
     _exit(stat("/etc/passwd", &state) != 0 && errno == EPERM ? 0 : 1);
+}
+
+/* Without seccomp: an address of this machine, where nobody listens. */
+static void connect_tcp(void) {
+    const struct sockaddr_in to = {
+        .sin_family = AF_INET, .sin_port = htons(9), .sin_addr = {htonl(INADDR_LOOPBACK)}};
+    leave(connect(STDIN_FILENO, (const struct sockaddr *)&to, sizeof to));
+}
+
+static void bind_tcp(void) {
+    const struct sockaddr_in at = {.sin_family = AF_INET, .sin_addr = {htonl(INADDR_LOOPBACK)}};
+    leave(bind(STDIN_FILENO, (const struct sockaddr *)&at, sizeof at));
+}
+
+/* The other walls, which can be asked for without seccomp: the number of one that is not there. */
+static void ask_walls(void) {
+    struct rlimit core, files;
+    const int is_limited = getrlimit(RLIMIT_CORE, &core) == 0 && core.rlim_max == 0 &&
+                           getrlimit(RLIMIT_NOFILE, &files) == 0 &&
+                           files.rlim_max == (rlim_t)descriptors;
+    while (dup(STDIN_FILENO) >= 0) { /* until there are no more */
+    }
+    _exit(!is_limited                                   ? 1
+          : errno != EMFILE                             ? 2
+          : fcntl(HELD, F_GETFD) >= 0 || errno != EBADF ? 3
+          : prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) != 1 ? 4
+          : prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) != 0     ? 5
+                                                        : 0);
 }
 
 static void find_files(void) {
@@ -109,16 +235,26 @@ static void draw(void) {
     _exit(total == 4 && write(STDOUT_FILENO, "", 0) == 0 ? 0 : 4);
 }
 
-/* What becomes of a process that locks itself in and then does something. */
+/* ---- Processes ---- */
+
+/* What becomes of a process that locks itself in and then does something. Its standard input is a
+ * socket. */
 static int state_of(void (*action)(void), int pretends) {
     int state = -1;
     fflush(NULL);
     const pid_t child = fork();
     if (child == 0) {
-        const int code = sandbox_lock(STDERR_FILENO + 1, pretends);
+        const char *wall;
+        const int nothing = open("/dev/null", O_RDONLY), tcp = socket(AF_INET, SOCK_STREAM, 0);
+        if (dup2(tcp, STDIN_FILENO) < 0 || dup2(nothing, HELD) < 0) {
+            _exit(REFUSED);
+        }
+        close(nothing);
+        close(tcp);
+        const int code = sandbox_lock(descriptors, pretends, &wall);
         if (code != 0) {
-            fprintf(stderr, "%s\n", strerror(code));
-            _exit(99);
+            fprintf(stderr, "%s: %s\n", wall, strerror(code));
+            _exit(REFUSED);
         }
         action();
         _exit(0);
@@ -127,40 +263,168 @@ static int state_of(void (*action)(void), int pretends) {
     return state;
 }
 
+typedef struct attempt {
+    const char *name;
+    void (*action)(void);
+} attempt;
+
+static const attempt hostile[] = {
+    {"open", open_file},        {"create", write_file},    {"unlink", remove_file},
+    {"socket", open_socket},    {"execve", start_program}, {"fork", start_process},
+    {"mmap", run_memory},       {"mprotect", make_code},   {"kill", end_parent},
+    {"setrlimit", raise_limit}, {"thread", open_in_thread}};
+
+static int ends_by(const attempt *a, int pretends, int number) {
+    const int state = state_of(a->action, pretends);
+    return CHECK(WIFSIGNALED(state) && WTERMSIG(state) == number, "%s: state %x", a->name,
+                 (unsigned)state);
+}
+
+static int exits_with(const attempt *a, int pretends, int code) {
+    const int state = state_of(a->action, pretends);
+    return CHECK(WIFEXITED(state) && WEXITSTATUS(state) == code, "%s: state %x, not exit code %d",
+                 a->name, (unsigned)state, code);
+}
+
+/* ---- Cases ---- */
+
+static void test_hostile(void) {
+    for (size_t i = 0; i < sizeof hostile / sizeof *hostile; ++i) {
+        ends_by(&hostile[i], 0, SIGSYS);
+    }
+}
+
+static void test_harmless(void) {
+    static const attempt harmless[] = {{"draw", draw}, {"stat", ask_state}};
+    for (size_t i = 0; i < sizeof harmless / sizeof *harmless; ++i) {
+        exits_with(&harmless[i], 0, 0);
+    }
+}
+
+/* For libraries that look for files: there are none, and the rest is forbidden as before. */
+static void test_pretending(void) {
+    for (size_t i = 0; i < sizeof hostile / sizeof *hostile; ++i) {
+        const int opens = hostile[i].action == open_file || hostile[i].action == write_file;
+        if (opens) {
+            exits_with(&hostile[i], 1, ENOENT);
+        } else if (hostile[i].action == open_in_thread) {
+            exits_with(&hostile[i], 1, 0);
+        } else {
+            ends_by(&hostile[i], 1, SIGSYS);
+        }
+    }
+    exits_with(&(attempt){"files", find_files}, 1, 0);
+}
+
+/* seccomp alone: a kernel without Landlock, or with one that is switched off. */
+static void test_without_landlock(int reason) {
+    faults.landlock_version = reason;
+    test_hostile();
+    test_harmless();
+    memset(&faults, 0, sizeof faults);
+}
+
+/* Landlock alone refuses what the kernel's version of it knows; the other walls are there too. */
+static void test_without_seccomp(void) {
+    const long version = __real_syscall(LANDLOCK_CREATE, NULL, 0, LANDLOCK_VERSION);
+    const struct {
+        attempt attempt;
+        int spare; /* descriptors that it takes */
+        int version, code;
+    } refused[] = {
+        {{"open", open_file}, 1, 1, EACCES},      {{"create", write_file}, 1, 1, EACCES},
+        {{"unlink", remove_file}, 0, 1, EACCES},  {{"execve", start_program}, 0, 1, EACCES},
+        {{"connect", connect_tcp}, 0, 4, EACCES}, {{"bind", bind_tcp}, 0, 4, EACCES},
+        {{"kill", end_parent}, 0, 6, EPERM},      {{"walls", ask_walls}, 0, 0, 0}};
+    if (version < 1) {
+        printf("sandbox: SKIPPED: Landlock alone: this kernel has none\n");
+    }
+    faults.skips_seccomp = faults.pretends_seccomp = 1;
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {
+        descriptors += refused[i].spare;
+        if (version >= refused[i].version) {
+            exits_with(&refused[i].attempt, 0, refused[i].code);
+        }
+        descriptors -= refused[i].spare;
+    }
+    faults.close_range = ENOSYS; /* Linux before 5.9 */
+    exits_with(&(attempt){"walls, descriptors one by one", ask_walls}, 0, 0);
+    memset(&faults, 0, sizeof faults);
+}
+
+/* What a process says that locks itself in: "wall: errno". */
+static void test_refusal(const char *wall, int code) {
+    int ends[2], state = -1;
+    char text[100] = "", wanted[100];
+    if (!CHECK1(pipe(ends) == 0)) {
+        return;
+    }
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        const char *built = "";
+        dup2(ends[1], STDERR_FILENO);
+        const int reason = sandbox_lock(STDERR_FILENO + 1, 0, &built);
+        const int size = snprintf(text, sizeof text, "%s: %d", built, reason);
+        _exit(write(STDERR_FILENO, text, (size_t)size) == size ? 0 : 1);
+    }
+    close(ends[1]);
+    const ssize_t size = read(ends[0], text, sizeof text - 1);
+    close(ends[0]);
+    waitpid(child, &state, 0);
+    snprintf(wanted, sizeof wanted, "%s: %d", wall, code);
+    CHECK1(size > 0);
+    CHECK_TEXT(text, wanted);
+    memset(&faults, 0, sizeof faults);
+}
+
+/* A wall that the kernel has and that can't be built, or is not there once it is built. */
+static void test_faults(void) {
+    faults.rights = EINVAL;
+    test_refusal("no_new_privs", EINVAL);
+    faults.limits = EPERM;
+    test_refusal("RLIMIT_CORE", EPERM);
+    faults.seccomp = EPERM;
+    test_refusal("seccomp", EPERM);
+    faults.skips_seccomp = 1;
+    test_refusal("seccomp", ENOTSUP);
+    faults.landlock_version = EPERM;
+    test_refusal("Landlock", EPERM);
+    if (__real_syscall(LANDLOCK_CREATE, NULL, 0, LANDLOCK_VERSION) >= 1) {
+        faults.landlock_create = EMFILE;
+        test_refusal("Landlock", EMFILE);
+        faults.landlock_restrict = E2BIG;
+        test_refusal("Landlock", E2BIG);
+        faults.skips_restrict = 1;
+        test_refusal("Landlock", ENOTSUP);
+    }
+}
+
 int main(int count, char **arguments) {
-    static const struct {
-        const char *name;
-        void (*action)(void);
-    } hostile[] = {{"open", open_file},        {"create", write_file},    {"unlink", remove_file},
-                   {"socket", open_socket},    {"execve", start_program}, {"fork", start_process},
-                   {"mmap", run_memory},       {"mprotect", make_code},   {"kill", end_parent},
-                   {"setrlimit", raise_limit}, {"thread", open_in_thread}},
-      harmless[] = {{"draw", draw}, {"stat", ask_state}};
     test_begin(count, arguments, NULL);
     if (!sandbox_is_built()) {
+        const char *wall;
         printf("sandbox: SKIPPED: no libseccomp\n");
-        CHECK1(sandbox_lock(0, 0) == ENOSYS);
+        CHECK1(sandbox_lock(0, 0, &wall) == ENOSYS);
         return test_end("sandbox");
     }
-    for (size_t i = 0; i < sizeof hostile / sizeof *hostile; ++i) {
-        const int state = state_of(hostile[i].action, 0);
-        CHECK(WIFSIGNALED(state) && WTERMSIG(state) == SIGSYS, "%s: state %x", hostile[i].name,
-              (unsigned)state);
+    if (!CHECK1(mkdtemp(scratch) != NULL)) {
+        return test_end("sandbox");
     }
-    for (size_t i = 0; i < sizeof harmless / sizeof *harmless; ++i) {
-        const int state = state_of(harmless[i].action, 0);
-        CHECK(WIFEXITED(state) && WEXITSTATUS(state) == 0, "%s: state %x", harmless[i].name,
-              (unsigned)state);
-    }
-    /* For libraries that look for files: there are none, and the rest is forbidden as before. */
-    for (size_t i = 0; i < sizeof hostile / sizeof *hostile; ++i) {
-        const int state = state_of(hostile[i].action, 1);
-        const int opens = i < 2 || hostile[i].action == open_in_thread;
-        CHECK(opens ? WIFEXITED(state) : WIFSIGNALED(state) && WTERMSIG(state) == SIGSYS,
-              "%s: state %x", hostile[i].name, (unsigned)state);
-    }
-    const int found = state_of(find_files, 1);
-    CHECK(WIFEXITED(found) && WEXITSTATUS(found) == 0, "files: state %x", (unsigned)found);
-    CHECK1(access("/tmp/burnish-hostile", F_OK) != 0);
+    snprintf(victim, sizeof victim, "%s/victim", scratch);
+    snprintf(created, sizeof created, "%s/created", scratch);
+    const int file = open(victim, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    CHECK1(file >= 0);
+    close(file);
+    RUN(test_hostile());
+    RUN(test_harmless());
+    RUN(test_pretending());
+    RUN(test_without_landlock(ENOSYS));
+    RUN(test_without_landlock(EOPNOTSUPP));
+    RUN(test_without_seccomp());
+    RUN(test_faults());
+    CHECK1(access(created, F_OK) != 0);
+    CHECK1(unlink(victim) == 0);
+    CHECK1(rmdir(scratch) == 0);
     return test_end("sandbox");
 }

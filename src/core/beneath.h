@@ -1,5 +1,5 @@
 /* Opening a file of a folder or below it. All is in the header: the library and the program, which
- * may have to do with different copies of it, open the same files. */
+ * links another copy of the library, open the same files. */
 #ifndef BURNISH_CORE_BENEATH_H
 #define BURNISH_CORE_BENEATH_H
 
@@ -19,12 +19,12 @@
 #endif
 #endif
 
-/* What is named is a regular file; a pipe posing as one is not waited for. */
+/* A pipe is opened without waiting for its writer; callers refuse what is not a regular file. */
 enum { BURNISH_BENEATH_FLAGS = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK };
 
-/* One step down; name is a part of a path. Where there is no such file, one whose name differs in
- * the case of its letters only, the first of them by their bytes: files come from systems that tell
- * no case. */
+/* One step down: opens `name`, a single part of a path. If there is no such file, one whose name
+ * differs only in the case of its letters is opened, the first in byte order: many files come from
+ * systems that ignore case. */
 static inline int burnish_open_part(int at, const char *name, int flags) {
     enum { ENTRIES_MAX = 100000 };
     int descriptor = openat(at, name, flags | O_NOFOLLOW);
@@ -51,47 +51,67 @@ static inline int burnish_open_part(int at, const char *name, int flags) {
     return *best ? openat(at, best, flags | O_NOFOLLOW) : -1;
 }
 
-/* Part by part, so that no link leads out of the folder, also on systems that know no other way to
- * ask for that: none is followed. Returns -1 with errno set. */
+/* Why `name` can't be a file of a folder or below it: EXDEV for an absolute name and for "..",
+ * ENAMETOOLONG, ENOENT for an empty name, EISDIR for one that ends as only a folder's does; 0: it
+ * can be. Empty parts and "." elsewhere lead nowhere ("./a.bin"), and are allowed. */
+static inline int burnish_check_beneath(const char *name) {
+    enum { PATH_SIZE = 4096 }; /* on all systems */
+    if (!*name || *name == '/') {
+        return *name ? EXDEV : ENOENT;
+    }
+    int code = strlen(name) < PATH_SIZE ? 0 : ENAMETOOLONG;
+    for (size_t size; code == 0; name += size + 1) {
+        size = strcspn(name, "/");
+        const int is_last = name[size] == 0, is_dot = size == 1 && *name == '.';
+        if (size == 2 && name[0] == '.' && name[1] == '.') {
+            code = EXDEV;
+        } else if (size > NAME_MAX) {
+            code = ENAMETOOLONG;
+        } else if (is_last) {
+            return size == 0 || is_dot ? EISDIR : 0;
+        }
+    }
+    return code;
+}
+
+/* Follows a name that burnish_check_beneath allows part by part, and no link on the way, so it
+ * stays in the folder on any system. Returns -1 with errno set. */
 static inline int burnish_open_parts(int at, const char *name) {
     char part[NAME_MAX + 1];
     at = dup(at);
-    while (at >= 0) {
+    for (int is_last = 0; at >= 0 && !is_last;) {
         const size_t size = strcspn(name, "/");
-        const int is_last = name[size] == 0;
-        if (size >= sizeof part) {
-            close(at);
-            errno = ENAMETOOLONG;
-            return -1;
-        }
+        is_last = name[size] == 0;
         memcpy(part, name, size);
         part[size] = 0;
-        const int next = size == 0
-                             ? dup(at)
-                             : burnish_open_part(at, part,
-                                                 is_last ? BURNISH_BENEATH_FLAGS
-                                                         : O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        const int code = errno;
+        name += size + 1;
+        if (size == 0 || strcmp(part, ".") == 0) {
+            continue;
+        }
+        const int flags = is_last ? BURNISH_BENEATH_FLAGS : O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+        const int next = burnish_open_part(at, part, flags), code = errno;
         close(at);
         errno = code;
         at = next;
-        if (is_last) {
-            break;
-        }
-        name += size + 1;
     }
     return at;
 }
 
-/* Neither names that lead above the folder nor links do so. Returns -1 with errno set. */
+/* Opens a file of the folder or below it: neither its name nor a link may lead elsewhere. Returns
+ * -1 with errno set: EXDEV or ELOOP if one does. */
 static inline int burnish_open_beneath(int folder, const char *name) {
+    const int code = burnish_check_beneath(name);
+    if (code != 0) {
+        errno = code;
+        return -1;
+    }
 #if defined(SYS_openat2) && defined(RESOLVE_BENEATH)
     struct open_how how = {.flags = BURNISH_BENEATH_FLAGS,
                            .resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS};
     const int descriptor = (int)syscall(SYS_openat2, folder, name, &how, sizeof how);
     if (descriptor >= 0 || errno == EXDEV || errno == ELOOP) {
         return descriptor;
-    } /* else not there, or an older system */
+    } /* else the case of its letters differs, or an older kernel lacks openat2 */
 #endif
     return burnish_open_parts(folder, name);
 }

@@ -88,22 +88,6 @@ burnish_reason burnish_errno_reason(int code) {
     return reason;
 }
 
-burnish_shown_name burnish_show_name(const char *name) {
-    burnish_shown_name shown;
-    const char *cut = "";
-    const size_t most = sizeof shown.text - sizeof "...";
-    size_t length = strlen(name);
-    if (length > most) {
-        name += length - most;
-        cut = "...";
-        while (((unsigned char)*name & 0xC0) == 0x80) { /* not from the middle of a character */
-            ++name;
-        }
-    }
-    snprintf(shown.text, sizeof shown.text, "%s%s", cut, name);
-    return shown;
-}
-
 burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes) {
     return burnish_fail(error, BURNISH_STATUS_MEMORY,
                         "out of memory: no %zu bytes for %s; free memory or use a smaller input",

@@ -6,19 +6,14 @@
 
 #include "burnish/core.h"
 #include "core/arithmetic.h"
+#include "core/show_name.h"
 
 /* Fills *error (may be NULL) and returns status, so that callers can `return burnish_fail(...)`.
  * Control characters that came from an input are replaced by '?'. */
 __attribute__((format(printf, 3, 4))) burnish_status
 burnish_fail(burnish_error *error, burnish_status status, const char *format, ...);
 
-/* A file's name as messages show it: whole, or "..." and its end, so that the message fits. */
-typedef struct burnish_shown_name {
-    char text[164];
-} burnish_shown_name;
-burnish_shown_name burnish_show_name(const char *name);
-
-/* The same for a failed allocation of `bytes` for `what`, which may be a file's name. */
+/* A failed allocation of `bytes` for `what`, which may be a file's name. */
 burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes);
 
 /* What an errno means. Unlike strerror's, the text is the caller's own. */

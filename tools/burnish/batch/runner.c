@@ -60,26 +60,34 @@ typedef struct runner {
 
 /* ---- Hashes ---- */
 
-static int hash_file(const char *path, uint64_t *hash, uint64_t seed) {
+/* The hash of an open file's bytes; 0, with errno, if it can't be read or is not a file. */
+static int hash_open_file(int file, uint64_t *hash, uint64_t seed) {
     static char buffer[1 << 18];
-    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     struct stat state;
     XXH64_state_t hasher;
     ssize_t size = -1;
-    if (file < 0) {
-        return 0;
-    }
+    off_t at = 0;
     XXH64_reset(&hasher, seed);
     if (fstat(file, &state) == 0 && S_ISREG(state.st_mode)) {
-        while ((size = read(file, buffer, sizeof buffer)) > 0) {
+        for (; (size = pread(file, buffer, sizeof buffer, at)) > 0; at += size) {
             XXH64_update(&hasher, buffer, (size_t)size);
         }
     } else {
         errno = EINVAL;
     }
-    close(file);
     *hash = XXH64_digest(&hasher);
     return size == 0;
+}
+
+static int hash_file(const char *path, uint64_t *hash, uint64_t seed) {
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+    if (file < 0) {
+        return 0;
+    }
+    const int is_read = hash_open_file(file, hash, seed), code = errno;
+    close(file);
+    errno = code;
+    return is_read;
 }
 
 static uint64_t hash_text(const char *text, uint64_t seed) {
@@ -93,7 +101,7 @@ static void release_files(files *f) {
     *f = (files){0};
 }
 
-static void see_file(void *context, const char *name, const void *bytes, size_t size) {
+static void see_file(void *context, const char *name, int file) {
     files *f = context;
     char *copy = f->count < FILES_MAX ? strdup(name) : NULL;
     if (!copy) {
@@ -101,8 +109,8 @@ static void see_file(void *context, const char *name, const void *bytes, size_t 
         return;
     }
     f->names[f->count++] = copy;
-    f->hash = hash_text(name, f->hash);
-    f->hash = bytes ? XXH64(bytes, size, f->hash) : f->hash + 1;
+    const uint64_t seed = hash_text(name, f->hash);
+    f->hash = file >= 0 && hash_open_file(file, &f->hash, seed) ? f->hash : seed + 1;
 }
 
 /* ---- What is unchanged ---- */
@@ -192,7 +200,6 @@ __attribute__((noreturn)) static void draw(const runner *r, render_settings *set
 static burnish_status run_plainly(const runner *r, render_settings *settings, int *code,
                                   burnish_error *ended, burnish_error *error) {
     const pid_t self = getpid(), worker = fork();
-    int state = 0;
     if (worker == 0) {
 #ifdef __linux__
         prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -206,9 +213,7 @@ static burnish_status run_plainly(const runner *r, render_settings *settings, in
         return cli_fail(error, BURNISH_STATUS_MEMORY, "no process: %s", strerror(errno));
     }
     cli_limit_child(worker);
-    while (waitpid(worker, &state, 0) < 0 && errno == EINTR) {
-    }
-    cli_limit_child(0);
+    const int state = cli_wait_child(worker);
     *code = WIFEXITED(state) ? WEXITSTATUS(state) : 1;
     if (!WIFEXITED(state)) {
         cli_fail(ended, BURNISH_STATUS_FORMAT, "the program ended by signal %d (%s)",
@@ -225,6 +230,8 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
                                .format = settings->load.format,
                                .outputs = {settings->output},
                                .output_count = 1,
+                               .max_input_bytes = settings->load.max_input_bytes,
+                               .max_memory = settings->max_memory,
                                .see_file = see_file,
                                .context = seen,
                                .ended = &ended};

@@ -141,9 +141,15 @@ __attribute__((noreturn)) static void be_decoder(sheet *s) {
     picture_file file = {0};
     burnish_status status = BURNISH_STATUS_OK;
     burnish_processor_count(); /* reads files, once */
-    if (dup2(s->channel, 3) != 3 || (s->b->settings->render.sandbox && sandbox_lock(4, 0) != 0)) {
+    const char *wall = "descriptors";
+    int code = dup2(s->channel, 3) == 3 ? 0 : errno;
+    if (code == 0 && s->b->settings->render.sandbox) {
+        code = sandbox_lock(4, 0, &wall);
+    }
+    if (code != 0) {
         status = cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                          "--sheet: this system has no sandbox; use --no-sandbox");
+                          "--sheet: this system has no sandbox (%s: %s); use --no-sandbox", wall,
+                          strerror(code));
     }
     s->channel = 3;
     if (status == BURNISH_STATUS_OK) {

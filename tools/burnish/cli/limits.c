@@ -52,15 +52,20 @@ int cli_child_was_late(void) {
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/time.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-static atomic_long child;
+enum { NOT_BEGUN = 0, ENDED = -1 };
+static atomic_long child;  /* its process, or one of these */
 static atomic_int is_late; /* the child */
 static char line[120];     /* written before the timer starts */
 
 static void end(int number) {
     (void)number;
     const long process = atomic_load(&child);
+    if (process == ENDED) { /* all is done */
+        return;
+    }
     if (process > 0) {
         kill((pid_t)process, SIGKILL);
     }
@@ -106,10 +111,28 @@ void cli_limit_child(long process) {
     atomic_store(&child, process);
 }
 
+/* Until it is reaped the system gives its number to no other process. */
+int cli_wait_child(long process) {
+    siginfo_t info;
+    int state = 0;
+    while (waitid(P_PID, (id_t)process, &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+    }
+    atomic_store(&child, ENDED);
+    while (waitpid((pid_t)process, &state, 0) < 0 && errno == EINTR) {
+    }
+    if (!WIFSIGNALED(state) ||
+        WTERMSIG(state) != SIGKILL) { /* it ended before the timer's signal */
+        atomic_store(&is_late, 0);
+    }
+    return state;
+}
+
 static void end_child(int number) {
     const long process = atomic_load(&child);
     (void)number;
-    atomic_store(&is_late, 1);
+    if (process != ENDED) {
+        atomic_store(&is_late, 1);
+    }
     if (process > 0) {
         kill((pid_t)process, SIGKILL);
     }
@@ -123,6 +146,7 @@ void cli_limit_child_seconds(double seconds) {
         timer.it_value.tv_usec = (suseconds_t)((seconds - (double)timer.it_value.tv_sec) * 1e6);
         timer.it_interval.tv_usec = 100000;
         atomic_store(&is_late, 0);
+        atomic_store(&child, NOT_BEGUN);
         sigaction(SIGALRM, &action, NULL);
     }
     setitimer(ITIMER_REAL, &timer, NULL);

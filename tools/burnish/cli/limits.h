@@ -20,13 +20,19 @@ burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error);
 void cli_set_child_memory(uint64_t bytes);
 uint64_t cli_child_memory(void);
 
-/* A process that is ended with the program; 0: none. */
+/* A process that is ended with the program, or by cli_limit_child_seconds, until cli_wait_child. */
 void cli_limit_child(long process);
 
-/* Ends that process, and not the program, after so many seconds from now; 0: no more. */
+/* Waits for that process and returns its state, as waitpid does. A timer that expires later has no
+ * effect: it neither kills another process that the system gave the same number, nor calls this one
+ * late. */
+int cli_wait_child(long process);
+
+/* Ends the process of the next cli_limit_child, and not the program, after so many seconds from
+ * now; 0: no longer. */
 void cli_limit_child_seconds(double seconds);
 
-/* 1: the seconds of the last cli_limit_child_seconds above 0 were over before the next call. */
+/* 1: the seconds of the last cli_limit_child_seconds above 0 were over before the process ended. */
 int cli_child_was_late(void);
 
 #endif

@@ -13,8 +13,9 @@
 #include <unistd.h>
 
 #include "core/beneath.h"
+#include "core/show_name.h"
 
-enum { NAME_SIZE = 4096 };
+enum { NAME_SIZE = 4096, PIECE_SIZE = 1 << 16 };
 
 int folder_open(const char *input) {
     char folder[NAME_SIZE];
@@ -28,60 +29,104 @@ int folder_open(const char *input) {
     return open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 }
 
-/* Returns a descriptor, or -1 with errno. */
-static int open_file(int folder, const char *name) {
-    struct stat state;
-    if (folder < 0) {
-        errno = ENOENT;
-        return -1;
-    }
-    const int file = burnish_open_beneath(folder, name);
-    if (file >= 0 && (fstat(file, &state) != 0 || !S_ISREG(state.st_mode))) {
-        close(file);
-        errno = EACCES;
-        return -1;
-    }
-    return file;
+burnish_status folder_fail(const char *name, int code, burnish_error *error) {
+    const burnish_shown_name shown = burnish_show_name(name);
+    return code == EXDEV || code == ELOOP
+               ? cli_fail(error, BURNISH_STATUS_READ, "%s: leads out of the folder of the file",
+                          shown.text)
+               : cli_fail(error, BURNISH_STATUS_READ, "%s: can't be opened: %s", shown.text,
+                          strerror(code));
 }
 
-static burnish_status fail(burnish_error *error, burnish_status status, const char *name,
-                           const char *why) {
-    return cli_fail(error, status, "%.200s: can't be opened: %s", name, why);
+burnish_status folder_fail_memory(const char *name, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %s",
+                    burnish_show_name(name).text);
 }
 
-burnish_status folder_load(int folder, const char *name, uint64_t max_bytes, void **bytes,
-                           size_t *size, burnish_error *error) {
-    const int file = open_file(folder, name);
+static burnish_status fail_size(const char *name, uint64_t max_bytes, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_LIMIT,
+                    "%s: larger than the limit of %llu bytes; raise the limit or simplify the mesh",
+                    burnish_show_name(name).text, (unsigned long long)max_bytes);
+}
+
+static burnish_status fail_read(const char *name, int code, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_READ, "%s: can't be read: %s",
+                    burnish_show_name(name).text, strerror(code));
+}
+
+burnish_status folder_open_file(int folder, const char *name, uint64_t max_bytes, int *file,
+                                uint64_t *size, burnish_error *error) {
     struct stat state;
-    if (file < 0 || fstat(file, &state) != 0) {
-        return fail(error, BURNISH_STATUS_READ, name, strerror(errno));
-    }
     burnish_status status = BURNISH_STATUS_OK;
-    const uint64_t stated = state.st_size > 0 ? (uint64_t)state.st_size : 0;
-    char *copy = stated <= max_bytes && stated < SIZE_MAX ? malloc((size_t)stated + 1) : NULL;
-    size_t got = 0;
-    if (stated > max_bytes) {
-        status = fail(error, BURNISH_STATUS_LIMIT, name, "it is larger than the limit of bytes");
-    } else if (!copy) {
-        status = fail(error, BURNISH_STATUS_MEMORY, name, "out of memory");
-    } else {
-        ssize_t count;
-        while (got < stated && (count = read(file, copy + got, (size_t)stated - got)) > 0) {
-            got += (size_t)count;
+    *size = 0;
+    errno = ENOENT;
+    *file = folder >= 0 ? burnish_open_beneath(folder, name) : -1;
+    if (*file < 0) {
+        return folder_fail(name, errno, error);
+    }
+    if (fstat(*file, &state) != 0) {
+        status = fail_read(name, errno, error);
+    } else if (S_ISDIR(state.st_mode)) {
+        status = fail_read(name, EISDIR, error);
+    } else if (!S_ISREG(state.st_mode)) {
+        status = cli_fail(error, BURNISH_STATUS_READ, "%s: is no regular file",
+                          burnish_show_name(name).text);
+    } else if (state.st_size > 0 && (uint64_t)state.st_size > max_bytes) {
+        status = fail_size(name, max_bytes, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        close(*file);
+        *file = -1;
+        return status;
+    }
+    *size = state.st_size > 0 ? (uint64_t)state.st_size : 0;
+    return status;
+}
+
+burnish_status folder_read(int file, const char *name, uint64_t max_bytes, import_taker *take,
+                           void *context, burnish_error *error) {
+    static char piece[PIECE_SIZE];
+    uint64_t got = 0;
+    for (;;) {
+        const ssize_t count = pread(file, piece, sizeof piece, (off_t)got);
+        if (count == 0) {
+            return BURNISH_STATUS_OK;
+        }
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            return fail_read(name, errno, error);
+        }
+        got += (uint64_t)count;
+        if (got > max_bytes) {
+            return fail_size(name, max_bytes, error);
+        }
+        if (!take(context, piece, (size_t)count)) {
+            return folder_fail_memory(name, error);
         }
     }
-    close(file);
-    *bytes = copy;
-    *size = got;
-    return status;
 }
 
 static burnish_status load(void *user_data, const char *name, uint64_t max_bytes,
                            const void **bytes, size_t *size, burnish_error *error) {
-    void *copy = NULL;
-    const burnish_status status =
-        folder_load(*(const int *)user_data, name, max_bytes, &copy, size, error);
-    *bytes = copy;
+    import_stream stream = {0};
+    uint64_t stated;
+    int file;
+    burnish_status status =
+        folder_open_file(*(const int *)user_data, name, max_bytes, &file, &stated, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = import_expect(&stream, stated)
+                     ? folder_read(file, name, max_bytes, import_keep, &stream, error)
+                     : folder_fail_memory(name, error);
+        close(file);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        free(stream.bytes);
+        return status;
+    }
+    *bytes = stream.bytes;
+    *size = stream.size;
     return status;
 }
 

@@ -67,6 +67,9 @@ typedef struct import_stream {
 } import_stream;
 int import_keep(void *stream, const void *bytes, size_t size);
 
+/* Makes room for as many bytes before the first are kept. Returns 0 if there is no memory. */
+int import_expect(import_stream *stream, uint64_t size);
+
 /* The mesh of a stream.
  *   companions  for the textures that it names */
 burnish_status import_build(const import_program *importer, const char *name,

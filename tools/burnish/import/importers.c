@@ -126,6 +126,14 @@ int import_keep(void *context, const void *bytes, size_t size) {
     return 1;
 }
 
+int import_expect(import_stream *stream, uint64_t size) {
+    const size_t capacity = size > 0 ? (size_t)size : 1;
+    stream->bytes = capacity == size || size == 0 ? malloc(capacity) : NULL;
+    stream->capacity = stream->bytes ? capacity : 0;
+    stream->is_short = !stream->bytes;
+    return !stream->is_short;
+}
+
 /* The end of a path that is too long for a message. */
 static const char *shown(const char *name) {
     const size_t size = strlen(name);

@@ -476,8 +476,12 @@ static void release(render_result *result) {
 /* The limits that the system keeps, and the sandbox: *code is the exit code where its worker has
  * done all there is to do, else -1. */
 static burnish_status begin(const render_settings *settings, int *code, burnish_error *error) {
-    sandbox_plan plan = {
-        .input = settings->input, .format = settings->load.format, .outputs = {settings->output}};
+    sandbox_plan plan = {.input = settings->input,
+                         .format = settings->load.format,
+                         .outputs = {settings->output},
+                         .max_input_bytes = settings->load.max_input_bytes,
+                         .max_memory = settings->max_memory};
+    _Static_assert(2 + RENDER_PLANES_MAX <= SANDBOX_OUTPUTS_MAX, "picture, report and planes");
     *code = -1;
     burnish_status status = cli_limit_memory(settings->max_memory, error);
     if (status == BURNISH_STATUS_OK) {

@@ -17,9 +17,9 @@ typedef enum message_kind {
     MESSAGE_IMPORT,    /* an importer is to read the input; value: the most bytes of that */
     MESSAGE_DECODE,    /* an importer is to read `value` bytes, which follow by MESSAGE_DATA */
     /* broker to worker */
-    MESSAGE_READY, /* the output is written but for its last step */
+    MESSAGE_READY, /* the output is written but for its last step; of a file, value: its size */
     MESSAGE_DONE,  /* value: the status; text: the error's line */
-    MESSAGE_BYTES  /* the file's; the importer's as they come, then MESSAGE_DONE */
+    MESSAGE_BYTES  /* of the file or from the importer, as they come; then MESSAGE_DONE */
 } message_kind;
 
 typedef struct message {

@@ -4,6 +4,7 @@
 
 #if BURNISH_HAS_SECCOMP
 
+#include <fcntl.h>
 #include <seccomp.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -28,11 +29,12 @@ typedef struct landlock_rules {
 
 enum { LANDLOCK_CREATE = 444, LANDLOCK_RESTRICT = 446, LANDLOCK_VERSION = 1 };
 
-/* Forbids everything that the kernel's version knows; where it has none, seccomp stands alone. */
-static void forbid_files(void) {
+/* Gives up every right that the kernel's version knows. Returns 0, also if the kernel has no
+ * Landlock: then seccomp stands alone; else an errno. */
+static int forbid_files(void) {
     const long version = syscall(LANDLOCK_CREATE, NULL, 0, LANDLOCK_VERSION);
-    if (version < 1) {
-        return;
+    if (version < 0) {
+        return errno == ENOSYS || errno == EOPNOTSUPP ? 0 : errno;
     }
     const landlock_rules rules = {.files = (1U << (version >= 5   ? 16
                                                    : version >= 3 ? 15
@@ -43,10 +45,16 @@ static void forbid_files(void) {
                                   .scopes = version >= 6 ? 3 : 0};
     const size_t size = version >= 6 ? sizeof rules : version >= 4 ? 16 : 8;
     const int file = (int)syscall(LANDLOCK_CREATE, &rules, size, 0);
-    if (file >= 0) {
-        syscall(LANDLOCK_RESTRICT, file, 0);
-        close(file);
+    if (file < 0) {
+        return errno;
     }
+    const int code = syscall(LANDLOCK_RESTRICT, file, 0) == 0 ? 0 : errno;
+    close(file);
+    if (code != 0) {
+        return code;
+    }
+    const int root = open("/", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return root < 0 && errno == EACCES ? 0 : ENOTSUP;
 }
 
 /* ---- seccomp ---- */
@@ -141,26 +149,75 @@ static int fill(scmp_filter_ctx filter) {
     return code ? code : seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
 }
 
-int sandbox_lock(int descriptors, int pretends) {
-    const struct rlimit no_core = {0, 0};
-    const struct rlimit files = {(rlim_t)descriptors, (rlim_t)descriptors};
-    setrlimit(RLIMIT_CORE, &no_core);
-    setrlimit(RLIMIT_NOFILE, &files);
-    scmp_filter_ctx filter = NULL;
-    int code = prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 ? 0 : -errno;
-    if (code == 0) {
-        forbid_files();
-        filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
-        code = filter ? fill(filter) : -ENOMEM;
-    }
-    if (code == 0 && pretends) {
-        code = pretend(filter);
-    }
-    if (code == 0) {
-        code = seccomp_load(filter);
-    }
+static int forbid_calls(int pretends) {
+    scmp_filter_ctx filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
+    int code = filter ? fill(filter) : -ENOMEM;
+    code = code == 0 && pretends ? pretend(filter) : code;
+    code = code == 0 ? seccomp_load(filter) : code;
     seccomp_release(filter);
-    return -code;
+    if (code != 0) {
+        return -code;
+    }
+    const long allowed_call = syscall(SYS_statx, -1, NULL, 0, 0, NULL); /* of no file */
+    return allowed_call < 0 && errno == EPERM ? 0 : ENOTSUP;
+}
+
+/* ---- The process itself ---- */
+
+/* No right by a program's file, no memory of it for others: neither core files nor debuggers. */
+static int forbid_rights(void) {
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) {
+        return errno;
+    }
+    return prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) == 1 && prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0
+               ? 0
+               : ENOTSUP;
+}
+
+static int forbid_more(int what, rlim_t most) {
+    const struct rlimit limit = {most, most};
+    return setrlimit(what, &limit) == 0 ? 0 : errno;
+}
+
+int sandbox_close_descriptors(int first) {
+    enum { DESCRIPTORS_MAX = 1 << 20 }; /* that Linux lets a process have, by default */
+    struct rlimit limit;
+    if (close_range((unsigned)first, ~0U, 0) == 0) {
+        return 0;
+    }
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0) { /* before Linux 5.9: one by one */
+        return errno;
+    }
+    for (int i = first; i < DESCRIPTORS_MAX && (rlim_t)i < limit.rlim_max; ++i) {
+        close(i);
+    }
+    return 0;
+}
+
+int sandbox_lock(int descriptors, int pretends, const char **wall) {
+    int code = sandbox_close_descriptors(descriptors);
+    *wall = "descriptors";
+    if (code == 0) {
+        *wall = "no_new_privs";
+        code = forbid_rights();
+    }
+    if (code == 0) {
+        *wall = "RLIMIT_CORE";
+        code = forbid_more(RLIMIT_CORE, 0);
+    }
+    if (code == 0) {
+        *wall = "Landlock"; /* takes a descriptor */
+        code = forbid_files();
+    }
+    if (code == 0) {
+        *wall = "RLIMIT_NOFILE";
+        code = forbid_more(RLIMIT_NOFILE, (rlim_t)descriptors);
+    }
+    if (code == 0) {
+        *wall = "seccomp"; /* ends the process at the calls above */
+        code = forbid_calls(pretends);
+    }
+    return code;
 }
 
 #else
@@ -169,8 +226,9 @@ int sandbox_is_built(void) {
     return 0;
 }
 
-int sandbox_lock(int descriptors, int pretends) {
+int sandbox_lock(int descriptors, int pretends, const char **wall) {
     (void)descriptors, (void)pretends;
+    *wall = "seccomp";
     return ENOSYS;
 }
 

@@ -17,16 +17,18 @@
 #include "burnish/mesh.h"
 #include "sandbox/lock.h"
 
-enum { SANDBOX_OUTPUTS_MAX = 16 };
+enum { SANDBOX_OUTPUTS_MAX = 32 };
 
 typedef struct sandbox_plan {
     const char *input; /* a file, "-", or a built-in object */
     int format;        /* of the input, as --input-format says: which importer may be run */
     const char *outputs[SANDBOX_OUTPUTS_MAX];
     size_t output_count;
-    /* Gets each file beside the input that the worker asks for; bytes are NULL where it can't have
-     * it. NULL: nobody wants to know. */
-    void (*see_file)(void *context, const char *name, const void *bytes, size_t size);
+    uint64_t max_input_bytes; /* of the input and of each file that it names */
+    uint64_t max_memory;      /* of the worker; 0: no limit */
+    /* Receives each file that the worker asks for, open for reading, before it is sent; -1: the
+     * worker can't have it. NULL: no function. */
+    void (*see_file)(void *context, const char *name, int file);
     void *context;
     burnish_error *ended; /* receives the line about a worker that did not end by itself; NULL: goes
                              to standard error */

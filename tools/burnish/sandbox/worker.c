@@ -6,6 +6,7 @@
 
 #if BURNISH_HAS_SECCOMP
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +14,7 @@
 #include "cli/file.h"
 #include "cli/input.h"
 #include "cli/options.h"
+#include "import/folder.h"
 #include "sandbox/channel.h"
 
 static int broker = -1, input_file = -1;
@@ -52,31 +54,37 @@ static burnish_status write_by_broker(const char *path, burnish_file_source *sou
     return is_there && head.kind == MESSAGE_DONE ? take_status(&head, error) : fail_broker(error);
 }
 
-/* ---- Files beside the input ---- */
+/* ---- Files that the input names ---- */
 
 static burnish_status load_by_broker(void *user_data, const char *name, uint64_t max_bytes,
                                      const void **bytes, size_t *size, burnish_error *error) {
+    import_stream stream = {0};
+    burnish_status status;
     message head;
     (void)user_data;
+    if (strlen(name) > MESSAGE_NAME_MAX) {
+        return folder_fail(name, ENAMETOOLONG, error);
+    }
     if (!channel_send(broker, MESSAGE_FILE, max_bytes, name, strlen(name)) ||
         !channel_receive(broker, &head)) {
         return fail_broker(error);
     }
-    if (head.kind != MESSAGE_BYTES) {
+    if (head.kind != MESSAGE_READY) {
         return take_status(&head, error);
     }
-    void *copy =
-        head.size <= max_bytes && head.size < SIZE_MAX ? malloc((size_t)head.size + 1) : NULL;
-    if (!copy) {
-        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %.200s", name);
+    import_expect(&stream, head.value);
+    if (!channel_take_stream(broker, import_keep, &stream, &status, error)) {
+        status = fail_broker(error);
+    } else if (status == BURNISH_STATUS_OK && stream.is_short) {
+        status = folder_fail_memory(name, error);
     }
-    if (!channel_read(broker, copy, (size_t)head.size)) {
-        free(copy);
-        return fail_broker(error);
+    if (status != BURNISH_STATUS_OK) {
+        free(stream.bytes);
+        return status;
     }
-    *bytes = copy;
-    *size = (size_t)head.size;
-    return BURNISH_STATUS_OK;
+    *bytes = stream.bytes;
+    *size = stream.size;
+    return status;
 }
 
 static void release_file(void *user_data, const void *bytes, size_t size) {
@@ -103,10 +111,11 @@ burnish_status sandbox_close(burnish_error *error) {
     }
     burnish_processor_count(); /* reads files, once */
     setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
-    const int code = sandbox_lock((broker > input_file ? broker : input_file) + 1, 0);
+    const char *wall;
+    const int code = sandbox_lock((broker > input_file ? broker : input_file) + 1, 0, &wall);
     return code == 0 ? BURNISH_STATUS_OK
                      : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--sandbox: this system can't (seccomp: %s); use --no-sandbox",
+                                "--sandbox: this system can't (%s: %s); use --no-sandbox", wall,
                                 strerror(code));
 }
 

@@ -286,13 +286,13 @@ static burnish_status get_ready(const serve_settings *settings, burnish_error *e
     cli_prepare_memory();
     warm_up();
     if (status == BURNISH_STATUS_OK && !settings->no_sandbox) {
-        const int reason = sandbox_lock(SERVE_DESCRIPTORS, 0);
-        status = reason == 0
-                     ? status
-                     : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "serve-stdio: this system has no sandbox (seccomp: %s); use "
-                                "--no-sandbox",
-                                strerror(reason));
+        const char *wall;
+        const int reason = sandbox_lock(SERVE_DESCRIPTORS, 0, &wall);
+        status = reason == 0 ? status
+                             : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                        "serve-stdio: this system has no sandbox (%s: %s); use "
+                                        "--no-sandbox",
+                                        wall, strerror(reason));
     }
     return status;
 }

@@ -1,0 +1,367 @@
+/* A worker that was taken over speaks to the broker: it gets no file but those of the folder,
+ * writes no file but the outputs, and neither its limits nor its sizes count. */
+#include <errno.h>
+#include <signal.h>
+
+#include "lying_worker.h"
+#include "sandbox/sandbox.h"
+#include "support.h"
+
+/* Messages that are sent at once. */
+typedef struct script {
+    char bytes[100000];
+    size_t size;
+} script;
+
+static lying_box box;
+
+static void add(script *s, uint32_t kind, uint64_t value, const char *bytes, uint64_t size) {
+    const message head = {.value = value, .size = size, .kind = kind};
+    const size_t count = bytes ? (size_t)size : 0;
+    if (s->size + sizeof head + count > sizeof s->bytes) {
+        abort();
+    }
+    memcpy(s->bytes + s->size, &head, sizeof head);
+    if (count > 0) {
+        memcpy(s->bytes + s->size + sizeof head, bytes, count);
+    }
+    s->size += sizeof head + count;
+}
+
+static void add_text(script *s, uint32_t kind, uint64_t value, const char *text) {
+    add(s, kind, value, text, strlen(text));
+}
+
+static broker_state run(script *s) {
+    const broker_state state = lying_run(&box, s->bytes, s->size, -1);
+    CHECK1(!lying_has_secret(&box));
+    CHECK(lying_count_files(&box) == LYING_FILES, "%d files", lying_count_files(&box));
+    s->size = 0;
+    return state;
+}
+
+/* The next reply, from *at on; its bytes, of which there are at most 479, as a text. */
+static message take_reply(size_t *at, char text[480]) {
+    message head = {0};
+    *text = 0;
+    if (box.reply_size - *at >= sizeof head) {
+        memcpy(&head, box.replies + *at, sizeof head);
+        *at += sizeof head;
+        if (head.size < 480 && head.size <= box.reply_size - *at) {
+            memcpy(text, box.replies + *at, head.size);
+            text[head.size] = 0;
+            *at += head.size;
+        }
+    }
+    return head;
+}
+
+static int is_there(const char *path) {
+    return access(path, F_OK) == 0;
+}
+
+static void remove_outputs(void) {
+    unlink(box.picture);
+    unlink(box.report);
+}
+
+/* ---- Files ---- */
+
+static void test_files(void) {
+    static const struct {
+        const char *name;
+        uint64_t limit;
+        burnish_status status;
+        const char *text; /* of the file, or the error */
+    } files[] = {
+        {"a.bin", 100, BURNISH_STATUS_OK, "aaaa"},
+        {"A.bin", UINT64_MAX, BURNISH_STATUS_OK, "aaaa"},
+        {"./sub//./B.BIN", 2, BURNISH_STATUS_OK, "bb"},
+        {"a.bin", 3, BURNISH_STATUS_LIMIT,
+         "a.bin: larger than the limit of 3 bytes; raise the limit or simplify the mesh"},
+        {"big", UINT64_MAX, BURNISH_STATUS_LIMIT,
+         "big: larger than the limit of 1000 bytes; raise the limit or simplify the mesh"},
+        {"link", 100, BURNISH_STATUS_READ, "link: leads out of the folder of the file"},
+        {"fifo", 100, BURNISH_STATUS_READ, "fifo: is no regular file"},
+        {"Sub", 100, BURNISH_STATUS_READ, "Sub: can't be read: Is a directory"},
+        {"Sub/", 100, BURNISH_STATUS_READ, "Sub/: can't be opened: Is a directory"},
+        {"", 100, BURNISH_STATUS_READ, ": can't be opened: No such file or directory"},
+        {"none", 100, BURNISH_STATUS_READ, "none: can't be opened: No such file or directory"},
+        {"..bin", 100, BURNISH_STATUS_READ, "..bin: can't be opened: No such file or directory"},
+    };
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        script s = {.size = 0};
+        char text[480];
+        size_t at = 0;
+        add_text(&s, MESSAGE_FILE, files[i].limit, files[i].name);
+        CHECK(run(&s) == BROKER_GONE, "%s", files[i].name);
+        message head = take_reply(&at, text);
+        if (files[i].status == BURNISH_STATUS_OK) {
+            CHECK(head.kind == MESSAGE_READY && head.value == strlen(files[i].text), "%s",
+                  files[i].name);
+            head = take_reply(&at, text);
+            CHECK1(head.kind == MESSAGE_BYTES);
+            CHECK_TEXT(text, files[i].text);
+            head = take_reply(&at, text);
+            CHECK_TEXT(text, "");
+        } else {
+            CHECK_TEXT(text, files[i].text);
+        }
+        CHECK(head.kind == MESSAGE_DONE && head.value == (uint64_t)files[i].status, "%s",
+              files[i].name);
+        CHECK1(at == box.reply_size);
+    }
+}
+
+static void test_escapes(void) {
+    static const char *const names[] = {
+        "sUB/../../secret.txt", "Sub/../../secret.txt", "../secret.txt", "..", "Sub/..",
+        "Sub/../a.bin",         "./../secret.txt",      "/etc/passwd",   "//", "link/../secret.txt",
+        "sUB/../../in/a.bin"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        script s = {.size = 0};
+        add_text(&s, MESSAGE_FILE, UINT64_MAX, names[i]);
+        CHECK(run(&s) == BROKER_LIED, "%s", names[i]);
+        CHECK(box.reply_size == 0, "%s", names[i]);
+    }
+}
+
+static void test_long_names(void) {
+    static char name[MESSAGE_NAME_MAX + 2];
+    script s = {.size = 0};
+    char text[480];
+    size_t at = 0;
+    memset(name, 'x', sizeof name);
+    add(&s, MESSAGE_FILE, 100, name, MESSAGE_NAME_MAX);
+    CHECK1(run(&s) == BROKER_GONE);
+    take_reply(&at, text);
+    CHECK(strstr(text, "x: can't be opened: File name too long"), "%s", text);
+    add(&s, MESSAGE_FILE, 100, name, MESSAGE_NAME_MAX + 1);
+    CHECK1(run(&s) == BROKER_LIED);
+    add(&s, MESSAGE_FILE, 100, NULL, UINT64_MAX);
+    CHECK1(run(&s) == BROKER_LIED);
+    add(&s, MESSAGE_FILE, 100, "a.bin\0x", 7);
+    CHECK1(run(&s) == BROKER_LIED);
+}
+
+/* ---- Outputs ---- */
+
+static void test_outputs(void) {
+    script s = {.size = 0};
+    add_text(&s, MESSAGE_WRITE, 0, box.picture);
+    add_text(&s, MESSAGE_DATA, 0, "pixels");
+    add(&s, MESSAGE_END, 0, NULL, 0);
+    add_text(&s, MESSAGE_WRITE, 0, box.report);
+    add_text(&s, MESSAGE_DATA, 0, "{}");
+    add(&s, MESSAGE_END, 0, NULL, 0);
+    add(&s, MESSAGE_STATUS, BURNISH_STATUS_OK, NULL, 0);
+    add(&s, MESSAGE_STATUS, BURNISH_STATUS_OK, NULL, 0);
+    script whole = s;
+    CHECK1(run(&s) == BROKER_GONE);
+    CHECK1(is_there(box.picture) && is_there(box.report));
+    /* All of its beginnings: a worker may end anywhere. */
+    for (size_t size = 0; size < whole.size; ++size) {
+        remove_outputs();
+        s = whole;
+        s.size = size;
+        CHECK(run(&s) == BROKER_GONE, "%zu bytes", size);
+        CHECK(!is_there(box.picture), "%zu bytes", size);
+    }
+    remove_outputs();
+}
+
+static void test_other_outputs(void) {
+    const char *const names[] = {"", "-", "/dev/null", "out/a.png", "a.png"};
+    script s = {.size = 0};
+    char path[128];
+    for (size_t i = 0; i <= sizeof names / sizeof *names; ++i) {
+        snprintf(path, sizeof path, "%s/secret.txt", box.path);
+        add_text(&s, MESSAGE_WRITE, 0, i > 0 ? names[i - 1] : path);
+        add_text(&s, MESSAGE_DATA, 0, "bytes of a liar");
+        add(&s, MESSAGE_END, 0, NULL, 0);
+        add(&s, MESSAGE_STATUS, BURNISH_STATUS_OK, NULL, 0);
+        CHECK(run(&s) == BROKER_LIED, "output %zu", i);
+        CHECK1(box.reply_size == 0);
+    }
+    for (int i = 0; i < 3; ++i) { /* within the report of an output nothing else is written */
+        add_text(&s, MESSAGE_WRITE, 0, box.picture);
+        add(&s, MESSAGE_END, 0, NULL, 0);
+    }
+    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(!is_there(box.picture));
+}
+
+static void test_failed_output(void) {
+    script s = {.size = 0};
+    char text[480];
+    size_t at = 0;
+    add_text(&s, MESSAGE_WRITE, 0, box.picture);
+    add(&s, MESSAGE_END, 0, NULL, 0);
+    add_text(&s, MESSAGE_STATUS, BURNISH_STATUS_LIMIT, "too\n\33[31mred");
+    CHECK1(run(&s) == BROKER_GONE);
+    CHECK1(!is_there(box.picture));
+    CHECK1(take_reply(&at, text).kind == MESSAGE_READY);
+    CHECK1(take_reply(&at, text).value == BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(text, "too??[31mred");
+}
+
+/* ---- Order and sizes ---- */
+
+static void test_order(void) {
+    static const uint32_t first[] = {0,
+                                     MESSAGE_DATA,
+                                     MESSAGE_END,
+                                     MESSAGE_STATUS,
+                                     MESSAGE_IMPORT, /* no importer reads such a file */
+                                     MESSAGE_READY,
+                                     MESSAGE_DONE,
+                                     MESSAGE_BYTES,
+                                     MESSAGE_BYTES + 1,
+                                     UINT32_MAX};
+    script s = {.size = 0};
+    for (size_t i = 0; i < sizeof first / sizeof *first; ++i) {
+        add(&s, first[i], 0, NULL, 0);
+        CHECK(run(&s) == BROKER_LIED, "kind %u", first[i]);
+    }
+    for (uint32_t kind = 0; kind <= MESSAGE_BYTES; ++kind) { /* where an output's bytes should be */
+        if (kind != MESSAGE_END) {
+            add_text(&s, MESSAGE_WRITE, 0, box.picture);
+            add(&s, kind, 0, NULL, 0);
+            CHECK(run(&s) == BROKER_LIED, "kind %u", kind);
+        }
+    }
+    add_text(&s, MESSAGE_WRITE, 0, box.picture);
+    add(&s, MESSAGE_END, 0, NULL, 0);
+    add(&s, MESSAGE_STATUS, BURNISH_STATUS_COUNT, NULL, 0);
+    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(!is_there(box.picture));
+}
+
+static void test_sizes(void) {
+    static char large[MESSAGE_DATA_MAX + 1];
+    static const uint64_t sizes[] = {0, MESSAGE_DATA_MAX + 1, (uint64_t)1 << 32, UINT64_MAX};
+    script s = {.size = 0};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        const char *bytes = sizes[i] <= sizeof large ? large : NULL;
+        add_text(&s, MESSAGE_WRITE, 0, box.picture);
+        add(&s, MESSAGE_DATA, 0, bytes, sizes[i]);
+        CHECK(run(&s) == BROKER_LIED, "size %llu", (unsigned long long)sizes[i]);
+        add(&s, MESSAGE_DECODE, LYING_MAX_BYTES, NULL, 0);
+        add(&s, MESSAGE_DATA, 0, bytes, sizes[i]);
+        CHECK(run(&s) == BROKER_LIED, "size %llu", (unsigned long long)sizes[i]);
+    }
+    add_text(&s, MESSAGE_WRITE, 0, box.picture);
+    add_text(&s, MESSAGE_END, 0, "x");
+    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(!is_there(box.picture));
+}
+
+/* ---- Importers ---- */
+
+static void test_import(void) {
+    const sandbox_plan plan = box.plan;
+    char text[480];
+    size_t at = 0;
+    script s = {.size = 0};
+    box.plan.input = "mesh.fbx";
+    setenv("BURNISH_IMPORTERS", box.path, 1); /* none is there */
+    add(&s, MESSAGE_IMPORT, UINT64_MAX, NULL, 0);
+    add(&s, MESSAGE_IMPORT, UINT64_MAX, NULL, 0);
+    CHECK1(run(&s) == BROKER_LIED); /* the second */
+    CHECK1(take_reply(&at, text).kind == MESSAGE_DONE);
+    CHECK1(at == box.reply_size);
+    box.plan = plan;
+}
+
+static void test_decode(void) {
+    static char bytes[2 * LYING_MAX_BYTES];
+    char text[480];
+    size_t at = 0;
+    script s = {.size = 0};
+    add(&s, MESSAGE_DECODE, sizeof bytes, NULL, 0);
+    add(&s, MESSAGE_DATA, 0, bytes, sizeof bytes);
+    CHECK1(run(&s) == BROKER_GONE);
+    CHECK1(take_reply(&at, text).value == BURNISH_STATUS_MEMORY);
+    CHECK(strstr(text, "mesh.gltf: out of memory for what has to be decoded"), "%s", text);
+    add(&s, MESSAGE_DECODE, UINT64_MAX, NULL, 0);
+    add(&s, MESSAGE_DATA, 0, bytes, sizeof bytes);
+    CHECK1(run(&s) == BROKER_GONE);
+    CHECK1(box.reply_size == 0);
+    add(&s, MESSAGE_DECODE, 10, NULL, 0);
+    add(&s, MESSAGE_DATA, 0, bytes, 11);
+    CHECK1(run(&s) == BROKER_LIED);
+}
+
+/* A descriptor that comes with the bytes is not taken. */
+static void test_descriptors(void) {
+    const int before = dup(STDERR_FILENO);
+    close(before);
+    script s = {.size = 0};
+    add_text(&s, MESSAGE_FILE, 100, "a.bin");
+    CHECK1(lying_run(&box, s.bytes, s.size, STDERR_FILENO) == BROKER_GONE);
+    const int after = dup(STDERR_FILENO);
+    close(after);
+    CHECK(after == before, "%d, before %d", after, before);
+}
+
+/* ---- Processes ---- */
+
+enum { CHANNEL = 3, WATCHDOG_SECONDS = 100, NOT_ENDED = 42 };
+
+static void end_unended(int number) {
+    (void)number;
+    _exit(NOT_ENDED);
+}
+
+/* A worker that goes on after it has lied, or has closed the channel, is ended. */
+static void test_process(int closes) {
+    burnish_error ended = {BURNISH_STATUS_OK, ""}, error = {BURNISH_STATUS_OK, ""};
+    sandbox_plan plan = box.plan;
+    int code = 0;
+    plan.ended = &ended;
+    const burnish_status status = sandbox_begin(&plan, &code, &error);
+    if (status == BURNISH_STATUS_OK && code < 0) {
+        script s = {.size = 0};
+        add_text(&s, MESSAGE_FILE, 100, "sUB/../../secret.txt");
+        if (closes) {
+            close(CHANNEL);
+        } else if (write(CHANNEL, s.bytes, s.size) != (ssize_t)s.size) {
+            _exit(1);
+        }
+        signal(SIGALRM, end_unended);
+        alarm(WATCHDOG_SECONDS); /* where the broker waits for it */
+        for (;;) {
+            pause();
+        }
+    }
+    CHECK(status == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK(code == (closes ? burnish_status_exit_code(BURNISH_STATUS_MEMORY) : 1), "%d", code);
+    CHECK_TEXT(ended.text, closes ? "out of memory: the system ended the program"
+                                  : "the sandbox ended the program: it asked for what drawing "
+                                    "does not need; report the input");
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    signal(SIGPIPE, SIG_IGN);
+    if (!CHECK(lying_begin(&box), "%s: %s", box.path, strerror(errno))) {
+        return test_end("broker");
+    }
+    RUN(test_files());
+    RUN(test_escapes());
+    RUN(test_long_names());
+    RUN(test_outputs());
+    RUN(test_other_outputs());
+    RUN(test_failed_output());
+    RUN(test_order());
+    RUN(test_sizes());
+    RUN(test_import());
+    RUN(test_decode());
+    RUN(test_descriptors());
+    if (sandbox_is_built()) {
+        RUN(test_process(0));
+        RUN(test_process(1));
+    }
+    lying_end(&box);
+    return test_end("broker");
+}

@@ -1,0 +1,20 @@
+/* The broker's side of the channel, which believes nothing that the worker sends. */
+#ifndef TOOL_SANDBOX_BROKER_H
+#define TOOL_SANDBOX_BROKER_H
+
+#include "sandbox/sandbox.h"
+
+typedef enum broker_state {
+    BROKER_SERVES,
+    BROKER_GONE, /* the worker has closed the channel */
+    BROKER_LIED /* the worker has broken the protocol, or asked for what an honest one never does */
+} broker_state;
+
+/* Answers a worker's messages (channel.h) until it is gone or lies; returns which. Whatever the
+ * worker sends, the broker needs 256 KiB, and for what is to be decoded the plan's limits.
+ *   channel  a stream socket
+ *   input    the open input, for importers; -1: none
+ *   folder   the input's folder; -1: none */
+broker_state broker_serve(const sandbox_plan *plan, int channel, int input, int folder);
+
+#endif

@@ -1,0 +1,135 @@
+/* The two processes of a sandbox. */
+#include "sandbox/sandbox.h"
+
+#include "cli/options.h"
+
+#if BURNISH_HAS_SECCOMP
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "cli/limits.h"
+#include "core/show_name.h"
+#include "import/folder.h"
+#include "sandbox/broker.h"
+#include "sandbox/worker.h"
+
+/* The exit code of a worker that has ended; a line about one that did not end by itself. */
+static int explain(broker_state reason, int state, burnish_error *ended) {
+    burnish_error line;
+    int code = sandbox_explain_end(state, &line), has_line = !WIFEXITED(state);
+    if (reason == BROKER_LIED && !cli_child_was_late()) {
+        cli_fail(&line, BURNISH_STATUS_FORMAT,
+                 "the sandbox ended the program: it asked for what drawing does not need; report "
+                 "the input");
+        code = has_line = 1;
+    }
+    if (has_line && ended) {
+        *ended = line;
+    } else if (has_line) {
+        fprintf(stderr, "burnish: %s\n", line.text);
+    }
+    return code;
+}
+
+static burnish_status open_input(const char *input, int *file, burnish_error *error) {
+    *file = -1;
+    if (*input == ':' || strcmp(input, "-") == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    *file = open(input, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    struct stat state;
+    const burnish_shown_name shown = burnish_show_name(input);
+    if (*file < 0) {
+        return cli_fail(error, BURNISH_STATUS_READ, "%s: can't be opened: %s", shown.text,
+                        strerror(errno));
+    }
+    if (fstat(*file, &state) == 0 && S_ISDIR(state.st_mode)) {
+        close(*file);
+        return cli_fail(error, BURNISH_STATUS_READ, "%s: can't be read: Is a directory",
+                        shown.text);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* In the worker: the channel becomes 3, the input 4, nothing else of the broker's stays open, and
+ * it does not outlive the broker. */
+static void enter_worker(pid_t parent, int channel, int input) {
+    const int first = STDERR_FILENO + 1, is_open = input >= 0;
+    const int held = is_open ? fcntl(input, F_DUPFD_CLOEXEC, first + 16) : -1;
+    const int spoken = fcntl(channel, F_DUPFD_CLOEXEC, first + 16);
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent || dup2(spoken, first) < 0 ||
+        (is_open && dup2(held, first + 1) < 0)) {
+        _exit(1);
+    }
+    sandbox_close_descriptors(first + 1 + is_open);
+    sandbox_become_worker(first, is_open ? first + 1 : -1);
+}
+
+/* Answers the worker until it has ended; returns the exit code. */
+static int be_broker(const sandbox_plan *plan, pid_t worker, int channel, int input) {
+    const int folder = folder_open(plan->input);
+    cli_limit_child(worker);
+    const broker_state reason = broker_serve(plan, channel, input, folder);
+    close(channel);
+    kill(worker, SIGKILL); /* a liar goes on; an honest worker's exit code is already settled */
+    const int state = cli_wait_child(worker);
+    if (folder >= 0) {
+        close(folder);
+    }
+    return explain(reason, state, plan->ended);
+}
+
+burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error) {
+    int input, ends[2];
+    burnish_status status = open_input(plan->input, &input, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+        status =
+            cli_fail(error, BURNISH_STATUS_ARGUMENT, "--sandbox: no socket: %s", strerror(errno));
+    } else {
+        fflush(NULL);
+        const pid_t self = getpid(), worker = fork();
+        if (worker == 0) {
+            enter_worker(self, ends[1], input);
+            *code = -1;
+            return BURNISH_STATUS_OK;
+        }
+        if (worker < 0) {
+            status = cli_fail(error, BURNISH_STATUS_MEMORY, "--sandbox: no process: %s",
+                              strerror(errno));
+        }
+        close(ends[1]);
+        if (worker > 0) {
+            *code = be_broker(plan, worker, ends[0], input);
+        } else {
+            close(ends[0]);
+        }
+    }
+    if (input >= 0) {
+        close(input);
+    }
+    return status;
+}
+
+#else
+
+burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error) {
+    (void)plan;
+    *code = -1;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--sandbox: this program was built without libseccomp; install libseccomp-dev "
+                    "and build again, or use --no-sandbox");
+}
+
+#endif
