@@ -6,19 +6,21 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 # Limits that the system keeps, in a sandbox and without.
 awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }' >sheets.obj
+mkfifo endless.obj
+exec 9<>endless.obj # a writer that never writes
 limits() {
     expect 5 'burnish: not done after 0.2 seconds (--max-seconds): raise the limit or simplify the mesh' \
-        render sheets.obj --views=front --max-overdraw=1e9 --size=4000 --samples=16 --max-seconds=0.2 -o h.png "$@"
+        render endless.obj --max-seconds=0.2 -o h.png "$@"
     run render sheets.obj --views=front --size=8000 --max-memory=40M --threads=1 --max-overdraw=1e9 -o h.png "$@"
     check "--max-memory $*: exit code $code" [ "$code" = 6 ]
     check "--max-memory $*: one line: $(cat "$err")" [ "$(wc -l <"$err")" = 1 ]
-    check "no picture, no temporary" [ "$(ls -A)" = sheets.obj ]
+    check "no picture, no temporary" [ "$(ls -A | tr '\n' ' ')" = 'endless.obj sheets.obj ' ]
 }
 expect 2 'burnish: --max-seconds: "-1" is not a number from 0 to 1000000' render :sphere --max-seconds=-1
 expect 2 'burnish: --max-memory: "x" is not a number of bytes, such as 500M or 2G (K, M, G: powers of 1024)' render :sphere --max-memory=x
 if ! "$burnish" render :sphere --max-memory=1G --size=8 --threads=1 -o s.png 2>/dev/null; then
     echo "cli_sandbox: SKIPPED: limits of memory, which this build's sanitizer can't bear"
-    rm -f sheets.obj
+    rm -f sheets.obj endless.obj
     finish
     exit
 fi
@@ -28,13 +30,14 @@ limits
 if ! "$burnish" render :sphere --size=8 --sandbox -o s.png 2>"$err"; then
     expect 2 'burnish: --sandbox: this program was built without libseccomp; install libseccomp-dev and build again, or use --no-sandbox' \
         render :sphere --sandbox -o s.png
-    rm -f sheets.obj
+    rm -f sheets.obj endless.obj
     finish
     exit
 fi
 rm -f s.png
 limits --sandbox
-rm -f sheets.obj
+exec 9>&-
+rm -f sheets.obj endless.obj
 
 # same FLAGS: OUT in them stands for the output.
 same_there() {
@@ -76,28 +79,85 @@ check "standard input" [ "$("$burnish" render - --sandbox --size=64 -o - <"$data
     "$("$burnish" render - --size=64 -o - <"$data/colors.ply" | cksum)" ]
 expect 2 'burnish: --sandbox: no other picture is read in it; leave out --reference' render :knot --sandbox --reference=a.png
 
+# As many outputs as the flags allow.
+planes=
+for number in $(seq 18); do
+    planes="$planes --plane=depth:OUT.$number.npy"
+done
+# shellcheck disable=SC2086
+same_there :knot --size=8 --json=r.json $planes -o OUT.png
+rm -f r.json
+
 # A material library is one of the input's folder: what a link shows elsewhere is not read.
-mkdir in
+mkdir in in/folder.mtl
 echo "newmtl a
 Kd 1 0 0" >secret.mtl
 ln -s ../secret.mtl in/link.mtl
+mkfifo in/fifo.mtl
 cp secret.mtl in/beside.mtl
-picture() { # LIBRARY
+name_library() {
     printf 'mtllib %s\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n' "$1" >in/a.obj
+}
+picture() { # LIBRARY
+    name_library "$1"
     run render in/a.obj --sandbox --size=16 --json -o s.png
     rm -f s.png
     json hash
 }
 check "a library beside the input is read" [ "$(picture beside.mtl)" != "$(picture none.mtl)" ]
 check "in other case, too" [ "$(picture BESIDE.Mtl)" = "$(picture beside.mtl)" ]
+check "by its folder, too" [ "$(picture .//Beside.mtl)" = "$(picture beside.mtl)" ]
 check "a library elsewhere is not" [ "$(picture link.mtl)" = "$(picture none.mtl)" ]
+long=$(printf 'x%.0s' $(seq 300))
+for library in link.mtl fifo.mtl folder.mtl none.mtl "$long" "folder.mtl/$long" ../secret.mtl FOLDER.mtl/../../secret.mtl; do
+    name_library "$library"
+    same_there in/a.obj --size=16 -o OUT.png
+    check "$library is told: $(cat "$err")" grep -q 'was not read' "$err"
+done
+same_there in/a.obj --max-input-bytes=5 -o OUT.png
+name_library beside.mtl
+cat secret.mtl secret.mtl secret.mtl secret.mtl secret.mtl >in/beside.mtl
+same_there in/a.obj --max-input-bytes=80 --size=16 -o OUT.png
+check "a library that is too large: $(cat "$err")" grep -q 'beside.mtl: larger than the limit of 80 bytes' "$err"
 rm -rf in secret.mtl
 
-# Killed in the middle: the other process goes too, and nothing is left.
-"$burnish" render :knot --size=8000 --samples=16 --sandbox -o s.png 2>/dev/null &
-sleep 0.3
+# A wall that can't be built is an error of each process that has one: where Landlock has no room for another domain.
+full() { # ARGUMENTS...
+    python3 "$here/landlock.py" "$burnish" "$@" >"$out" 2>"$err" </dev/null
+    code=$?
+}
+full --version
+if [ $code = 77 ]; then
+    echo "cli_sandbox: SKIPPED: this kernel has no Landlock"
+else
+    full render :sphere --size=16 --sandbox -o s.png
+    check "render: $code, $(cat "$err")" [ "$code $(cat "$err")" = \
+        "2 burnish: --sandbox: this system can't (Landlock: Argument list too long); use --no-sandbox" ]
+    full serve-stdio
+    check "serve-stdio: $code, $(cat "$err")" [ "$code $(cat "$err")" = \
+        "2 burnish: serve-stdio: this system has no sandbox (Landlock: Argument list too long); use --no-sandbox" ]
+    cp "$here/../data/cube.obj" c.obj
+    full batch c.obj -d out
+    check "batch: $code, $(cat "$err")" [ "$code" = 11 ]
+    check "batch: $(cat "$err")" grep -q "this system can't (Landlock: Argument list too long); use --no-sandbox" "$err"
+    run batch c.obj -d out
+    full batch c.obj -d out --sheet=out/sheet.png
+    check "sheet: $code, $(cat "$err")" grep -q "sheet: this system has no sandbox (Landlock: Argument list too long); use --no-sandbox" "$err"
+    check "no sheet" [ ! -e out/sheet.png ]
+    rm -rf out c.obj
+fi
+
+# Killed while it reads: the other process, which holds the pipe's end, goes too, and nothing is left.
+mkfifo pipe.obj
+"$burnish" render pipe.obj --sandbox -o s.png 2>/dev/null &
+exec 9>pipe.obj
+yes 'v 0 0 0' | head -c 1000000 >&9
 kill $! 2>/dev/null
 wait $!
 check "killed: exit code $?" [ $? = 143 ]
+timeout 60 yes >&9 2>/dev/null
+check "nobody reads any more: exit code $?" [ $? = 141 ]
+exec 9>&-
+rm -f pipe.obj
 nothing_left "sandbox"
 finish
