@@ -20,62 +20,55 @@
 
 enum { LYING_MAX_BYTES = 1000, LYING_REPLIES_MAX = 1 << 20 };
 
-/* box/secret.txt, box/in/: mesh.gltf, a.bin, Sub/b.bin, link -> ../secret.txt, big (sparse), fifo;
- * box/out/. */
+#define LYING_PICTURE "out/a.png"
+#define LYING_REPORT "out/a.json"
+
+/* A folder with secret.txt, an empty one, out, and the input's, in: mesh.gltf, a.bin, Sub/b.bin,
+ * big (sparse), link, which leads to the secret, and fifo. The process works in it. */
 typedef struct lying_box {
     char path[64];
-    char input[96], picture[96], report[96];
-    int folder; /* box/in */
+    int folder; /* in */
     sandbox_plan plan;
     char *replies; /* of the last run: what the broker has sent, at most LYING_REPLIES_MAX */
     size_t reply_size;
     int channel; /* the worker's end */
 } lying_box;
 
-static inline int lying_write(const lying_box *box, const char *name, const char *bytes) {
-    char path[160];
-    snprintf(path, sizeof path, "%s/%s", box->path, name);
-    FILE *file = fopen(path, "w");
+static inline int lying_write(const char *name, const char *bytes) {
+    FILE *file = fopen(name, "w");
     const int is_written = file && fputs(bytes, file) >= 0;
     return file && fclose(file) == 0 && is_written;
 }
 
 /* Returns 0 if the folder can't be made. */
 static inline int lying_begin(lying_box *box) {
-    static const char *const folders[] = {"in", "in/Sub", "out"};
-    char path[160];
-    *box = (lying_box){.path = "/tmp/burnish-broker-XXXXXX", .folder = -1};
-    int is_made = mkdtemp(box->path) != NULL;
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; ++i) {
-        snprintf(path, sizeof path, "%s/%s", box->path, folders[i]);
-        is_made = is_made && mkdir(path, 0700) == 0;
-    }
-    is_made = is_made && lying_write(box, "secret.txt", LYING_SECRET) &&
-              lying_write(box, "in/mesh.gltf", "{}") && lying_write(box, "in/a.bin", "aaaa") &&
-              lying_write(box, "in/Sub/b.bin", "bb") && lying_write(box, "in/big", "");
-    snprintf(path, sizeof path, "%s/in/big", box->path);
-    is_made = is_made && truncate(path, (off_t)1 << 40) == 0;
-    snprintf(path, sizeof path, "%s/in/link", box->path);
-    is_made = is_made && symlink("../secret.txt", path) == 0;
-    snprintf(path, sizeof path, "%s/in/fifo", box->path);
-    is_made = is_made && mkfifo(path, 0600) == 0;
-    snprintf(path, sizeof path, "%s/in", box->path);
-    box->folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    snprintf(box->input, sizeof box->input, "%s/in/mesh.gltf", box->path);
-    snprintf(box->picture, sizeof box->picture, "%s/out/a.png", box->path);
-    snprintf(box->report, sizeof box->report, "%s/out/a.json", box->path);
-    box->plan = (sandbox_plan){.input = box->input,
-                               .outputs = {box->picture, NULL, box->report},
-                               .output_count = 3,
-                               .max_input_bytes = LYING_MAX_BYTES};
-    box->replies = malloc(LYING_REPLIES_MAX);
-    return is_made && box->folder >= 0 && box->replies;
+    *box = (lying_box){.path = "/tmp/burnish-broker-XXXXXX",
+                       .plan = {.input = "in/mesh.gltf",
+                                .outputs = {LYING_PICTURE, NULL, LYING_REPORT},
+                                .output_count = 3,
+                                .max_input_bytes = LYING_MAX_BYTES},
+                       .replies = malloc(LYING_REPLIES_MAX)};
+    const int is_made = box->replies && mkdtemp(box->path) && chdir(box->path) == 0 &&
+                        mkdir("in", 0700) == 0 && mkdir("in/Sub", 0700) == 0 &&
+                        mkdir("out", 0700) == 0 && lying_write("secret.txt", LYING_SECRET) &&
+                        lying_write("in/mesh.gltf", "{}") && lying_write("in/a.bin", "aaaa") &&
+                        lying_write("in/Sub/b.bin", "bb") && lying_write("in/big", "") &&
+                        truncate("in/big", (off_t)1 << 40) == 0 &&
+                        symlink("../secret.txt", "in/link") == 0 && mkfifo("in/fifo", 0600) == 0;
+    box->folder = open("in", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return is_made && box->folder >= 0;
 }
 
 static inline int lying_remove(const char *path, const struct stat *state, int kind,
                                struct FTW *at) {
     (void)state, (void)kind, (void)at;
     return remove(path);
+}
+
+/* Outputs of the last run. */
+static inline void lying_remove_outputs(void) {
+    unlink(LYING_PICTURE);
+    unlink(LYING_REPORT);
 }
 
 static inline void lying_end(lying_box *box) {

@@ -1,0 +1,60 @@
+/* Fuzzing of the sandbox's broker: libFuzzer's bytes are what a worker that was taken over sends
+ * (sandbox/channel.h). It must get nothing of the secret that is beside the input's folder, write
+ * no file but the two outputs, and leave no descriptor open.
+ *
+ * byte 0:    1: an importer reads the input, where one is installed; none is
+ * the rest:  messages
+ *
+ * Built by `make fuzz`; test/fuzz/run starts it. */
+#include "lying_worker.h"
+
+#include <signal.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static lying_box box;
+
+static void remove_box(void) {
+    lying_end(&box);
+}
+
+static void require(int condition, const char *what) {
+    if (!condition) {
+        fprintf(stderr, "fuzz_broker: %s\n", what);
+        abort();
+    }
+}
+
+static int next_descriptor(void) {
+    const int next = dup(STDERR_FILENO);
+    close(next);
+    return next;
+}
+
+static void begin(void) {
+    require(lying_begin(&box), "no folder");
+    setenv("BURNISH_IMPORTERS", box.path, 1);
+    signal(SIGPIPE, SIG_IGN);
+    atexit(remove_box);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    char secret[sizeof LYING_SECRET] = "";
+    if (!*box.path) {
+        begin();
+    }
+    box.plan.input = size > 0 && (data[0] & 1) ? "in/mesh.fbx" : "in/mesh.gltf";
+    const int before = next_descriptor();
+    lying_remove_outputs();
+    const broker_state state =
+        lying_run(&box, (void *)(uintptr_t)(data + (size > 0)), size - (size > 0), -1);
+    require(state == BROKER_GONE || state == BROKER_LIED, "it has not ended");
+    require(!lying_has_secret(&box), "the secret is told");
+    require(lying_count_files(&box) == LYING_FILES, "another file is there, or one is missing");
+    require(next_descriptor() == before, "a descriptor is open");
+    FILE *file = fopen("secret.txt", "r");
+    require(file && fgets(secret, sizeof secret, file) && strcmp(secret, LYING_SECRET) == 0,
+            "the secret was changed");
+    fclose(file);
+    return 0;
+}
