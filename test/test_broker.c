@@ -77,7 +77,7 @@ static void test_files(void) {
         {"big", UINT64_MAX, BURNISH_STATUS_LIMIT,
          "big: larger than the limit of 1000 bytes; raise the limit or simplify the mesh"},
         {"link", 100, BURNISH_STATUS_READ, "link: leads out of the folder of the file"},
-        {"fifo", 100, BURNISH_STATUS_READ, "fifo: is no regular file"},
+        {"fifo", 100, BURNISH_STATUS_READ, "fifo: is not a regular file"},
         {"Sub", 100, BURNISH_STATUS_READ, "Sub: can't be read: Is a directory"},
         {"Sub/", 100, BURNISH_STATUS_READ, "Sub/: can't be opened: Is a directory"},
         {"", 100, BURNISH_STATUS_READ, ": can't be opened: No such file or directory"},

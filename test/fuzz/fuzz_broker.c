@@ -13,6 +13,7 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static lying_box box;
+static int home; /* the folder in which libFuzzer names its files */
 
 static void remove_box(void) {
     lying_end(&box);
@@ -32,6 +33,7 @@ static int next_descriptor(void) {
 }
 
 static void begin(void) {
+    home = open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     require(lying_begin(&box), "no folder");
     setenv("BURNISH_IMPORTERS", box.path, 1);
     signal(SIGPIPE, SIG_IGN);
@@ -43,6 +45,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (!*box.path) {
         begin();
     }
+    require(chdir(box.path) == 0, "no folder");
     box.plan.input = size > 0 && (data[0] & 1) ? "in/mesh.fbx" : "in/mesh.gltf";
     const int before = next_descriptor();
     lying_remove_outputs();
@@ -56,5 +59,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     require(file && fgets(secret, sizeof secret, file) && strcmp(secret, LYING_SECRET) == 0,
             "the secret was changed");
     fclose(file);
+    require(fchdir(home) == 0, "no folder");
     return 0;
 }

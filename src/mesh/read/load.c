@@ -197,7 +197,7 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
         return fail_errno(file, "can't be read", EISDIR);
     }
     if (only_regular && !S_ISREG(info.st_mode)) {
-        return burnish_fail(file->memory.error, BURNISH_STATUS_READ, "%s: is no regular file",
+        return burnish_fail(file->memory.error, BURNISH_STATUS_READ, "%s: is not a regular file",
                             burnish_show_name(file->name).text);
     }
     if (!S_ISREG(info.st_mode) || info.st_size <= 0) {

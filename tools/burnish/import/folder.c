@@ -69,7 +69,7 @@ burnish_status folder_open_file(int folder, const char *name, uint64_t max_bytes
     } else if (S_ISDIR(state.st_mode)) {
         status = fail_read(name, EISDIR, error);
     } else if (!S_ISREG(state.st_mode)) {
-        status = cli_fail(error, BURNISH_STATUS_READ, "%s: is no regular file",
+        status = cli_fail(error, BURNISH_STATUS_READ, "%s: is not a regular file",
                           burnish_show_name(name).text);
     } else if (state.st_size > 0 && (uint64_t)state.st_size > max_bytes) {
         status = fail_size(name, max_bytes, error);
