@@ -42,6 +42,9 @@ static void begin(void) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     char secret[sizeof LYING_SECRET] = "";
+    if (memmem(data, size, LYING_SECRET, strlen(LYING_SECRET))) {
+        return 0; /* libFuzzer has read it where it is compared, and messages quote names */
+    }
     if (!*box.path) {
         begin();
     }
