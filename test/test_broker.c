@@ -276,6 +276,13 @@ static void test_decode(void) {
     CHECK1(run(&s) == BROKER_GONE);
     CHECK1(take_reply(&at, text).value == BURNISH_STATUS_MEMORY);
     CHECK(strstr(text, "in/mesh.gltf: out of memory for what has to be decoded"), "%s", text);
+    box.plan.max_memory = 9; /* of the worker: it can't have had more */
+    add(&s, MESSAGE_DECODE, 10, NULL, 0);
+    add(&s, MESSAGE_DATA, 0, bytes, 10);
+    CHECK1(run(&s) == BROKER_GONE);
+    at = 0;
+    CHECK1(take_reply(&at, text).value == BURNISH_STATUS_MEMORY);
+    box.plan.max_memory = 0;
     add(&s, MESSAGE_DECODE, UINT64_MAX, NULL, 0);
     add(&s, MESSAGE_DATA, 0, bytes, sizeof bytes);
     CHECK1(run(&s) == BROKER_GONE);

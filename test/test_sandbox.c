@@ -245,6 +245,9 @@ static int state_of(void (*action)(void), int pretends) {
     const pid_t child = fork();
     if (child == 0) {
         const char *wall;
+        for (int i = STDERR_FILENO + 1; i < HELD; ++i) { /* inherited */
+            close(i);
+        }
         const int nothing = open("/dev/null", O_RDONLY), tcp = socket(AF_INET, SOCK_STREAM, 0);
         if (dup2(tcp, STDIN_FILENO) < 0 || dup2(nothing, HELD) < 0) {
             _exit(REFUSED);
