@@ -38,9 +38,10 @@ burnish_status folder_fail(const char *name, int code, burnish_error *error) {
                           strerror(code));
 }
 
-burnish_status folder_fail_memory(const char *name, burnish_error *error) {
-    return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %s",
-                    burnish_show_name(name).text);
+burnish_status folder_fail_memory(const char *name, uint64_t bytes, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_MEMORY,
+                    "out of memory: %s needs %llu bytes; free memory or use a smaller input",
+                    burnish_show_name(name).text, (unsigned long long)bytes);
 }
 
 static burnish_status fail_size(const char *name, uint64_t max_bytes, burnish_error *error) {
@@ -103,7 +104,7 @@ burnish_status folder_read(int file, const char *name, uint64_t max_bytes, impor
             return fail_size(name, max_bytes, error);
         }
         if (!take(context, piece, (size_t)count)) {
-            return folder_fail_memory(name, error);
+            return folder_fail_memory(name, got, error);
         }
     }
 }
@@ -118,7 +119,7 @@ static burnish_status load(void *user_data, const char *name, uint64_t max_bytes
     if (status == BURNISH_STATUS_OK) {
         status = import_expect(&stream, stated)
                      ? folder_read(file, name, max_bytes, import_keep, &stream, error)
-                     : folder_fail_memory(name, error);
+                     : folder_fail_memory(name, stated, error);
         close(file);
     }
     if (status != BURNISH_STATUS_OK) {

@@ -24,7 +24,7 @@ burnish_status folder_read(int file, const char *name, uint64_t max_bytes, impor
 
 /* The errors of a file that can't be opened, by its errno, and of one there is no memory for. */
 burnish_status folder_fail(const char *name, int code, burnish_error *error);
-burnish_status folder_fail_memory(const char *name, burnish_error *error);
+burnish_status folder_fail_memory(const char *name, uint64_t bytes, burnish_error *error);
 
 /* Both steps as a loader for load options; *folder has to stay. */
 burnish_file_loader folder_loader(int *folder);

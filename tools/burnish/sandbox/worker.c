@@ -76,7 +76,7 @@ static burnish_status load_by_broker(void *user_data, const char *name, uint64_t
     if (!channel_take_stream(broker, import_keep, &stream, &status, error)) {
         status = fail_broker(error);
     } else if (status == BURNISH_STATUS_OK && stream.is_short) {
-        status = folder_fail_memory(name, error);
+        status = folder_fail_memory(name, head.value, error);
     }
     if (status != BURNISH_STATUS_OK) {
         free(stream.bytes);
