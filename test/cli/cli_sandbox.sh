@@ -121,7 +121,7 @@ same_there in/a.obj --max-input-bytes=80 --size=16 -o OUT.png
 check "a library that is too large: $(cat "$err")" grep -q 'beside.mtl: larger than the limit of 80 bytes' "$err"
 truncate -s 500M in/beside.mtl
 same_there in/a.obj --max-memory=400M --threads=1 --size=16 -o OUT.png
-check "a library without memory for it: $(cat "$err")" grep -q 'out of memory: beside.mtl needs 524288000 bytes' "$err"
+check "a library without memory for it: $(cat "$err")" grep -q 'out of memory: no 524288000 bytes for beside.mtl' "$err"
 rm -rf in secret.mtl
 
 # A wall that can't be built is an error of each process that has one: where Landlock has no room for another domain.
