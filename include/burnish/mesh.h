@@ -154,10 +154,13 @@ typedef struct burnish_load_options {
     const char *animation; /* its name, or its number from 0; NULL: the first. Without a time, that
                               of its start */
     uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
-    uint64_t max_triangles;         /* more are refused with LIMIT; at most BURNISH_TRIANGLES_MAX */
+    uint64_t max_triangles;         /* more are refused with LIMIT. BURNISH_TRIANGLES_MAX, which is
+                                       the largest: as many as vertices and triangles together are 5
+                                       for each byte of the input and its companions */
     uint64_t max_texture_pixels;    /* of all textures together: those beyond are left out, with a
-                                       warning; BURNISH_TEXTURE_PIXELS_AUTO: 2^26 and 32 for each
-                                       byte of the input and its companions, at most 2^28 */
+                                       warning; BURNISH_TEXTURE_PIXELS_AUTO: 32 for each byte of the
+                                       input and its companions, at most 2^28. An input of less than
+                                       1 MiB counts as 1 MiB in both */
     burnish_file_loader companions; /* files that the input names; load NULL: those of the input's
                                        folder, none for standard input and memory */
     burnish_stream_decoder decoder; /* decode NULL: files that need it are refused, FORMAT */

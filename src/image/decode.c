@@ -19,9 +19,8 @@ static const struct {
     {0, 2, {'B', 'M'}, burnish_decode_bmp},
 };
 
-burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,
-                                      int channels, burnish_memory *memory,
-                                      burnish_image *picture) {
+burnish_status burnish_decode_check(const burnish_encoded *from, uint64_t width, uint64_t height,
+                                    const burnish_memory *memory) {
     const uint64_t side = (uint64_t)from->max_side;
     if (width > side || height > side) {
         return burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
@@ -41,9 +40,20 @@ burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t widt
                             from->name, (unsigned long long)width, (unsigned long long)height,
                             (unsigned long long)from->max_pixels);
     }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,
+                                      int channels, burnish_memory *memory,
+                                      burnish_image *picture) {
+    const burnish_status status = burnish_decode_check(from, width, height, memory);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     uint8_t *pixels =
         burnish_allocate(memory, (size_t)(width * height), (size_t)channels, from->name);
     if (pixels) {
+        *(from->decoded ? from->decoded : &(uint64_t){0}) += width * height;
         *picture = (burnish_image){(int)width, (int)height, channels, pixels};
     }
     return memory->status;

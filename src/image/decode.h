@@ -14,6 +14,8 @@ typedef struct burnish_encoded {
     int channels;        /* 4: always RGBA; 0: RGBA where the file has any transparency, else RGB */
     int max_side;        /* wider or higher ones are refused with LIMIT */
     uint64_t max_pixels; /* so are those with more */
+    uint64_t *decoded;   /* pixels are added to it once they are decoded, in part or damaged too; may
+                            be NULL */
 } burnish_encoded;
 
 /* Codes of 8 bits, taken as they are whatever gamma or profile the file states; 16 bits become the
@@ -41,7 +43,12 @@ burnish_status burnish_decode_tga(const burnish_encoded *from, burnish_memory *m
 /* Whether bytes have the header of a TGA, which begins with nothing of its own. */
 int burnish_is_tga(const uint8_t *bytes, size_t size);
 
-/* Pixels for a picture that a file announces, not cleared. Errors: LIMIT, MEMORY. */
+/* Whether a picture of these sides is read: to be asked before a library allocates rows of them.
+ * Errors: FORMAT (a side is 0), LIMIT. */
+burnish_status burnish_decode_check(const burnish_encoded *from, uint64_t width, uint64_t height,
+                                    const burnish_memory *memory);
+
+/* Pixels for a picture that a file announces, not cleared. Errors: FORMAT, LIMIT, MEMORY. */
 burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,
                                       int channels, burnish_memory *memory, burnish_image *picture);
 

@@ -3,14 +3,14 @@
 
 #include "core/error.h"
 
-static burnish_status fail_limit(burnish_memory *memory, const char *name, uint64_t most,
-                                 int is_bomb) {
+static burnish_status fail_limit(burnish_memory *memory, const char *name, size_t size,
+                                 uint64_t most, uint64_t budget) {
     const burnish_shown_name shown = burnish_show_name(name);
-    return is_bomb
+    return most > budget
                ? burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
-                              "%s: unpacks to more than %d times its size; unpack it first if "
-                              "that is right",
-                              shown.text, BURNISH_GUNZIP_RATIO)
+                              "%s: its %zu bytes unpack to more than %llu; unpack it first if that "
+                              "is right",
+                              shown.text, size, (unsigned long long)budget)
                : burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
                               "%s: unpacks to more than the limit of %llu bytes; raise the limit "
                               "or simplify the mesh",
@@ -20,10 +20,9 @@ static burnish_status fail_limit(burnish_memory *memory, const char *name, uint6
 /* One file after the other into *items; *count bytes of them. Bytes after the last one that begin
  * no further file are padding. */
 static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, size_t size,
-                             const char *name, uint64_t most, burnish_memory *memory,
-                             uint8_t **items, size_t *count) {
-    const uint64_t fair = (uint64_t)size * BURNISH_GUNZIP_RATIO + BURNISH_GUNZIP_FREE;
-    const uint64_t bound = most < fair ? most : fair;
+                             const char *name, uint64_t most, uint64_t budget,
+                             burnish_memory *memory, uint8_t **items, size_t *count) {
+    const uint64_t bound = most < budget ? most : budget;
     size_t capacity = 0, left = size;
     burnish_inflate_result result = BURNISH_INFLATE_MORE;
     while (result != BURNISH_INFLATE_END || burnish_is_gzip(bytes, left)) {
@@ -40,7 +39,7 @@ static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, siz
             return memory->status = BURNISH_STATUS_MEMORY;
         }
         if (*count > bound) {
-            return fail_limit(memory, name, most, most > fair);
+            return fail_limit(memory, name, size, most, budget);
         }
         if (result == BURNISH_INFLATE_DAMAGED ||
             (result == BURNISH_INFLATE_MORE && written == 0 && (left == 0 || left == before))) {
@@ -54,8 +53,8 @@ static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, siz
 }
 
 burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *name,
-                              uint64_t max_bytes, burnish_memory *memory, uint8_t **unpacked,
-                              size_t *unpacked_size) {
+                              uint64_t max_bytes, uint64_t budget, burnish_memory *memory,
+                              uint8_t **unpacked, size_t *unpacked_size) {
     burnish_inflate *inflate = burnish_inflate_create(memory, 0);
     *unpacked = NULL;
     *unpacked_size = 0;
@@ -63,7 +62,7 @@ burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *nam
         return memory->status;
     }
     burnish_status status =
-        unpack(inflate, bytes, size, name, max_bytes, memory, unpacked, unpacked_size);
+        unpack(inflate, bytes, size, name, max_bytes, budget, memory, unpacked, unpacked_size);
     burnish_inflate_destroy(memory->context, inflate);
     if (status != BURNISH_STATUS_OK) {
         burnish_release(memory->context, *unpacked);

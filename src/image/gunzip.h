@@ -8,18 +8,15 @@
 
 #include "core/memory.h"
 
-/* What gzip makes of a mesh is seldom less than a twentieth of it; what unpacks to more than 200
- * times its size, and these bytes, is meant to fill the memory. */
-enum { BURNISH_GUNZIP_RATIO = 200, BURNISH_GUNZIP_FREE = 1 << 20 };
-
 /* Unpacks a file, of which there may be several one after the other.
  *   name       for messages
  *   max_bytes  more are refused with LIMIT
+ *   budget     so are these, with a line that says to unpack the file first
  *   unpacked   receives *unpacked_size bytes, from `memory`; NULL on error
  * Errors: FORMAT (damaged, truncated), LIMIT, MEMORY. */
 burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *name,
-                              uint64_t max_bytes, burnish_memory *memory, uint8_t **unpacked,
-                              size_t *unpacked_size);
+                              uint64_t max_bytes, uint64_t budget, burnish_memory *memory,
+                              uint8_t **unpacked, size_t *unpacked_size);
 
 static inline int burnish_is_gzip(const uint8_t *bytes, size_t size) {
     return size >= 3 && bytes[0] == 0x1f && bytes[1] == 0x8b && bytes[2] == 8;

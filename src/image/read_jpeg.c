@@ -8,6 +8,8 @@
 
 #include <jpeglib.h>
 
+#include <jerror.h>
+
 #include "core/sanitize.h"
 
 enum {
@@ -45,6 +47,7 @@ static void watch(j_common_ptr codec) {
     jpeg_reader *reader = (jpeg_reader *)codec->err;
     if (codec->is_decompressor &&
         ((j_decompress_ptr)codec)->input_scan_number > reader->most_scans) {
+        reader->manager.msg_code = 0;
         snprintf(reader->reason, sizeof reader->reason, "more than %d scans", reader->most_scans);
         longjmp(reader->place, 1);
     }
@@ -67,12 +70,31 @@ static void print_row(const JSAMPLE *from, int channels, int width, uint8_t *to)
     }
 }
 
+static burnish_status fail_codec(j_decompress_ptr codec, const burnish_encoded *from,
+                                 burnish_memory *memory) {
+    const jpeg_reader *reader = (const jpeg_reader *)codec->err;
+    switch (reader->manager.msg_code) {
+    case JERR_OUT_OF_MEMORY:
+        return burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
+                            "%.200s: out of memory; free memory or use a smaller picture",
+                            from->name);
+    case JERR_NO_BACKING_STORE: /* what the library says beyond MOST_MEMORY */
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: a progressive JPEG of %u x %u pixels needs more than %d MiB; "
+                            "save it as a baseline one, or smaller",
+                            from->name, codec->image_width, codec->image_height,
+                            MOST_MEMORY >> 20);
+    default:
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound JPEG: %.200s",
+                            from->name, reader->reason);
+    }
+}
+
 static burnish_status decode(j_decompress_ptr codec, const burnish_encoded *from,
                              burnish_memory *memory, burnish_image *picture, uint8_t **line) {
     jpeg_reader *reader = (jpeg_reader *)codec->err;
     if (setjmp(reader->place)) {
-        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound JPEG: %.200s",
-                            from->name, reader->reason);
+        return fail_codec(codec, from, memory);
     }
     codec->mem->max_memory_to_use = MOST_MEMORY;
     codec->progress = &reader->progress;
@@ -124,8 +146,8 @@ burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *
     reader.progress.progress_monitor = watch;
     reader.most_scans = MOST_SCANS;
     if (setjmp(reader.place)) {
-        return burnish_fail(memory->error, BURNISH_STATUS_MEMORY, "%.200s: out of memory",
-                            from->name);
+        jpeg_destroy_decompress(&codec);
+        return fail_codec(&codec, from, memory);
     }
     jpeg_create_decompress(&codec);
     const burnish_status status = decode(&codec, from, memory, picture, &line);

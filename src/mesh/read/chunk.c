@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "mesh/read/budget.h"
 #include "mesh/read/chunks.h"
 
 burnish_status burnish_chunk_fail(burnish_chunk *chunk, burnish_status status, const uint8_t *at,
@@ -35,7 +36,21 @@ int burnish_chunk_grow(burnish_chunk *chunk, burnish_attribute attribute) {
     return has_memory(chunk);
 }
 
+/* Where the chunk is exact, says whether the file's limit or its budget is exceeded. */
+static burnish_status fail_triangles(burnish_chunk *chunk, const uint8_t *at, uint64_t triangles) {
+    chunk->status = BURNISH_STATUS_LIMIT;
+    if (chunk->exact && burnish_budget_check(chunk->exact, 0, triangles) == BURNISH_STATUS_OK) {
+        burnish_fail_triangles(chunk->exact, at);
+    }
+    return BURNISH_STATUS_LIMIT;
+}
+
 uint32_t *burnish_chunk_scratch(burnish_chunk *chunk, size_t count) {
+    enum { NUMBERS = 4 /* at most, of a corner */ };
+    if (count / NUMBERS > chunk->most + 2) {
+        fail_triangles(chunk, chunk->first, count / NUMBERS - 2);
+        return NULL;
+    }
     if (count > chunk->scratch_capacity) {
         chunk->scratch =
             burnish_reserve(&chunk->data.memory, chunk->scratch, &chunk->scratch_capacity, count,
@@ -89,11 +104,9 @@ burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at
                                          const uint32_t *corners, size_t stride, size_t count,
                                          unsigned used) {
     const size_t first = chunk->data.triangle_count, more = count - 2;
-    const size_t limit =
-        chunk->exact ? (size_t)chunk->exact->input->options->max_triangles : BURNISH_TRIANGLES_MAX;
+    const uint64_t limit = chunk->exact ? burnish_budget_triangles(chunk->exact) : chunk->most;
     if (chunk->triangles_before + first + more > limit) {
-        chunk->status = BURNISH_STATUS_LIMIT;
-        return chunk->exact ? burnish_fail_triangles(chunk->exact, at) : BURNISH_STATUS_LIMIT;
+        return fail_triangles(chunk, at, chunk->triangles_before + first + more);
     }
     for (unsigned i = 0, all = chunk->used | used; all >> i; ++i) {
         if (!(all >> i & 1)) {

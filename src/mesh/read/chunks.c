@@ -1,5 +1,7 @@
 /* Text in chunks: cut, parse side by side, accept in the order of the file, append side by side. */
 #include "mesh/read/chunks.h"
+
+#include "mesh/read/budget.h"
 #include "mesh/read/pieces.h"
 
 #include <string.h>
@@ -259,6 +261,12 @@ static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *mo
                                     "more than %zu values; split the mesh", BURNISH_VALUE_LIMIT);
         }
     }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_budget_check(
+            driver->reader,
+            mesh->streams[BURNISH_POSITION].count + chunk->data.streams[BURNISH_POSITION].count,
+            mesh->triangle_count + chunk->data.triangle_count);
+    }
     if (status == BURNISH_STATUS_OK && driver->grammar->accept) {
         status = driver->grammar->accept(driver->state, chunk);
     }
@@ -499,6 +507,7 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
     for (size_t i = 0; i < driver.most; ++i) {
         burnish_chunk *chunk = &driver.chunks[i];
         chunk->data = burnish_mesh_data_begin(mesh->memory.context, NULL, &chunk->error);
+        chunk->most = burnish_budget_triangles(reader);
     }
     burnish_status status = reader->input->pieces ? open_window(&driver, *at) : BURNISH_STATUS_OK;
     while (status == BURNISH_STATUS_OK && bytes_left(&driver) > 0 && driver.rows_left > 0) {

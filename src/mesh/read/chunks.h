@@ -37,6 +37,7 @@ typedef struct burnish_chunk {
     int is_first; /* nothing stands before it */
     int bounded; /* 1: the next chunk begins at end, where a statement must; 0: parse() moves end */
     size_t rows_left; /* how many rows may be read; SIZE_MAX: all */
+    uint64_t most;    /* triangles that the whole file may have */
 
     /* What parse() finds. */
     burnish_mesh_data data; /* values, corners and triangle_count; no materials */
@@ -117,7 +118,8 @@ burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at
 /* Notes something to be done in the order of the file. */
 void burnish_chunk_note(burnish_chunk *chunk, int kind, const uint8_t *at);
 
-/* The scratch array with room for `count` numbers; NULL: out of memory. */
+/* The scratch array with room for `count` numbers; NULL: out of memory, or more than the corners of
+ * a face of all triangles. */
 uint32_t *burnish_chunk_scratch(burnish_chunk *chunk, size_t count);
 
 /* ---- polygon.c ---- */

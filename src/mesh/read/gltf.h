@@ -169,7 +169,6 @@ typedef struct burnish_gltf {
     burnish_gltf_accessor *accessors; /* one per item of ACCESSORS */
     uint64_t bytes_left;              /* that files beside the input may have, all together */
     burnish_gltf_bytes draco;         /* what the decoder has unpacked */
-    uint64_t filled_bytes;            /* of accessors with arrays of their own, and decoded views */
     burnish_gltf_node *nodes;         /* one per item of NODES */
     uint32_t *node_order;             /* parents before children */
     burnish_gltf_pose *poses;         /* one per node; NULL: all are at rest */

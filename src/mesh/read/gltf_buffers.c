@@ -1,9 +1,10 @@
 /* glTF's bytes: buffers from the binary chunk, from data URIs and from files beside the input. */
 #include "mesh/read/beside.h"
+#include "mesh/read/budget.h"
 #include "mesh/read/gltf.h"
 #include "mesh/read/meshopt.h"
 
-enum { FILE_NAME_SIZE = 4096, FILLED_FACTOR = 16, FILLED_ALWAYS = 1 << 26 };
+enum { FILE_NAME_SIZE = 4096 };
 
 /* ---- URIs ---- */
 
@@ -108,7 +109,12 @@ static int load_file(burnish_gltf *gltf, uint32_t uri, const char *name, uint64_
         return burnish_gltf_fail(gltf, status, uri, "%s", error.text);
     }
     buffer->companion = buffer->bytes = (burnish_gltf_bytes){bytes, size};
-    gltf->reader->companion_bytes += size;
+    if (!burnish_budget_companion(gltf->reader, burnish_companion_key(name), size)) {
+        return burnish_gltf_is_fine(gltf) &&
+               burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, uri,
+                                 "names the file %s too often; let buffers share it",
+                                 burnish_show_name(name).text);
+    }
     return 1;
 }
 
@@ -193,12 +199,15 @@ static const burnish_gltf_bytes *load_buffer(burnish_gltf *gltf, uint32_t number
 }
 
 int burnish_gltf_fill(burnish_gltf *gltf, uint32_t value, uint64_t bytes, const char *what) {
-    const uint64_t input = gltf->reader->input->size;
-    gltf->filled_bytes += bytes;
-    return gltf->filled_bytes <= FILLED_ALWAYS + FILLED_FACTOR * input ||
-           burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, value,
+    burnish_reader *reader = gltf->reader;
+    if (bytes <= burnish_budget_unpacked_left(reader)) {
+        reader->unpacked_bytes += bytes;
+        return 1;
+    }
+    return burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, value,
                              "%s unpack to %llu bytes, of a file of %llu; write them in full", what,
-                             (unsigned long long)gltf->filled_bytes, (unsigned long long)input);
+                             (unsigned long long)(reader->unpacked_bytes + bytes),
+                             (unsigned long long)burnish_budget_bytes(reader));
 }
 
 /* Which of `count` words stands under a key; the last one where it is none. */

@@ -1,9 +1,7 @@
 /* What moves glTF's vertices before their node's matrix: morph targets by their weights, then
  * joints of a skin. */
+#include "mesh/read/budget.h"
 #include "mesh/read/gltf.h"
-
-/* Weighted elements that all morph targets of a file may add up: some seconds. */
-#define WORK_MAX ((uint64_t)1 << 27)
 
 /* ---- Morph targets ---- */
 
@@ -38,11 +36,13 @@ static const burnish_gltf_accessor *target_accessor(burnish_gltf *gltf, uint32_t
 
 static void add_target(burnish_gltf *gltf, burnish_gltf_shape *shape, uint32_t target, size_t count,
                        double weight) {
+    const uint64_t most =
+        burnish_budget_of(burnish_budget_bytes(gltf->reader), BURNISH_SUMS_PER_BYTE);
     gltf->work += count;
-    if (gltf->work > WORK_MAX) {
+    if (gltf->work > most) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, target,
                           "morph targets add up more than %llu values; remove some",
-                          (unsigned long long)WORK_MAX);
+                          (unsigned long long)most);
         return;
     }
     shape->targets =

@@ -7,6 +7,7 @@
 
 #include "core/elementary.h"
 #include "core/srgb.h"
+#include "mesh/read/budget.h"
 #include "mesh/read/gltf.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/points.h"
@@ -17,10 +18,6 @@ enum {
     GRAIN = 1 << 12 /* vertices that a thread converts at once */
 };
 
-/* Triangles that nodes may make of one primitive again and again, where the caller sets no limit:
- * more than these must stand in the file. */
-#define INSTANCED_ALWAYS ((uint64_t)1 << 25)
-
 /* What is drawn at the moment: a primitive and its matrix. */
 typedef struct gltf_drawer {
     burnish_gltf *gltf;
@@ -28,7 +25,6 @@ typedef struct gltf_drawer {
     burnish_gltf_kind kind;           /* of the primitives that are drawn */
     int has[BURNISH_ATTRIBUTE_COUNT]; /* of any primitive */
     uint64_t elements, vertices;      /* of all that is drawn */
-    uint64_t limit;                   /* of elements */
     size_t most_vertices;             /* of one primitive */
     size_t most_used;                 /* vertices that one primitive can use */
     uint32_t *slots;                  /* 1 + the vertex that became of one of the primitive's, where
@@ -353,17 +349,13 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
         primitive->color != BURNISH_GLTF_NONE ||
         (kind != BURNISH_GLTF_TRIANGLES && primitive->material != BURNISH_GLTF_NONE);
     drawer->has[BURNISH_TEXCOORD] |= primitive->texcoord != BURNISH_GLTF_NONE;
-    if (drawer->elements > drawer->limit) {
-        const uint64_t limit = gltf->reader->input->options->max_triangles;
-        if (drawer->limit == limit) {
-            gltf->status = burnish_fail_triangles(gltf->reader, NULL);
-        } else {
-            burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, BURNISH_JSON_NONE,
-                              "its nodes make more than %llu %s of what a file of %zu bytes "
-                              "holds; set a limit of triangles to draw them",
-                              (unsigned long long)drawer->limit, kinds[kind],
-                              gltf->reader->input->size);
-        }
+    if (drawer->elements > gltf->reader->input->options->max_triangles) {
+        gltf->status = burnish_fail_triangles(gltf->reader, NULL);
+    } else if (kind == BURNISH_GLTF_TRIANGLES) {
+        gltf->status = burnish_budget_check(gltf->reader, drawer->vertices, drawer->elements);
+    } else {
+        gltf->status = burnish_check_points(gltf->reader, (size_t)drawer->elements,
+                                            kind == BURNISH_GLTF_LINES);
     }
 }
 
@@ -502,14 +494,7 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     const burnish_load_options *options = gltf->reader->input->options;
     gltf_drawer drawer = {.gltf = gltf,
                           .mesh = gltf->reader->mesh,
-                          .has = {[BURNISH_POSITION] = 1},
-                          .limit = options->max_triangles};
-    if (options->max_triangles == BURNISH_TRIANGLES_MAX) { /* the caller sets none */
-        const uint64_t held = gltf->reader->input->size;
-        drawer.limit = held < INSTANCED_ALWAYS ? INSTANCED_ALWAYS : held;
-        drawer.limit =
-            drawer.limit < options->max_triangles ? drawer.limit : options->max_triangles;
-    }
+                          .has = {[BURNISH_POSITION] = 1}};
     choose_kind(&drawer);
     drawer.has[BURNISH_TEXCOORD] &=
         burnish_reader_keeps_coordinates(gltf->reader, drawer.mesh->texture_count > 0);

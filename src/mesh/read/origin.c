@@ -108,7 +108,10 @@ burnish_status burnish_read_from_origin(burnish_reader *reader,
                     burnish_find_origin(mesh, origin);
          ++i) {
         burnish_mesh_data again = begin_again(mesh, origin);
-        burnish_reader other = {.input = &input, .mesh = &again, .error = reader->error};
+        burnish_reader other = {.input = &input,
+                                .mesh = &again,
+                                .error = reader->error,
+                                .companion_bytes = reader->companion_bytes};
         for (int k = 0; k < BURNISH_ATTRIBUTE_COUNT; ++k) { /* the old ones make room */
             burnish_mesh_data_drop(mesh, (burnish_attribute)k);
         }

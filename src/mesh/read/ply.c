@@ -4,6 +4,7 @@
  * decoding to be found: those of vertices are converted column by column, those of triangles at
  * once, by all threads (ply_binary.c). */
 #include "mesh/read/ply.h"
+#include "mesh/read/budget.h"
 #include "mesh/read/chunks.h"
 #include "mesh/read/pieces.h"
 #include "mesh/read/points.h"
@@ -77,7 +78,11 @@ static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *r
     count = count < left / rows->row_size ? count : left / rows->row_size;
     count = count < limit - mesh->triangle_count ? count : limit - mesh->triangle_count;
     const size_t offset = (size_t)(*at - ply->reader->input->bytes);
-    burnish_status status = BURNISH_STATUS_OK;
+    burnish_status status = burnish_budget_check(ply->reader, positions->count,
+                                                 mesh->triangle_count + count);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     if (count > 0 && begins_with_triangle(ply, rows, offset)) {
         if (!positions->corners) { /* no more than it takes */
             burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, count);
@@ -205,6 +210,9 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
     size_t least;
     const size_t lists = describe_rows(ply, &rows, &least);
     burnish_status status = check_count(ply, left, least);
+    if (status == BURNISH_STATUS_OK && element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+        status = burnish_budget_check(ply->reader, element->count, 0);
+    }
     if (status != BURNISH_STATUS_OK || least == 0 || element->count == 0) {
         return status;
     }

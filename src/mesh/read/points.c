@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "core/vector.h"
+#include "mesh/read/budget.h"
 
 enum {
     POINTS_ROUND = 100000,
@@ -321,21 +322,38 @@ static burnish_status make(burnish_reader *reader, maker *m, size_t count, size_
                                                    : made.memory.status;
 }
 
-burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment *segments,
-                                   size_t count) {
-    burnish_mesh_data *mesh = reader->mesh;
+/* What stands for a point; lines have prisms. */
+static const solid *shape_of(const burnish_reader *reader, size_t points) {
+    return points <= POINTS_ROUND && points * 20 <= reader->input->options->max_triangles
+               ? &icosahedron
+               : &octahedron;
+}
+
+burnish_status burnish_check_points(burnish_reader *reader, size_t count, int are_lines) {
+    const solid *shape = shape_of(reader, count);
+    const size_t vertices = are_lines ? 2 * SIDES : (size_t)shape->vertex_count;
+    const size_t triangles = are_lines ? 2 * SIDES : (size_t)shape->triangle_count;
     const uint64_t limit = reader->input->options->max_triangles;
-    const size_t points = mesh->streams[BURNISH_POSITION].count;
-    const solid *shape =
-        points <= POINTS_ROUND && points * 20 <= limit ? &icosahedron : &octahedron;
-    const size_t items = count > 0 ? count : points;
-    const size_t vertices = count > 0 ? 2 * SIDES : (size_t)shape->vertex_count;
-    const size_t triangles = count > 0 ? 2 * SIDES : (size_t)shape->triangle_count;
-    if (items > limit / triangles || items > BURNISH_VALUE_LIMIT / vertices) {
+    if (count > limit / triangles || count > BURNISH_VALUE_LIMIT / vertices) {
         return burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, NULL,
                                    "%zu %s are too many: each is drawn as %zu triangles; thin them "
                                    "out",
-                                   items, count > 0 ? "lines" : "points", triangles);
+                                   count, are_lines ? "lines" : "points", triangles);
+    }
+    return burnish_budget_check(reader, (uint64_t)count * vertices, (uint64_t)count * triangles);
+}
+
+burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment *segments,
+                                   size_t count) {
+    burnish_mesh_data *mesh = reader->mesh;
+    const size_t points = mesh->streams[BURNISH_POSITION].count;
+    const solid *shape = shape_of(reader, points);
+    const size_t items = count > 0 ? count : points;
+    const size_t vertices = count > 0 ? 2 * SIDES : (size_t)shape->vertex_count;
+    const size_t triangles = count > 0 ? 2 * SIDES : (size_t)shape->triangle_count;
+    const burnish_status status = burnish_check_points(reader, items, count > 0);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     maker m = {.positions = burnish_positions(mesh),
                .normals = count > 0 ? NULL : normals_of(mesh),

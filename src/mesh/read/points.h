@@ -19,8 +19,11 @@ typedef struct burnish_segment {
  * box's diagonal; in both cases from a 2000th to a 25th of that.
  *
  *   segments  count of them, of positions that are there; count 0: every position is a point
- * Errors: LIMIT (max_triangles, positions), MEMORY, CANCELLED. */
+ * Errors: LIMIT (max_triangles, budget, positions), MEMORY, CANCELLED. */
 burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment *segments,
                                    size_t count);
+
+/* Whether so many points, or lines, would be made. Errors: LIMIT. */
+burnish_status burnish_check_points(burnish_reader *reader, size_t count, int are_lines);
 
 #endif

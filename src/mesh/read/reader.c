@@ -185,5 +185,8 @@ void burnish_reader_close(burnish_reader *reader) {
     burnish_release(reader->mesh->memory.context, reader->polygons);
     reader->polygons = NULL;
     reader->polygon_count = reader->polygon_capacity = 0;
+    burnish_release(reader->mesh->memory.context, reader->companions);
+    reader->companions = NULL;
+    reader->companion_count = reader->companion_capacity = 0;
     burnish_reader_close_textures(reader);
 }

@@ -12,6 +12,7 @@
 #include <stdio.h>
 
 #include "core/srgb.h"
+#include "mesh/read/budget.h"
 #include "mesh/read/chunks.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/pieces.h"
@@ -95,6 +96,10 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
     }
     if (*count > input->options->max_triangles) {
         return burnish_fail_triangles(reader, input->bytes + TITLE_SIZE);
+    }
+    const burnish_status status = burnish_budget_check(reader, 3 * (uint64_t)*count, *count);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     const size_t used = HEADER_SIZE + *count * FACET_SIZE;
     if (used < input->size) {

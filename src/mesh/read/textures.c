@@ -5,6 +5,7 @@
 
 #include "image/decode.h"
 #include "mesh/read/beside.h"
+#include "mesh/read/budget.h"
 
 enum {
     TABLE_SIZE = 8192,          /* a power of two */
@@ -13,10 +14,7 @@ enum {
     AHEAD_MAX = 256,   /* pictures that are decoded before they are asked for */
     WAVE_MAX = 64,     /* pictures that are decoded at the same time */
     AHEAD_REFUSED = 8, /* so many that can't be had, and the others wait: each may take long */
-    /* BURNISH_TEXTURE_PIXELS_AUTO */
-    SOME_TEXELS = 1 << 26,
-    TEXELS_PER_BYTE = 32,
-    MOST_TEXELS = 1 << 28
+    MOST_TEXELS = 1 << 28 /* BURNISH_TEXTURE_PIXELS_AUTO */
 };
 
 /* A file that was asked for. */
@@ -33,12 +31,14 @@ typedef struct ahead_picture {
     burnish_status status;
     burnish_error why;
     burnish_image picture;
+    uint64_t decoded; /* texels */
+    uint64_t key;     /* of a file, where it was found */
 } ahead_picture;
 
 struct burnish_texture_names {
     texture_name table[TABLE_SIZE]; /* open addressing */
     size_t count;
-    uint64_t texels; /* of all textures so far */
+    uint64_t texels; /* decoded so far, of damaged pictures too */
     burnish_warning_group missing;
     ahead_picture *ahead; /* in the order of their sources */
     size_t ahead_count;
@@ -109,13 +109,14 @@ static void note_missing(burnish_reader *reader, const uint8_t *at, const char *
 /* ---- Decoding ---- */
 
 static burnish_encoded encoded_picture(const char *name, const uint8_t *bytes, size_t size,
-                                       uint64_t max_pixels) {
+                                       uint64_t max_pixels, uint64_t *decoded) {
     return (burnish_encoded){.bytes = bytes,
                              .size = size,
                              .name = name,
                              .channels = 4,
                              .max_side = BURNISH_TEXTURE_SIZE_MAX,
-                             .max_pixels = max_pixels};
+                             .max_pixels = max_pixels,
+                             .decoded = decoded};
 }
 
 static uint64_t texels_of(const burnish_image *picture) {
@@ -126,15 +127,9 @@ static uint64_t texels_of(const burnish_image *picture) {
  * memory must have some proportion to the bytes that were read. */
 static uint64_t texels_most(const burnish_reader *reader) {
     const uint64_t asked = reader->input->options->max_texture_pixels;
-    const burnish_reader_input *input = reader->input;
-    const uint64_t bytes =
-        (input->packed_size ? input->packed_size : input->size) + reader->companion_bytes;
-    if (asked != BURNISH_TEXTURE_PIXELS_AUTO) {
-        return asked;
-    }
-    return bytes < (MOST_TEXELS - SOME_TEXELS) / TEXELS_PER_BYTE
-               ? SOME_TEXELS + TEXELS_PER_BYTE * bytes
-               : MOST_TEXELS;
+    const uint64_t most =
+        burnish_budget_of(burnish_budget_bytes(reader), BURNISH_TEXELS_PER_BYTE);
+    return asked != BURNISH_TEXTURE_PIXELS_AUTO ? asked : most < MOST_TEXELS ? most : MOST_TEXELS;
 }
 
 /* That textures may still have, but for those that pictures decoded ahead hold. */
@@ -146,7 +141,6 @@ static uint64_t texels_left(const burnish_reader *reader) {
 
 static int add_picture(burnish_reader *reader, const char *name, const burnish_image *picture,
                        int is_color) {
-    reader->textures->texels += texels_of(picture);
     return burnish_mesh_data_add_texture(reader->mesh, name, picture->width, picture->height,
                                          picture->pixels, is_color);
 }
@@ -170,6 +164,11 @@ static ahead_picture *find_ahead(struct burnish_texture_names *names, const char
     return NULL;
 }
 
+static int count_file(burnish_reader *reader, uint64_t key, uint64_t size, burnish_error *why) {
+    return burnish_budget_companion(reader, key, size) ||
+           (burnish_fail(why, BURNISH_STATUS_LIMIT, "its file is named too often"), 0);
+}
+
 /* Takes what became of a picture, as decoding it now would. Returns 0 where that has to be done. */
 static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *bytes, size_t size,
                       int is_color, int *number, burnish_error *why) {
@@ -186,7 +185,11 @@ static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *b
     if (!is_refused(&ahead) && !ahead.picture.pixels) {
         return 0;
     }
-    reader->companion_bytes += bytes ? 0 : ahead.from.size;
+    if (!bytes && ahead.from.bytes && !count_file(reader, ahead.key, ahead.from.size, why)) {
+        burnish_release(reader->mesh->memory.context, ahead.picture.pixels);
+        return 1;
+    }
+    names->texels += ahead.decoded;
     if (is_refused(&ahead)) {
         *why = ahead.why;
     } else {
@@ -199,7 +202,8 @@ static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *b
 static int decode(burnish_reader *reader, const char *name, const uint8_t *bytes, size_t size,
                   int is_color, burnish_error *why) {
     burnish_memory memory = burnish_memory_of(reader->mesh->memory.context, why);
-    burnish_encoded from = encoded_picture(name, bytes, size, texels_left(reader));
+    burnish_encoded from =
+        encoded_picture(name, bytes, size, texels_left(reader), &reader->textures->texels);
     burnish_image picture;
     burnish_status status = burnish_decode(&from, &memory, &picture);
     if (status == BURNISH_STATUS_LIMIT && reader->textures->ahead_texels > 0) {
@@ -259,6 +263,7 @@ int burnish_reader_copy_texture(burnish_reader *reader, const uint8_t *at, const
 typedef struct file_bytes {
     const void *bytes;
     size_t size;
+    uint64_t key; /* which file it is */
     int is_found;
 } file_bytes;
 
@@ -275,6 +280,7 @@ static file_bytes open_file(burnish_reader *reader, const char *path, burnish_er
         }
     }
     file.is_found = status == BURNISH_STATUS_OK;
+    file.key = burnish_companion_key(path);
     return file;
 }
 
@@ -318,8 +324,9 @@ static int load_and_decode(burnish_reader *reader, const char *name, int is_colo
     int number = 0;
     if (!take_ahead(reader, name, NULL, 0, is_color, &number, why)) {
         const file_bytes file = find_file(reader, name, why);
-        reader->companion_bytes += file.is_found ? file.size : 0;
-        number = file.is_found ? decode(reader, name, file.bytes, file.size, is_color, why) : 0;
+        number = file.is_found && count_file(reader, file.key, file.size, why)
+                     ? decode(reader, name, file.bytes, file.size, is_color, why)
+                     : 0;
         close_file(reader, &file);
     }
     return number;
@@ -370,11 +377,13 @@ static void begin_ahead(burnish_reader *reader, const burnish_texture_source *so
                         uint64_t max_pixels, ahead_picture *ahead, file_bytes *file) {
     ahead->source = *source;
     ahead->memory = reader->mesh->memory.context;
-    ahead->from = encoded_picture(source->name, source->bytes, source->size, max_pixels);
+    ahead->from = encoded_picture(source->name, source->bytes, source->size, max_pixels,
+                                  &ahead->decoded);
     if (!source->bytes) {
         *file = find_file(reader, source->name, &ahead->why);
         ahead->from.bytes = file->bytes;
         ahead->from.size = file->size;
+        ahead->key = file->key;
         ahead->status = file->is_found ? BURNISH_STATUS_OK : BURNISH_STATUS_READ;
     }
 }

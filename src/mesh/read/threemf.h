@@ -114,9 +114,9 @@ typedef struct burnish_threemf_object {
     int is_model;             /* 0: a support, or help for other programs */
     int is_component;         /* 1: another object holds it */
     int has_beams, has_slices;
-    int state;          /* while all are counted: 0, 1 on the way down, 2 done */
-    uint64_t triangles; /* with those of its components */
-    uint64_t visits;    /* objects that are seen on the way to these */
+    int state;                    /* while all are counted: 0, 1 on the way down, 2 done */
+    uint64_t triangles, vertices; /* with those of its components */
+    uint64_t visits;              /* objects that are seen on the way to these */
 } burnish_threemf_object;
 
 /* One reading of one file. */

@@ -4,6 +4,7 @@
 
 #if BURNISH_HAS_3MF
 
+#include "mesh/read/budget.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/textures.h"
 
@@ -12,9 +13,6 @@ enum {
     VISITS_MOST = 1 << 22, /* objects that are placed, also those that hold others only */
     STEP = 1 << 16         /* triangles after which it asks whether to end */
 };
-
-/* Triangles that placing may make of those in the file, where the caller sets no limit. */
-#define PLACED_ALWAYS ((uint64_t)1 << 25)
 
 static int fail(burnish_threemf *threemf, burnish_status status,
                 const burnish_threemf_placement *placement, uint32_t part, const char *what) {
@@ -100,6 +98,7 @@ static int check_object(burnish_threemf *threemf, const burnish_threemf_object *
 /* Adds up triangles and visits of an object whose components are all counted. */
 static void sum_object(burnish_threemf *threemf, burnish_threemf_object *object) {
     object->triangles = object->triangle_count;
+    object->vertices = object->triangle_count > 0 ? object->vertex_count : 0;
     object->visits = 1;
     for (uint32_t k = 0; k < object->component_count; ++k) {
         const uint32_t number = threemf->components.items[object->first_component + k].object;
@@ -107,6 +106,7 @@ static void sum_object(burnish_threemf *threemf, burnish_threemf_object *object)
             number == BURNISH_THREEMF_NONE ? NULL : &threemf->objects.items[number];
         if (part && part->triangles > 0) {
             object->triangles = add(object->triangles, part->triangles);
+            object->vertices = add(object->vertices, part->vertices);
             object->visits = add(object->visits, part->visits);
         }
     }
@@ -325,7 +325,7 @@ static int write_object(scene_writer *writer, burnish_threemf_object *object,
 
 static int count_all(scene_writer *writer) {
     burnish_threemf *threemf = writer->threemf;
-    uint64_t visits = 0;
+    uint64_t visits = 0, vertices = 0;
     for (size_t i = 0; i < threemf->items.count; ++i) {
         burnish_threemf_placement *item = &threemf->items.items[i];
         if (item->object == BURNISH_THREEMF_NONE) {
@@ -344,21 +344,20 @@ static int count_all(scene_writer *writer) {
             return 0;
         }
         writer->triangles = add(writer->triangles, object->triangles);
+        vertices = add(vertices, object->vertices);
         visits = add(visits, object->visits);
     }
     const burnish_load_options *options = threemf->reader->input->options;
-    const int is_limited = options->max_triangles < BURNISH_TRIANGLES_MAX;
-    const uint64_t held = threemf->triangles.count, most = is_limited ? options->max_triangles
-                                                           : held > PLACED_ALWAYS ? held
-                                                                                  : PLACED_ALWAYS;
-    if (writer->triangles > most && is_limited) {
+    threemf->status = burnish_budget_check(threemf->reader, vertices, writer->triangles);
+    if (threemf->status != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    if (writer->triangles > options->max_triangles) {
         threemf->status = burnish_fail_triangles(threemf->reader, NULL);
-    } else if (writer->triangles > most || visits > VISITS_MOST) {
+    } else if (visits > VISITS_MOST) {
         threemf->status = burnish_reader_fail(
             threemf->reader, BURNISH_STATUS_LIMIT, NULL,
-            "its build places objects again and again, more than %llu triangles or %d objects of "
-            "the %zu triangles that it holds; set a limit of triangles, or export it flat",
-            (unsigned long long)most, VISITS_MOST, threemf->triangles.count);
+            "its build places more than %d objects; export it flat", VISITS_MOST);
     } else if (writer->triangles == 0) {
         threemf->status = burnish_reader_fail(threemf->reader, BURNISH_STATUS_FORMAT, NULL,
                                               "no triangles are built; export the model's meshes");

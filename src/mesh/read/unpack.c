@@ -2,6 +2,7 @@
 #include "mesh/read/unpack.h"
 
 #include "image/gunzip.h"
+#include "mesh/read/budget.h"
 #include "mesh/read/stl.h"
 
 /* 0: no UTF-16 with a mark. A binary STL may begin with any bytes. */
@@ -53,7 +54,9 @@ burnish_status burnish_unpack_input(burnish_reader_input *input, burnish_memory 
     input->packed_size = input->size;
     if (burnish_is_gzip(input->bytes, input->size)) {
         status = burnish_gunzip(input->bytes, input->size, input->name,
-                                input->options->max_input_bytes, memory, unpacked, &input->size);
+                                input->options->max_input_bytes,
+                                burnish_budget_of(input->size, BURNISH_UNPACKED_PER_BYTE), memory,
+                                unpacked, &input->size);
         input->bytes = *unpacked;
     }
     if (status == BURNISH_STATUS_OK && has_mark(input)) {

@@ -1,5 +1,7 @@
 #include "mesh/read/zip.h"
 
+#include "mesh/read/budget.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,10 +147,8 @@ static burnish_status read_directory(burnish_zip *zip, const directory *from) {
 
 burnish_status burnish_zip_open(burnish_zip *zip, burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
-    const uint64_t fair = (uint64_t)input->size * BURNISH_GUNZIP_RATIO + BURNISH_GUNZIP_FREE;
-    const uint64_t most = input->options->max_input_bytes;
     directory found = {0};
-    *zip = (burnish_zip){.reader = reader, .left = fair < most ? fair : most};
+    *zip = (burnish_zip){.reader = reader, .left = input->options->max_input_bytes};
     reader->is_binary = 1;
     burnish_status status = find_directory(zip, &found);
     if (status == BURNISH_STATUS_OK && found.count > 0) {
@@ -267,24 +267,40 @@ static burnish_status step(burnish_zip_stream *stream, uint8_t *to, size_t room,
     return BURNISH_STATUS_OK;
 }
 
+static burnish_status count_unpacked(burnish_zip_stream *stream, size_t got) {
+    burnish_zip *zip = stream->zip;
+    burnish_reader *reader = zip->reader;
+    if (got > zip->left) {
+        return burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, NULL,
+                                   "%s: the archive unpacks to more than the limit of %llu bytes; "
+                                   "raise the limit or simplify the mesh",
+                                   stream->name,
+                                   (unsigned long long)reader->input->options->max_input_bytes);
+    }
+    if (got > burnish_budget_unpacked_left(reader)) {
+        return burnish_reader_fail(
+            reader, BURNISH_STATUS_LIMIT, NULL,
+            "%s: the archive's %llu bytes unpack to more than %llu; export it flat, or as glTF",
+            stream->name, (unsigned long long)burnish_budget_bytes(reader),
+            (unsigned long long)burnish_budget_of(burnish_budget_bytes(reader),
+                                                  BURNISH_UNPACKED_PER_BYTE));
+    }
+    zip->left -= got;
+    reader->unpacked_bytes += got;
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status burnish_zip_next(burnish_zip_stream *stream, uint8_t *to, size_t room,
                                 size_t *written) {
-    burnish_zip *zip = stream->zip;
     burnish_status status = BURNISH_STATUS_OK;
     *written = 0;
     while (status == BURNISH_STATUS_OK && *written < room && !stream->has_ended) {
         size_t got = 0;
         status = step(stream, to + *written, room - *written, &got);
         *written += got;
-        if (status == BURNISH_STATUS_OK && got > zip->left) {
-            return burnish_reader_fail(
-                zip->reader, BURNISH_STATUS_LIMIT, NULL,
-                "%s: the archive unpacks to more than %d times its size, or "
-                "to more than the limit of %llu bytes",
-                stream->name, BURNISH_GUNZIP_RATIO,
-                (unsigned long long)zip->reader->input->options->max_input_bytes);
+        if (status == BURNISH_STATUS_OK) {
+            status = count_unpacked(stream, got);
         }
-        zip->left -= got < zip->left ? got : zip->left;
     }
     return status;
 }
