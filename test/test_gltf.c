@@ -1247,8 +1247,8 @@ static void test_instances_are_bounded(void) {
     put_text(&list, "]}");
     CHECK1(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, &s, &e) ==
            BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(e.text, "mesh.gltf: its nodes make more than 33554432 triangles of what a file of "
-                       "723 bytes holds; set a limit of triangles to draw them");
+    CHECK_TEXT(e.text, "mesh.gltf: its 723 bytes become more than 5242880 vertices and triangles; "
+                       "set max-triangles to draw them");
     burnish_mesh_data_destroy(&s);
     options.max_triangles = 1000;
     CHECK1(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, &s, &e) ==

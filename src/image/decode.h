@@ -14,8 +14,8 @@ typedef struct burnish_encoded {
     int channels;        /* 4: always RGBA; 0: RGBA where the file has any transparency, else RGB */
     int max_side;        /* wider or higher ones are refused with LIMIT */
     uint64_t max_pixels; /* so are those with more */
-    uint64_t *decoded;   /* pixels are added to it once they are decoded, in part or damaged too; may
-                            be NULL */
+    uint64_t *decoded; /* pixels are added to it once they are decoded, in part or damaged too; may
+                          be NULL */
 } burnish_encoded;
 
 /* Codes of 8 bits, taken as they are whatever gamma or profile the file states; 16 bits become the

@@ -82,8 +82,7 @@ static burnish_status fail_codec(j_decompress_ptr codec, const burnish_encoded *
         return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
                             "%.200s: a progressive JPEG of %u x %u pixels needs more than %d MiB; "
                             "save it as a baseline one, or smaller",
-                            from->name, codec->image_width, codec->image_height,
-                            MOST_MEMORY >> 20);
+                            from->name, codec->image_width, codec->image_height, MOST_MEMORY >> 20);
     default:
         return burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound JPEG: %.200s",
                             from->name, reader->reason);

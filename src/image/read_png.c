@@ -21,7 +21,7 @@ typedef struct decoder {
     const uint8_t *bytes;
     size_t size, next;
     burnish_memory memory; /* of libpng and its zlib */
-    char reason[120]; /* libpng's */
+    char reason[120];      /* libpng's */
 } decoder;
 
 static png_voidp allocate(png_structp png, png_alloc_size_t size) {
@@ -118,8 +118,10 @@ static int is_whole(const decoder *d) {
 static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_memory *memory,
                              burnish_image *image, png_bytepp *rows) {
     if (setjmp(png_jmpbuf(d->png))) {
-        return d->memory.status != BURNISH_STATUS_OK ? d->memory.status : burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound PNG: %s",
-                            from->name, d->reason);
+        return d->memory.status != BURNISH_STATUS_OK
+                   ? d->memory.status
+                   : burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound PNG: %s",
+                                  from->name, d->reason);
     }
     if (!is_whole(d)) {
         png_error(d->png, "the file ends too early");

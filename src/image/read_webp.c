@@ -30,11 +30,15 @@ burnish_status burnish_decode_webp(const burnish_encoded *from, burnish_memory *
     config.output.u.RGBA.size = row * (size_t)picture->height;
     const VP8StatusCode code = WebPDecode(from->bytes, from->size, &config);
     burnish_written_outside(picture->pixels, row * (size_t)picture->height);
+    /* "aborted" by its own functions, which do so where they get no memory */
+    if (code == VP8_STATUS_OUT_OF_MEMORY || code == VP8_STATUS_USER_ABORT) {
+        return burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
+                            "%.200s: out of memory; free memory or use a smaller picture",
+                            from->name);
+    }
     return code == VP8_STATUS_OK
                ? BURNISH_STATUS_OK
-               : burnish_fail(memory->error,
-                              code == VP8_STATUS_OUT_OF_MEMORY ? BURNISH_STATUS_MEMORY
-                                                               : BURNISH_STATUS_FORMAT,
+               : burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
                               "%.200s: no sound WebP, libwebp's code is %d", from->name, (int)code);
 }
 

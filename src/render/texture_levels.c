@@ -147,8 +147,8 @@ static void fill_light(burnish_texture_levels *levels, int i, level_widening *wi
  * unit vectors, whatever its alpha is. */
 typedef struct level_copy {
     const burnish_texture *texture;
-    uint8_t *codes;   /* NULL: to texels, as light */
-    uint16_t *texels; /* without alpha's weight */
+    uint8_t *codes; /* NULL: to texels, as light */
+    uint16_t *texels;
     int is_normals;
     level_widening widening;
 } level_copy;
@@ -175,13 +175,14 @@ static void copy_rows(void *context, size_t first, size_t end) {
     }
 }
 
-/* Bands of level 0 on demand, but where the next level is made of level 0's own codes. */
+/* Bands of level 0 on demand, but where the next level is made of level 0's own codes: of masks,
+ * whose alpha changes, and of normals that are not halved. */
 static burnish_status make_bands(burnish_texture_levels *levels, const burnish_texture *texture,
                                  burnish_texture_kind kind, burnish_memory *memory) {
     enum { BANDS = 64 };
     const int is_even =
         levels->width[0] == 2 * levels->width[1] && levels->height[0] == 2 * levels->height[1];
-    if (levels->count == 1 || burnish_texture_is_weighted(kind) ||
+    if (levels->count == 1 || kind == BURNISH_TEXTURE_MASKED ||
         (kind == BURNISH_TEXTURE_NORMALS && !is_even)) {
         return BURNISH_STATUS_OK;
     }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes files that are small and want to take long, all below 1 MB unless their name says more.
+"""Writes files of less than 1 MB that are meant to take long, or much memory.
 
 Usage: test/hostile/make.py FOLDER [NAME...]        without names: all of them
-Each line of output is a file and the flags of `burnish render` that suit it.
+Each line of output is a file, the exit code that `burnish render` ends with, and flags that suit it.
 """
 import json
 import math
@@ -11,6 +11,8 @@ import random
 import struct
 import sys
 import zlib
+
+from files import FILES
 
 
 def stl(triangles):
@@ -203,48 +205,55 @@ def textured(side, count):
 
 TOP = "--views=top"
 CASES = {
-    "sheets-500.stl": (lambda: sheets(500), TOP),
-    "sheets-500-back.stl": (lambda: sheets(500, True), TOP),
-    "sheets-4000.stl": (lambda: sheets(4000), TOP),
-    "sheets-20000.stl": (lambda: sheets(20000), TOP),
-    "sheets-20000-back.stl": (lambda: sheets(20000, True), TOP),
-    "shuffled-20000.stl": (lambda: shuffled(20000), TOP),
-    "alternating-20000.stl": (lambda: alternating(20000), TOP),
-    "crossed-20000.stl": (lambda: crossed(20000), TOP),
-    "axis-20000.stl": (lambda: around_an_axis(20000), ""),
-    "random-20000.stl": (lambda: random_large(20000), ""),
-    "spikes-20000.stl": (lambda: spikes(20000), ""),
-    "growing-20000.stl": (lambda: growing(20000), TOP),
-    "near-copies-20000.stl": (lambda: near_copies(20000), TOP),
-    "same-1250.obj": (lambda: same(1250), "--views=front"),
-    "same-120000.obj": (lambda: same(120000), "--views=front"),
-    "same-edge-on-120000.obj": (lambda: same(120000), "--views=top"),
-    "same-turned-120000.obj": (lambda: same_turned(120000), "--views=front"),
-    "fan-450000.obj": (lambda: fan(450000), "--views=front"),
-    "transparent-500.ply": (lambda: transparent(500), "--views=front"),
-    "transparent-15000.ply": (lambda: transparent(15000), "--views=front"),
-    "faint-350.ply": (lambda: transparent(350, 1), ""),
-    "libraries-50000.obj": (lambda: many_libraries(50000), ""),
-    "libraries-400000.obj": (lambda: many_libraries(400000), ""),
-    "libraries-long.obj": (lambda: long_libraries(900000), ""),
-    "elements-10000.ply": (lambda: many_elements(10000), ""),
-    "edge-30000.obj": (lambda: edges_at_a_vertex(30000), ""),
-    "folded-30000.obj": (lambda: grid_folded(30000), ""),
-    "texture-16384.glb": (lambda: textured(16384, 1), ""),
-    "textures-4096.glb": (lambda: textured(4096, 40), ""),
-    "textures-512.glb": (lambda: textured(512, 800), ""),
+    "sheets-500.stl": (lambda: sheets(500), TOP, 0),
+    "sheets-500-back.stl": (lambda: sheets(500, True), TOP, 0),
+    "sheets-4000.stl": (lambda: sheets(4000), TOP, 5),
+    "sheets-20000.stl": (lambda: sheets(20000), TOP, 5),
+    "sheets-20000-back.stl": (lambda: sheets(20000, True), TOP, 5),
+    "shuffled-20000.stl": (lambda: shuffled(20000), TOP, 5),
+    "alternating-20000.stl": (lambda: alternating(20000), TOP, 5),
+    "crossed-20000.stl": (lambda: crossed(20000), TOP, 5),
+    "axis-20000.stl": (lambda: around_an_axis(20000), "", 5),
+    "random-20000.stl": (lambda: random_large(20000), "", 0),
+    "spikes-20000.stl": (lambda: spikes(20000), "", 0),
+    "growing-20000.stl": (lambda: growing(20000), TOP, 5),
+    "near-copies-20000.stl": (lambda: near_copies(20000), TOP, 5),
+    "same-1250.obj": (lambda: same(1250), "--views=front", 0),
+    "same-120000.obj": (lambda: same(120000), "--views=front", 5),
+    "same-edge-on-120000.obj": (lambda: same(120000), "--views=top", 5),
+    "same-turned-120000.obj": (lambda: same_turned(120000), "--views=front", 5),
+    "fan-450000.obj": (lambda: fan(450000), "--views=front", 5),
+    "transparent-500.ply": (lambda: transparent(500), "--views=front", 5),
+    "transparent-15000.ply": (lambda: transparent(15000), "--views=front", 5),
+    "faint-350.ply": (lambda: transparent(350, 1), "", 0),
+    "libraries-50000.obj": (lambda: many_libraries(50000), "", 0),
+    "libraries-400000.obj": (lambda: many_libraries(400000), "", 0),
+    "libraries-long.obj": (lambda: long_libraries(900000), "", 0),
+    "elements-10000.ply": (lambda: many_elements(10000), "", 4),
+    "edge-30000.obj": (lambda: edges_at_a_vertex(30000), "", 5),
+    "folded-30000.obj": (lambda: grid_folded(30000), "", 0),
+    "texture-16384.glb": (lambda: textured(16384, 1), "", 0),
+    "textures-4096.glb": (lambda: textured(4096, 40), "", 0),
+    "textures-512.glb": (lambda: textured(512, 800), "", 0),
+    **FILES,
 }
+
+
+def write(folder, name, content):
+    """The input, and the files that it names. Returns its path."""
+    parts = content if isinstance(content, dict) else {name: content}
+    for part, data in parts.items():
+        with open(os.path.join(folder, part), "wb") as file:
+            file.write(data)
+    return os.path.join(folder, next(iter(parts)))
 
 
 def main():
     folder, names = sys.argv[1], sys.argv[2:] or list(CASES)
     os.makedirs(folder, exist_ok=True)
     for name in names:
-        make, flags = CASES[name]
-        path = os.path.join(folder, name)
-        with open(path, "wb") as file:
-            file.write(make())
-        print(path, flags)
+        make, flags, code = CASES[name]
+        print(write(folder, name, make()), code, flags, flush=True)
 
 
 if __name__ == "__main__":

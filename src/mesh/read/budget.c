@@ -38,9 +38,9 @@ int burnish_budget_companion(burnish_reader *reader, uint64_t key, uint64_t size
             return is_left;
         }
     }
-    reader->companions = burnish_reserve(&reader->mesh->memory, reader->companions,
-                                         &reader->companion_capacity, reader->companion_count + 1,
-                                         sizeof *reader->companions, "names of files");
+    reader->companions =
+        burnish_reserve(&reader->mesh->memory, reader->companions, &reader->companion_capacity,
+                        reader->companion_count + 1, sizeof *reader->companions, "names of files");
     if (reader->mesh->memory.status != BURNISH_STATUS_OK) {
         return 0;
     }

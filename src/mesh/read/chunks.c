@@ -262,10 +262,10 @@ static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *mo
         }
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_budget_check(
-            driver->reader,
-            mesh->streams[BURNISH_POSITION].count + chunk->data.streams[BURNISH_POSITION].count,
-            mesh->triangle_count + chunk->data.triangle_count);
+        status = burnish_budget_check(driver->reader,
+                                      mesh->streams[BURNISH_POSITION].count +
+                                          chunk->data.streams[BURNISH_POSITION].count,
+                                      mesh->triangle_count + chunk->data.triangle_count);
     }
     if (status == BURNISH_STATUS_OK && driver->grammar->accept) {
         status = driver->grammar->accept(driver->state, chunk);
@@ -293,10 +293,12 @@ static void fill_values(burnish_stream *stream, burnish_attribute attribute, siz
 }
 
 /* Room for `needed` of what there was `before` the wave of and, where more is taken, for as much as
- * there will be if the file goes on like this: then arrays hardly ever move. `left`: waves. */
-static size_t expect(size_t needed, size_t capacity, size_t before, double left) {
-    const double more = (double)(needed - before) * left;
-    return needed <= capacity ? needed : needed + (size_t)(more < 1e12 ? more : 0);
+ * there will be if the file goes on like this, but no more than `most`: then arrays hardly ever
+ * move. `left`: waves. */
+static size_t expect(size_t needed, size_t capacity, size_t before, double left, uint64_t most) {
+    const double all = (double)needed + (double)(needed - before) * left;
+    const double fair = all < (double)most ? all : (double)most;
+    return needed <= capacity || !(fair > (double)needed) ? needed : (size_t)fair;
 }
 
 /* Room in the mesh for what a wave of chunks holds. */
@@ -304,6 +306,7 @@ static burnish_status reserve_wave(chunk_driver *driver, size_t count,
                                    const size_t before[BURNISH_ATTRIBUTE_COUNT],
                                    size_t triangles_before) {
     burnish_mesh_data *mesh = driver->reader->mesh;
+    const uint64_t most = burnish_budget_triangles(driver->reader); /* vertices are no more */
     const double bytes = (double)(driver->next - driver->chunks[0].first);
     double left = (double)bytes_left(driver) / (bytes > 0 ? bytes : 1);
     if (driver->wave_rows > 0 && (double)driver->rows_left < left * (double)driver->wave_rows) {
@@ -323,13 +326,14 @@ static burnish_status reserve_wave(chunk_driver *driver, size_t count,
         if (per_position && stream->count < positions) {
             stream->count = positions;
         }
-        stream->items = burnish_reserve(&mesh->memory, stream->items, &stream->capacity,
-                                        expect(stream->count, stream->capacity, before[i], left),
-                                        burnish_attribute_size((burnish_attribute)i), "values");
+        stream->items =
+            burnish_reserve(&mesh->memory, stream->items, &stream->capacity,
+                            expect(stream->count, stream->capacity, before[i], left, most),
+                            burnish_attribute_size((burnish_attribute)i), "values");
         if (stream->corners || new_corners) {
             stream->corners = burnish_reserve(
                 &mesh->memory, stream->corners, &stream->corner_capacity,
-                expect(mesh->triangle_count, stream->corner_capacity, triangles_before, left),
+                expect(mesh->triangle_count, stream->corner_capacity, triangles_before, left, most),
                 3 * sizeof *stream->corners, "triangles");
         }
         if (mesh->memory.status != BURNISH_STATUS_OK) {

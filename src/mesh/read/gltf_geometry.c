@@ -492,9 +492,8 @@ static void make_solids(gltf_drawer *drawer) {
 
 void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     const burnish_load_options *options = gltf->reader->input->options;
-    gltf_drawer drawer = {.gltf = gltf,
-                          .mesh = gltf->reader->mesh,
-                          .has = {[BURNISH_POSITION] = 1}};
+    gltf_drawer drawer = {
+        .gltf = gltf, .mesh = gltf->reader->mesh, .has = {[BURNISH_POSITION] = 1}};
     choose_kind(&drawer);
     drawer.has[BURNISH_TEXCOORD] &=
         burnish_reader_keeps_coordinates(gltf->reader, drawer.mesh->texture_count > 0);

@@ -159,7 +159,8 @@ static int read_value(json_parser *parser) {
         if (parser->depth == BURNISH_JSON_DEPTH) {
             parser->status = burnish_reader_fail(
                 parser->reader, BURNISH_STATUS_LIMIT, parser->next,
-                "arrays and objects lie deeper than %d in each other", BURNISH_JSON_DEPTH);
+                "arrays and objects are nested more than %d deep; write it flatter",
+                BURNISH_JSON_DEPTH);
             return 0;
         }
         parser->open[parser->depth++] = (uint32_t)parser->json->count;

@@ -78,8 +78,8 @@ static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *r
     count = count < left / rows->row_size ? count : left / rows->row_size;
     count = count < limit - mesh->triangle_count ? count : limit - mesh->triangle_count;
     const size_t offset = (size_t)(*at - ply->reader->input->bytes);
-    burnish_status status = burnish_budget_check(ply->reader, positions->count,
-                                                 mesh->triangle_count + count);
+    burnish_status status =
+        burnish_budget_check(ply->reader, positions->count, mesh->triangle_count + count);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

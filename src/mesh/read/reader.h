@@ -37,7 +37,7 @@ typedef struct burnish_reader {
     uint64_t companion_bytes; /* of buffers and textures that the input names, read so far */
     uint64_t *companions;     /* budget.h: which files these were */
     size_t companion_count, companion_capacity;
-    uint64_t unpacked_bytes;  /* of parts, views and the like, so far: budget.h */
+    uint64_t unpacked_bytes; /* of parts, views and the like, so far: budget.h */
 } burnish_reader;
 
 /* burnish_fail() and burnish_mesh_data_warn() with a location in front: "NAME:LINE: ..." of the

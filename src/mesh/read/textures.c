@@ -11,9 +11,9 @@ enum {
     TABLE_SIZE = 8192,          /* a power of two */
     NAMES_MAX = TABLE_SIZE / 2, /* files that one input may name */
     NAME_SIZE = 4096,
-    AHEAD_MAX = 256,   /* pictures that are decoded before they are asked for */
-    WAVE_MAX = 64,     /* pictures that are decoded at the same time */
-    AHEAD_REFUSED = 8, /* so many that can't be had, and the others wait: each may take long */
+    AHEAD_MAX = 256,      /* pictures that are decoded before they are asked for */
+    WAVE_MAX = 64,        /* pictures that are decoded at the same time */
+    AHEAD_REFUSED = 8,    /* so many that can't be had, and the others wait: each may take long */
     MOST_TEXELS = 1 << 28 /* BURNISH_TEXTURE_PIXELS_AUTO */
 };
 
@@ -127,8 +127,7 @@ static uint64_t texels_of(const burnish_image *picture) {
  * memory must have some proportion to the bytes that were read. */
 static uint64_t texels_most(const burnish_reader *reader) {
     const uint64_t asked = reader->input->options->max_texture_pixels;
-    const uint64_t most =
-        burnish_budget_of(burnish_budget_bytes(reader), BURNISH_TEXELS_PER_BYTE);
+    const uint64_t most = burnish_budget_of(burnish_budget_bytes(reader), BURNISH_TEXELS_PER_BYTE);
     return asked != BURNISH_TEXTURE_PIXELS_AUTO ? asked : most < MOST_TEXELS ? most : MOST_TEXELS;
 }
 
@@ -377,8 +376,8 @@ static void begin_ahead(burnish_reader *reader, const burnish_texture_source *so
                         uint64_t max_pixels, ahead_picture *ahead, file_bytes *file) {
     ahead->source = *source;
     ahead->memory = reader->mesh->memory.context;
-    ahead->from = encoded_picture(source->name, source->bytes, source->size, max_pixels,
-                                  &ahead->decoded);
+    ahead->from =
+        encoded_picture(source->name, source->bytes, source->size, max_pixels, &ahead->decoded);
     if (!source->bytes) {
         *file = find_file(reader, source->name, &ahead->why);
         ahead->from.bytes = file->bytes;

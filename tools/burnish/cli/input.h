@@ -152,8 +152,11 @@ cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 #define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
     .name = "max-triangles", .value = "N", .help = "refuse larger meshes",                         \
     .default_text = "1431655764", .low = 1, .high = 1431655764, .default_label = "1.43e9",         \
-    .manual = "Refuses meshes with more triangles (exit code 5).", .handler = cli_flag_count,      \
-    .offset = offsetof(type, member.max_triangles)
+    .manual =                                                                                      \
+        "Refuses meshes with more triangles (exit code 5). Without it, 5 vertices and triangles "  \
+        "together are drawn for each byte of _INPUT_ and the files that it names, and 5,242,880 "  \
+        "in any case: enough for what is in a file, but not for what a small one repeats.",        \
+    .handler = cli_flag_count, .offset = offsetof(type, member.max_triangles)
 
 #define CLI_NO_TEXTURES_FLAG(type, member)                                                         \
     .name = "no-textures", .help = "without the textures of materials",                            \
@@ -167,7 +170,7 @@ cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
     .default_text = "auto", .low = 0, .high = 1e12,                                                \
     .manual =                                                                                      \
         "Textures that would make more than _N_ pixels together are left out, with a warning. "    \
-        "By default 2^26, and 32 for each byte of _INPUT_ and the files that it names, but "       \
+        "By default 32 for each byte of _INPUT_ and the files that it names, 2^25 at least and "   \
         "2^28 at most.",                                                                           \
     .handler = cli_flag_texture_pixels, .offset = offsetof(type, member.max_texture_pixels)
 

@@ -1,0 +1,176 @@
+/* Memory runs short at every allocation of the libraries that decode pictures, one after another:
+ * the call says so and loses nothing, or the pixels are right. This program's malloc stands in for
+ * that of all libraries. */
+#include "burnish/image.h"
+#include "burnish/mesh.h"
+#include "picture/picture.h"
+#include "support.h"
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&       \
+    !defined(BURNISH_MSAN)
+
+#include <errno.h>
+#include <stdatomic.h>
+
+/* ---- glibc's own, and how many calls are left ---- */
+
+#define FOR_ALL __attribute__((visibility("default"))) /* libraries too */
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *old, size_t size);
+void *__libc_memalign(size_t alignment, size_t size);
+void __libc_free(void *memory);
+
+static atomic_long left = -1; /* before one fails; negative: none fails */
+static atomic_long live;      /* taken and not given back */
+
+static int fails(void) {
+    return atomic_load(&left) >= 0 && atomic_fetch_sub(&left, 1) == 0;
+}
+
+static void *count_one(void *memory) {
+    atomic_fetch_add(&live, memory != NULL);
+    return memory;
+}
+
+FOR_ALL void *malloc(size_t size) {
+    return fails() ? NULL : count_one(__libc_malloc(size));
+}
+FOR_ALL void *calloc(size_t count, size_t size) {
+    return fails() ? NULL : count_one(__libc_calloc(count, size));
+}
+FOR_ALL void *realloc(void *old, size_t size) {
+    void *memory = fails() ? NULL : __libc_realloc(old, size);
+    return old ? memory : count_one(memory);
+}
+FOR_ALL void *aligned_alloc(size_t alignment, size_t size) {
+    return fails() ? NULL : count_one(__libc_memalign(alignment, size));
+}
+FOR_ALL int posix_memalign(void **memory, size_t alignment, size_t size) {
+    *memory = aligned_alloc(alignment, size);
+    return *memory ? 0 : ENOMEM;
+}
+FOR_ALL void free(void *memory) {
+    atomic_fetch_sub(&live, memory != NULL);
+    __libc_free(memory);
+}
+
+/* ---- Each allocation fails once ---- */
+
+enum { SIDE = 40, MOST_FAILURES = 2000, FEWEST = 3 };
+
+/* What can be had of some bytes; *hash is 0 on failure. */
+typedef burnish_status job(const void *bytes, size_t size, uint64_t *hash, burnish_error *error);
+
+static burnish_status decode(const void *bytes, size_t size, uint64_t *hash, burnish_error *error) {
+    burnish_image image = {0};
+    const burnish_status status = burnish_image_decode(bytes, size, "picture", &image, error);
+    *hash = status == BURNISH_STATUS_OK ? burnish_image_hash(&image) : 0;
+    burnish_image_destroy(&image);
+    return status;
+}
+
+static burnish_status give_picture(void *user_data, const char *name, uint64_t max_bytes,
+                                   const void **bytes, size_t *size, burnish_error *error) {
+    static const char library[] = "newmtl a\nmap_Kd t.png\n";
+    const picture_file *picture = user_data;
+    const int is_library = strcmp(name, "a.mtl") == 0;
+    (void)max_bytes, (void)error;
+    *bytes = is_library ? (const void *)library : picture->bytes;
+    *size = is_library ? strlen(library) : picture->size;
+    return BURNISH_STATUS_OK;
+}
+
+/* The picture as the texture of a mesh, which is left out only where it is damaged. */
+static burnish_status load(const void *bytes, size_t size, uint64_t *hash, burnish_error *error) {
+    static const char obj[] = "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\n"
+                              "vt 0 1\nf 1/1 2/2 3/3\n";
+    picture_file picture = {.bytes = (uint8_t *)(uintptr_t)bytes, .size = size};
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    options.threads = 1;
+    options.companions = (burnish_file_loader){give_picture, NULL, &picture};
+    const burnish_status status =
+        burnish_mesh_load_memory(obj, strlen(obj), "m.obj", &options, &mesh, error);
+    *hash = status == BURNISH_STATUS_OK ? 1 + burnish_mesh_texture_count(mesh) : 0;
+    burnish_mesh_destroy(mesh);
+    return status;
+}
+
+static void fail_each(const char *name, const picture_file *file, job *run) {
+    burnish_error error = {0};
+    uint64_t expected = 0, hash;
+    int k = 0, failed = 0;
+    for (int warm = 0; warm < 2; ++warm) { /* what libraries keep for good */
+        CHECK(run(file->bytes, file->size, &expected, &error) == BURNISH_STATUS_OK, "%s: %s", name,
+              error.text);
+    }
+    const long before = atomic_load(&live);
+    for (int ran_short = 1; ran_short && k < MOST_FAILURES; ++k) {
+        error = (burnish_error){0};
+        atomic_store(&left, k);
+        const burnish_status status = run(file->bytes, file->size, &hash, &error);
+        ran_short = atomic_exchange(&left, -1) < 0;
+        failed += status != BURNISH_STATUS_OK;
+        CHECK(status == BURNISH_STATUS_OK
+                  ? hash == expected
+                  : status == BURNISH_STATUS_MEMORY && strstr(error.text, "memory"),
+              "%s, allocation %d: status %d, \"%s\"", name, k, (int)status, error.text);
+        CHECK(atomic_load(&live) == before, "%s, allocation %d: %ld blocks lost", name, k,
+              atomic_load(&live) - before);
+    }
+    printf("%s: %d of %d failed\n", name, failed, k);
+    CHECK(failed >= FEWEST && k < MOST_FAILURES, "%s: %d of %d failed", name, failed, k);
+}
+
+typedef burnish_status encoder(const burnish_pixels *pixels, const picture_options *options,
+                               picture_file *file, burnish_error *error);
+
+static burnish_status encode_png(const burnish_pixels *pixels, const picture_options *options,
+                                 picture_file *file, burnish_error *error) {
+    (void)options;
+    return burnish_png_encode(pixels, NULL, &file->bytes, &file->size, error);
+}
+
+static void test_decoders(void) {
+    static const struct {
+        const char *name;
+        encoder *encode;
+    } formats[] = {
+        {"PNG", encode_png}, {"JPEG", picture_encode_jpeg}, {"WebP", picture_encode_webp}};
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; ++i) {
+        burnish_image image;
+        burnish_error error;
+        picture_file file = {0};
+        const picture_options options = {.quality = 90};
+        CHECK1(burnish_image_create(&image, SIDE, SIDE, 3, NULL) == BURNISH_STATUS_OK);
+        for (int k = 0; k < SIDE * SIDE * 3; ++k) {
+            image.pixels[k] = (uint8_t)(k * k / 7);
+        }
+        const burnish_pixels pixels = burnish_image_pixels(&image);
+        if (formats[i].encode(&pixels, &options, &file, &error) == BURNISH_STATUS_OK) {
+            fail_each(formats[i].name, &file, decode);
+            fail_each(formats[i].name, &file, load);
+        } else {
+            CHECK(strstr(error.text, "no lib"), "%s", error.text);
+        }
+        picture_release(&file);
+        burnish_image_destroy(&image);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_decoders());
+    return test_end("decode_memory");
+}
+
+#else
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    return test_end("decode_memory");
+}
+
+#endif
