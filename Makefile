@@ -139,6 +139,10 @@ fuzz: build-fuzz ## look for files that break loading and drawing: 10 minutes, o
 fuzz-report: short-docs build-fuzz ## fuzz every kind of input with 1,000,000 inputs, and fill docs/security.md (hours)
 	@./test/fuzz/report $(if $(SHORT),500,1000000) $(DOCS)/security.md
 
+.PHONY: hostile
+hostile: short-docs build ## draw small files that are meant to take long or much memory; fills docs/security.md
+	@./test/hostile/report build/release/burnish build/hostile $(DOCS)/security.md
+
 FUZZ_LINES = $(if $(SHORT),500,20000)
 fuzz-lines: ## random command lines of the program: 20,000, or FUZZ_LINES=N
 	@$(MAKE) --no-print-directory program-fuzz_lines program-burnish_cli

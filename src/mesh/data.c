@@ -73,11 +73,7 @@ void burnish_mesh_data_warn(burnish_mesh_data *mesh, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
-    for (char *c = line; *c; ++c) {
-        if ((unsigned char)*c < 32 || *c == 127) {
-            *c = '?';
-        }
-    }
+    burnish_clean_text(line);
     burnish_log(mesh->memory.context, line);
     if (mesh->warning_count >= WARNING_LIMIT) {
         return;

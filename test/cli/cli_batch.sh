@@ -47,6 +47,7 @@ done
 check "a strange name" [ -s "$(printf 'out/sub/new\nline \377<&".png')" ]
 check "six pictures, and no temporary" [ "$(find out -type f | wc -l)" = 9 ]
 check "a line each" [ "$(wc -l <out/burnish-batch.jsonl)" = 9 ]
+check "bytes of a name that is not UTF-8" grep -q '"input_bytes":"in/sub/new%0Aline%20%FF%3C%26%22.obj"' out/burnish-batch.jsonl
 for line in 1 2 4; do
     sed -n ${line}p out/burnish-batch.jsonl >"$out"
     check "line $line is JSON" valid_json

@@ -228,6 +228,8 @@ static const cli_term report_terms[] = {
      "something else by their first bytes"},
     {"*id*", "of input and output, 16 hexadecimal digits"},
     {"*input, output*", "names; bytes that are not UTF-8 are ?"},
+    {"*input_bytes, output_bytes*",
+     "of a name that is not UTF-8, all of it with such bytes as %XX, as in a URL"},
     {"*status*", "*done* or *failed*"},
     {"*bytes, hash*", "of the input: its size, and XXH64 of its bytes"},
     {"*picture*", "XXH64 of the pixels, as *hash* of *burnish render --json*"},

@@ -156,6 +156,8 @@ typedef struct batch_answer {
 /* The line of an item that failed; to be freed, NULL without memory. */
 char *batch_failed_line(const batch *b, const batch_item *item, int code, const char *message,
                         double seconds);
+/* Adds the names of input and output; of those that are not UTF-8 their bytes too. */
+void batch_add_names(const batch_item *item, cJSON *object, int *failed);
 /* Adds the one number that differs from run to run, unless it is not wanted. */
 void batch_add_seconds(const batch *b, cJSON *object, double seconds, int *failed);
 

@@ -265,6 +265,17 @@ void batch_add_seconds(const batch *b, cJSON *object, double seconds, int *faile
     }
 }
 
+void batch_add_names(const batch_item *item, cJSON *object, int *failed) {
+    cli_json_add(object, "input", cli_json_text(item->input), failed);
+    if (!cli_is_utf8(item->input)) {
+        cli_json_add(object, "input_bytes", cli_json_bytes(item->input), failed);
+    }
+    cli_json_add(object, "output", cli_json_text(item->output), failed);
+    if (!cli_is_utf8(item->output)) {
+        cli_json_add(object, "output_bytes", cli_json_bytes(item->output), failed);
+    }
+}
+
 char *batch_failed_line(const batch *b, const batch_item *item, int code, const char *message,
                         double seconds) {
     char id[17];
@@ -272,8 +283,7 @@ char *batch_failed_line(const batch *b, const batch_item *item, int code, const 
     cJSON *object = cJSON_CreateObject();
     snprintf(id, sizeof id, "%016llx", (unsigned long long)item->id);
     cli_json_add(object, "id", cJSON_CreateString(id), &failed);
-    cli_json_add(object, "input", cli_json_text(item->input), &failed);
-    cli_json_add(object, "output", cli_json_text(item->output), &failed);
+    batch_add_names(item, object, &failed);
     cli_json_add(object, "status", cJSON_CreateString("failed"), &failed);
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
     cli_json_add(object, "code", cJSON_CreateNumber(code), &failed);

@@ -299,8 +299,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     int failed = 0;
     cJSON *object = cJSON_CreateObject();
     add_hash(object, "id", item->id, &failed);
-    cli_json_add(object, "input", cli_json_text(item->input), &failed);
-    cli_json_add(object, "output", cli_json_text(item->output), &failed);
+    batch_add_names(item, object, &failed);
     cli_json_add(object, "status", cJSON_CreateString("done"), &failed);
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
     add_hash(object, "hash", hash, &failed);

@@ -371,6 +371,27 @@ cJSON *cli_json_text(const char *text) {
     return item;
 }
 
+cJSON *cli_json_bytes(const char *text) {
+    static const char plain[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+    char *escaped = malloc(3 * strlen(text) + 1), *to = escaped;
+    for (const char *c = text; escaped && *c; ++c) {
+        to += strchr(plain, *c) ? sprintf(to, "%c", *c) : sprintf(to, "%%%02X", (unsigned char)*c);
+    }
+    cJSON *item = escaped ? cJSON_CreateString(escaped) : NULL;
+    free(escaped);
+    return item;
+}
+
+int cli_is_utf8(const char *text) {
+    size_t length = 1;
+    while (*text && length > 0) {
+        length = sequence_length((const unsigned char *)text);
+        text += length;
+    }
+    return length > 0;
+}
+
 cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t index),
                       const void *values) {
     int failed = 0;

@@ -98,7 +98,11 @@ cJSON *cli_json_real(double value);
 cJSON *cli_json_float(float value);
 cJSON *cli_json_count(size_t value);
 cJSON *cli_json_seconds(double value);
+/* What is not UTF-8 becomes ?. NULL gives null. */
 cJSON *cli_json_text(const char *text);
+/* All bytes, those that RFC 3986 reserves as %XX. */
+cJSON *cli_json_bytes(const char *text);
+int cli_is_utf8(const char *text);
 
 /* An array of the `size` items that make(values, i) gives; NULL when out of memory. */
 cJSON *cli_json_array(size_t size, cJSON *(*make)(const void *values, size_t index),
