@@ -297,6 +297,23 @@ static shape *make_grid(int n) {
 }
 
 /* n x n squares have 2 n (n + 1) sides and n^2 diagonals; only the border is a feature. */
+/* Edges of which none is a line, in a renderer that had none: no array exists. */
+static void test_no_lines(void) {
+    static const double position[3] = {0, 0, 10};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_render_options options = make_options(position, 3, BURNISH_EDGES_MATERIALS);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    burnish_mesh *mesh = NULL;
+    options.camera.view_up[1] = 1;
+    options.camera.view_up[2] = 0;
+    CHECK1(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK1(draw(mesh, &options, &renderer, &image)->line_count == 0);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
 static void test_grid(void) {
     enum { N = 6 };
     static const double position[3] = {0, 0, 10};
@@ -656,6 +673,7 @@ int main(int count, char **arguments) {
     RUN(test_step());
     RUN(test_sphere());
     RUN(test_grid());
+    RUN(test_no_lines());
     RUN(test_axis_views());
     RUN(test_loose());
     RUN(test_ink());

@@ -271,7 +271,9 @@ static burnish_status select_segments(selection *s, burnish_tasks *tasks, burnis
         return memory->status;
     }
     art->segment_count = sum;
-    burnish_tasks_run(tasks, blocks, 1, 0, fill_block, s);
+    if (sum > 0) {
+        burnish_tasks_run(tasks, blocks, 1, 0, fill_block, s);
+    }
     return burnish_tasks_check(tasks, memory->error);
 }
 
