@@ -533,6 +533,39 @@ static void test_bits(void) {
     }
 }
 
+/* An emissive texture alone, small pictures by several threads: the first that needs a part of the
+ * texture makes it while others read. The thread sanitizer finds parts that are read unasked. */
+static void test_emissive_threads(void) {
+    enum { TEXELS = 64, PICTURES = 40 };
+    static uint8_t texels[4 * TEXELS * TEXELS];
+    const burnish_texture texture = {NULL, TEXELS, TEXELS, texels, 1};
+    scene s;
+    burnish_material material = white();
+    fill_random(texels, TEXELS * TEXELS, 77);
+    material.textures[BURNISH_TEXTURE_EMISSIVE] =
+        (burnish_texture_use){.texture = 1, .strength = 1};
+    for (int k = 0; k < 3; ++k) {
+        material.emissive[k] = 1;
+    }
+    open_scene(&s, &material, &texture, 1, NULL);
+    s.options.camera = (burnish_camera){{0.9, -2.1, 1.1}, {0, 0, 0}, {0, 0, 1}, 50, 0};
+    s.options.samples = 4;
+    for (int i = 0; i < PICTURES; ++i) {
+        uint64_t hashes[2] = {0, 1};
+        s.options.width = s.options.height = 16 + 3 * i;
+        for (int several = 0; several < 2; ++several) {
+            burnish_image image = {0};
+            s.options.threads = several ? 3 : 1;
+            CHECK1(burnish_render(s.mesh, &s.options, &image, NULL, NULL) == BURNISH_STATUS_OK);
+            hashes[several] = burnish_image_hash(&image);
+            burnish_image_destroy(&image);
+        }
+        CHECK(hashes[0] == hashes[1], "%d pixels a side: other pixels by several threads",
+              s.options.width);
+    }
+    close_scene(&s);
+}
+
 static void test_refused(void) {
     const uint8_t texel[4] = {0};
     burnish_texture texture = {NULL, 1, 1, texel, 0};
@@ -577,6 +610,7 @@ int main(int count, char **arguments) {
     RUN(test_alpha());
     RUN(test_tangents());
     RUN(test_bits());
+    RUN(test_emissive_threads());
     RUN(test_refused());
     return test_end("texture");
 }

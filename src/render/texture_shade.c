@@ -3,6 +3,8 @@
 
 #include "render/texture.h"
 
+/* Whole vectors: whatever samples a texture is given these, as lanes after the last point are read
+ * from its bands, too. */
 static int padded_count(int count) {
     return (count + 15) / 16 * 16;
 }
@@ -163,8 +165,8 @@ static void add_emissive(const burnish_textured_material *material, const burnis
     if (!(emissive[0] > 0 || emissive[1] > 0 || emissive[2] > 0)) {
         return;
     }
-    const int has_sample =
-        sample(material, BURNISH_TEXTURE_EMISSIVE, COLOR, ops, streams, count, scratch);
+    const int has_sample = sample(material, BURNISH_TEXTURE_EMISSIVE, COLOR, ops, streams,
+                                  padded_count(count), scratch);
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < count; ++i) {
             rgb[k][i] += emissive[k] * (has_sample ? scratch->sample[k][i] : 1.0f);
