@@ -96,7 +96,7 @@ asan: ## tests with the address and undefined behaviour sanitizers
 # What runs in one thread and shares nothing is left out, and so are scripts that draw what unit tests draw.
 one_thread = theory|lobe|shade_q15|arrays_q15|kernel|elementary|srgb|numbers|layers|options|text|camera|visibility|large_triangles
 one_thread_cli = serve_http|headers|abi|exports|links|tables|shell|sheet|shaders|command_lines|cli_(batch|serve|import|view|compare|faults|figures|lobe|help|complete|bench|render|turntable|planes|info)
-several_threads = tasks|context|render_context|reader_threads|obj_threads|ply_binary|load|decode|gltf|picture|png|lines|occlusion|shadow|texture|transparency|target|render
+several_threads = tasks|context|render_context|kept|reader_threads|obj_threads|ply_binary|load|decode|gltf|picture|png|lines|occlusion|shadow|texture|transparency|target|render
 tsan: ## tests with the thread sanitizer
 	@$(DEPS) build test check
 	@$(MAKE) --no-print-directory $(if $(SHORT),threads-briefly,ctest-tsan CTEST="-E '^($(one_thread)|$(one_thread_cli))'")

@@ -117,6 +117,58 @@ static void test_renderer_again(void) {
     burnish_renderer_destroy(kept);
 }
 
+/* The holes of a mask cast no shadow: those of the cutoff at hand, not of the first one. */
+static void test_cutoffs_again(void) {
+    static const float positions[] = {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0,
+                                      -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1};
+    static const float coordinates[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1, 0, 1};
+    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    static const uint16_t materials_of[] = {0, 0, 1, 1};
+    static const float cutoffs[] = {0.2f, 0.8f, 0.5f, 0.2f};
+    static uint8_t texels[4 * 8 * 8];
+    const burnish_texture texture = {NULL, 8, 8, texels, 1};
+    burnish_material materials[2] = {burnish_material_default(), burnish_material_default()};
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 4);
+    burnish_load_options load = burnish_load_options_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_renderer *kept = NULL;
+    burnish_mesh *mesh = NULL;
+    burnish_image image = {0};
+    for (int i = 0; i < 8 * 8; ++i) { /* alpha rises along x */
+        memset(texels + 4 * i, 255, 3);
+        texels[4 * i + 3] = (uint8_t)(36 * (i % 8));
+    }
+    materials[1].alpha_mode = BURNISH_ALPHA_MASK;
+    materials[1].textures[BURNISH_TEXTURE_COLOR] =
+        (burnish_texture_use){.texture = 1, .strength = 1};
+    arrays.texture_coordinates = (burnish_array){coordinates, 8, 0};
+    arrays.triangle_materials = (burnish_array){materials_of, 4, 0};
+    arrays.materials = materials;
+    arrays.material_count = 2;
+    arrays.textures = &texture;
+    arrays.texture_count = 1;
+    options.width = options.height = 100;
+    options.shadow = 1;
+    options.occlusion = 8;
+    burnish_renderer_create(NULL, &kept, &error);
+    if (CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+              error.text)) {
+        uint64_t hashes[4];
+        for (int i = 0; i < 4; ++i) {
+            materials[1].alpha_cutoff = cutoffs[i];
+            CHECK1(burnish_mesh_set_material(mesh, 1, &materials[1], &error) == BURNISH_STATUS_OK);
+            check_kept_renderer(kept, &image, mesh, &options, "a cutoff");
+            hashes[i] = burnish_image_hash(&image);
+        }
+        CHECK(hashes[0] != hashes[1] && hashes[1] != hashes[2] && hashes[0] == hashes[3],
+              "cutoffs make no difference");
+    }
+    burnish_mesh_destroy(mesh);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(kept);
+}
+
 static void test_refusals(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_render_options options = burnish_render_options_default();
@@ -144,6 +196,7 @@ int main(int count, char **arguments) {
     RUN(test_edge());
     RUN(test_convex());
     RUN(test_renderer_again());
+    RUN(test_cutoffs_again());
     RUN(test_refusals());
     return test_end("shadow");
 }

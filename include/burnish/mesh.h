@@ -354,7 +354,11 @@ BURNISH_API const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh 
 BURNISH_API size_t burnish_mesh_warning_count(const burnish_mesh *mesh);
 BURNISH_API const char *burnish_mesh_warning(const burnish_mesh *mesh, size_t index);
 
-/* At least one material exists. An index out of range gives NULL, or ARGUMENT. */
+/* At least one material exists. An index out of range gives NULL, or ARGUMENT.
+ * burnish_mesh_set_material changes the mesh: no other thread may draw, read or change it
+ * meanwhile. A renderer that drew the mesh before then draws it with the new material, as a new one
+ * would. Errors: ARGUMENT, also for a texture on a mesh without texture coordinates, and for a
+ * normal texture on one without tangents; the material is then as it was. */
 BURNISH_API size_t burnish_mesh_material_count(const burnish_mesh *mesh);
 BURNISH_API const burnish_material *burnish_mesh_material(const burnish_mesh *mesh, size_t index);
 BURNISH_API burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,

@@ -216,6 +216,22 @@ const burnish_material *burnish_mesh_material(const burnish_mesh *mesh, size_t i
     return mesh && index < mesh->material_count ? &mesh->materials[index] : NULL;
 }
 
+/* What drawing reads for textures was built only if a material used them then. */
+static burnish_status check_attributes(const burnish_mesh_view *view,
+                                       const burnish_material *material, burnish_error *error) {
+    if (burnish_material_has_textures(material) && !view->texture_coordinates) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "material: uses a texture, but the mesh has no texture coordinates; "
+                            "make it with keep_texture_coordinates or with such a material");
+    }
+    if (material->textures[BURNISH_TEXTURE_NORMAL].texture && !view->tangents) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "material: uses a normal texture, but the mesh has no tangents; make "
+                            "it with such a material");
+    }
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
                                          const burnish_material *material, burnish_error *error) {
     if (!mesh || !material) {
@@ -229,6 +245,9 @@ burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
     }
     burnish_status status =
         burnish_check_material(material, mesh->texture_count, "material", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_attributes(&mesh->view, material, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         mesh->materials[index] = *material;
     }

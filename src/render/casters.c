@@ -338,25 +338,24 @@ static burnish_status join(burnish_casters *casters, const burnish_mesh_view *me
 burnish_status burnish_casters_update(burnish_casters *casters, const burnish_mesh_view *mesh,
                                       const burnish_transparency *transparency,
                                       burnish_memory *memory) {
-    const uint64_t key = transparency ? transparency->key : 0;
-    const int is_known = casters->serial == mesh->serial && casters->key == key;
+    const int is_known = casters->version == transparency->version;
     if (is_known && casters->index_count > 0) {
         return BURNISH_STATUS_OK;
     }
-    casters->serial = mesh->serial;
-    casters->key = key;
+    casters->version = transparency->version;
     casters->mesh = *mesh;
-    casters->transparent = transparency ? transparency->masks : NULL;
-    if (is_known || !transparency || !(masked_area(mesh, transparency) > 0)) {
+    casters->mesh.serial = transparency->version;
+    casters->transparent = transparency->has_some ? transparency->masks : NULL;
+    if (is_known || !transparency->has_some || !(masked_area(mesh, transparency) > 0)) {
         casters->index_count = 0;
         return BURNISH_STATUS_OK;
     }
-    casters->serial = 0;
+    casters->version = 0;
     burnish_status status = cut_mesh(casters, mesh, transparency, memory);
     if (status == BURNISH_STATUS_OK) {
         status = join(casters, mesh, transparency, memory);
     }
-    casters->serial = status == BURNISH_STATUS_OK ? mesh->serial : 0;
+    casters->version = status == BURNISH_STATUS_OK ? transparency->version : 0;
     return status;
 }
 

@@ -7,19 +7,21 @@
 #include "core/memory.h"
 #include "render/transparency.h"
 
-/* Owned; all zero before the first frame, a later frame of the same mesh uses the same pieces. */
+/* Owned; all zero before the first frame, a later frame of the same version uses the same pieces.
+ */
 typedef struct burnish_casters {
-    burnish_mesh_view mesh; /* with the pieces' positions, indices and triangles behind its own */
+    burnish_mesh_view mesh; /* with the pieces' positions, indices and triangles after its own; its
+                               serial is the version, so depth maps of it are those of a version */
     const uint16_t *transparent; /* per batch of these: triangles that cast none; NULL: all cast */
     float *positions;
     uint32_t *indices;
     uint16_t *masks;
     size_t position_capacity, index_capacity, mask_capacity;
     size_t position_count, index_count; /* of pieces: numbers, not triples */
-    uint64_t serial, key;               /* of the mesh and its transparent triangles; 0: none */
+    uint64_t version;                   /* burnish_transparency.version; 0: none */
 } burnish_casters;
 
-/* transparency: of the mesh; NULL: all of it is opaque. Errors: MEMORY. */
+/* transparency: of the mesh. Errors: MEMORY. */
 burnish_status burnish_casters_update(burnish_casters *casters, const burnish_mesh_view *mesh,
                                       const burnish_transparency *transparency,
                                       burnish_memory *memory);

@@ -35,11 +35,9 @@ typedef struct burnish_map_drawer {
     int tile_count;
     burnish_map_vertex *vertices; /* of each thread's pairs of maps */
     size_t vertex_capacity;
-    /* triangles that are left out, the caller's to set: burnish_transparency's masks and key, or
-     * NULL and 0 */
-    const uint16_t *transparent;
-    uint64_t transparent_key;
-    double max_overdraw; /* of each map; the caller's to set */
+    const uint16_t *transparent; /* triangles that are left out, as burnish_transparency's masks, or
+                                    NULL; the caller's to set */
+    double max_overdraw;         /* of each map; the caller's to set */
 } burnish_map_drawer;
 
 /* The view along a direction in which the unit sphere fills the map but for two texels at each
@@ -68,9 +66,6 @@ burnish_map_rows burnish_map_rows_make(const burnish_map_view *view, const doubl
 burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
                                 const burnish_mesh_view *mesh, const burnish_map_view *view,
                                 uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory);
-
-/* What is made of a map of size^2 codes as soon as it is drawn, while it is in cache. */
-typedef void burnish_map_finish(uint16_t *depths, size_t size);
 
 /* What is made of a map of size^2 codes as soon as it is drawn, while it is in cache. */
 typedef void burnish_map_finish(uint16_t *depths, size_t size);

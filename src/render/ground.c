@@ -55,7 +55,8 @@ void burnish_ground_place(burnish_ground *ground, const burnish_mesh_view *mesh,
     if (ground->mesh == mesh->serial && burnish_vec3_length(difference) == 0) {
         return;
     }
-    ground->mesh = 0;
+    ground->mesh = mesh->serial;
+    ground->maps = 0;
     ground->up = up;
     ground->across[0] = burnish_space_across(up);
     ground->across[1] = burnish_vec3_cross(up, ground->across[0]);
@@ -82,12 +83,12 @@ static burnish_vec3 light_of(const burnish_shadow *shadow) {
     return shadow ? shadow->toward : (burnish_vec3){0, 0, 0};
 }
 
-int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_mesh_view *mesh,
-                            const burnish_occlusion *occlusion, const burnish_shadow *shadow) {
+int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_occlusion *occlusion,
+                            const burnish_shadow *shadow) {
     const burnish_vec3 turned = burnish_vec3_sub(ground->light, light_of(shadow));
     return burnish_vec3_length(turned) == 0 && ground->light_size == (shadow ? shadow->size : 0) &&
-           ground->mesh == mesh->serial && ground->count == occlusion->count &&
-           ground->size == occlusion->size && ground->transparent_key == occlusion->transparent_key;
+           ground->maps == occlusion->mesh && ground->count == occlusion->count &&
+           ground->size == occlusion->size;
 }
 
 #define SIZE BURNISH_GROUND_SIZE
@@ -248,6 +249,9 @@ static void blur(ground_context *context, int layer, int radius, burnish_tasks *
 static void add_sky(ground_context *context, const burnish_occlusion *occlusion,
                     burnish_tasks *tasks) {
     find_silhouettes(occlusion, context);
+    if (context->count == 0) {
+        return; /* of very few directions none sees the plane from below */
+    }
     context->strength = STRENGTH;
     burnish_tasks_ranges(tasks, SIZE, GRAIN, add_rows, context);
     for (int k = 1; k < BURNISH_GROUND_LAYERS; ++k) {
@@ -277,12 +281,11 @@ static void add_light(ground_context *context, const burnish_shadow *shadow, bur
 }
 
 burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops *ops,
-                                   const burnish_mesh_view *mesh,
                                    const burnish_occlusion *occlusion, const burnish_shadow *shadow,
                                    burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = (size_t)SIZE * SIZE;
     ground_context context = {.ground = ground, .ops = ops};
-    ground->mesh = 0;
+    ground->maps = 0;
     ground->texels = burnish_reserve_discard(memory, ground->texels, &ground->capacity, texels,
                                              sizeof *ground->texels, "the ground's shadow");
     ground->layers = burnish_reserve_discard(memory, ground->layers, &ground->layer_capacity,
@@ -298,10 +301,9 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops
         status = burnish_tasks_check(tasks, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        ground->mesh = mesh->serial;
+        ground->maps = occlusion->mesh;
         ground->count = occlusion->count;
         ground->size = occlusion->size;
-        ground->transparent_key = occlusion->transparent_key;
         ground->light = light_of(shadow);
         ground->light_size = shadow ? shadow->size : 0;
     }

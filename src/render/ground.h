@@ -32,9 +32,9 @@ typedef struct burnish_silhouette {
 
 /* The texture, kept from frame to frame. All zero before the first. */
 typedef struct burnish_ground {
-    uint64_t mesh;   /* whose shadow it is, burnish_mesh_view.serial; 0: nobody's */
-    int count, size; /* of the depth maps, which left out triangles as transparent_key says */
-    uint64_t transparent_key;
+    uint64_t mesh;              /* whose plane it is, burnish_mesh_view.serial; 0: nobody's */
+    uint64_t maps;              /* whose shadow it is, burnish_occlusion.mesh; 0: nobody's */
+    int count, size;            /* of the depth maps */
     burnish_vec3 light;         /* that casts a shadow; 0: none does */
     int light_size;             /* of its depth map */
     burnish_vec3 up, across[2]; /* unit vectors; the texture's axes */
@@ -60,15 +60,14 @@ void burnish_ground_place(burnish_ground *ground, const burnish_mesh_view *mesh,
 int burnish_ground_is_seen(const burnish_ground *ground, const burnish_rays *rays,
                            burnish_vec3 eye);
 
-/* Whether the texture is that of the mesh, the plane and the maps. shadow may be NULL. */
-int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_mesh_view *mesh,
-                            const burnish_occlusion *occlusion, const burnish_shadow *shadow);
+/* Whether the texture is that of the plane and the maps. shadow may be NULL. */
+int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_occlusion *occlusion,
+                            const burnish_shadow *shadow);
 
 /* Draws the texture of a ground that was placed.
  *   shadow  of the first light, or NULL
  * Errors: MEMORY, CANCELLED; the texture is then nobody's. */
 burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops *ops,
-                                   const burnish_mesh_view *mesh,
                                    const burnish_occlusion *occlusion, const burnish_shadow *shadow,
                                    burnish_tasks *tasks, burnish_memory *memory);
 

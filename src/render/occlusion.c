@@ -114,7 +114,7 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
     }
     if (status == BURNISH_STATUS_OK) {
         occlusion->mesh = mesh->serial;
-        occlusion->transparent_key = occlusion->drawer.transparent_key;
+        occlusion->max_overdraw = occlusion->drawer.max_overdraw;
         occlusion->count = count;
         occlusion->size = size;
     }
@@ -129,7 +129,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
     const int count = wanted == BURNISH_OCCLUSION_AUTO ? choose_count(mesh) : wanted + wanted % 2;
     double texels = 1, plane = 0;
     if (occlusion->mesh != mesh->serial || occlusion->count != count || occlusion->size != size ||
-        occlusion->transparent_key != occlusion->drawer.transparent_key) {
+        occlusion->max_overdraw > occlusion->drawer.max_overdraw) {
         burnish_status status = draw_maps(occlusion, ops, mesh, count, size, tasks, memory);
         if (status != BURNISH_STATUS_OK) {
             return status;

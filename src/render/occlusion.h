@@ -40,9 +40,9 @@ typedef struct burnish_occlusion_lookup {
 
 /* Depth maps of a mesh, kept from frame to frame. All zero before the first. */
 typedef struct burnish_occlusion {
-    uint64_t mesh;            /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
-    uint64_t transparent_key; /* the drawer's then */
-    int count, size;          /* of directions */
+    uint64_t mesh;       /* whose maps they are, burnish_mesh_view.serial; 0: nobody's */
+    int count, size;     /* of directions */
+    double max_overdraw; /* the drawer's then: a lower one may refuse them */
     burnish_occlusion_pair pairs[BURNISH_OCCLUSION_MAX / 2];
     uint16_t *depths; /* and each map's blockers after it */
     size_t capacity;
@@ -56,7 +56,7 @@ burnish_map_view burnish_occlusion_view(int i, int count, int size);
 const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int i);
 
 /* Draws the maps unless they are there, and readies the look-up. The drawer's transparent triangles
- * are the caller's to set.
+ * are the caller's to set; the mesh has another serial where they are others.
  *   count  directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO; odd: one more
  *   size   of a map
  *   eye    the camera, in the raster's space

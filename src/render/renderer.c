@@ -15,10 +15,10 @@
 /* A picture whose rows are drawn in several calls: what their geometry and lines depend on. No
  * padding counts: it is all 0 before it is filled. */
 typedef struct picture_key {
-    uint64_t mesh, transparent; /* serial, 0: no picture; key of the transparent triangles */
+    uint64_t version; /* burnish_transparency.version; 0: no picture */
     burnish_camera camera;
     burnish_raster_view view;
-    int ignore_colors, edges;
+    int ignore_colors, cull_back_faces, edges;
     float edge_width, edge_opacity;
     uint8_t edge_color[3];
 } picture_key;
@@ -109,11 +109,11 @@ static picture_key key_of(const drawing *d) {
     const burnish_render_options *options = d->options;
     picture_key key;
     memset(&key, 0, sizeof key);
-    key.mesh = burnish_mesh_get_view(d->mesh)->serial;
-    key.transparent = d->renderer->transparency.key;
+    key.version = d->renderer->transparency.version;
     key.camera = options->camera;
     key.view = d->view.raster;
     key.ignore_colors = options->ignore_colors;
+    key.cull_back_faces = options->cull_back_faces;
     key.edges = options->edges;
     key.edge_width = options->edge_width;
     key.edge_opacity = options->edge_opacity;
@@ -177,9 +177,8 @@ static burnish_vec3 up_of(const drawing *d) {
 static burnish_status set_drawer(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_status status = burnish_casters_update(
-        &renderer->casters, burnish_mesh_get_view(d->mesh), transparency_of(d), &d->memory);
+        &renderer->casters, burnish_mesh_get_view(d->mesh), &renderer->transparency, &d->memory);
     renderer->occlusion.drawer.transparent = renderer->casters.transparent;
-    renderer->occlusion.drawer.transparent_key = renderer->transparency.key;
     renderer->occlusion.drawer.max_overdraw = d->options->max_overdraw;
     return status;
 }
@@ -258,9 +257,9 @@ static burnish_status update_ground(drawing *d) {
     }
     burnish_status status = update_maps(d, origin, &lookup);
     if (status == BURNISH_STATUS_OK &&
-        !burnish_ground_is_drawn(ground, mesh, &renderer->occlusion, shadow)) {
-        status = burnish_ground_draw(ground, d->view.shading.ops, mesh, &renderer->occlusion,
-                                     shadow, &renderer->tasks, &d->memory);
+        !burnish_ground_is_drawn(ground, &renderer->occlusion, shadow)) {
+        status = burnish_ground_draw(ground, d->view.shading.ops, &renderer->occlusion, shadow,
+                                     &renderer->tasks, &d->memory);
     }
     d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye);
     return status;

@@ -23,7 +23,7 @@ static burnish_status draw(burnish_shadow *shadow, burnish_map_drawer *drawer,
     }
     if (status == BURNISH_STATUS_OK) {
         shadow->mesh = mesh->serial;
-        shadow->transparent_key = drawer->transparent_key;
+        shadow->max_overdraw = drawer->max_overdraw;
         shadow->toward = view->toward;
         shadow->size = view->size;
     }
@@ -39,7 +39,7 @@ burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer 
     const burnish_vec3 turned = burnish_vec3_sub(shadow->toward, toward);
     burnish_status status = BURNISH_STATUS_OK;
     if (shadow->mesh != mesh->serial || shadow->size != size ||
-        shadow->transparent_key != drawer->transparent_key || burnish_vec3_length(turned) > 0) {
+        shadow->max_overdraw > drawer->max_overdraw || burnish_vec3_length(turned) > 0) {
         status = draw(shadow, drawer, ops, mesh, &view, tasks, memory);
     }
     lookup->map = burnish_map_rows_make(&view, eye);

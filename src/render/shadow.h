@@ -20,8 +20,8 @@ typedef struct burnish_shadow_lookup {
 
 /* The map, kept from frame to frame. All zero before the first. */
 typedef struct burnish_shadow {
-    uint64_t mesh; /* whose it is, burnish_mesh_view.serial; 0: nobody's */
-    uint64_t transparent_key;
+    uint64_t mesh;       /* whose it is, burnish_mesh_view.serial; 0: nobody's */
+    double max_overdraw; /* the drawer's then: a lower one may refuse it */
     burnish_vec3 toward;
     int size;
     uint16_t *depths;
@@ -29,7 +29,8 @@ typedef struct burnish_shadow {
 } burnish_shadow;
 
 /* Draws the map unless it is there, and readies the look-up.
- *   drawer  its transparent triangles, which cast no shadow, are the caller's to set
+ *   drawer  its transparent triangles, which cast no shadow, are the caller's to set; the mesh has
+ *           another serial where they are others
  *   toward  the light, a unit vector
  *   eye     the camera, in the raster's space
  * Errors: MEMORY, CANCELLED, LIMIT; the map is then nobody's. */

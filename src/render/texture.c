@@ -43,6 +43,21 @@ static burnish_texture_kind kind_of(const burnish_material *material, int slot, 
     return smooth ? BURNISH_TEXTURE_MASKED : BURNISH_TEXTURE_WEIGHTED;
 }
 
+/* Levels of kind MASKED are those of the first cutoff that the frame's materials ask for: levels of
+ * an earlier frame's cutoff are dropped. Returns 0 if another material has taken them. */
+static int take_cutoff(burnish_texture_levels *levels, float cutoff, const burnish_memory *memory) {
+    const int is_other = levels->cutoff < cutoff || levels->cutoff > cutoff;
+    if (is_other && levels->is_taken) {
+        return 0;
+    }
+    if (is_other) {
+        burnish_texture_levels_destroy(levels, memory->context);
+    }
+    levels->cutoff = cutoff;
+    levels->is_taken = 1;
+    return 1;
+}
+
 /* The levels that a use samples, built where they are not there yet; NULL: no memory. */
 static const burnish_texture_levels *levels_for(burnish_texturing *texturing,
                                                 const burnish_mesh *mesh,
@@ -54,14 +69,11 @@ static const burnish_texture_levels *levels_for(burnish_texturing *texturing,
     burnish_texture_levels *of_texture = &texturing->levels[number * BURNISH_TEXTURE_KIND_COUNT];
     burnish_texture_kind kind =
         kind_of(material, slot, is_smooth_mask(texturing, material), texture);
-    if (kind == BURNISH_TEXTURE_MASKED && of_texture[kind].texels &&
-        (of_texture[kind].cutoff < cutoff || of_texture[kind].cutoff > cutoff)) {
-        kind = BURNISH_TEXTURE_WEIGHTED; /* of a second cutoff: means of alpha will do */
+    if (kind == BURNISH_TEXTURE_MASKED && !take_cutoff(&of_texture[kind], cutoff, memory)) {
+        kind = BURNISH_TEXTURE_WEIGHTED; /* a second cutoff: means of alpha will do */
     }
     burnish_texture_levels *levels = &of_texture[kind];
-    const int is_built = levels->texels || levels->codes;
-    levels->cutoff = is_built ? levels->cutoff : cutoff;
-    if (!is_built &&
+    if (!levels->texels && !levels->codes &&
         burnish_texture_levels_create(levels, texture, kind, tasks, memory) != BURNISH_STATUS_OK) {
         burnish_texture_levels_destroy(levels, memory->context);
         return NULL;
@@ -182,6 +194,9 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
                                 sizeof *texturing->materials, "materials");
     burnish_status status =
         texturing->materials ? prepare_levels(texturing, mesh, memory) : memory->status;
+    for (size_t i = 0; i < texturing->levels_count; ++i) {
+        texturing->levels[i].is_taken = 0;
+    }
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_textured_material *material = &texturing->materials[i];
         status =

@@ -58,6 +58,7 @@ typedef struct burnish_texture_levels {
     int is_weighted;  /* 1: colours are multiplied by alpha, which is below 1 somewhere */
     uint8_t least[4]; /* code of each channel in level 0 */
     float cutoff;     /* MASKED: alpha of level 0 from which on the mask leaves something */
+    int is_taken;     /* MASKED: 1: a material of this frame has this cutoff */
 } burnish_texture_levels;
 
 /* A texel is the mean of the area that it covers in the level before, of any size.

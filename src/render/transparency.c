@@ -43,14 +43,63 @@ static void find_range(void *context, size_t first, size_t end) {
     }
 }
 
-/* Materials that are transparent, and whether alpha counts, as a number (FNV-1a). */
-static uint64_t key_of(const burnish_transparency *transparency, size_t material_count) {
-    uint64_t key = 0xcbf29ce484222325u ^ (uint64_t)transparency->has_alpha;
-    for (size_t i = 0; i < material_count; ++i) {
-        key = (key ^ (uint64_t)is_transparent_material(transparency, i)) * 0x100000001b3u;
+/* ---- Versions ---- */
+
+/* What decides where a material is opaque. Compared byte by byte: all 0 before it is filled. */
+typedef struct burnish_opacity_rule {
+    const burnish_texture_levels *levels[2]; /* MASK: of colour and opacity; NULL: none */
+    float transform[2][6];
+    int wrap[2][2];
+    float level_cutoff, cutoff, transparency; /* MASK */
+    int is_transparent, is_masked;
+} burnish_opacity_rule;
+
+static burnish_opacity_rule rule_of(const burnish_transparency *transparency, size_t i) {
+    static const int slots[2] = {BURNISH_TEXTURE_COLOR, BURNISH_TEXTURE_OPACITY};
+    const burnish_texturing *texturing = transparency->texturing;
+    const burnish_textured_material *material = texturing ? &texturing->materials[i] : NULL;
+    burnish_opacity_rule rule;
+    memset(&rule, 0, sizeof rule);
+    rule.is_transparent = is_transparent_material(transparency, i);
+    if (!rule.is_transparent || !material || material->material.alpha_mode != BURNISH_ALPHA_MASK) {
+        return rule;
     }
-    return key ? key : 1;
+    rule.is_masked = 1;
+    rule.cutoff = material->material.alpha_cutoff;
+    rule.transparency = material->material.transparency;
+    for (int k = 0; k < 2; ++k) {
+        const burnish_texture_sampler *sampler = &material->samplers[slots[k]];
+        rule.levels[k] = sampler->levels;
+        memcpy(rule.transform[k], sampler->transform, sizeof rule.transform[k]);
+        memcpy(rule.wrap[k], sampler->wrap, sizeof rule.wrap[k]);
+    }
+    rule.level_cutoff = rule.levels[0] ? rule.levels[0]->cutoff : 0;
+    return rule;
 }
+
+static void update_version(burnish_transparency *transparency, const burnish_mesh_view *mesh,
+                           size_t materials, int had_alpha, burnish_memory *memory) {
+    const size_t count = transparency->has_some ? materials : 0;
+    int is_other = transparency->serial != mesh->serial || transparency->rule_count != count ||
+                   transparency->has_alpha != had_alpha;
+    transparency->serial = 0;
+    transparency->rules =
+        burnish_reserve_discard(memory, transparency->rules, &transparency->rule_capacity, count,
+                                sizeof *transparency->rules, "opacities");
+    if (memory->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_opacity_rule rule = rule_of(transparency, i);
+        is_other |= memcmp(&rule, &transparency->rules[i], sizeof rule) != 0;
+        memcpy(&transparency->rules[i], &rule, sizeof rule);
+    }
+    transparency->version += (uint64_t)is_other;
+    transparency->rule_count = count;
+    transparency->serial = mesh->serial;
+}
+
+/* ---- A frame ---- */
 
 burnish_status burnish_transparency_update(burnish_transparency *transparency,
                                            const burnish_mesh *mesh,
@@ -60,9 +109,9 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const size_t materials = burnish_mesh_material_count(mesh);
     const size_t batches = (view->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
+    const int had_alpha = transparency->has_alpha;
     transparency->has_alpha = view->has_transparent_colors && !ignore_colors;
     transparency->has_some = transparency->has_alpha;
-    transparency->key = 0;
     transparency->texturing = texturing;
     transparency->opacities =
         burnish_reserve_discard(memory, transparency->opacities, &transparency->opacity_capacity,
@@ -73,6 +122,9 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
         transparency->opacities[i] = is_masked ? 1 : 1 - material->transparency;
         transparency->has_some |= is_transparent_material(transparency, i);
     }
+    if (memory->status == BURNISH_STATUS_OK) {
+        update_version(transparency, view, materials, had_alpha, memory);
+    }
     if (memory->status != BURNISH_STATUS_OK || !transparency->has_some) {
         return memory->status;
     }
@@ -82,7 +134,6 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
     if (transparency->masks) {
         find_context find = {transparency, view};
         burnish_tasks_ranges(tasks, batches, GRAIN, find_range, &find);
-        transparency->key = key_of(transparency, materials);
     }
     return memory->status;
 }
@@ -116,6 +167,7 @@ void burnish_transparency_destroy(burnish_transparency *transparency,
                                   const burnish_context *context) {
     burnish_release(context, transparency->opacities);
     burnish_release(context, transparency->masks);
+    burnish_release(context, transparency->rules);
     memset(transparency, 0, sizeof *transparency);
 }
 

@@ -19,8 +19,15 @@ typedef struct burnish_transparency {
     uint16_t *masks; /* burnish_tile.transparent: per batch of the mesh, then of clipped ones */
     int has_some;    /* 0: every triangle is opaque, and masks mean nothing */
     int has_alpha;   /* 1: alpha of vertices counts */
-    uint64_t key;    /* of the triangles that are transparent, among those of the mesh; 0: none */
     size_t opacity_capacity, mask_capacity;
+
+    /* Counts frames in which another part of space was opaque than in the one before: another mesh,
+     * other transparent triangles, another mask. Whatever was made of opaque triangles is kept as
+     * long as this stays. */
+    uint64_t version;
+    uint64_t serial;                    /* the mesh whose version it is; 0: none */
+    struct burnish_opacity_rule *rules; /* and one per material; none where all of it is opaque */
+    size_t rule_count, rule_capacity;
 } burnish_transparency;
 
 /* Finds the mesh's transparent triangles. Errors: MEMORY. */
