@@ -261,6 +261,57 @@ static void test_colors(void) {
 }
 
 /* The weighted mean in linear light. */
+#define INVISIBLE                                                                                  \
+    "<basematerials id='5'><base name='a' displaycolor='#CAD1EE00'/>"                              \
+    "<base name='b' displaycolor='#10203080'/></basematerials>"                                    \
+    "<basematerials id='7'><base name='unused' displaycolor='#00000000'/></basematerials>"         \
+    "<m:colorgroup id='6'><m:color color='#11223300'/><m:color color='#44556677'/></m:colorgroup>"
+
+/* Alpha 00 means opaque, in bases and in colours; other values mean what they say. */
+static void test_invisible(void) {
+    burnish_mesh_data s;
+    read_fine(MODEL(INVISIBLE ONE_TRIANGLE("pid='5' pindex='0'", ""), ITEM_1),
+              "mesh.3mf: 1 colour is wholly transparent (alpha 00) and drawn opaque", &s);
+    CHECK1(s.material_count == 2 && material_of(&s, 0)->transparency == 0 &&
+           material_of(&s, 0)->diffuse[0] == burnish_srgb_to_linear[0xCA]);
+    CHECK1(s.material_count == 2 && s.materials[1].transparency > 0.4f);
+    burnish_mesh_data_destroy(&s);
+    read_fine(MODEL(INVISIBLE "<object id='1' pid='6' pindex='0'><mesh>" TETRAHEDRON "<triangles>"
+                              "<triangle v1='0' v2='2' v3='1' p1='0' p2='1' p3='0'/>"
+                              "<triangle v1='0' v2='1' v3='3' pid='5' p1='0'/>"
+                              "</triangles></mesh></object>",
+                    ITEM_1),
+              "mesh.3mf: 2 colours are wholly transparent (alpha 00) and drawn opaque", &s);
+    if (CHECK1(s.streams[BURNISH_COLOR].count > 0)) {
+        CHECK1(color_at(&s, 0) == 0x112233FF && color_at(&s, 1) == 0x44556677);
+    }
+    burnish_mesh_data_destroy(&s);
+    read_fine(MODEL(BASES ONE_TRIANGLE("pid='5' pindex='0'", ""), ITEM_1), NULL, &s);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Where no triangle has a colour the look chooses the grey; next to colours it is burnish's. */
+static void test_grey(void) {
+    burnish_mesh_data s;
+    read_fine(MODEL("<object id='1'>" MESH "</object>", ITEM_1), NULL, &s);
+    CHECK1(s.material_count == 1 && !s.materials[0].has_diffuse);
+    burnish_mesh_data_destroy(&s);
+    read_fine(MODEL(BASES "<object id='1' pid='5' pindex='0'>" MESH "</object><object id='2'>" MESH
+                          "</object>",
+                    ITEM_1 "<item objectid='2'/>"),
+              NULL, &s);
+    CHECK1(s.material_count == 3 && material_of(&s, 0)->has_diffuse &&
+           !material_of(&s, 4)->has_diffuse);
+    burnish_mesh_data_destroy(&s);
+    read_fine(MODEL(COLORS "<object id='1' pid='6' pindex='0'>" MESH "</object><object id='2'>" MESH
+                           "</object>",
+                    ITEM_1 "<item objectid='2'/>"),
+              NULL, &s);
+    CHECK1(s.material_count == 2 && !material_of(&s, 0)->has_diffuse &&
+           material_of(&s, 4)->has_diffuse && color_at(&s, 12) == 0xFFFFFFFF);
+    burnish_mesh_data_destroy(&s);
+}
+
 static void test_composites(void) {
     burnish_mesh_data s;
     read_fine(MODEL(BASES "<m:compositematerials id='7' matid='5' matindices='1 0'>"
@@ -665,6 +716,8 @@ int main(int count, char **arguments) {
     RUN(test_production());
     RUN(test_bases());
     RUN(test_colors());
+    RUN(test_invisible());
+    RUN(test_grey());
     RUN(test_composites());
     RUN(test_multiples());
     RUN(test_bad_properties());

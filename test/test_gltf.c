@@ -1393,8 +1393,73 @@ static void test_threads(void) {
     }
 }
 
+/* ---- Nothing to be seen ---- */
+
+#define MATERIALS(first, second)                                                                   \
+    "'materials':[{" first "},{" second "}],'meshes':[{'primitives':["                             \
+    "{'attributes':{'POSITION':0},'material':0},{'attributes':{'POSITION':0},'material':1}]}]"     \
+    "," ONE_NODE "}"
+#define CLEAR "'alphaMode':'BLEND','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
+#define CLEAR_MASK "'alphaMode':'MASK','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
+
+/* A wholly transparent part of something visible stays so; if everything is, all is opaque. */
+static void test_invisible(void) {
+    static const struct {
+        const char *json;
+        int is_opaque;
+    } cases[] = {
+        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, "'name':'visible'"), 0},
+        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, CLEAR), 1},
+        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, CLEAR_MASK), 1},
+        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, CLEAR_MASK ",'alphaCutoff':0"), 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        CHECK(read_gltf(cases[i].json, &s, &e) == BURNISH_STATUS_OK, "%zu: %s", i, e.text);
+        check_warning(&s, (size_t)cases[i].is_opaque,
+                      "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque");
+        CHECK(s.material_count == 2 && s.materials[0].transparency == !cases[i].is_opaque, "%zu",
+              i);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Alpha of vertices, which a blended material multiplies: 0 for all of them, or for all but one. */
+static void test_invisible_vertices(void) {
+    for (int visible = 0; visible < 2; ++visible) {
+        static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+        burnish_mesh_data s;
+        burnish_error e;
+        byte_list binary = {.size = 0};
+        put_floats(&binary, 9, positions);
+        for (int i = 0; i < 3; ++i) {
+            put_bits(&binary, 0x00334455u | (visible && i == 2 ? 0x80000000u : 0), 4, 0);
+        }
+        CHECK(
+            read_glb(
+                GLTF_HEAD
+                "'buffers':[{'byteLength':48}],'bufferViews':[{'buffer':0,'byteLength':36},"
+                "{'buffer':0,'byteOffset':36,'byteLength':12}],'accessors':[" ACCESSOR(
+                    0, 5126, 3,
+                    "VEC3") ",{'bufferView':1,'componentType':5121,'count':3,"
+                            "'type':'VEC4','normalized':true}],'materials':[{'alphaMode':'BLEND'}],"
+                            "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'COLOR_0':1},"
+                            "'material':0}]}]," ONE_NODE "}",
+                &binary, &s, &e) == BURNISH_STATUS_OK,
+            "%s", e.text);
+        check_warning(&s, !visible,
+                      "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque");
+        if (CHECK1(s.streams[BURNISH_COLOR].count == 3)) {
+            CHECK1(burnish_colors(&s)[3] == (visible ? 0 : 255));
+        }
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
+    RUN(test_invisible());
+    RUN(test_invisible_vertices());
     RUN(test_containers());
     RUN(test_guess());
     RUN(test_companions());

@@ -176,9 +176,13 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
                                        names + 2);
     }
     burnish_reader_close(reader);
-    return status == BURNISH_STATUS_OK && !input->options->origin && reader->is_wide
-               ? burnish_read_from_origin(reader, formats[*format].read)
-               : status;
+    if (status == BURNISH_STATUS_OK && !input->options->origin && reader->is_wide) {
+        status = burnish_read_from_origin(reader, formats[*format].read);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        burnish_reader_show_transparent(reader);
+    }
+    return status;
 }
 
 void burnish_reader_close(burnish_reader *reader) {

@@ -74,6 +74,10 @@ burnish_number_text burnish_describe_number(const char *what, burnish_token toke
 /* LIMIT: more triangles than the options allow. */
 burnish_status burnish_fail_triangles(burnish_reader *reader, const uint8_t *at);
 
+/* Makes everything opaque, with a warning, if all triangles of what has been read are wholly
+ * transparent. */
+void burnish_reader_show_transparent(burnish_reader *reader);
+
 /* Releases what a reading needed, and warns of textures that could not be had. */
 void burnish_reader_close(burnish_reader *reader);
 

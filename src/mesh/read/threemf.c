@@ -198,6 +198,7 @@ burnish_status burnish_read_3mf(burnish_reader *reader) {
     }
     if (threemf.status == BURNISH_STATUS_OK && burnish_threemf_mix(&threemf)) {
         burnish_threemf_write_scene(&threemf);
+        burnish_threemf_settle_values(&threemf);
     }
     if (threemf.status == BURNISH_STATUS_OK) {
         threemf.status = threemf.memory->status;

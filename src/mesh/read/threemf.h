@@ -141,6 +141,7 @@ typedef struct burnish_threemf {
     BURNISH_THREEMF_LIST(burnish_threemf_texture) textures;
 
     uint32_t plain_material, colored_material; /* 1 + number; 0: not used yet */
+    size_t invisible_colors;                   /* in use, with alpha 0 */
     int uses_colors, uses_coordinates;
 
     burnish_warning_group missing, not_drawn, bad_properties, mixed, slices;
@@ -267,6 +268,10 @@ int burnish_threemf_mix(burnish_threemf *threemf);
 /* Resolves the group and properties of an object's triangles, and gives the mesh the materials and
  * textures that they use. Returns 0 on failure. */
 int burnish_threemf_use_values(burnish_threemf *threemf, const burnish_threemf_object *object);
+
+/* Once all triangles are written: whether their plain material is the look's grey, and a warning of
+ * colours with alpha 0. */
+void burnish_threemf_settle_values(burnish_threemf *threemf);
 
 /* The material of a triangle whose group is resolved. */
 uint16_t burnish_threemf_material_of(const burnish_threemf *threemf,

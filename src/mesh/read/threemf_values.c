@@ -99,15 +99,9 @@ int burnish_threemf_mix(burnish_threemf *threemf) {
 
 /* ---- Materials ---- */
 
-/* burnish's grey, whose own colour vertex colours multiply. */
-static burnish_material plain_material(void) {
+static burnish_material material_of_color(const uint8_t color[4]) {
     burnish_material material = burnish_material_default();
     material.has_diffuse = 1;
-    return material;
-}
-
-static burnish_material material_of_color(const uint8_t color[4]) {
-    burnish_material material = plain_material();
     for (int i = 0; i < 3; ++i) {
         material.ambient[i] = material.diffuse[i] = burnish_srgb_to_linear[color[i]];
     }
@@ -137,7 +131,7 @@ static uint32_t add_material(burnish_threemf *threemf, burnish_material material
 /* The material of triangles without properties. */
 static uint32_t use_plain(burnish_threemf *threemf) {
     if (threemf->plain_material == 0) {
-        threemf->plain_material = add_material(threemf, plain_material());
+        threemf->plain_material = add_material(threemf, burnish_material_default());
     }
     return threemf->plain_material;
 }
@@ -207,9 +201,19 @@ static uint32_t use_texture(burnish_threemf *threemf, const burnish_threemf_grou
 
 /* ---- Triangles ---- */
 
+/* SolidWorks writes alpha 00 for opaque parts, and nothing wholly transparent can be printed. */
+static void make_opaque(burnish_threemf *threemf, const burnish_threemf_group *group) {
+    for (uint32_t i = 0; group->kind != BURNISH_THREEMF_COORDINATES && i < group->count; ++i) {
+        uint8_t *alpha = &threemf->colors.items[group->first + i].rgba[3];
+        threemf->invisible_colors += *alpha == 0;
+        *alpha = *alpha == 0 ? 255 : *alpha;
+    }
+}
+
 /* Gives a group its material. Returns 0 on failure. */
 static int use_group(burnish_threemf *threemf, burnish_threemf_group *group) {
     if (group->material == 0) {
+        make_opaque(threemf, group);
         group->material = group->kind == BURNISH_THREEMF_BASES         ? use_bases(threemf, group)
                           : group->kind == BURNISH_THREEMF_COORDINATES ? use_texture(threemf, group)
                                                                        : use_colored(threemf);
@@ -253,6 +257,18 @@ static void resolve(burnish_threemf *threemf, const burnish_threemf_object *obje
                             "%s: a triangle of the object has properties that are not there; it is "
                             "drawn without",
                             burnish_threemf_show(threemf, object->part, object->line).text);
+    }
+}
+
+void burnish_threemf_settle_values(burnish_threemf *threemf) {
+    burnish_mesh_data *mesh = threemf->reader->mesh;
+    if (threemf->plain_material > 0 && threemf->uses_colors) {
+        mesh->materials[threemf->plain_material - 1].has_diffuse = 1; /* else white replaces it */
+    }
+    if (threemf->invisible_colors > 0) {
+        burnish_reader_warn(
+            threemf->reader, NULL, "%zu colour%s wholly transparent (alpha 00) and drawn opaque",
+            threemf->invisible_colors, threemf->invisible_colors == 1 ? " is" : "s are");
     }
 }
 
