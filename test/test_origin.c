@@ -253,6 +253,12 @@ static int same_arrays(const burnish_mesh_view *a, const burnish_mesh_view *b) {
 
 static int same_facts(const burnish_mesh *a, const burnish_mesh *b) {
     const burnish_mesh_facts *f = burnish_mesh_get_facts(a), *g = burnish_mesh_get_facts(b);
+    float bounds[2][6];
+    burnish_mesh_get_bounds(a, bounds[0], bounds[0] + 3);
+    burnish_mesh_get_bounds(b, bounds[1], bounds[1] + 3);
+    if (memcmp(bounds[0], bounds[1], sizeof *bounds) != 0 || !f || !g) {
+        return !f && !g && memcmp(bounds[0], bounds[1], sizeof *bounds) == 0; /* of points */
+    }
     return f->vertex_count == g->vertex_count && f->edge_count == g->edge_count &&
            f->degenerate_count == g->degenerate_count && f->area == g->area &&
            f->volume == g->volume &&

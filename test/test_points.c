@@ -120,6 +120,45 @@ static void test_lines(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* Bounds are of positions, whatever size the solids have; there are no facts of the solids. */
+static void test_bounds(void) {
+    static const struct {
+        const char *name, *text;
+        double low[3], high[3]; /* of the file */
+    } cases[] = {
+        {"a.obj", "v 1 2 3\nv -4 5 6\nv 0 3 4\n", {-4, 2, 3}, {1, 5, 6}},
+        {"a.obj", "v 0 0 0\nv 2 0 0\nv 9 9 9\nv 2 3 0\nl 1 2\nl 2 4\n", {0, 0, 0}, {2, 3, 0}},
+        {"a.obj", "v 5000001 2 3\nv 5000004 5 6\n", {5000001, 2, 3}, {5000004, 5, 6}},
+        {"a.off", "OFF\n2 0 0\n0 0 0\n1 2 3\n", {0, 0, 0}, {1, 2, 3}}};
+    burnish_load_options options = burnish_load_options_default();
+    options.point_size = 0.5;
+    options.measure = 1;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh *mesh = load(cases[i].name, cases[i].text, &options);
+        float low[3], high[3];
+        burnish_mesh_get_bounds(mesh, low, high);
+        for (int k = 0; k < 3 && mesh; ++k) {
+            const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+            CHECK((double)low[k] + view->origin[k] == cases[i].low[k] &&
+                      (double)high[k] + view->origin[k] == cases[i].high[k],
+                  "%zu: axis %d from %g to %g", i, k, (double)low[k], (double)high[k]);
+            CHECK1(view->bounds_min[k] <= low[k] && view->bounds_max[k] >= high[k]);
+        }
+        CHECK1(!burnish_mesh_get_facts(mesh));
+        burnish_mesh_destroy(mesh);
+    }
+    burnish_mesh *mesh = load("a.obj", "v 0 0 0\nv 4 1 1\n", &options);
+    const burnish_clip_plane plane = {{1, 0, 0}, 2};
+    float low[3], high[3];
+    CHECK1(burnish_mesh_clip(mesh, &plane, NULL) == BURNISH_STATUS_OK);
+    burnish_mesh_get_bounds(mesh, low, high);
+    CHECK(low[0] == 0 && high[0] > 0.2f && high[0] <= 0.25f, "cut: %g to %g", (double)low[0],
+          (double)high[0]);
+    burnish_mesh_destroy(mesh);
+    burnish_mesh_get_bounds(NULL, low, high);
+    CHECK1(low[0] == 0 && high[2] == 0);
+}
+
 static void test_limits(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = NULL;
@@ -152,6 +191,7 @@ static void test_limits(void) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
+    RUN(test_bounds());
     RUN(test_balls());
     RUN(test_density());
     RUN(test_lines());

@@ -296,6 +296,11 @@ typedef struct burnish_mesh_view {
 /* NULL for NULL. */
 BURNISH_API const burnish_mesh_view *burnish_mesh_get_view(const burnish_mesh *mesh);
 
+/* The box of what the file states: the view's bounds, or, if the file has points or lines instead
+ * of faces, the box of their positions without the solids that stand for them. After cuts, what is
+ * left of it. Like the view's, coordinates are relative to its origin. NULL gives zeros. */
+BURNISH_API void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[3]);
+
 /* How a mesh came to be. */
 typedef struct burnish_mesh_info {
     burnish_format format;          /* what was read; not AUTO */
@@ -346,7 +351,8 @@ typedef struct burnish_mesh_facts {
     double center_of_mass[3]; /* else that of the surface, every area weighing the same */
 } burnish_mesh_facts;
 
-/* NULL where load options did not ask for them, and for NULL. They live as long as the mesh. */
+/* NULL if load options did not ask for them, if the file has points or lines instead of faces, and
+ * for NULL. They live as long as the mesh. */
 BURNISH_API const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh);
 
 /* Lines about what was passed over (a missing material library, triangles without area ...). The

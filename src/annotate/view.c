@@ -162,8 +162,10 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
         burnish_sincos(camera->view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
         view->pixels = height * 0.5 * cosine / sine;
     }
-    view->low = burnish_vec3_loadf(arrays->bounds_min);
-    view->high = burnish_vec3_loadf(arrays->bounds_max);
+    float low[3], high[3];
+    burnish_mesh_get_bounds(mesh, low, high);
+    view->low = burnish_vec3_loadf(low);
+    view->high = burnish_vec3_loadf(high);
     memcpy(view->origin, arrays->origin, sizeof view->origin);
     view->diagonal = burnish_vec3_length(burnish_vec3_sub(view->high, view->low));
     choose_up(arrays, annotations->up, view);

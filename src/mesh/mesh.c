@@ -175,7 +175,20 @@ const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *mesh) {
 }
 
 const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh) {
-    return mesh && mesh->has_facts ? &mesh->facts : NULL;
+    const int has_faces = mesh && mesh->info.point_count == 0 && mesh->info.line_count == 0;
+    return has_faces && mesh->has_facts ? &mesh->facts : NULL;
+}
+
+void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[3]) {
+    const int has_faces = !mesh || (mesh->info.point_count == 0 && mesh->info.line_count == 0);
+    for (int k = 0; k < 3; ++k) {
+        low[k] = mesh ? mesh->view.bounds_min[k] : 0;
+        high[k] = mesh ? mesh->view.bounds_max[k] : 0;
+        if (!has_faces) { /* inside the solids, unless a cut has left less */
+            low[k] = low[k] < mesh->points_min[k] ? mesh->points_min[k] : low[k];
+            high[k] = high[k] > mesh->points_max[k] ? mesh->points_max[k] : high[k];
+        }
+    }
 }
 
 size_t burnish_mesh_warning_count(const burnish_mesh *mesh) {

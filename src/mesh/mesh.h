@@ -53,9 +53,10 @@ typedef struct burnish_stream {
 typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
     size_t triangle_count;
-    size_t point_count, line_count; /* that triangles stand for */
-    float up_axis[3];               /* unit length; all 0: the format's */
-    const char *unit;               /* burnish_mesh_info.unit */
+    size_t point_count, line_count;     /* that triangles stand for */
+    float points_min[3], points_max[3]; /* bounds of these points, or of the lines' ends */
+    float up_axis[3];                   /* unit length; all 0: the format's */
+    const char *unit;                   /* burnish_mesh_info.unit */
 
     uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
     size_t triangle_material_capacity;
@@ -143,7 +144,8 @@ struct burnish_mesh {
     burnish_mesh_info info;
     burnish_mesh_facts facts;
     int has_facts;
-    const burnish_context *context; /* where all arrays come from */
+    float points_min[3], points_max[3]; /* as in burnish_mesh_data */
+    const burnish_context *context;     /* where all arrays come from */
 
     void *attributes[BURNISH_ATTRIBUTE_COUNT]; /* vertex_count items each; NULL: none */
     uint32_t *indices;

@@ -61,13 +61,34 @@ box.stl (stl): 12 triangles, 8 vertices, 1 material
 END
 check "text: $(diff "$out" expected.txt | head -3 | tr '\n' ' ')" cmp "$out" expected.txt
 
+# Points and lines: their number and the box of their positions, nothing about the solids that are drawn for them.
+printf 'v 0 0 0\nv 1 0 2\nv 0 3 1\n' >points.obj
+run info points.obj
+printf 'points.obj (obj): 3 points, 1 material\n\n  size                  1 x 3 x 2\n' >expected.txt
+printf '  from                  0, 0, 0\n  to                    1, 3, 2\n' >>expected.txt
+check "points: $(diff "$out" expected.txt | head -3 | tr '\n' ' ')" cmp "$out" expected.txt
+run info points.obj --json
+for wanted in triangles:0 vertices:null points:3 lines:0 min:0,0,0 max:1,3,2 size:1,3,2 area:null volume:null \
+    center_of_mass:null solid:null closed:null consistent_winding:null shells:null open_edges:null; do
+    same "points: ${wanted%%:*}" "$(json "${wanted%%:*}")" "${wanted#*:}"
+done
+check "JSON of points is valid" valid_json
+run render points.obj --size=16 --json -o points.png
+check "render reports the same box" [ "$(json min) $(json max) $(json points)" = "0,0,0 1,3,2 3" ]
+printf 'v 0 0 0\nv 1 0 2\nl 1 2\n' >lines.obj
+run info lines.obj
+check "a line: $(head -1 "$out")" grep -qx 'lines.obj (obj): 1 line, 1 material' "$out"
+expect 0 'burnish: warning: lines.obj: cut but not filled: lines have no inside' render lines.obj --clip=1,0,0,0.5 --size=16 -o points.png
+run compare points.obj lines.obj --size=16 --json
+check "compare: $(json size_y), $(json volume)" grep -q '"vertices":[[:space:]]*null' "$out"
+
 # JSON: valid, the keys of the manual, the values.
 run info box.stl --json
 check "JSON is valid" valid_json
 if command -v python3 >/dev/null; then
     check "python3 reads the JSON" python3 -m json.tool "$out"
 fi
-for wanted in input:box.stl format:stl triangles:12 vertices:8 materials:1 min:0,0,0 max:1,2,3 size:1,2,3 area:22 \
+for wanted in input:box.stl format:stl triangles:12 vertices:8 points:0 lines:0 materials:1 min:0,0,0 max:1,2,3 size:1,2,3 area:22 \
     volume:6 center_of_mass:0.5,1,1.5 solid:true closed:true consistent_winding:true shells:1 edges:18 open_edges:0 \
     non_manifold_edges:0 inconsistent_edges:0 flipped_triangles:0 unorientable_parts:0 degenerate_triangles:0 \
     duplicate_triangles:0 warnings:; do

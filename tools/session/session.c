@@ -300,10 +300,12 @@ const burnish_mesh *session_mesh(const session *s) {
 }
 
 void session_bounds(const session *s, double minimum[3], double maximum[3]) {
-    const burnish_mesh_view *view = burnish_mesh_get_view(s->mesh);
+    const double *origin = burnish_mesh_get_view(s->mesh)->origin;
+    float low[3], high[3];
+    burnish_mesh_get_bounds(s->mesh, low, high);
     for (int k = 0; k < 3; ++k) {
-        minimum[k] = view->bounds_min[k] + view->origin[k];
-        maximum[k] = view->bounds_max[k] + view->origin[k];
+        minimum[k] = low[k] + origin[k];
+        maximum[k] = high[k] + origin[k];
     }
 }
 

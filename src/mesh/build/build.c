@@ -55,6 +55,8 @@ static void describe_mesh(burnish_builder *b) {
     memcpy(b->mesh->view.origin, b->data->origin, sizeof b->data->origin);
     b->mesh->info.point_count = b->data->point_count;
     b->mesh->info.line_count = b->data->line_count;
+    memcpy(b->mesh->points_min, b->data->points_min, sizeof b->mesh->points_min);
+    memcpy(b->mesh->points_max, b->data->points_max, sizeof b->mesh->points_max);
     b->mesh->info.unit = b->data->unit;
     burnish_mesh_update_view(b->mesh);
 }

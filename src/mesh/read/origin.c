@@ -118,6 +118,8 @@ burnish_status burnish_read_from_origin(burnish_reader *reader,
         status = read(&other);
         burnish_reader_close(&other);
         memcpy(mesh->streams, again.streams, sizeof mesh->streams);
+        memcpy(mesh->points_min, again.points_min, sizeof mesh->points_min);
+        memcpy(mesh->points_max, again.points_max, sizeof mesh->points_max);
         memset(again.streams, 0, sizeof again.streams);
         memcpy(mesh->origin, origin, sizeof mesh->origin);
         mesh->memory.status = again.memory.status;

@@ -322,6 +322,21 @@ static burnish_status make(burnish_reader *reader, maker *m, size_t count, size_
                                                    : made.memory.status;
 }
 
+/* The bounds of all points, or of the lines' ends: without the solids around them. */
+static void bound_points(burnish_mesh_data *mesh, const burnish_segment *segments, size_t count) {
+    const float *positions = burnish_positions(mesh);
+    const size_t points = count > 0 ? 2 * count : mesh->streams[BURNISH_POSITION].count;
+    for (size_t i = 0; i < points; ++i) {
+        const size_t end = count == 0 ? i : i % 2 == 0 ? segments[i / 2].from : segments[i / 2].to;
+        for (size_t k = 0; k < 3; ++k) {
+            const float value = positions[3 * end + k];
+            float *low = &mesh->points_min[k], *high = &mesh->points_max[k];
+            *low = i == 0 || value < *low ? value : *low;
+            *high = i == 0 || value > *high ? value : *high;
+        }
+    }
+}
+
 /* What stands for a point; lines have prisms. */
 static const solid *shape_of(const burnish_reader *reader, size_t points) {
     return points <= POINTS_ROUND && points * 20 <= reader->input->options->max_triangles
@@ -364,6 +379,7 @@ burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment
     if (mesh->memory.status != BURNISH_STATUS_OK) {
         return mesh->memory.status;
     }
+    bound_points(mesh, segments, count);
     mesh->point_count = count > 0 ? 0 : points;
     mesh->line_count = count;
     return make(reader, &m, items, vertices, triangles);

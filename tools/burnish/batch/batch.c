@@ -233,7 +233,9 @@ static const cli_term report_terms[] = {
     {"*status*", "*done* or *failed*"},
     {"*bytes, hash*", "of the input: its size, and XXH64 of its bytes"},
     {"*picture*", "XXH64 of the pixels, as *hash* of *burnish render --json*"},
-    {"*format, triangles, vertices, size*", "of the mesh; *size* along X, Y and Z"},
+    {"*format, triangles, vertices, size*",
+     "of the mesh; *size* along X, Y and Z, of points and lines without the solids "
+     "that stand for them"},
     {"*width, height, blank, warnings*", "as *burnish render --json* has them"},
     {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
     {"*code, error*", "of one that failed: what *burnish render* would end with, and its line"},

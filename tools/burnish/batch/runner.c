@@ -171,8 +171,10 @@ static void tell(void *context, const render_result *result) {
     f->width = result->picture->width;
     f->height = result->picture->height;
     f->is_blank = result->blank_cells > 0;
+    float low[3], high[3];
+    burnish_mesh_get_bounds(result->mesh, low, high);
     for (int k = 0; k < 3; ++k) {
-        f->size[k] = view->bounds_max[k] - view->bounds_min[k];
+        f->size[k] = high[k] - low[k];
     }
     for (size_t i = 0; i < result->warning_count && i < WARNINGS_MAX; ++i) {
         snprintf(f->warnings[i], WARNING_BYTES, "%s", result->warnings[i]);

@@ -18,17 +18,18 @@ typedef struct fact {
 
 static void list_facts(const compare_side *side, fact facts[FACTS]) {
     const burnish_mesh_facts *f = burnish_mesh_get_facts(side->result.mesh);
-    const burnish_mesh_view *v = burnish_mesh_get_view(side->result.mesh);
+    float low[3], high[3];
+    burnish_mesh_get_bounds(side->result.mesh, low, high);
     const fact all[FACTS] = {
-        {"triangles", "triangles", (double)f->triangle_count},
-        {"vertices", "vertices", (double)f->vertex_count},
-        {"shells", "shells", (double)f->shell_count},
-        {"open_edges", "open edges", (double)f->open_edge_count},
-        {"size_x", "size along x", (double)(v->bounds_max[0] - v->bounds_min[0])},
-        {"size_y", "size along y", (double)(v->bounds_max[1] - v->bounds_min[1])},
-        {"size_z", "size along z", (double)(v->bounds_max[2] - v->bounds_min[2])},
-        {"area", "area", f->area},
-        {"volume", "volume", f->is_closed && f->is_consistent ? f->volume : NAN}};
+        {"triangles", "triangles", f ? (double)f->triangle_count : 0},
+        {"vertices", "vertices", f ? (double)f->vertex_count : NAN},
+        {"shells", "shells", f ? (double)f->shell_count : NAN},
+        {"open_edges", "open edges", f ? (double)f->open_edge_count : NAN},
+        {"size_x", "size along x", (double)(high[0] - low[0])},
+        {"size_y", "size along y", (double)(high[1] - low[1])},
+        {"size_z", "size along z", (double)(high[2] - low[2])},
+        {"area", "area", f ? f->area : NAN},
+        {"volume", "volume", f && f->is_closed && f->is_consistent ? f->volume : NAN}};
     memcpy(facts, all, sizeof all);
 }
 

@@ -57,12 +57,15 @@ static const cli_term json_terms[] = {
     {"*burnish*", "the version"},
     {"*input, format*", "the format that was read"},
     {"*triangles, vertices*",
-     "as read: polygons cut into triangles; equal positions are one vertex"},
+     "as read: polygons cut into triangles; equal positions are one vertex. Without faces 0 and "
+     "null"},
+    {"*points, lines*", "how many an input without faces has; then *area* and everything below it "
+                        "but *origin* and *warnings* is null"},
     {"*materials*", "after loading: at least 1"},
     {"*unit*", "of lengths, as a 3MF file says or glTF has it: micron, millimeter, centimeter, "
                "inch, foot or meter; null: the file does not say"},
-    {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, in the units of the "
-                       "input"},
+    {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions "
+                       "of points or lines, in the units of the input"},
     {"*area*", "of all triangles, both of those that coincide"},
     {"*volume*", "what the triangles enclose, by the divergence theorem. It means something where "
                  "*solid* is true; a surface that is inside out has a negative one; cavities that "
@@ -109,7 +112,9 @@ const cli_command info_command = {
         "Prints what can be measured and counted of _INPUT_, which may be whatever *burnish "
         "render* takes: bounding box, area, volume, centre of mass, whether the surface is closed "
         "and wound consistently, open and non-manifold edges, shells, flipped, degenerate and "
-        "duplicate triangles.\n"
+        "duplicate triangles. Of an input that has points or lines instead of faces it prints "
+        "their number and the box of their positions; how large *burnish render* draws them does "
+        "not count.\n"
         "All of it is true of the triangles as they were read, before *burnish render* turns those "
         "that contradict their normals and leaves out those without area. Vertices are one where "
         "their positions are equal, bit for bit; gaps are not closed. A volume needs a closed "
@@ -129,8 +134,8 @@ typedef struct report {
     int asked; /* by --input-format */
     const burnish_mesh *mesh;
     const burnish_mesh_view *view;
-    const burnish_mesh_facts *facts;
-    float size[3];
+    const burnish_mesh_facts *facts; /* NULL: the input has points or lines instead of faces */
+    float low[3], high[3], size[3];
 } report;
 
 static const char *format_name(const report *r, char ending[IMPORT_ENDING_SIZE]) {
@@ -146,19 +151,27 @@ static cJSON *warning_at(const void *mesh, size_t i) {
 static void add_sizes(cJSON *root, const report *r, int *failed) {
     const burnish_mesh_facts *f = r->facts;
     cJSON *box = cJSON_CreateObject();
-    cli_json_add(box, "min", cli_json_position(r->view->bounds_min, r->view->origin), failed);
-    cli_json_add(box, "max", cli_json_position(r->view->bounds_max, r->view->origin), failed);
+    cJSON *center =
+        f ? cli_json_real_position(f->center_of_mass, r->view->origin) : cJSON_CreateNull();
+    cli_json_add(box, "min", cli_json_position(r->low, r->view->origin), failed);
+    cli_json_add(box, "max", cli_json_position(r->high, r->view->origin), failed);
     cli_json_add(box, "size", cli_json_floats(3, r->size), failed);
     cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(r->mesh)->unit), failed);
     cli_json_add(root, "bounding_box", box, failed);
-    cli_json_add(root, "area", cli_json_real(f->area), failed);
-    cli_json_add(root, "volume", cli_json_real(f->volume), failed);
-    cli_json_add(root, "center_of_mass", cli_json_real_position(f->center_of_mass, r->view->origin),
-                 failed);
+    cli_json_add(root, "area", cli_json_real(f ? f->area : NAN), failed);
+    cli_json_add(root, "volume", cli_json_real(f ? f->volume : NAN), failed);
+    cli_json_add(root, "center_of_mass", center, failed);
     cli_json_add(root, "origin", cli_json_reals(3, r->view->origin), failed);
 }
 
-static void add_counts(cJSON *root, const burnish_mesh_facts *f, int *failed) {
+/* null where the input has no faces. */
+static cJSON *bool_or_null(const burnish_mesh_facts *facts, int value) {
+    return facts ? cJSON_CreateBool(value) : cJSON_CreateNull();
+}
+
+static void add_counts(cJSON *root, const burnish_mesh_facts *facts, int *failed) {
+    static const burnish_mesh_facts none;
+    const burnish_mesh_facts *f = facts ? facts : &none;
     const struct {
         const char *key;
         size_t count;
@@ -171,23 +184,29 @@ static void add_counts(cJSON *root, const burnish_mesh_facts *f, int *failed) {
                   {"unorientable_parts", f->unorientable_count},
                   {"degenerate_triangles", f->degenerate_count},
                   {"duplicate_triangles", f->duplicate_count}};
-    cli_json_add(root, "solid", cJSON_CreateBool(f->is_solid), failed);
-    cli_json_add(root, "closed", cJSON_CreateBool(f->is_closed), failed);
-    cli_json_add(root, "consistent_winding", cJSON_CreateBool(f->is_consistent), failed);
+    cli_json_add(root, "solid", bool_or_null(facts, f->is_solid), failed);
+    cli_json_add(root, "closed", bool_or_null(facts, f->is_closed), failed);
+    cli_json_add(root, "consistent_winding", bool_or_null(facts, f->is_consistent), failed);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
-        cli_json_add(root, counts[i].key, cli_json_count(counts[i].count), failed);
+        cli_json_add(root, counts[i].key,
+                     facts ? cli_json_count(counts[i].count) : cJSON_CreateNull(), failed);
     }
 }
 
 static burnish_status print_json(FILE *stream, const report *r, burnish_error *error) {
+    const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
     int failed = 0;
     char ending[IMPORT_ENDING_SIZE];
     cJSON *root = cJSON_CreateObject();
     cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
     cli_json_add(root, "input", cli_json_text(r->input), &failed);
     cli_json_add(root, "format", cJSON_CreateString(format_name(r, ending)), &failed);
-    cli_json_add(root, "triangles", cli_json_count(r->facts->triangle_count), &failed);
-    cli_json_add(root, "vertices", cli_json_count(r->facts->vertex_count), &failed);
+    cli_json_add(root, "triangles", cli_json_count(r->facts ? r->facts->triangle_count : 0),
+                 &failed);
+    cli_json_add(root, "vertices",
+                 r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), &failed);
+    cli_json_add(root, "points", cli_json_count(info->point_count), &failed);
+    cli_json_add(root, "lines", cli_json_count(info->line_count), &failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(r->mesh)), &failed);
     add_sizes(root, r, &failed);
     add_counts(root, r->facts, &failed);
@@ -245,36 +264,30 @@ static double snap(double value, double rounding) {
     return fabs(value) < rounding ? 0 : value;
 }
 
-static void print_sizes(FILE *stream, const report *r) {
-    const burnish_mesh_facts *f = r->facts;
+/* All that is known of points and lines. */
+static void print_box(FILE *stream, const report *r) {
     const char *unit = burnish_mesh_get_info(r->mesh)->unit;
-    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2])), *c = f->center_of_mass;
-    const double rounding = 4 * FLT_EPSILON * size; /* of the coordinates */
-    const double *o = r->view->origin;
-    const double center[3] = {snap(c[0], rounding) + o[0], snap(c[1], rounding) + o[1],
-                              snap(c[2], rounding) + o[2]};
     if (unit) {
         fprintf(stream, "  %-20s  %s\n", "unit", unit);
     }
     fprintf(stream, "  %-20s  %.6g x %.6g x %.6g\n", "size", (double)r->size[0], (double)r->size[1],
             (double)r->size[2]);
-    print_position(stream, "from", r->view->bounds_min, r);
-    print_position(stream, "to", r->view->bounds_max, r);
+    print_position(stream, "from", r->low, r);
+    print_position(stream, "to", r->high, r);
+}
+
+static void print_surface(FILE *stream, const report *r) {
+    const burnish_mesh_facts *f = r->facts;
+    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2])), *c = f->center_of_mass;
+    const double rounding = 4 * FLT_EPSILON * size; /* of the coordinates */
+    const double *o = r->view->origin;
+    const double center[3] = {snap(c[0], rounding) + o[0], snap(c[1], rounding) + o[1],
+                              snap(c[2], rounding) + o[2]};
     fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
     fprintf(stream, "  %-20s  %.6g%s\n", "volume", snap(f->volume, 1e-12 * f->area * size),
             volume_remark(f));
     print_vector(stream, "centre of mass", center, r, ", ");
     fprintf(stream, " (of the %s)\n", f->is_solid ? "solid" : "surface");
-}
-
-static void print_text(FILE *stream, const report *r) {
-    const burnish_mesh_facts *f = r->facts;
-    const size_t materials = burnish_mesh_material_count(r->mesh);
-    char ending[IMPORT_ENDING_SIZE];
-    fprintf(stream, "%s (%s): %zu triangle%s, %zu vertices, %zu material%s\n\n", r->input,
-            format_name(r, ending), f->triangle_count, f->triangle_count == 1 ? "" : "s",
-            f->vertex_count, materials, materials == 1 ? "" : "s");
-    print_sizes(stream, r);
     fprintf(stream, "\n  %-20s  %s\n", "closed", f->is_closed ? "yes" : "no");
     fprintf(stream, "  %-20s  %s\n", "consistent winding", f->is_consistent ? "yes" : "no");
     print_count(stream, "shells", f->shell_count);
@@ -288,6 +301,28 @@ static void print_text(FILE *stream, const report *r) {
     print_count(stream, "duplicate triangles", f->duplicate_count);
 }
 
+static void print_text(FILE *stream, const report *r) {
+    const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
+    const size_t materials = burnish_mesh_material_count(r->mesh);
+    const size_t count = r->facts               ? r->facts->triangle_count
+                         : info->line_count > 0 ? info->line_count
+                                                : info->point_count;
+    char ending[IMPORT_ENDING_SIZE];
+    fprintf(stream, "%s (%s): %zu %s%s, ", r->input, format_name(r, ending), count,
+            r->facts               ? "triangle"
+            : info->line_count > 0 ? "line"
+                                   : "point",
+            count == 1 ? "" : "s");
+    if (r->facts) {
+        fprintf(stream, "%zu vertices, ", r->facts->vertex_count);
+    }
+    fprintf(stream, "%zu material%s\n\n", materials, materials == 1 ? "" : "s");
+    print_box(stream, r);
+    if (r->facts) {
+        print_surface(stream, r);
+    }
+}
+
 static burnish_status print(const info_settings *settings, const char *input,
                             const burnish_mesh *mesh, burnish_error *error) {
     report r = {.input = input,
@@ -296,8 +331,9 @@ static burnish_status print(const info_settings *settings, const char *input,
                 .view = burnish_mesh_get_view(mesh),
                 .facts = burnish_mesh_get_facts(mesh)};
     cli_output output;
+    burnish_mesh_get_bounds(mesh, r.low, r.high);
     for (int axis = 0; axis < 3; ++axis) {
-        r.size[axis] = r.view->bounds_max[axis] - r.view->bounds_min[axis];
+        r.size[axis] = r.high[axis] - r.low[axis];
     }
     burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {

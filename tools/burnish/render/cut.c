@@ -6,7 +6,10 @@
 static void warn_open(render_result *result, const burnish_mesh *mesh) {
     const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
     const char *input = result->settings->input;
-    if (!facts->is_closed) {
+    if (!facts) {
+        render_result_warn(result, 1, "%.300s: cut but not filled: %s have no inside", input,
+                           burnish_mesh_get_info(mesh)->line_count > 0 ? "lines" : "points");
+    } else if (!facts->is_closed) {
         render_result_warn(
             result, 1,
             "%.300s: cut but not filled: the mesh is not closed, %zu of its edges are "

@@ -86,8 +86,10 @@ static const cli_term json_terms[] = {
      "of the mesh as it is drawn. A position with two normals is two vertices here; the command "
      "info counts it once"},
     {"*points, lines*", "of an input without faces: each is drawn as a small solid"},
-    {"*bounding_box, unit*", "*min* and *max* of the object; millimeter or the like where the "
-                             "input says it (3MF, glTF), else null"},
+    {"*bounding_box, unit*",
+     "*min* and *max* of the object, of points and lines without the solids "
+     "that stand for them; millimeter or the like where the input says it "
+     "(3MF, glTF), else null"},
     {"*origin*", "what is subtracted from coordinates, in double precision, before they are "
                  "rounded to single precision: 0, 0, 0, or where the input is far from there, near "
                  "its middle. What is printed and what flags say are the input's own coordinates"},

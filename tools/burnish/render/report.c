@@ -157,6 +157,8 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
                                             burnish_mesh_get_info(result->mesh)->format, ending);
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
     cJSON *box = cJSON_CreateObject();
+    float low[3], high[3];
+    burnish_mesh_get_bounds(result->mesh, low, high);
     cli_json_add(root, "input", cli_json_text(result->settings->input), failed);
     cli_json_add(root, "format", cJSON_CreateString(format), failed);
     cli_json_add(root, "output",
@@ -179,8 +181,8 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "textures", cli_json_count(burnish_mesh_texture_count(result->mesh)),
                  failed);
     cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
-    cli_json_add(box, "min", cli_json_position(view->bounds_min, view->origin), failed);
-    cli_json_add(box, "max", cli_json_position(view->bounds_max, view->origin), failed);
+    cli_json_add(box, "min", cli_json_position(low, view->origin), failed);
+    cli_json_add(box, "max", cli_json_position(high, view->origin), failed);
     cli_json_add(root, "bounding_box", box, failed);
     cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(result->mesh)->unit), failed);
     cli_json_add(root, "origin", cli_json_reals(3, view->origin), failed);
