@@ -317,7 +317,8 @@ BURNISH_API const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *m
 
 /* What is true of the triangles as they were read: before loading turned those whose winding
  * contradicts their normals and left out those without area. Corners at equal positions, bit for
- * bit but for the sign of 0, are one vertex. Polygons count as the triangles they were cut into.
+ * bit but for the sign of 0, are one vertex; is_closed may need more (join_tolerance). Polygons
+ * count as the triangles they were cut into.
  *
  * Area, volume and centre come from compensated sums in double precision, in the order of the
  * input: they depend on no thread. Coordinates are the floats of burnish_mesh_view. */
@@ -340,8 +341,13 @@ typedef struct burnish_mesh_facts {
                                   edges of two triangles, but for those next */
     size_t unorientable_count; /* parts, joined by edges of two triangles, where no turning does: a
                                   Moebius strip */
-    int is_closed;     /* 1: an even number of triangles at every edge: there is an inside */
-    int is_consistent; /* 1: no edge is inconsistent */
+    int is_closed;         /* 1: an even number of triangles at every edge: there is an inside */
+    double join_tolerance; /* > 0: the surface is closed only with vertices of open edges joined
+                              that lie within this distance along each axis; all that is said of
+                              edges, shells and windings is true of that surface. 0: vertices are
+                              joined only if they are equal */
+    size_t exact_open_edge_count; /* where join_tolerance is > 0: open edges without joining */
+    int is_consistent;            /* 1: no edge is inconsistent */
 
     double area;
     double volume; /* sum of a . (b x c) / 6 over all triangles a, b, c, measured from the middle of

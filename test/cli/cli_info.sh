@@ -82,6 +82,19 @@ expect 0 'burnish: warning: lines.obj: cut but not filled: lines have no inside'
 run compare points.obj lines.obj --size=16 --json
 check "compare: $(json size_y), $(json volume)" grep -q '"vertices":[[:space:]]*null' "$out"
 
+# One vertex with another last digit: closed, and the report says how.
+box '0,/vertex 1 2 3/s//vertex 1.0000005 2 3/' >rounded.stl
+run info rounded.stl
+check "closed by joining: $(grep closed "$out")" grep -qx '  closed                yes, with vertices within 3e-06 joined (4 open edges without)' "$out"
+check "its volume means something: $(grep volume "$out")" grep -qx '  volume                6' "$out"
+run info rounded.stl --json
+for wanted in closed:true open_edges:0 exact_open_edges:4 edges:18 vertices:9 solid:true; do
+    same "joined: ${wanted%%:*}" "$(json "${wanted%%:*}")" "${wanted#*:}"
+done
+check "the tolerance: $(json join_tolerance)" [ "$(json join_tolerance)" = 3e-06 ]
+run render rounded.stl --clip=0,0,1,1 --size=16 --json -o cut.png
+check "a cut of it is filled: $(cat "$err")" [ "$(json filled)" = true ]
+
 # JSON: valid, the keys of the manual, the values.
 run info box.stl --json
 check "JSON is valid" valid_json
@@ -89,7 +102,7 @@ if command -v python3 >/dev/null; then
     check "python3 reads the JSON" python3 -m json.tool "$out"
 fi
 for wanted in input:box.stl format:stl triangles:12 vertices:8 points:0 lines:0 materials:1 min:0,0,0 max:1,2,3 size:1,2,3 area:22 \
-    volume:6 center_of_mass:0.5,1,1.5 solid:true closed:true consistent_winding:true shells:1 edges:18 open_edges:0 \
+    volume:6 center_of_mass:0.5,1,1.5 solid:true closed:true consistent_winding:true shells:1 edges:18 open_edges:0 join_tolerance:0 exact_open_edges:0 \
     non_manifold_edges:0 inconsistent_edges:0 flipped_triangles:0 unorientable_parts:0 degenerate_triangles:0 \
     duplicate_triangles:0 warnings:; do
     same "${wanted%%:*}" "$(json "${wanted%%:*}")" "${wanted#*:}"

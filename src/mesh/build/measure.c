@@ -125,8 +125,9 @@ static void take_sums(const sum sums[SUM_COUNT], burnish_vec3 middle, double siz
     facts->area = total(&sums[AREA]) / 2;
     facts->volume = total(&sums[VOLUME]) / 6;
     const double volume = facts->volume < 0 ? -facts->volume : facts->volume;
-    facts->is_solid =
-        facts->is_closed && facts->is_consistent && volume > FLAT_VOLUME * facts->area * size;
+    double least = FLAT_VOLUME * size; /* thickness of what is not flat */
+    least = facts->join_tolerance > least ? facts->join_tolerance : least;
+    facts->is_solid = facts->is_closed && facts->is_consistent && volume > least * facts->area;
     const sum *center = sums + (facts->is_solid ? VOLUME_X : AREA_X);
     const double divisor = facts->is_solid ? 4 * total(&sums[VOLUME]) : 3 * total(&sums[AREA]);
     const double from[3] = {middle.x, middle.y, middle.z};
@@ -171,15 +172,20 @@ static burnish_status measure_sizes(const burnish_measured *m, burnish_mesh_fact
 }
 
 burnish_status burnish_build_measure(burnish_builder *b) {
-    const burnish_measured m = {.positions = burnish_positions(b->data),
-                                .corners = b->corner_positions,
-                                .position_count = b->position_count,
-                                .triangle_count = b->data->triangle_count,
-                                .tasks = b->data->tasks,
-                                .memory = b->memory};
+    burnish_measured m = {.positions = burnish_positions(b->data),
+                          .corners = b->corner_positions,
+                          .position_count = b->position_count,
+                          .triangle_count = b->data->triangle_count,
+                          .tasks = b->data->tasks,
+                          .memory = b->memory};
     burnish_mesh_facts *facts = &b->mesh->facts;
     facts->triangle_count = m.triangle_count;
-    burnish_status status = burnish_measure_edges(&m, facts);
+    m.marks = burnish_allocate_zeroed(m.memory, m.position_count, sizeof *m.marks, "measuring");
+    burnish_status status = m.marks ? burnish_measure_edges(&m, facts) : m.memory->status;
+    if (status == BURNISH_STATUS_OK && !facts->is_closed) {
+        status = burnish_measure_joined_edges(&m, facts);
+    }
+    burnish_release(m.memory->context, m.marks);
     if (status == BURNISH_STATUS_OK) {
         status = measure_sizes(&m, facts);
     }

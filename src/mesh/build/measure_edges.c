@@ -29,7 +29,6 @@ typedef struct edges {
     burnish_mesh_facts *facts;
     uint32_t *first;  /* of each position: where its sides start in ... */
     uint64_t *sides;  /* ... the greater position << 32 | 3 triangle + corner where it starts */
-    uint8_t *is_used; /* 1: a triangle has this position */
     member *members;  /* one per triangle */
     size_t repeating; /* triangles with a repeated corner */
     int unbalanced;   /* 1: an odd number of triangles shares some edge */
@@ -53,7 +52,7 @@ static void count_sides(void *context, size_t first, size_t end) {
         const uint32_t *corners = e->m->corners + 3 * i;
         e->members[i] = (member){.link = 2 * (uint32_t)i, .size = 1};
         for (int k = 0; k < 3; ++k) {
-            e->is_used[corners[k]] = 1;
+            e->m->marks[corners[k]] |= BURNISH_MARK_USED;
         }
         if (burnish_repeats_corner(corners)) {
             ++e->repeating;
@@ -95,7 +94,7 @@ static burnish_status list_sides(edges *e) {
     }
     for (size_t i = 2; i < m->position_count + 2; ++i) {
         e->first[i] += e->first[i - 1];
-        e->facts->vertex_count += e->is_used[i - 2];
+        e->facts->vertex_count += m->marks[i - 2] & BURNISH_MARK_USED;
     }
     burnish_tasks_in_order(m->tasks, m->triangle_count, BURNISH_BUILD_STEP, place_sides, e);
     status = burnish_tasks_check(m->tasks, m->memory->error);
@@ -188,7 +187,7 @@ static uint32_t is_forward(const edges *e, uint64_t side) {
     return e->m->corners[(uint32_t)side] != side >> 32;
 }
 
-static void count_edge(edges *e, const uint64_t *sides, size_t count) {
+static void count_edge(edges *e, uint32_t position, const uint64_t *sides, size_t count) {
     burnish_mesh_facts *facts = e->facts;
     size_t forward = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -198,7 +197,11 @@ static void count_edge(edges *e, const uint64_t *sides, size_t count) {
     facts->open_edge_count += count == 1;
     facts->non_manifold_edge_count += count > 2;
     facts->inconsistent_edge_count += count % 2 == 0 && 2 * forward != count;
-    e->unbalanced |= count % 2 != 0;
+    if (count % 2 != 0) {
+        e->unbalanced = 1;
+        e->m->marks[position] |= BURNISH_MARK_ODD;
+        e->m->marks[sides[0] >> 32] |= BURNISH_MARK_ODD;
+    }
     if (count == 2) {
         join(e->members, triangle_of(sides[0]), triangle_of(sides[1]), forward != 1);
     }
@@ -210,7 +213,7 @@ static void count_edges(void *context, size_t first, size_t end) {
         const size_t stop = e->first[position + 1];
         for (size_t i = e->first[position], size; i < stop; i += size) {
             size = count_equal(e->sides + i, stop - i);
-            count_edge(e, e->sides + i, size);
+            count_edge(e, (uint32_t)position, e->sides + i, size);
         }
     }
 }
@@ -281,7 +284,6 @@ burnish_status burnish_measure_edges(const burnish_measured *m, burnish_mesh_fac
     edges e = {.m = m, .facts = facts};
     e.first = burnish_allocate_zeroed(memory, m->position_count + 2, sizeof *e.first, what);
     e.sides = burnish_allocate(memory, m->triangle_count, 3 * sizeof *e.sides, what);
-    e.is_used = burnish_allocate_zeroed(memory, m->position_count, sizeof *e.is_used, what);
     e.members = burnish_allocate(memory, m->triangle_count, sizeof *e.members, what);
     burnish_status status = memory->status == BURNISH_STATUS_OK ? list_sides(&e) : memory->status;
     if (status == BURNISH_STATUS_OK) {
@@ -289,7 +291,6 @@ burnish_status burnish_measure_edges(const burnish_measured *m, burnish_mesh_fac
     }
     burnish_release(memory->context, e.first);
     burnish_release(memory->context, e.sides);
-    burnish_release(memory->context, e.is_used);
     burnish_release(memory->context, e.members);
     return status;
 }

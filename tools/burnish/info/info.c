@@ -76,6 +76,13 @@ static const cli_term json_terms[] = {
                  "its middle. Positions here have it added, so that they are the file's"},
     {"*solid*", "true where the surface is closed, its winding consistent and its volume not 0"},
     {"*closed*", "true where every edge belongs to an even number of triangles"},
+    {"*join_tolerance, exact_open_edges*",
+     "0 and *open_edges*, if equal positions are enough to know. A surface that is not closed by "
+     "them, but is with vertices of its open edges joined that lie within a millionth of the "
+     "longest side of *bounding_box* along each axis, is closed: *join_tolerance* is this "
+     "distance, *exact_open_edges* counts without joining, and edges, shells and windings are "
+     "those "
+     "of the joined surface"},
     {"*consistent_winding*", "true where *inconsistent_edges* is 0"},
     {"*shells*", "parts that no edge joins; those that touch in a vertex are two"},
     {"*edges, open_edges, non_manifold_edges*",
@@ -117,8 +124,11 @@ const cli_command info_command = {
         "not count.\n"
         "All of it is true of the triangles as they were read, before *burnish render* turns those "
         "that contradict their normals and leaves out those without area. Vertices are one where "
-        "their positions are equal, bit for bit; gaps are not closed. A volume needs a closed "
-        "surface whose triangles are wound alike.",
+        "their positions are equal, bit for bit. If the surface is not closed then, vertices of "
+        "its open edges are joined that only rounding keeps apart, within a millionth of the "
+        "longest side; if that closes it, it counts as closed, and the tolerance is printed. "
+        "Larger "
+        "gaps are not closed. A volume needs a closed surface whose triangles are wound alike.",
     .operands_max = 1,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
@@ -175,17 +185,20 @@ static void add_counts(cJSON *root, const burnish_mesh_facts *facts, int *failed
     const struct {
         const char *key;
         size_t count;
-    } counts[] = {{"shells", f->shell_count},
-                  {"edges", f->edge_count},
-                  {"open_edges", f->open_edge_count},
-                  {"non_manifold_edges", f->non_manifold_edge_count},
-                  {"inconsistent_edges", f->inconsistent_edge_count},
-                  {"flipped_triangles", f->flipped_count},
-                  {"unorientable_parts", f->unorientable_count},
-                  {"degenerate_triangles", f->degenerate_count},
-                  {"duplicate_triangles", f->duplicate_count}};
+    } counts[] = {
+        {"shells", f->shell_count},
+        {"edges", f->edge_count},
+        {"open_edges", f->open_edge_count},
+        {"exact_open_edges", f->join_tolerance > 0 ? f->exact_open_edge_count : f->open_edge_count},
+        {"non_manifold_edges", f->non_manifold_edge_count},
+        {"inconsistent_edges", f->inconsistent_edge_count},
+        {"flipped_triangles", f->flipped_count},
+        {"unorientable_parts", f->unorientable_count},
+        {"degenerate_triangles", f->degenerate_count},
+        {"duplicate_triangles", f->duplicate_count}};
     cli_json_add(root, "solid", bool_or_null(facts, f->is_solid), failed);
     cli_json_add(root, "closed", bool_or_null(facts, f->is_closed), failed);
+    cli_json_add(root, "join_tolerance", cli_json_real(facts ? f->join_tolerance : NAN), failed);
     cli_json_add(root, "consistent_winding", bool_or_null(facts, f->is_consistent), failed);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
         cli_json_add(root, counts[i].key,
@@ -288,7 +301,12 @@ static void print_surface(FILE *stream, const report *r) {
             volume_remark(f));
     print_vector(stream, "centre of mass", center, r, ", ");
     fprintf(stream, " (of the %s)\n", f->is_solid ? "solid" : "surface");
-    fprintf(stream, "\n  %-20s  %s\n", "closed", f->is_closed ? "yes" : "no");
+    fprintf(stream, "\n  %-20s  %s", "closed", f->is_closed ? "yes" : "no");
+    if (f->join_tolerance > 0) {
+        fprintf(stream, ", with vertices within %.2g joined (%zu open edges without)",
+                f->join_tolerance, f->exact_open_edge_count);
+    }
+    fputc('\n', stream);
     fprintf(stream, "  %-20s  %s\n", "consistent winding", f->is_consistent ? "yes" : "no");
     print_count(stream, "shells", f->shell_count);
     print_count(stream, "edges", f->edge_count);
