@@ -45,10 +45,152 @@ static void test_same_grey(burnish_look look) {
     }
 }
 
+/* ---- Names ---- */
+
+/* Under the name of each other format: drawn as what it is, with a warning that says so. */
+static void test_misnamed(void) {
+    static const char *const shown[SAME_COUNT] = {"STL", "STL",  "OBJ",  "OFF", "PLY",
+                                                  "PLY", "glTF", "glTF", "3MF"};
+    for (int kind = 0; kind < KINDS; ++kind) {
+        for (int name = 0; name < SAME_COUNT; ++name) {
+            const int is_same = strcmp(same_kinds[kind].format, same_kinds[name].format) == 0;
+            burnish_mesh *mesh = load_kind((same_kind)kind, same_kinds[name].name, 0);
+            char expected[128];
+            snprintf(expected, sizeof expected, "%s: the file is %s, not %s as its name says",
+                     same_kinds[name].name, shown[kind], shown[name]);
+            if (!mesh) {
+                continue;
+            }
+            CHECK_TEXT(burnish_format_get_info(burnish_mesh_get_info(mesh)->format)->name,
+                       same_kinds[kind].format);
+            CHECK1(burnish_mesh_get_view(mesh)->triangle_count == 4);
+            if (CHECK(burnish_mesh_warning_count(mesh) == !is_same, "%s as %s",
+                      same_kinds[kind].name, same_kinds[name].name) &&
+                !is_same) {
+                CHECK_TEXT(burnish_mesh_warning(mesh, 0), expected);
+            }
+            burnish_mesh_destroy(mesh);
+        }
+    }
+}
+
+/* Puts 84 + 50 * 64 + 20 bytes with a count that fits neither them nor all of them. */
+static void put_filled(byte_list *list, const char *first, size_t size, uint8_t filler,
+                       uint32_t announced) {
+    list->size = 0;
+    put(list, first, size);
+    while (list->size < 80) {
+        put_bits(list, filler, 1, 0);
+    }
+    put_bits(list, announced, 4, 0);
+    while (list->size < 84 + 50 * 64 + 20) {
+        put_bits(list, filler, 1, 0);
+    }
+}
+
+static void check_refused(const byte_list *list, burnish_format format, const char *text) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {0};
+    options.format = format;
+    CHECK1(burnish_mesh_load_memory(list->bytes, list->size, "a.stl", &options, &mesh, &error) ==
+           BURNISH_STATUS_FORMAT);
+    CHECK(strstr(error.text, text), "%s", error.text);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Other files called .stl: named by their first bytes, even if what follows could be facets. */
+static void test_foreign(void) {
+    static const struct {
+        const char *first;
+        size_t size;
+        const char *what;
+    } cases[] = {{"\177ELF\2\1\1", 7, "a.stl: a program, not what its name says"},
+                 {"\xcf\xfa\xed\xfe", 4, "a.stl: a program, not"},
+                 {"\xca\xfe\xba\xbe", 4, "a.stl: a program, not"},
+                 {"%PDF-1.7\n\1", 10, "a.stl: a PDF document, not"},
+                 {"\211PNG\r\n\032\n", 8, "a.stl: a PNG picture, not"},
+                 {"\377\330\377\340", 4, "a.stl: a JPEG picture, not"},
+                 {"GIF89a\1", 7, "a.stl: a GIF picture, not"},
+                 {"RIFF\0\0\0\0WEBPVP8 ", 16, "a.stl: a WebP picture, not"},
+                 {"\0\0\0\040ftypisom", 12, "a.stl: a film or picture, not"},
+                 {"SQLite format 3\0", 16, "a.stl: a database, not"},
+                 {"7z\274\257\047\034", 6, "a.stl: a 7-Zip archive, not"},
+                 {"Rar!\032\007\1\0", 8, "a.stl: a RAR archive, not"},
+                 {"\3757zXZ\0", 6, "a.stl: a file packed by xz, not"},
+                 {"(\265/\375\4", 5, "a.stl: a file packed by zstd, not"},
+                 {"\211HDF\r\n\032\n", 8, "a.stl: an HDF5 file, not"},
+                 {"\0asm\1\0\0\0", 8, "a.stl: a program, not"},
+                 {"\320\317\021\340\241\261\032\341", 8, "a.stl: an OLE file"}};
+    static byte_list list;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        put_filled(&list, cases[i].first, cases[i].size, 0x40, 64); /* coordinates of 3 */
+        check_refused(&list, BURNISH_FORMAT_AUTO, cases[i].what);
+    }
+    put_filled(&list, "MZ", 2, 0x40, 64);
+    memset(list.bytes + 60, 0, 4);
+    list.bytes[61] = 1;
+    memcpy(list.bytes + 256, "PE\0", 4);
+    check_refused(&list, BURNISH_FORMAT_AUTO, "a.stl: a program, not");
+}
+
+/* A brace alone does not make JSON of a file with another name. */
+static void test_brace(void) {
+    static byte_list list;
+    list.size = 0;
+    put_text(&list,
+             "{ a comment of Pascal, and no mesh, but as many bytes as an STL's header has }\n"
+             "program a;\nbegin\nend.\n");
+    check_refused(&list, BURNISH_FORMAT_AUTO, "text that does not begin with \"solid\"");
+}
+
+/* Facets that are none, whatever the first bytes are. Where they are facets a wrong count is a
+ * warning, whatever the title says. */
+static void test_garbage(void) {
+    static const char refusal[] = "byte 80: not STL: the count does not fit the file's size, and ";
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {0};
+    static byte_list list;
+    put_filled(&list, "\1", 1, 0xFF, 64); /* not numbers */
+    check_refused(&list, BURNISH_FORMAT_STL, refusal);
+    put_filled(&list, "\1", 1, 0x01, 64); /* 2e-38 */
+    check_refused(&list, BURNISH_FORMAT_STL, refusal);
+    put_filled(&list, "\1", 1, 0x7E, 3); /* 8e37 */
+    check_refused(&list, BURNISH_FORMAT_STL, refusal);
+    for (int odd = 0; odd < 4; ++odd) { /* of 8 facets: 2 with a tiny coordinate may be rounding */
+        list.size = 0;
+        put_stl(&list, "MZ, exported", 8);
+        put(&list, "behind", 6);
+        for (int i = 0; i < odd; ++i) {
+            memcpy(list.bytes + 84 + 50 * i + 12 + 8, "\1\0\0\0", 4);
+        }
+        error = (burnish_error){0};
+        const burnish_status status =
+            burnish_mesh_load_memory(list.bytes, list.size, "a.stl", &options, &mesh, &error);
+        CHECK(status == (odd > 2 ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK), "%d odd: %s", odd,
+              error.text);
+        CHECK1(odd > 2 || burnish_mesh_warning_count(mesh) == 1);
+        burnish_mesh_destroy(mesh);
+    }
+    list.size = 0;
+    put_stl(&list, "a part", 8); /* the count fits: tiny numbers are the file's affair */
+    for (int i = 0; i < 8; ++i) {
+        memcpy(list.bytes + 84 + 50 * i + 12 + 8, "\1\0\0\0", 4);
+    }
+    CHECK1(burnish_mesh_load_memory(list.bytes, list.size, "a.stl", &options, &mesh, &error) ==
+           BURNISH_STATUS_OK);
+    burnish_mesh_destroy(mesh);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_same_grey(BURNISH_LOOK_STUDIO));
     RUN(test_same_grey(BURNISH_LOOK_TECHNICAL));
     RUN(test_same_grey(BURNISH_LOOK_PLAIN));
+    RUN(test_misnamed());
+    RUN(test_foreign());
+    RUN(test_brace());
+    RUN(test_garbage());
     return test_end("formats");
 }

@@ -70,7 +70,8 @@ static void test_guess(void) {
                  {"\n{ \"asset\": {", NULL, BURNISH_FORMAT_GLTF},
                  {"{ }", NULL, BURNISH_FORMAT_GLTF},
                  {"{ }", "a.ply", BURNISH_FORMAT_PLY},
-                 {"v 0 0 0\n", "a.glb", BURNISH_FORMAT_GLTF}};
+                 {"v 0 0 0\n", "a.glb", BURNISH_FORMAT_OBJ},
+                 {"\1", "a.glb", BURNISH_FORMAT_GLTF}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         const size_t size = i == 0 ? 14 : strlen(cases[i].text);
         CHECK(burnish_guess_format((const uint8_t *)cases[i].text, size, cases[i].name) ==

@@ -218,7 +218,8 @@ static void test_stl_count(void) {
     static const uint32_t counts[] = {0, 11, 13, UINT32_MAX};
     byte_list other = {.size = 0}; /* a size that fits is believed whatever the name is */
     put_stl(&other, "size counts", 12);
-    burnish_mesh *named = load_tolerantly("a.obj", other.bytes, other.size, NULL);
+    burnish_mesh *named = load_tolerantly("a.obj", other.bytes, other.size,
+                                          "a.obj: the file is STL, not OBJ as its name says");
     CHECK(triangles_of(named) == 12, "%zu", triangles_of(named));
     burnish_mesh_destroy(named);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {

@@ -44,8 +44,30 @@ static const foreign_row rows[] = {
     {"\377\330\377", 0, "a JPEG picture"},
     {"GIF8", 0, "a GIF picture"},
     {"%PDF", 0, "a PDF document"},
+    {"II*", 0, "a TIFF picture"},
+    {"WEBP", 8, "a WebP picture"},
+    {"8BPS", 0, "a Photoshop picture"},
+    {"WAVE", 8, "a sound"},
+    {"OggS", 0, "a sound or film"},
+    {"ID3", 0, "a sound"},
+    {"ftyp", 4, "a film or picture"},
+    {"\032E\337\243", 0, "a film"},
     {"\177ELF", 0, "a program"},
-    {"MZ", 0, "a program"},
+    {"\xfe\xed\xfa\xce", 0, "a program"},
+    {"\xfe\xed\xfa\xcf", 0, "a program"},
+    {"\xce\xfa\xed\xfe", 0, "a program"},
+    {"\xcf\xfa\xed\xfe", 0, "a program"},
+    {"\xca\xfe\xba\xbe", 0, "a program"},
+    {"asm\1", 1, "a program"},
+    {"!<arch>\n", 0, "a library or package"},
+    {"SQLite format 3", 0, "a database"},
+    {"\211HDF\r\n", 0, "an HDF5 file"},
+    {"\223NUMPY", 0, "an array of NumPy"},
+    {"\320\317\021\340\241\261\032\341", 0,
+     "an OLE file, as SolidWorks, Inventor and Office write them"},
+    {"Rar!\032\007", 0, "a RAR archive"},
+    {"ustar", 257, "a tar archive"},
+    {"\004\"M\030", 0, "a file packed by LZ4"},
     {"<!DOCTYPE html", 0, "a web page"},
     {"<html", 0, "a web page"},
 };
@@ -53,6 +75,15 @@ static const foreign_row rows[] = {
 static int begins(const uint8_t *bytes, size_t size, size_t offset, const char *first) {
     const size_t length = strlen(first);
     return size >= offset + length && memcmp(bytes + offset, first, length) == 0;
+}
+
+/* A program of Windows: its two first letters may begin a title, so the header that they point to
+ * counts. */
+static int is_windows_program(const uint8_t *bytes, size_t size) {
+    enum { POINTER_AT = 60 };
+    const uint8_t *p = bytes + POINTER_AT;
+    return size >= POINTER_AT + 4 && begins(bytes, size, 0, "MZ") &&
+           begins(bytes, size, p[0] | (size_t)p[1] << 8 | (size_t)p[2] << 16, "PE");
 }
 
 /* XML tells by its elements, of which the first stand early. */
@@ -103,6 +134,9 @@ const char *burnish_describe_foreign(const uint8_t *bytes, size_t size, const ch
         if (begins(bytes, size, start + rows[i].offset, rows[i].first)) {
             return rows[i].what;
         }
+    }
+    if (is_windows_program(bytes, size)) {
+        return "a program";
     }
     return begins(bytes, size, start, "<?xml") ? describe_xml(bytes, size) : describe_ending(name);
 }

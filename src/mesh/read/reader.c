@@ -50,23 +50,6 @@ static int has_ending(const char *name, const char *endings) {
     return 0;
 }
 
-burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name) {
-    burnish_format guess = BURNISH_FORMAT_AUTO;
-    int most = 0;
-    for (int i = BURNISH_FORMAT_COUNT - 1; i > 0; --i) {
-        if (formats[i].recognise) {
-            /* Sure bytes, then the name's ending, then bytes that are not sure. */
-            const int sure = formats[i].recognise(bytes, size);
-            const int votes = sure == 2                                           ? 3
-                              : name && has_ending(name, formats[i].info.endings) ? 2
-                                                                                  : sure;
-            guess = votes > most ? (burnish_format)i : guess;
-            most = votes > most ? votes : most;
-        }
-    }
-    return guess;
-}
-
 /* Whether bytes are text as far as they go: no control characters. */
 static int is_all_text(const uint8_t *bytes, size_t size) {
     int is_text = 1;
@@ -74,6 +57,41 @@ static int is_all_text(const uint8_t *bytes, size_t size) {
         is_text &= bytes[i] >= ' ' || (bytes[i] >= '\t' && bytes[i] <= '\r');
     }
     return is_text;
+}
+
+/* AUTO: none. */
+static burnish_format format_of_name(const char *name) {
+    for (int i = BURNISH_FORMAT_COUNT - 1; i > 0 && name; --i) {
+        if (formats[i].recognise && has_ending(name, formats[i].info.endings)) {
+            return (burnish_format)i;
+        }
+    }
+    return BURNISH_FORMAT_AUTO;
+}
+
+burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name) {
+    enum { LOOKED_AT = 512 };
+    const burnish_format named = format_of_name(name);
+    burnish_format guess = BURNISH_FORMAT_AUTO;
+    int most = 0;
+    /* text, or an archive, that begins as another format does and not as the named one */
+    if (named != BURNISH_FORMAT_AUTO && !formats[named].recognise(bytes, size) &&
+        (burnish_recognise_3mf(bytes, size) ||
+         is_all_text(bytes, size < LOOKED_AT ? size : LOOKED_AT))) {
+        name = NULL;
+    }
+    for (int i = BURNISH_FORMAT_COUNT - 1; i > 0; --i) {
+        if (formats[i].recognise) {
+            /* Sure bytes, then the name's ending, then bytes that are not sure. */
+            const int sure = formats[i].recognise(bytes, size);
+            const int votes = sure == 2 ? 3 : name && named == (burnish_format)i ? 2 : sure;
+            guess = votes > most ? (burnish_format)i : guess;
+            most = votes > most ? votes : most;
+        }
+    }
+    const int is_brace =
+        most == 1 && guess == BURNISH_FORMAT_GLTF; /* which many texts begin with */
+    return most > 0 && !(is_brace && named != BURNISH_FORMAT_AUTO) ? guess : named;
 }
 
 /* A binary STL is recognised by its size, which a stream does not tell: here by its coordinates,
@@ -131,6 +149,31 @@ int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, con
            ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment);
 }
 
+/* What people call a format. */
+static const char *shown_format(burnish_format format) {
+#define SHOWN(name, ...) [BURNISH_FORMAT_##name] = #name,
+    static const char *const names[BURNISH_FORMAT_COUNT] = {BURNISH_FORMAT_LIST(SHOWN)};
+#undef SHOWN
+    return format == BURNISH_FORMAT_GLTF ? "glTF" : names[format];
+}
+
+/* A file that is not what its name says. In pieces this is no reason to read it whole. */
+static void warn_misnamed(burnish_reader *reader, burnish_format format) {
+    const burnish_format named = format_of_name(reader->input->name);
+    if (reader->input->options->format == BURNISH_FORMAT_AUTO && named != BURNISH_FORMAT_AUTO &&
+        named != format && !reader->has_warned) {
+        burnish_mesh_data_warn(reader->mesh, "%s: the file is %s, not %s as its name says",
+                               burnish_show_name(reader->input->name).text, shown_format(format),
+                               shown_format(named));
+    }
+}
+
+/* FORMAT for bytes of another kind of file. */
+static burnish_status refuse_foreign(burnish_reader *reader, const char *what) {
+    return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                               "%s, not what its name says; fetch or export it again", what);
+}
+
 burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     const burnish_reader_input *input = reader->input;
     if (input->size == 0) {
@@ -151,15 +194,16 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
             burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                 "a pointer of Git LFS, not the file; fetch that (git lfs pull)");
     } else if (formats[*format].read) {
-        status = formats[*format].read(reader);
-        const char *what = status == BURNISH_STATUS_FORMAT && is_guessed &&
-                                   !formats[*format].recognise(input->bytes, input->size)
+        const char *what = is_guessed && !formats[*format].recognise(input->bytes, input->size)
                                ? burnish_describe_foreign(input->bytes, input->size, NULL)
                                : NULL;
-        if (what) {
-            status =
-                burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                                    "%s, not what its name says; fetch or export it again", what);
+        /* any bytes may be the facets of an STL whose count is wrong */
+        status = what && *format == BURNISH_FORMAT_STL ? refuse_foreign(reader, what)
+                                                       : formats[*format].read(reader);
+        if (status == BURNISH_STATUS_FORMAT && what) {
+            status = refuse_foreign(reader, what);
+        } else if (status == BURNISH_STATUS_OK) {
+            warn_misnamed(reader, *format);
         }
     } else {
 #define NAME(name, word, ...) ", " #word

@@ -78,10 +78,52 @@ static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *fac
                                "coordinate is not finite; repair the mesh");
 }
 
+/* Sizes that no unit of length gives a mesh, but that bytes of other files give: below 2^-100, but
+ * not 0, or from 2^101 on. */
+static int is_odd_coordinate(uint32_t bits) {
+    enum { LEAST = 27, MOST = 227, EXPONENT_AT = 23 };
+    const uint32_t exponent = bits >> EXPONENT_AT & 0xFF;
+    return (bits & 0x7FFFFFFFu) != 0 && (exponent < LEAST || exponent > MOST);
+}
+
+/* Where the count does not fit the size the facets tell whether these bytes are STL: refused if
+ * more than a quarter of the first ones that are not all 0 have such coordinates. */
+static burnish_status check_facets(burnish_reader *reader, size_t count) {
+    enum { FACETS_LOOKED_AT = 4096 };
+    const size_t looked = count < FACETS_LOOKED_AT ? count : FACETS_LOOKED_AT;
+    size_t odd = 0, filled = 0;
+    for (size_t i = 0; i < looked; ++i) {
+        const uint8_t *at = reader->input->bytes + HEADER_SIZE + i * FACET_SIZE + NORMAL_SIZE;
+        int is_odd = 0;
+        uint32_t any = 0;
+        for (int k = 0; k < 9; ++k, at += 4) {
+            is_odd |= is_odd_coordinate(burnish_stl_u32(at));
+            any |= burnish_stl_u32(at);
+        }
+        odd += is_odd != 0;
+        filled += any != 0;
+    }
+    return odd <= filled / 4
+               ? BURNISH_STATUS_OK
+               : burnish_reader_fail(reader, BURNISH_STATUS_FORMAT,
+                                     reader->input->bytes + TITLE_SIZE,
+                                     "not STL: the count does not fit the file's size, and %zu of "
+                                     "the first %zu triangles have coordinates below 1e-30 or "
+                                     "above 1e30",
+                                     odd, looked);
+}
+
 /* *count: what the header announces; receives how many facets there are. */
 static burnish_status check_count(burnish_reader *reader, size_t *count) {
     const burnish_reader_input *input = reader->input;
     const size_t room = (input->size - HEADER_SIZE) / FACET_SIZE;
+    const int fits = burnish_is_binary_stl(input->bytes, input->size);
+    if (!fits && !input->pieces) { /* where only the head is here, the warning has all read */
+        const burnish_status status = check_facets(reader, *count < room ? *count : room);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
     if (*count != room && room > 0 && (input->size - HEADER_SIZE) % FACET_SIZE == 0) {
         burnish_reader_warn(reader, input->bytes + TITLE_SIZE,
                             "%zu triangles are announced, but the file has %zu, which are drawn",
