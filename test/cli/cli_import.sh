@@ -57,6 +57,31 @@ stream_refused 4 'byte 0: no mesh stream: its first 8 bytes are others, or it en
 importer "head -c 200 '$bin/all.bms'"
 stream_refused 4 'byte 16: the stream states 400 bytes and needs at least 384 for its counts, but has 200; it is truncated or damaged'
 
+# Some files are known by their first bytes: the importer is not started, and need not be there.
+lfs='version https://git-lfs.github.com/spec/v1
+oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393
+size 12345'
+for there in yes no; do
+    importer "touch '$bin/started'; exit 3"
+    [ $there = yes ] || rm "$bin/$name"
+    for ending in fbx dae 3ds amf; do
+        printf '%s\n' "$lfs" >p.$ending
+        expect 4 "burnish: p.$ending: a pointer of Git LFS, not the file; fetch that (git lfs pull)" info p.$ending
+        expect 4 "burnish: p.$ending: a pointer of Git LFS, not the file; fetch that (git lfs pull)" render p.$ending -o p.png
+        [ -z "$boxed" ] ||
+            expect 4 "burnish: p.$ending: a pointer of Git LFS, not the file; fetch that (git lfs pull)" render p.$ending --sandbox -o p.png
+        rm p.$ending
+    done
+    printf '%s\n' "$lfs" >p.step
+    expect 4 'burnish: p.step: a pointer of Git LFS, not the file; fetch that (git lfs pull)' info p.step
+    printf '\n<!DOCTYPE html>\n<html></html>\n' >p.fbx
+    expect 4 'burnish: p.fbx: a web page, not what its name says; fetch or export it again' info p.fbx
+    : >p.fbx
+    expect 4 'burnish: p.fbx: the file is empty' info p.fbx
+    check "no importer was started" [ ! -e "$bin/started" ]
+    rm p.fbx p.step
+done
+
 # A limit of time ends the importer too. This one waits for a line that nobody writes.
 mkfifo "$bin/never"
 importer "echo \$\$ >'$bin/number'; read line <'$bin/never'"

@@ -30,6 +30,10 @@ const import_program *import_find(const char *name);
  * does, .dxf where it names faces. */
 int import_may_hold_mesh(const char *path);
 
+/* What to say of a file that no importer has to look at, by its first bytes: it is empty, a pointer
+ * of Git LFS, or a web page. NULL: it is none of these. */
+const char *import_describe_other(const unsigned char *bytes, size_t size);
+
 /* The importer for an input: that of the cli_foreign (cli/input.h) which --input-format named,
  * else, of a file whose format is to be guessed, that of its name's ending. NULL: none. ending
  * receives what it is told */

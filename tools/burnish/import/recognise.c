@@ -60,11 +60,26 @@ static int begins(const unsigned char *bytes, size_t size, const char *first, si
     return size >= length && memcmp(bytes, first, length) == 0;
 }
 
+static int is_lfs_pointer(const unsigned char *bytes, size_t size) {
+    return begins(bytes, size, "version https://git-lfs.github.com/spec/", 0);
+}
+
 /* Bytes that say nothing here: packed by gzip, UTF-16, a file that Git LFS has not fetched. */
 static int is_wrapped(const unsigned char *bytes, size_t size) {
     return begins(bytes, size, "\x1F\x8B", 0) || begins(bytes, size, "\xFF\xFE", 0) ||
-           begins(bytes, size, "\xFE\xFF", 0) ||
-           begins(bytes, size, "version https://git-lfs.github.com/spec/", 0);
+           begins(bytes, size, "\xFE\xFF", 0) || is_lfs_pointer(bytes, size);
+}
+
+const char *import_describe_other(const unsigned char *bytes, size_t size) {
+    const size_t at = skip_blanks(bytes, size);
+    const int is_page = begins(bytes + at, size - at, "<!DOCTYPE html", 0) ||
+                        begins(bytes + at, size - at, "<html", 0);
+    return size == 0 ? "the file is empty"
+           : is_lfs_pointer(bytes, size)
+               ? "a pointer of Git LFS, not the file; fetch that (git lfs "
+                 "pull)"
+           : is_page ? "a web page, not what its name says; fetch or export it again"
+                     : NULL;
 }
 
 /* Most .dxf are flat drawings of lines: whether one names what has faces, on a line of its own. */

@@ -29,6 +29,7 @@
 enum {
     SECONDS = 300, /* that an importer may take at least */
     PIECE = 1 << 16,
+    HEAD = 512,            /* bytes that are looked at before an importer is started */
     MOST_FIXED = 64 << 20, /* bytes of a stream: these, and so many for each of the input's */
     MOST_FACTOR = 256,
     MEMORY_FACTOR = 64
@@ -259,6 +260,15 @@ static burnish_status end(const run *r, burnish_status status) {
     return fail(r, BURNISH_STATUS_FORMAT, what);
 }
 
+/* Refuses a file that its first bytes show to be none that an importer reads. */
+static burnish_status check_head(const run *r, int input) {
+    unsigned char head[HEAD];
+    const ssize_t size = pread(input, head, sizeof head, 0);
+    const char *other = size < 0 ? NULL : import_describe_other(head, (size_t)size);
+    return other ? cli_fail(r->error, BURNISH_STATUS_FORMAT, "%.300s: %s", r->name, other)
+                 : BURNISH_STATUS_OK;
+}
+
 burnish_status import_run(const import_program *importer, const char *name, const char *ending,
                           int input, uint64_t max_bytes, import_taker *take, void *context,
                           burnish_error *error) {
@@ -269,7 +279,10 @@ burnish_status import_run(const import_program *importer, const char *name, cons
              .ending = ending,
              .error = error,
              .end = cli_seconds_now() + seconds};
-    burnish_status status = find_program(&r);
+    burnish_status status = check_head(&r, input);
+    if (status == BURNISH_STATUS_OK) {
+        status = find_program(&r);
+    }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
