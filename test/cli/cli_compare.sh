@@ -68,6 +68,26 @@ for isa in scalar auto; do
 done
 check "every instruction set has the same numbers" cmp scalar.json auto.json
 
+# The same mesh in two formats, which stand on different axes: both stand as the first one does.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\n' >corner.obj
+{
+    echo solid corner
+    for points in '0 0 0,1 0 0,0 1 0' '0 0 0,1 0 0,0 0 1' '0 0 0,0 1 0,0 0 1'; do
+        echo facet normal 0 0 0 outer loop
+        echo "$points" | tr , '\n' | sed 's/^/vertex /'
+        echo endloop endfacet
+    done
+    echo endsolid corner
+} >corner.stl
+run compare corner.stl corner.obj --size=64
+check "two formats, A is STL: exit code $code" [ "$code" = 0 ]
+check "they are the same" grep -q 'corner.stl and corner.obj, 64 x 64 pixels: the same' "$out"
+run compare corner.obj corner.stl --size=64 --json
+check "two formats, A is OBJ: exit code $code" [ "$code" = 0 ]
+check "both with A's up: $(json up)" [ "$(tr -d '\n\t ' <"$out" | grep -o '"up":"[^"]*"' | sort -u)" = '"up":"+Y"' ]
+run compare corner.obj corner.stl --size=64 --json --up=+X
+check "both with the flag's up" [ "$(tr -d '\n\t ' <"$out" | grep -o '"up":"[^"]*"' | sort -u)" = '"up":"+X"' ]
+
 # One mesh, two lobes.
 run compare :teapot --lobe=power,energy:2 --size=64 --specular=0.9 --json
 check "lobes: exit code $code" [ "$code" = 10 ]

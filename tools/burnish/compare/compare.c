@@ -111,7 +111,7 @@ static const cli_example examples[] = {
 static const cli_term number_terms[] = {
     {"*burnish, output*", "the version; the picture's name or null"},
     {"*a, b*",
-     "*input*, *kind* (*picture* or *mesh*), *width*, *height*; of a mesh *lobe*, *camera*, "
+     "*input*, *kind* (*picture* or *mesh*), *width*, *height*; of a mesh *lobe*, *camera*, *up*, "
      "*facts* "
      "(*triangles*, *vertices*, *shells*, *open_edges*, *size_x*, *size_y*, *size_z*, *area*, and "
      "*volume*, null for what is not closed) and *warnings*"},
@@ -159,8 +159,9 @@ const cli_command compare_command = {
         "Compares _A_ with _B_, the reference with what is judged or before with after, and ends "
         "with exit code 0 where they are alike enough and 10 where they are not. Each is a PNG "
         "file or a mesh as *burnish render* takes it; *-* is standard input and may be either. "
-        "Two meshes are drawn by one camera, which frames both, and what differs in their sizes "
-        "and counts is said; a mesh beside a picture is drawn in the picture's size. One mesh "
+        "Two meshes are drawn by one camera, which frames both, with the up axis of _A_ unless "
+        "*--up* names one, and what differs in their sizes and counts is printed; a mesh beside a "
+        "picture is drawn in the picture's size. One mesh "
         "with two lobes, *--lobe=*_A_*,*_B_, is drawn with each.\n"
         "Pictures of different sizes are different. Besides the flags below, those of *burnish "
         "render* that say where the camera stands, how the surface and its light look and how "

@@ -99,6 +99,9 @@ static void add_side(cJSON *root, const comparison *c, int i, int *failed) {
                      render_camera_object(&side->cell.camera,
                                           burnish_mesh_get_view(side->result.mesh)->origin, failed),
                      failed);
+        cli_json_add(object, "up",
+                     cJSON_CreateString(render_up_name(side->result.mesh, &side->settings)),
+                     failed);
         cli_json_add(object, "facts", facts_object(side, failed), failed);
         cli_json_add(object, "warnings",
                      cli_json_texts(side->result.warning_count, side->result.warnings), failed);

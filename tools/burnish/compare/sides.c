@@ -9,6 +9,7 @@
 #include "picture/read_png.h"
 #include "render/camera.h"
 #include "render/origin.h"
+#include "render/up.h"
 
 /* ---- Reading ---- */
 
@@ -234,6 +235,24 @@ static void describe(comparison *c, int i) {
     snprintf(side->cell.label, sizeof side->cell.label, "%s", "the picture");
 }
 
+/* One up axis for both, the first mesh's: it decides where the camera stands and where the sky is.
+ */
+static void choose_up(comparison *c) {
+    const int first = compare_is_mesh(&c->sides[0]) ? 0 : 1;
+    const burnish_mesh *mesh = c->sides[first].result.mesh;
+    render_settings settings = c->sides[first].settings;
+    double direction[3];
+    if (!mesh) {
+        return;
+    }
+    settings.stands_otherwise =
+        settings.up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
+    const render_up up = render_up_in_use(mesh, &settings, direction);
+    for (int i = 0; i < 2; ++i) {
+        c->sides[i].settings.up = (int)up;
+    }
+}
+
 burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < 2; ++i) {
@@ -251,6 +270,7 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
         }
         c->sides[1].result.mesh = c->sides[0].result.mesh;
     }
+    choose_up(c);
     for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
         compare_side *side = &c->sides[i];
         if (side->result.mesh) {
