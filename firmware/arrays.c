@@ -111,7 +111,7 @@ static void fill(input *in, uint8_t all, uint16_t salt) {
         }
         burnish_q15_normalize(v, unit);
         for (k = 0; k < 3; ++k) {
-            in->normals[k][i] = (int16_t)(unit[k] - unit[k] / 50 + salt % 64);
+            in->normals[k][i] = (int16_t)(unit[k] - unit[k] / 50 + (int16_t)(salt % 64));
         }
     }
 }

@@ -125,7 +125,7 @@ typedef struct burnish_lobe_q15 {
 BURNISH_Q15_INLINE uint16_t burnish_q15_lambda(uint16_t cosine) {
 #ifdef __AVR__ /* two cycles where the comparison takes six */
     uint16_t lambda = (uint16_t)(BURNISH_Q15_ONE - cosine);
-    if ((uint8_t)(lambda >> 8) & 0x80u) {
+    if (lambda & 0x8000u) {
         lambda = cosine == 0 ? lambda : 0;
     }
     return lambda;
@@ -344,7 +344,7 @@ BURNISH_Q15_INLINE uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uin
     if (a > 0xFFFFu) {
         return cosine > BURNISH_Q15_ONE ? (uint16_t)0xFFFEu : (uint16_t)0;
     }
-    return burnish_q15_square(0xFFFFu - a);
+    return burnish_q15_square((uint_fast16_t)(0xFFFFu - a));
 #endif
 }
 
@@ -384,7 +384,7 @@ static inline uint8_t burnish_taylor8_q15(uint8_t exponent, uint16_t cosine) {
     if (a > 0xFFFFu) {
         return cosine > BURNISH_Q15_ONE ? (uint8_t)0xFFu : (uint8_t)0;
     }
-    return burnish_q15_square8(0xFFFFu - a);
+    return burnish_q15_square8((uint_fast16_t)(0xFFFFu - a));
 #endif
 }
 

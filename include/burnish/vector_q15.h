@@ -575,6 +575,14 @@ BURNISH_Q15_INLINE burnish_q15w burnish_q15v_square_length(const burnish_q15v a[
     sum.high = (uint32_t)__smlad(high, high, BURNISH_Q15V_TOP(a[2], a[2]));
     return sum;
 }
+/* x limited to 16 bits, signed. GCC's macro __ssat warns under -Wsign-conversion. */
+BURNISH_Q15_INLINE uint32_t burnish_q15v_limit(int32_t x) {
+#ifdef __GNUC__
+    return (uint32_t)__builtin_arm_ssat(x, 16);
+#else
+    return (uint32_t)__ssat(x, 16);
+#endif
+}
 /* floor((dot + 2^14) / 2^15) without overflow */
 BURNISH_Q15_INLINE uint32_t burnish_q15v_round_dot(uint32_t dot) {
     return __usat((((int32_t)dot >> 14) + 1) >> 1, 16);
@@ -585,8 +593,8 @@ BURNISH_Q15_INLINE burnish_q15v burnish_q15v_cosine(burnish_q15w dot) {
     return __usub16(cosine, __uqsub16(cosine, 0x80008000u));
 }
 BURNISH_Q15_INLINE burnish_q15v burnish_q15v_shortfall(burnish_q15w dot) {
-    return BURNISH_Q15V_LOWER(__ssat((int32_t)(0x40002000u - dot.low) >> 14, 16),
-                              __ssat((int32_t)(0x40002000u - dot.high) >> 14, 16));
+    return BURNISH_Q15V_LOWER(burnish_q15v_limit((int32_t)(0x40002000u - dot.low) >> 14),
+                              burnish_q15v_limit((int32_t)(0x40002000u - dot.high) >> 14));
 }
 BURNISH_Q15_INLINE void burnish_q15v_chord(const burnish_q15v a[3], const burnish_q15v b[3],
                                            burnish_q15v *top, burnish_q15v *low) {
@@ -597,8 +605,8 @@ BURNISH_Q15_INLINE void burnish_q15v_chord(const burnish_q15v a[3], const burnis
         lower += (uint32_t)BURNISH_Q15V_BOTTOM(d, d) >> 2;
         upper += (uint32_t)BURNISH_Q15V_TOP(d, d) >> 2;
     }
-    *top =
-        BURNISH_Q15V_LOWER(__ssat((int32_t)(lower >> 13), 16), __ssat((int32_t)(upper >> 13), 16));
+    *top = BURNISH_Q15V_LOWER(burnish_q15v_limit((int32_t)(lower >> 13)),
+                              burnish_q15v_limit((int32_t)(upper >> 13)));
     *low = BURNISH_Q15V_LOWER(lower << 3, upper << 3);
 }
 
