@@ -56,11 +56,6 @@ module pixel_tb;
     initial begin
         $readmemh("vectors.mem", vectors);
         for (k = 0; k < 16; k = k + 1) got[k] = 0;
-        // What is inside at first is unknown, and so are its user bits.
-        sent = COUNT;
-        enable = 1;
-        repeat (300) @(negedge clk);
-        sent = 0;
         while (sent < COUNT + 300) begin
             enable = $random;
             @(posedge clk);
@@ -68,6 +63,10 @@ module pixel_tb;
             if (enable) begin
                 for (k = 0; k < 16; k = k + 1)
                     if (users[k] === 1'b1 && chosen[k]) compare(k);
+                    else if (users[k] !== 1'b0 && users[k] !== 1'b1) begin
+                        failures = failures + 1;
+                        if (failures < 5) $display("pixel_tb: unit %0d: its user bit is unknown", k);
+                    end
                 sent = sent + 1;
             end
             @(negedge clk);

@@ -37,6 +37,12 @@ module replay_tb;
             end
             #1 clk = 1;
             #1;
+            // user_in is 1 from the first clock on; before that comes out, user_out is 0 from power-up.
+            for (k = 0; k < UNITS; k = k + 1)
+                if (users[k] !== (i + 1 >= latency[k]) && wrong == 0) begin
+                    $display("replay_tb: unit %0d, clock %0d: user_out is %b", k, i, users[k]);
+                    wrong = 1;
+                end
             for (k = 0; k < UNITS; k = k + 1)
                 if (i + 1 >= latency[k] && i + 1 - latency[k] < `COUNT && wrong == 0) begin
                     answer = answers[i+1-latency[k]] >> (16 * k);
