@@ -2,9 +2,13 @@
 //
 //     product = a b + addend, modulo 2^(A_WIDTH + B_WIDTH)
 //
-// Synthesised on its own (keep_hierarchy): no tool sees two multipliers at once, or a constant factor.
-// `synth_ice40 -dsp` of yosys (0.23 and 0.55 were tried) else makes wrong circuits: it takes a register between two
-// multipliers as the first one's output and again as the second one's input, and cuts the leading ones of a constant.
+// yosys synthesises it on its own (keep_hierarchy), so it never sees two multipliers at once, or a constant factor. Otherwise
+// `synth_ice40 -dsp` (0.23 and 0.55 were tried) makes wrong circuits: it takes a register between two multipliers as the
+// first one's output and again as the second one's input, and cuts the leading ones of a constant. On other chips this costs
+// cells, since constant addends and unread bits stay: define BURNISH_NOT_ICE40 for them. Other tools do not need it.
+//
+// There is no register between the product and the sum, so the pipeline registers inside the multipliers of xc7 and ECP5
+// are not used, and their clock is lower than it could be.
 //
 // Latency    1, with INPUTS 2
 // Throughput one product per clock
@@ -17,7 +21,11 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
+`ifdef YOSYS
+`ifndef BURNISH_NOT_ICE40
 (* keep_hierarchy *)
+`endif
+`endif
 module burnish_multiplier #(
     parameter A_WIDTH = 16,
     parameter B_WIDTH = 16,

@@ -103,6 +103,81 @@ module wrapped_slope (
     assign out[47:16] = 32'd0;
 endmodule
 
+// The order 4: squarings that follow each other.
+module wrapped_order (
+    input wire clk,
+    input wire enable,
+    input wire [255:0] word,
+    output wire [47:0] out
+);
+    wire unused;
+    burnish_taylor #(.SQUARINGS(2), .DSP(1)) unit (
+        .clk(clk), .enable(enable), .exponent(word[105:96]), .angle({1'b0, word[14:0]}),
+        .user_in(1'b0), .value(out[15:0]), .user_out(unused));
+    assign out[47:16] = 32'd0;
+endmodule
+
+module wrapped_chord (
+    input wire clk,
+    input wire enable,
+    input wire [255:0] word,
+    output wire [47:0] out
+);
+    burnish_chord #(.DSP(1)) unit (
+        .clk(clk), .enable(enable), .a(word[47:0]), .b(word[95:48]), .lambda(out[23:0]));
+    assign out[47:24] = 24'd0;
+endmodule
+
+module wrapped_normalize (
+    input wire clk,
+    input wire enable,
+    input wire [255:0] word,
+    output wire [47:0] out
+);
+    burnish_normalize #(.DSP(1)) unit (.clk(clk), .enable(enable), .v(word[47:0]), .unit(out));
+endmodule
+
+module wrapped_highlight (
+    input wire clk,
+    input wire enable,
+    input wire [255:0] word,
+    output wire [47:0] out
+);
+    wire unused;
+    burnish_highlight #(.UNIT(3), .SQUARINGS(3), .NARROW(1), .DSP(1)) unit (
+        .clk(clk), .enable(enable), .normal(word[47:0]), .half(word[95:48]),
+        .exponent(word[105:96]), .user_in(1'b0), .value(out[15:0]), .user_out(unused));
+    assign out[47:16] = 32'd0;
+endmodule
+
+module wrapped_light (
+    input wire clk,
+    input wire enable,
+    input wire [255:0] word,
+    output wire [47:0] out
+);
+    wire unused;
+    burnish_light #(.UNIT(0), .DSP(1)) unit (
+        .clk(clk), .enable(enable), .normal(word[47:0]), .half(word[95:48]),
+        .exponent(word[105:96]), .light(word[153:106]), .diffuse(word[201:154]),
+        .specular(word[249:202]), .sum_in(48'h0100_0200_0400), .user_in(1'b0), .sum_out(out),
+        .user_out(unused));
+endmodule
+
+module wrapped_pixel (
+    input wire clk,
+    input wire enable,
+    input wire [255:0] word,
+    output wire [47:0] out
+);
+    wire unused;
+    burnish_pixel #(.UNIT(2), .DSP(1)) unit (
+        .clk(clk), .enable(enable), .normal(word[47:0]), .half(word[95:48]),
+        .exponent(word[105:96]), .light(word[153:106]), .diffuse(word[201:154]),
+        .specular(word[249:202]), .ambient(48'h0100_0200_0400), .user_in(1'b0), .color(out),
+        .user_out(unused));
+endmodule
+
 // Products that follow each other without anything between them.
 module wrapped_square (
     input wire clk,
