@@ -32,12 +32,12 @@ module burnish_boundary #(
 ) (
     input wire clk, // rising edge
     input wire enable, // 1: the pipeline advances; 0: nothing changes
-    input wire [9:0] exponent, // n, 1 .. 1023
+    input wire [9:0] exponent, // n, 1 .. 1023, at orders above 2 from the order on
     input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire busy, // 1: the lobe's registers are clocked
     output wire [RESULT-1:0] value, // UQ0.16, or its upper RESULT bits, rounded
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     `include "burnish_latency.vh"
     localparam WIDTH = LAMBDA != 0 ? 24 : 16;

@@ -25,13 +25,13 @@ module burnish_channel #(
     input wire enable, // 1: the pipeline advances; 0: nothing changes
     input wire [47:0] normal, // {z, y, x}, Q15, unit vector
     input wire [47:0] half, // {z, y, x}, Q15, unit vector halfway to the viewer
-    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
     input wire lit, // 1 where N.L > 0
     input wire [47:0] color, // {blue, green, red}, UQ1.15: light's colour times surface's
     input wire [47:0] sum_in, // {blue, green, red}, UQ1.15 each
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire [47:0] sum_out, // {blue, green, red}, UQ1.15 each, limited to 0xFFFF
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),

@@ -3,7 +3,8 @@
 //     S = max(0, 1 - (n + 1) / (order + 1) (1 - c))^order,  order = 2^SQUARINGS
 //
 // Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h with
-// BURNISH_Q15_ENERGY. Where n rarely changes, burnish_zeta with a stored slope is smaller.
+// BURNISH_Q15_ENERGY. C refuses an exponent below an order above 2; this module computes the formula there, which is
+// above 0 at a cosine of 0. Where n rarely changes, burnish_zeta with a stored slope is smaller.
 //
 // Latency    8 + burnish_zeta
 // Throughput one lobe per clock; n may change at every clock
@@ -23,11 +24,11 @@ module burnish_energy #(
 ) (
     input wire clk, // rising edge
     input wire enable, // 1: the pipeline advances; 0: nothing changes
-    input wire [9:0] exponent, // n, 1 .. 1023
+    input wire [9:0] exponent, // n, 1 .. 1023, at orders above 2 from the order on
     input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire [RESULT-1:0] value, // UQ0.16, or its upper RESULT bits, rounded
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     localparam WIDTH = LAMBDA != 0 ? 24 : 16;
     wire [15:0] slope;

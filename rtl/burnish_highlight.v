@@ -2,10 +2,11 @@
 //
 //     value = S(N.H), the angle from the dot product, or for narrow lobes from the chord
 //
-// Bit for bit burnish_q15_highlight of include/burnish/shade_q15.h, which takes the chord from exponent 32 on.
+// Bit for bit burnish_q15_highlight of include/burnish/shade_q15.h, which takes the chord from exponent 32 on, for
+// exponents from the order on. C refuses smaller ones above order 2.
 //
-// The lobe takes 1 - cosine in 24 bits. A cosine of 0 does not fit, so it becomes 1/2 with zeta doubled, which is
-// exact: exponents without chord are below 32.
+// The lobe takes 1 - cosine in 24 bits. A cosine of 0 does not fit, so it becomes 1/2 with zeta doubled. That is exact
+// from the order on; below, the slope of UNIT 3 can lose a bit, and results differ by a few steps of 2^-16.
 //
 // Latency    burnish_dot or burnish_chord, burnish_lobe, with NARROW 2 two more; see burnish_latency.vh
 // Throughput one per clock
@@ -26,10 +27,10 @@ module burnish_highlight #(
     input wire enable, // 1: the pipeline advances; 0: nothing changes
     input wire [47:0] normal, // {z, y, x}, Q15, unit vector
     input wire [47:0] half, // {z, y, x}, Q15, unit vector halfway to the viewer
-    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire [15:0] value, // UQ0.16
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),

@@ -2,7 +2,7 @@
 //
 //     out = in + diffuse (N.L) + specular S(N.H) where N.L > 0, else in; limited to 0xFFFF at every term
 //
-// Bit for bit one turn of the loop in burnish_q15_shade of include/burnish/shade_q15.h.
+// Bit for bit one turn of the loop in burnish_q15_shade of include/burnish/shade_q15.h, for the exponents that it takes.
 //
 // Latency    with DSP, UNIT 1 and NARROW 2 15; others in burnish_latency.vh
 // Throughput one pixel per clock
@@ -25,13 +25,13 @@ module burnish_light #(
     input wire [47:0] normal, // {z, y, x}, Q15, unit vector
     input wire [47:0] light, // {z, y, x}, Q15, unit vector to the light
     input wire [47:0] half, // {z, y, x}, Q15, unit vector halfway to the viewer
-    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
     input wire [47:0] diffuse, // {blue, green, red}, UQ1.15: light's colour times surface's
     input wire [47:0] specular, // {blue, green, red}, UQ1.15: light's colour times surface's
     input wire [47:0] sum_in, // {blue, green, red}, UQ1.15 each
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire [47:0] sum_out, // {blue, green, red}, UQ1.15 each, limited to 0xFFFF
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),

@@ -19,11 +19,11 @@ module burnish_lobe #(
 ) (
     input wire clk, // rising edge
     input wire enable, // 1: the pipeline advances; 0: nothing changes
-    input wire [(UNIT == 4 ? 20 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {shift, slope}, 4 and 16 bits
+    input wire [(UNIT == 4 ? 20 : 10)-1:0] exponent, // n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {shift, slope}, 4 and 16 bits
     input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire [RESULT-1:0] value, // UQ0.16, or its upper RESULT bits, rounded
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     generate
         if (UNIT == 0) begin : taylor

@@ -3,8 +3,8 @@
 //     color = ambient + sum over lights of diffuse (N.L) + specular S(N.H) where N.L > 0
 //
 // Bit for bit burnish_q15_shade of include/burnish/shade_q15.h with LIGHTS lights, with NORMALIZE 1 after
-// burnish_q15_normalize_near. Half vectors and products of colours are made once per light, by
-// burnish_q15_light_create.
+// burnish_q15_normalize_near, for exponents that C takes: above order 2 from the order on. Half vectors and products of
+// colours are made once per light, by burnish_q15_light_create.
 //
 // Latency    NORMALIZE times burnish_normalize, LIGHTS times burnish_light: with DSP and UNIT 1 15 each
 // Throughput one pixel per clock
@@ -27,7 +27,7 @@ module burnish_pixel #(
     input wire clk, // rising edge
     input wire enable, // 1: the pipeline advances; 0: nothing changes
     input wire [47:0] normal, // {z, y, x}, Q15, as NORMALIZE says
-    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+    input wire [(UNIT == 4 ? 21 : 10)-1:0] exponent, // n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
     input wire [47:0] ambient, // {blue, green, red}, UQ1.15 each
     input wire [48*LIGHTS-1:0] light, // per light, the first lowest: {z, y, x}, Q15, unit vector to the light
     input wire [48*LIGHTS-1:0] half, // per light: {z, y, x}, Q15, unit vector halfway to the viewer
@@ -35,7 +35,7 @@ module burnish_pixel #(
     input wire [48*LIGHTS-1:0] specular, // per light: {blue, green, red}, UQ1.15: light times surface
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire [47:0] color, // {blue, green, red}, UQ1.15 each, limited to 0xFFFF
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP),

@@ -3,7 +3,9 @@
 //     m_value = lobe(s_exponent, s_angle), in order, none lost, none repeated
 //
 // A word passes when valid and ready are both 1. s_ready comes from a register, so there is no combinational path
-// from m_ready to s_ready: a word that arrives while the output stalls waits in a second register.
+// from m_ready to s_ready: a word that arrives while the output stalls waits in a second register. m_ready does drive the
+// clock enable of every register of the unit without a register before it, so give it most of a clock's period to settle:
+// drive it from a register, or put a register slice behind the output.
 //
 // Latency    the unit's + 1
 // Throughput one word per clock; stalls cost nothing else
@@ -26,7 +28,7 @@ module burnish_stream #(
     input wire reset, // 1: drops all words inside; at least one clock after power-up
     input wire s_valid, // a word comes
     output reg s_ready, // it is taken; a register
-    input wire [(UNIT == 4 ? 20 : 10)-1:0] s_exponent, // n, 1 .. 1023; UNIT 4: {shift, slope}, 4 and 16 bits
+    input wire [(UNIT == 4 ? 20 : 10)-1:0] s_exponent, // n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {shift, slope}, 4 and 16 bits
     input wire [(LAMBDA != 0 ? 24 : 16)-1:0] s_angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
     input wire [USER_WIDTH-1:0] s_user, // travels with the word
     output wire m_valid, // a result is there

@@ -3,7 +3,7 @@
 // A program writes the exponent once and then angles; values are read back in the order of the angles.
 //
 //     word  name      access
-//     0     EXPONENT  read, write  n, 1 .. 1023, by bytes; 16 after reset
+//     0     EXPONENT  read, write  n, 1 .. 1023, at orders above 2 from the order on; by bytes; 16 after reset
 //     1     ANGLE     write        starts a lobe; all bytes of the angle must be selected
 //     2     VALUE     read         takes the next value, with no ack until it is there
 //     3     STATUS    read         bit 0: a value is there, bit 1: an angle is taken, bits 15 .. 4: values not yet

@@ -28,7 +28,7 @@ module burnish_zeta #(
     input wire [(LAMBDA != 0 ? 24 : 16)-1:0] angle, // cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
     input wire [USER_WIDTH-1:0] user_in, // a valid bit, a tag, a pixel's address
     output wire [RESULT-1:0] value, // UQ0.16, or its upper RESULT bits, rounded
-    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency
+    output wire [USER_WIDTH-1:0] user_out // user_in, delayed by the latency; 0 from power-up until then
 );
     `include "burnish_latency.vh"
     burnish_parameters #(.SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),

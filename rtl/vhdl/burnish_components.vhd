@@ -25,11 +25,11 @@ package burnish_components is
         port (
             clk : in std_logic;  -- rising edge
             enable : in std_logic;  -- 1: the pipeline advances; 0: nothing changes
-            exponent : in std_logic_vector(9 downto 0);  -- n, 1 .. 1023
+            exponent : in std_logic_vector(9 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on
             angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             value : out std_logic_vector(RESULT - 1 downto 0);  -- UQ0.16, or its upper RESULT bits, rounded
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -50,7 +50,7 @@ package burnish_components is
             angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             value : out std_logic_vector(RESULT - 1 downto 0);  -- UQ0.16, or its upper RESULT bits, rounded
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -71,7 +71,7 @@ package burnish_components is
             angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             value : out std_logic_vector(RESULT - 1 downto 0);  -- UQ0.16, or its upper RESULT bits, rounded
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -89,11 +89,11 @@ package burnish_components is
         port (
             clk : in std_logic;  -- rising edge
             enable : in std_logic;  -- 1: the pipeline advances; 0: nothing changes
-            exponent : in std_logic_vector(9 downto 0);  -- n, 1 .. 1023
+            exponent : in std_logic_vector(9 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on
             angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             value : out std_logic_vector(RESULT - 1 downto 0);  -- UQ0.16, or its upper RESULT bits, rounded
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -116,7 +116,7 @@ package burnish_components is
             angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             value : out std_logic_vector(RESULT - 1 downto 0);  -- UQ0.16, or its upper RESULT bits, rounded
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -135,11 +135,11 @@ package burnish_components is
         port (
             clk : in std_logic;  -- rising edge
             enable : in std_logic;  -- 1: the pipeline advances; 0: nothing changes
-            exponent : in std_logic_vector(choose(UNIT = 4, 20, 10) - 1 downto 0);  -- n, 1 .. 1023; UNIT 4: {shift, slope}, 4 and 16 bits
+            exponent : in std_logic_vector(choose(UNIT = 4, 20, 10) - 1 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {shift, slope}, 4 and 16 bits
             angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             value : out std_logic_vector(RESULT - 1 downto 0);  -- UQ0.16, or its upper RESULT bits, rounded
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -159,12 +159,12 @@ package burnish_components is
         port (
             clk : in std_logic;  -- rising edge
             enable : in std_logic;  -- 1: the pipeline advances; 0: nothing changes
-            exponent : in std_logic_vector(9 downto 0);  -- n, 1 .. 1023
+            exponent : in std_logic_vector(9 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on
             angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             busy : out std_logic;  -- 1: the lobe's registers are clocked
             value : out std_logic_vector(RESULT - 1 downto 0);  -- UQ0.16, or its upper RESULT bits, rounded
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -185,7 +185,7 @@ package burnish_components is
             reset : in std_logic;  -- 1: drops all words inside; at least one clock after power-up
             s_valid : in std_logic;  -- a word comes
             s_ready : out std_logic;  -- it is taken; a register
-            s_exponent : in std_logic_vector(choose(UNIT = 4, 20, 10) - 1 downto 0);  -- n, 1 .. 1023; UNIT 4: {shift, slope}, 4 and 16 bits
+            s_exponent : in std_logic_vector(choose(UNIT = 4, 20, 10) - 1 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {shift, slope}, 4 and 16 bits
             s_angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- cosine UQ1.15, above 0x8000 is 1; LAMBDA 1: 1 - cosine UQ0.24
             s_user : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- travels with the word
             m_valid : out std_logic;  -- a result is there
@@ -266,7 +266,7 @@ package burnish_components is
             clk : in std_logic;  -- rising edge
             enable : in std_logic;  -- 1: the pipeline advances; 0: nothing changes
             normal : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, as NORMALIZE says
-            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
             ambient : in std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each
             light : in std_logic_vector(48*LIGHTS - 1 downto 0);  -- per light, the first lowest: {z, y, x}, Q15, unit vector to the light
             half : in std_logic_vector(48*LIGHTS - 1 downto 0);  -- per light: {z, y, x}, Q15, unit vector halfway to the viewer
@@ -274,7 +274,7 @@ package burnish_components is
             specular : in std_logic_vector(48*LIGHTS - 1 downto 0);  -- per light: {blue, green, red}, UQ1.15: light times surface
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             color : out std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each, limited to 0xFFFF
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -295,13 +295,13 @@ package burnish_components is
             normal : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, unit vector
             light : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, unit vector to the light
             half : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, unit vector halfway to the viewer
-            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
             diffuse : in std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15: light's colour times surface's
             specular : in std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15: light's colour times surface's
             sum_in : in std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             sum_out : out std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each, limited to 0xFFFF
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -320,13 +320,13 @@ package burnish_components is
             enable : in std_logic;  -- 1: the pipeline advances; 0: nothing changes
             normal : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, unit vector
             half : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, unit vector halfway to the viewer
-            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
             lit : in std_logic;  -- 1 where N.L > 0
             color : in std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15: light's colour times surface's
             sum_in : in std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             sum_out : out std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each, limited to 0xFFFF
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
@@ -345,10 +345,10 @@ package burnish_components is
             enable : in std_logic;  -- 1: the pipeline advances; 0: nothing changes
             normal : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, unit vector
             half : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, unit vector halfway to the viewer
-            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+            exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             value : out std_logic_vector(15 downto 0);  -- UQ0.16
-            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency
+            user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
         );
     end component;
 
