@@ -19,10 +19,10 @@ typedef struct need {
 /* The first flag of a list that was given, or NULL. */
 static const char *find_given(const render_settings *settings, const char *flags, char *name,
                               size_t size) {
-    for (const char *rest = flags; rest; rest = strchr(rest, ','), rest += rest != NULL) {
-        const size_t length = strcspn(rest, ",");
+    for (size_t length; *flags; flags += length + (flags[length] == ',')) {
+        length = strcspn(flags, ",");
         if (length < size) {
-            memcpy(name, rest, length);
+            memcpy(name, flags, length);
             name[length] = 0;
         }
         if (length < size && render_is_given(settings, name)) {
