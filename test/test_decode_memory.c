@@ -6,8 +6,7 @@
 #include "picture/picture.h"
 #include "support.h"
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&       \
-    !defined(BURNISH_MSAN)
+#ifdef __GLIBC__
 
 #include <errno.h>
 #include <stdatomic.h>

@@ -387,6 +387,7 @@ static void test_sheet(void) {
     CHECK1(strstr(text, "aria-label=\"a &quot;long&quot; label that is cut somewhere\"") &&
            strstr(text, "aria-label=\"&lt;&amp;&gt;\""));
     burnish_release(NULL, text);
+    burnish_drawing_destroy(drawn_sheet);
 
     CHECK1(burnish_drawing_create(NULL, W, H + 1, &other, &error) == BURNISH_STATUS_OK);
     images[0] = (burnish_image){.width = W, .height = H, .channels = 3};

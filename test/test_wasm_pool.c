@@ -53,10 +53,14 @@ static void outer(void *data, int thread) {
 }
 
 int main(int count, char **arguments) {
+    static char *stacks[THREADS]; /* inside each: they are kept for good, which is no leak */
     test_begin(count, arguments, NULL);
     for (int i = 1; i < THREADS; ++i) {
         pthread_t thread;
-        CHECK1(threads_add() != NULL);
+        char *end = threads_add();
+        if (CHECK1(end != NULL)) {
+            stacks[i] = end - 1;
+        }
         CHECK1(pthread_create(&thread, NULL, enter_loop, NULL) == 0 && pthread_detach(thread) == 0);
     }
     CHECK1(burnish_processor_count() == THREADS);

@@ -202,7 +202,8 @@ static burnish_status fail_unknown(const cli_command *command, const char *argum
 /* Its bit in the settings of the command that the flag is of. */
 static uint64_t *given_bit(const cli_command *command, const cli_flag *flag, const void *settings,
                            uint64_t *mask) {
-    while (command && !(flag >= command->flags && flag < command->flags + command->flag_count)) {
+    while (command && !(command->flag_count > 0 && flag >= command->flags &&
+                        flag < command->flags + command->flag_count)) {
         command = command->base;
     }
     if (!command || !command->given) {
