@@ -104,6 +104,24 @@ static void test_details(void) {
           f.join_tolerance);
 }
 
+/* Vertices of no triangle may be anywhere. The undefined behaviour sanitizer sees what goes wrong.
+ */
+static void test_unused(void) {
+    uint64_t random = test_seed(1);
+    const soup s = jittered_box(low, high, 3e-7, &random);
+    float points[3 * (CORNERS + 1)];
+    uint32_t corners[CORNERS];
+    burnish_mesh_description arrays = burnish_mesh_description_default();
+    memcpy(points, s.points, sizeof points - 3 * sizeof *points);
+    for (int i = 0; i < CORNERS; ++i) {
+        corners[i] = (uint32_t)i;
+    }
+    points[3 * CORNERS] = points[3 * CORNERS + 1] = points[3 * CORNERS + 2] = 1e30f;
+    arrays.positions = (burnish_array){points, CORNERS + 1, 0};
+    arrays.indices = (burnish_array){corners, CORNERS, 0};
+    CHECK1(measure_arrays(&arrays, 1).is_closed);
+}
+
 static void test_threads(void) {
     uint64_t random = test_seed(1);
     const soup s = jittered_box(low, high, 3e-7, &random);
@@ -154,6 +172,7 @@ int main(int count, char **arguments) {
     RUN(test_exact());
     RUN(test_flat());
     RUN(test_details());
+    RUN(test_unused());
     RUN(test_threads());
     RUN(test_cut());
     RUN(test_crowd(0.5));

@@ -54,27 +54,26 @@ typedef struct burnish_opacity_rule {
     int is_transparent, is_masked;
 } burnish_opacity_rule;
 
-static burnish_opacity_rule rule_of(const burnish_transparency *transparency, size_t i) {
+static void fill_rule(const burnish_transparency *transparency, size_t i,
+                      burnish_opacity_rule *rule) {
     static const int slots[2] = {BURNISH_TEXTURE_COLOR, BURNISH_TEXTURE_OPACITY};
     const burnish_texturing *texturing = transparency->texturing;
     const burnish_textured_material *material = texturing ? &texturing->materials[i] : NULL;
-    burnish_opacity_rule rule;
-    memset(&rule, 0, sizeof rule);
-    rule.is_transparent = is_transparent_material(transparency, i);
-    if (!rule.is_transparent || !material || material->material.alpha_mode != BURNISH_ALPHA_MASK) {
-        return rule;
+    memset(rule, 0, sizeof *rule);
+    rule->is_transparent = is_transparent_material(transparency, i);
+    if (!rule->is_transparent || !material || material->material.alpha_mode != BURNISH_ALPHA_MASK) {
+        return;
     }
-    rule.is_masked = 1;
-    rule.cutoff = material->material.alpha_cutoff;
-    rule.transparency = material->material.transparency;
+    rule->is_masked = 1;
+    rule->cutoff = material->material.alpha_cutoff;
+    rule->transparency = material->material.transparency;
     for (int k = 0; k < 2; ++k) {
         const burnish_texture_sampler *sampler = &material->samplers[slots[k]];
-        rule.levels[k] = sampler->levels;
-        memcpy(rule.transform[k], sampler->transform, sizeof rule.transform[k]);
-        memcpy(rule.wrap[k], sampler->wrap, sizeof rule.wrap[k]);
+        rule->levels[k] = sampler->levels;
+        memcpy(rule->transform[k], sampler->transform, sizeof rule->transform[k]);
+        memcpy(rule->wrap[k], sampler->wrap, sizeof rule->wrap[k]);
     }
-    rule.level_cutoff = rule.levels[0] ? rule.levels[0]->cutoff : 0;
-    return rule;
+    rule->level_cutoff = rule->levels[0] ? rule->levels[0]->cutoff : 0;
 }
 
 static void update_version(burnish_transparency *transparency, const burnish_mesh_view *mesh,
@@ -90,8 +89,9 @@ static void update_version(burnish_transparency *transparency, const burnish_mes
         return;
     }
     for (size_t i = 0; i < count; ++i) {
-        const burnish_opacity_rule rule = rule_of(transparency, i);
-        is_other |= memcmp(&rule, &transparency->rules[i], sizeof rule) != 0;
+        burnish_opacity_rule rule;
+        fill_rule(transparency, i, &rule);
+        is_other = is_other || memcmp(&rule, &transparency->rules[i], sizeof rule) != 0;
         memcpy(&transparency->rules[i], &rule, sizeof rule);
     }
     transparency->version += (uint64_t)is_other;

@@ -81,7 +81,7 @@ same max-texture-pixels=100000
 same max-input-bytes=1000000
 same max-overdraw=100000
 same max-seconds=100
-same max-memory=8000000000G # which a sanitizer bears
+same max-memory=8000000000G
 other sandbox
 same no-sandbox
 same json=../j.json

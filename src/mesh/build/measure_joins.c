@@ -63,13 +63,14 @@ static void list_candidates(void *context, size_t first, size_t end) {
     for (size_t i = first; i < end; ++i) {
         uint64_t cell = 0;
         j->joined[i] = (uint32_t)i;
+        if (!(j->m->marks[i] & BURNISH_MARK_ODD)) {
+            continue; /* vertices of no triangle are beyond the bounds */
+        }
         for (size_t k = 0; k < 3; ++k) {
             const double from = (double)j->m->positions[3 * i + k] - (double)j->low[k];
             cell = cell << AXIS_BITS | ((uint64_t)(from / j->tolerance) + 1);
         }
-        if (j->m->marks[i] & BURNISH_MARK_ODD) {
-            j->items[j->count++] = (candidate){cell, (uint32_t)i};
-        }
+        j->items[j->count++] = (candidate){cell, (uint32_t)i};
     }
 }
 
