@@ -58,8 +58,9 @@ int main(int count, char **arguments) {
     for (int i = 1; i < THREADS; ++i) {
         pthread_t thread;
         char *end = threads_add();
-        if (CHECK1(end != NULL)) {
+        if (CHECK1(end && (uintptr_t)end % 16 == 0)) {
             stacks[i] = end - 1;
+            CHECK1(stacks[i] != stacks[i - 1]);
         }
         CHECK1(pthread_create(&thread, NULL, enter_loop, NULL) == 0 && pthread_detach(thread) == 0);
     }
