@@ -6,8 +6,8 @@
 #include "mesh/read/zip.h"
 
 /* Where the file is an archive that holds a file of its own ending, or is AMF and holds one file,
- * the input becomes that; formats that are archives themselves (.zae, .ifczip) stay. It unpacks to
- * at most 200 times its size, and 1 MiB. Errors: FORMAT, LIMIT, MEMORY. */
+ * the input becomes that; formats that are archives themselves (.zae, .ifczip) stay. It may unpack
+ * to BURNISH_UNPACKED_PER_BYTE bytes per byte. Errors: FORMAT, LIMIT, MEMORY. */
 burnish_status importer_unpack_archive(importer_input *input, burnish_error *error);
 
 #endif
