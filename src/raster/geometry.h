@@ -97,7 +97,7 @@ typedef struct burnish_triangles {
 
 /* How much longer a sample of a transparent triangle takes than one of an opaque triangle, at most:
  * it moves up to 31 other layers. */
-enum { BURNISH_LAYER_WORK = 16 };
+enum { BURNISH_LAYER_WORK = 28 };
 
 /* A frame's geometry; every array but the mesh's indices is owned. All zero before the first frame;
  * later frames use the arrays again. A primitive's index is its triangle's in the mesh; those that

@@ -225,7 +225,7 @@ CASES = {
     "fan-450000.obj": (lambda: fan(450000), "--views=front", 5),
     "transparent-500.ply": (lambda: transparent(500), "--views=front", 5),
     "transparent-15000.ply": (lambda: transparent(15000), "--views=front", 5),
-    "faint-350.ply": (lambda: transparent(350, 1), "", 0),
+    "faint-280.ply": (lambda: transparent(280, 1), "", 0),
     "libraries-50000.obj": (lambda: many_libraries(50000), "", 0),
     "libraries-400000.obj": (lambda: many_libraries(400000), "", 0),
     "libraries-long.obj": (lambda: long_libraries(900000), "", 0),
