@@ -71,7 +71,7 @@ mpi: ## build burnish-mpi, batches on many machines, and test it with ranks that
 	@$(DEPS) build test mpi
 	@cmake --preset release -DBURNISH_MPI=ON >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target burnish_cli burnish_mpi
-	@./mpi/test/run build/release/burnish build/mpi-test build/release/burnish-mpi $(if $(SHORT),short)
+	@./program/mpi/test/run build/release/burnish build/mpi-test build/release/burnish-mpi $(if $(SHORT),short)
 
 view: ## build burnish with its window (SDL2), and test that and what desktops need
 	@$(DEPS) build test view
@@ -125,7 +125,7 @@ short_scalar = -O1
 golden-%:
 	@cmake --preset $* -B build/short/$* -DBURNISH_WIDE_VECTORS=OFF -DCMAKE_C_FLAGS_RELEASE="$(short_$*) -DNDEBUG" >/dev/null
 	@cmake --build build/short/$* -j $(JOBS) --target burnish_cli
-	@GOLDEN_HOW=each ./test/cli/golden.sh build/short/$*/burnish build/short/$*/golden
+	@GOLDEN_HOW=each ./test/integration/golden.sh build/short/$*/burnish build/short/$*/golden
 
 # The same 20,000 inputs every time.
 fuzz-briefly: build-fuzz
@@ -181,7 +181,7 @@ format-check: ## fail when a source is not formatted
 	@./scripts/format --check
 
 golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pixels
-	@./test/cli/golden.sh $(BUILD)/burnish build/golden $(if $(SHORT),,--update)
+	@./test/integration/golden.sh $(BUILD)/burnish build/golden $(if $(SHORT),,--update)
 
 # ---- What the pages show ----
 
@@ -194,7 +194,7 @@ shaders: ## write shaders/ from shaders/burnish.shade again
 
 abi: ## rewrite test/golden/abi.txt after a deliberate change of the binary interface
 	@$(DEPS) check
-	@./test/cli/abi.sh . build/abi --update $(if $(SHORT),build/short/abi.txt)
+	@./test/integration/abi.sh . build/abi --update $(if $(SHORT),build/short/abi.txt)
 
 figures: short-docs ## draw the figures and fill the tables of docs/theory.md again
 	@$(DEPS) build figures
@@ -211,8 +211,8 @@ mcu: short-docs ## run the firmware in simulators, check every pixel, count cycl
 arduino: ## build the library for Arduino, PlatformIO and the Pico into build/arduino and build/burnish-arduino-VERSION.zip; compile and run its examples
 	@$(DEPS) build mcu
 	@$(MAKE) --no-print-directory build
-	@./arduino/pack build
-	@./arduino/test/run $(if $(SHORT),check,all) build/arduino-test $(BUILD)/burnish
+	@./hardware/arduino/pack build
+	@./hardware/arduino/test/run $(if $(SHORT),check,all) build/arduino-test $(BUILD)/burnish
 
 operations: short-docs ## count the operations of W, W_0.5 and Schlick's lobe in machine code and circuits; fills docs/theory.md
 	@$(DEPS) build mcu rtl
@@ -224,41 +224,41 @@ cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s
 	@$(DEPS) build $(if $(SHORT),systems-short,systems)
 	@./scripts/cross --page $(DOCS)/portability.md $(if $(SHORT),--short musl s390x,$(TARGETS))
 
-WASM = ./scripts/debian-sources build/sources zlib expat && cmake -S wasm -B build/wasm -G Ninja $(if $(SHORT),-DCMAKE_BUILD_TYPE=Short,-DCMAKE_BUILD_TYPE=Release) >/dev/null && \
-	cmake --build build/wasm -j $(JOBS) && ./npm/pack build/wasm build
+WASM = ./scripts/debian-sources build/sources zlib expat && cmake -S bindings/wasm -B build/wasm -G Ninja $(if $(SHORT),-DCMAKE_BUILD_TYPE=Short,-DCMAKE_BUILD_TYPE=Release) >/dev/null && \
+	cmake --build build/wasm -j $(JOBS) && ./bindings/npm/pack build/wasm build
 
 npm: ## build the npm package, WebAssembly inside, into build/npm and build/burnish-VERSION.tgz; its pixels are the program's
 	@$(DEPS) build npm
 	@$(MAKE) --no-print-directory build
 	@$(WASM)
-	@./npm/test/run $(BUILD)/burnish build/burnish-*.tgz build/npm-test
+	@./bindings/npm/test/run $(BUILD)/burnish build/burnish-*.tgz build/npm-test
 
 .PHONY: python
 python: ## build the wheel for Python, the library inside, into build/python, and test it in a virtual environment
 	@$(DEPS) build python
 	@$(MAKE) --no-print-directory build
-	@./python/test/run $(BUILD) $(BUILD)/burnish build/python
+	@./bindings/python/test/run $(BUILD) $(BUILD)/burnish build/python
 
 npm-browser: npm ## the package in Chromium: a worker, and its highlights by three.js' renderers; fetches three.js and playwright-core
 	@! command -v npm >/dev/null || $(DEPS) browser
-	@./npm/test/browser/run build/burnish-*.tgz build/npm-browser
+	@./bindings/npm/test/browser/run build/burnish-*.tgz build/npm-browser
 
 web: ## build the explorer, a page of lobes beside the power, into build/web; fetches uPlot from npm
 	@$(DEPS) build npm
 	@$(WASM)
-	@./web/build build/npm build/web
+	@./bindings/web/build build/npm build/web
 
 web-serve: web ## the same, served at http://127.0.0.1:8000
-	@$(if $(SHORT),:,node web/serve.mjs build/web)
+	@$(if $(SHORT),:,node bindings/web/serve.mjs build/web)
 
 web-test: web ## click through the explorer in Chromium: its hashes are the program's
 	@! command -v npm >/dev/null || $(DEPS) browser
 	@$(MAKE) --no-print-directory build
-	@./web/test/run $(BUILD)/burnish build/web build/web-test
+	@./bindings/web/test/run $(BUILD)/burnish build/web build/web-test
 
 web-bench: web ## how soon the explorer has its first picture, and how many a second it draws (medians; Chromium)
 	@! command -v npm >/dev/null || $(DEPS) browser
-	@./web/test/run --bench build/web build/web-test $(if $(SHORT),short)
+	@./bindings/web/test/run --bench build/web build/web-test $(if $(SHORT),short)
 
 .PHONY: docs
 SITE = $(if $(SHORT),build/short/site,build/docs)
@@ -266,21 +266,21 @@ docs: ## make the documentation into build/docs: guides, manual, the reference o
 	@$(DEPS) build docs
 	@$(MAKE) --no-print-directory build
 	@./docs/site/build $(BUILD)/burnish build/web $(SITE)
-	@python3 test/cli/links.py --site $(SITE)
+	@python3 test/pages/links.py --site $(SITE)
 
 rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
 	@$(DEPS) rtl figures
-	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./rtl/test/run $(BUILD)/rtl short errors picture
+	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./hardware/rtl/test/run $(BUILD)/rtl short errors picture
 	@./scripts/rtl-table $(BUILD)/rtl/table $(DOCS)/hardware.md $(BUILD)/rtl/errors.txt $(if $(SHORT),short)
 	@./scripts/rtl-figure $(BUILD)/burnish $(if $(SHORT),docs,$(DOCS))/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) rtl
-	@./rtl/test/run $(BUILD)/rtl $(if $(SHORT),short events proofs,full)
-	@./rtl/test/protocol $(BUILD)/rtl/protocol
-	$(if $(SHORT),,@./rtl/test/run $(BUILD)/rtl short newest)
+	@./hardware/rtl/test/run $(BUILD)/rtl $(if $(SHORT),short events proofs,full)
+	@./hardware/rtl/test/protocol $(BUILD)/rtl/protocol
+	$(if $(SHORT),,@./hardware/rtl/test/run $(BUILD)/rtl short newest)
 
-DEMO = BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a ./rtl/demo/run $(BUILD)/demo
+DEMO = BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a ./hardware/rtl/demo/run $(BUILD)/demo
 .PHONY: demo-icebreaker demo-ulx3s demo-film demo-window
 demo-icebreaker: build ## build build/release/demo/icebreaker.bin: a sphere and a teapot on an iCEBreaker's screen (minutes)
 	@$(DEPS) rtl boards

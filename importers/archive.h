@@ -3,7 +3,7 @@
 #define BURNISH_IMPORTER_ARCHIVE_H
 
 #include "importer.h"
-#include "mesh/read/zip.h"
+#include "mesh/read/io/zip.h"
 
 /* Where the file is an archive that holds a file of its own ending, or is AMF and holds one file,
  * the input becomes that; formats that are archives themselves (.zae, .ifczip) stay. It may unpack

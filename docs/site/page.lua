@@ -17,7 +17,7 @@ end
 local page = pages[source] or 'source/' .. source .. '.html'
 local root = page:gsub('[^/]+', '..'):gsub('%.%.$', '')
 
--- "docs", "../npm/README.md" -> "npm/README.md"
+-- "docs", "../bindings/npm/README.md" -> "bindings/npm/README.md"
 local function join(folder, path)
   local parts = {}
   for part in (folder .. '/' .. path):gmatch('[^/]+') do

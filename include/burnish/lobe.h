@@ -34,7 +34,7 @@
  * lobe's own zeta or exponent. absolute: largest error in units of 2^-24. relative: largest error
  * in units in the last place of the exact value, where that is at least 2^-10. Bounds, and in
  * parentheses the largest errors found in 240 million random cases per line; the tests hold the
- * bounds (test/sweep.h) and fail above them.
+ * bounds (test/support/sweep.h) and fail above them.
  *
  *     lobe     order  exponents    absolute      relative
  *     family       2  [1, 65536]   2.25  (1.98)  70   (64.2)

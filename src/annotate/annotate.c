@@ -7,9 +7,9 @@
 #include "core/environment.h"
 #include "core/error.h"
 #include "core/srgb.h"
-#include "image/drawing.h"
 #include "image/pixels.h"
-#include "image/text.h"
+#include "image/text/drawing.h"
+#include "image/text/text.h"
 
 #define COOKIE 0x414e4e31u
 

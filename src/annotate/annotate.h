@@ -6,7 +6,7 @@
 #include "burnish/annotate.h"
 #include "core/memory.h"
 #include "core/vector.h"
-#include "image/strokes.h"
+#include "image/text/strokes.h"
 
 /* Pixels from the top left corner of the picture. */
 typedef struct burnish_point {

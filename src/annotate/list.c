@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "annotate/annotate.h"
-#include "image/text.h"
+#include "image/text/text.h"
 
 void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a, burnish_point b,
                                  double width, burnish_annotation_layer layer) {

@@ -1,5 +1,5 @@
 /* Tables of the sRGB transfer function (IEC 61966-2-1). Written by
- * tools/generate/srgb_table.c; do not edit. */
+ * scripts/generate/srgb_table.c; do not edit. */
 #ifndef BURNISH_CORE_SRGB_TABLE_H
 #define BURNISH_CORE_SRGB_TABLE_H
 

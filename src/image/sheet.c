@@ -4,9 +4,9 @@
 
 #include "core/environment.h"
 #include "core/error.h"
-#include "image/drawing.h"
-#include "image/outline.h"
-#include "image/text.h"
+#include "image/text/drawing.h"
+#include "image/text/outline.h"
+#include "image/text/text.h"
 
 enum {
     LEAST_GAP = 4,      /* pixels between cells and around them */

@@ -3,7 +3,7 @@
  * Edge functions are whole numbers and exact. Small triangles are drawn stamp by stamp, weights
  * from their edges (stamps_simd.h), or several at once (tiny_simd.h), large ones cell by cell, by
  * planes (large_simd.h). What is
- * computed keeps one order of operations, that of test/reference_tile.h. */
+ * computed keeps one order of operations, that of test/support/reference_tile.h. */
 #ifndef BURNISH_RASTER_SETUP_SIMD_H
 #define BURNISH_RASTER_SETUP_SIMD_H
 

@@ -1,6 +1,6 @@
 /* A tile from its lists of triangles to depth, ids and attributes of every pixel. What comes out
- * is, bit for bit, what test/reference_tile.h computes in the plainest way, for every instruction
- * set.
+ * is, bit for bit, what test/support/reference_tile.h computes in the plainest way, for every
+ * instruction set.
  *
  * A sample shows the triangle that is nearest there; of two at the same depth the front-facing one,
  * then the first. Attributes of simple pixels (fragments.h) are interpolated at their centre while

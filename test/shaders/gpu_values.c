@@ -4,11 +4,11 @@
  *   --all   one lobe at all 2^32 floats too (a minute) */
 #include "vulkan.h"
 
-#include "../support.h"
 #include "burnish/mesh.h"
 #include "burnish/render.h"
 #include "half.h"
 #include "simd/isa_ops.h"
+#include "support.h"
 
 /* How values of two sides differ. A device that takes numbers below 2^-126 for 0 is named, not
  * refused: Vulkan allows it. */

@@ -2,7 +2,7 @@
  * [0, 1]. Prints the errors as docs/shaders.md has them. */
 #include "half.h"
 
-#include "../support.h"
+#include "support.h"
 
 /* The lobe's exact value at that cosine or lambda, with the slope before rounding. */
 static double exact(double lambda, double zeta, int order) {

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "mesh/read/lexer.h"
+#include "mesh/read/io/lexer.h"
 
 typedef struct foreign_row {
     const char *first; /* bytes at `offset` */

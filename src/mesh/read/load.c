@@ -6,11 +6,11 @@
 #include "core/environment.h"
 #include "core/platform.h"
 #include "mesh/mesh.h"
-#include "mesh/read/beside.h"
+#include "mesh/read/io/beside.h"
+#include "mesh/read/io/unpack.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/pieces.h"
 #include "mesh/read/reader.h"
-#include "mesh/read/unpack.h"
 
 enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
 

@@ -4,7 +4,7 @@
  * The first word says what a vertex has: [ST][C][N]OFF. Many files have plain OFF and colours all
  * the same, as MeshLab writes it, or normals: what the rows hold tells (see settle_values). Colours
  * count to 255 where they are written without a point, to 1 with one. */
-#include "mesh/read/chunks.h"
+#include "mesh/read/io/chunks.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/points.h"
 #include "mesh/read/textures.h"

@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "core/platform.h"
-#include "image/gunzip.h"
+#include "image/decode/gunzip.h"
+#include "mesh/read/io/unpack.h"
 #include "mesh/read/stl.h"
-#include "mesh/read/unpack.h"
 
 enum {
     PIECE = 4 * BURNISH_PIECES_HEAD, /* bytes that are read at once, by each thread */

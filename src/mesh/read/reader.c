@@ -1,11 +1,11 @@
 /* The table of formats, and how an input is read. */
 #include "mesh/read/reader.h"
 
-#include "image/gunzip.h"
+#include "image/decode/gunzip.h"
 #include "mesh/read/foreign.h"
+#include "mesh/read/io/unpack.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/textures.h"
-#include "mesh/read/unpack.h"
 
 typedef struct format_row {
     burnish_format_info info;

@@ -3,7 +3,7 @@
 #define BURNISH_MESH_READ_READER_H
 
 #include "mesh/mesh.h"
-#include "mesh/read/lexer.h"
+#include "mesh/read/io/lexer.h"
 
 typedef struct burnish_reader_input {
     const uint8_t *bytes; /* size > 0 bytes; nothing is assumed to follow them */

@@ -13,7 +13,7 @@
 
 #include "core/srgb.h"
 #include "mesh/read/budget.h"
-#include "mesh/read/chunks.h"
+#include "mesh/read/io/chunks.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/pieces.h"
 #include "mesh/read/stl.h"

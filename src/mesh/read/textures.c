@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "image/decode.h"
-#include "mesh/read/beside.h"
+#include "image/decode/decode.h"
 #include "mesh/read/budget.h"
+#include "mesh/read/io/beside.h"
 
 enum {
     TABLE_SIZE = 8192,          /* a power of two */

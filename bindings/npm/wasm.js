@@ -1,0 +1,473 @@
+// burnish/wasm: lobes, their theory and the whole renderer in WebAssembly, with the pixels of the program `burnish`.
+//
+//   import { render } from "burnish/wasm";
+//   const picture = await render(bytes, { name: "part.stl", size: 256, lobe: "minimax:4" });
+//   picture.width, picture.height, picture.pixels, picture.hash
+//
+// Options are the flags of `burnish render` in camelCase, listed in wasm.d.ts.
+
+/** What burnish says of a failure: one line in `message`, a word such as "FORMAT" in `status`. */
+export class BurnishError extends Error {
+  constructor(message, status) {
+    super(message);
+    this.name = "BurnishError";
+    this.status = status;
+  }
+}
+
+// i8x16.popcnt of a splat: valid where SIMD128 is.
+const SIMD_PROBE = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+/** Whether this engine runs SIMD128. */
+export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
+
+// Options that say how a mesh is loaded; the others say how it is drawn.
+const LOADING = new Set([
+  "inputFormat", "clip", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize", "strict",
+  "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up",
+]);
+
+// In the order of session_number, theory_number and theory_convert.
+const NUMBERS = ["width", "height", "channels", "hashHigh", "hashLow", "coveredPixels", "triangles", "vertices"];
+const FACTS = [
+  "zeta", "scale", "cutoffCosine", "zeroAngle", "halfAngle", "maximumError", "integral", "cosineIntegral",
+  "multiplications", "additions", "comparisons", "divisions", "transcendentals", "lookups",
+];
+const UPS = ["", "+X", "-X", "+Y", "-Y", "+Z", "-Z"];
+const CONVERSIONS = [
+  "exponentFromRoughness", "roughnessFromExponent", "exponentFromAlpha", "alphaFromExponent", "phongFromBlinn",
+  "blinnFromPhong",
+];
+
+const NO_FLAGS = new Set(["name", "files", "decode", "rgba"]);
+
+// What is left for a picture.
+const drawing = (options) => Object.fromEntries(Object.entries(options).filter(([key]) => !LOADING.has(key)));
+
+const flagOf = (key) => "--" + key.replace(/[A-Z]/g, (letter) => "-" + letter.toLowerCase());
+
+// { samples: 4, light: ["none", "point:1,2,3"], transparent: true } to ["--samples=4", "--light=none", ...]
+function flags(options, isWanted) {
+  const list = [];
+  for (const [key, value] of Object.entries(options)) {
+    if (NO_FLAGS.has(key) || !isWanted(key) || value === undefined || value === null || value === false) {
+      continue;
+    }
+    const repeated = Array.isArray(value) && value.some((item) => typeof item === "string");
+    for (const item of repeated ? value : [value]) {
+      const text = Array.isArray(item) ? item.join(",") : String(item);
+      list.push(item === true ? flagOf(key) : `${flagOf(key)}=${text}`);
+    }
+  }
+  return list;
+}
+
+async function compileFile(url) {
+  if (url.protocol === "file:" && globalThis.process?.versions?.node) {
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs/promises");
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) {
+    throw new BurnishError(`${url}: can't be fetched: ${response.status} ${response.statusText}`, "READ");
+  }
+  // while it arrives, and kept compiled in the browser's cache, where the server names its type
+  const isNamed = response.headers.get("content-type")?.trim().toLowerCase() === "application/wasm";
+  return isNamed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+// What a browser decodes: codes of 8 bits as they are, whatever profile the file states. They come back by way of WebGL,
+// since a 2D canvas multiplies alpha in and out.
+async function decodeByBrowser(bytes) {
+  const as = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
+  const bitmap = await createImageBitmap(new Blob([bytes]), as);
+  const { width, height } = bitmap;
+  const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
+  if (!gl || Math.max(width, height) > gl.getParameter(gl.MAX_TEXTURE_SIZE)) {
+    const canvas = new OffscreenCanvas(width, height).getContext("2d");
+    canvas.drawImage(bitmap, 0, 0);
+    return { width, height, pixels: canvas.getImageData(0, 0, width, height).data };
+  }
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, gl.getParameter(gl.TEXTURE_BINDING_2D), 0);
+  const pixels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return { width, height, pixels };
+}
+const usualDecoder = typeof createImageBitmap === "function" && typeof OffscreenCanvas === "function" ? decodeByBrowser : null;
+
+const asBytes = (input) =>
+  input instanceof Uint8Array ? input
+  : ArrayBuffer.isView(input) ? new Uint8Array(input.buffer, input.byteOffset, input.byteLength)
+  : new Uint8Array(input);
+
+/** One instance of the module. Not shared between threads: each worker loads its own. */
+class Burnish {
+  #exports;
+  #encoder = new TextEncoder();
+  #decoder = new TextDecoder();
+  #reading = Promise.resolve();
+
+  #startThreads;
+
+  constructor(exports, simd, threads, startThreads) {
+    this.#exports = exports;
+    this.simd = simd;
+    this.threads = threads;
+    this.#startThreads = startThreads;
+    this.version = this.#text(exports.version());
+  }
+
+  /** Starts the threads that load() was told not to start; more calls do nothing. */
+  startThreads() {
+    this.#startThreads();
+    this.#startThreads = () => {};
+  }
+
+  // ---- Memory ----
+
+  #allocate(size) {
+    const at = this.#exports.allocate(size);
+    if (at === 0) {
+      throw new BurnishError(`out of memory: ${size} bytes; draw a smaller mesh or picture`, "MEMORY");
+    }
+    return at;
+  }
+
+  #put(bytes) {
+    const at = this.#allocate(bytes.length);
+    new Uint8Array(this.#exports.memory.buffer).set(bytes, at);
+    return at;
+  }
+
+  // Calls use(pointers) with texts and bytes in the module's memory, which go afterwards.
+  #with(items, use) {
+    const pointers = [];
+    try {
+      for (const item of items) {
+        pointers.push(this.#put(typeof item === "string" ? this.#encoder.encode(item + "\0") : item));
+      }
+      return use(...pointers);
+    } finally {
+      pointers.forEach((at) => this.#exports.release(at));
+    }
+  }
+
+  #text(at) {
+    const bytes = new Uint8Array(this.#exports.memory.buffer, at);
+    return this.#decoder.decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
+  #failure() {
+    return new BurnishError(this.#text(this.#exports.failure_text()), this.#text(this.#exports.failure_status()));
+  }
+
+  // ---- Meshes ----
+
+  /** Loads a mesh from bytes, or one of ":teapot", ":sphere", ":torus", ":knot". */
+  open(input, options = {}) {
+    const isBuiltIn = typeof input === "string";
+    const bytes = isBuiltIn ? new Uint8Array(0) : asBytes(input);
+    const name = isBuiltIn ? input : options.name ?? "memory";
+    const list = flags(options, (key) => LOADING.has(key));
+    const e = this.#exports;
+    const session = e.session_create();
+    const files = Object.entries(options.files ?? {});
+    const items = [name, bytes, list.join("\0"), ...files.flatMap(([file, content]) => [file, asBytes(content)])];
+    try {
+      this.#with(items, (nameAt, bytesAt, flagsAt, ...offers) => {
+        files.forEach(([, content], i) => {
+          e.session_offer(session, offers[2 * i], offers[2 * i + 1], asBytes(content).length);
+        });
+        if (!e.session_open(session, nameAt, bytesAt, bytes.length, flagsAt, list.length)) {
+          throw this.#failure();
+        }
+      });
+    } catch (error) {
+      e.session_destroy(session);
+      throw error;
+    }
+    return new Mesh(session, {
+      draw: (at, drawn) => this.#draw(at, drawn),
+      close: (at) => e.session_destroy(at),
+    });
+  }
+
+  #draw(session, options) {
+    const e = this.#exports;
+    const list = flags(options, (key) => !LOADING.has(key));
+    this.#with([list.join("\0")], (flagsAt) => {
+      if (!e.session_draw(session, flagsAt, list.length)) {
+        throw this.#failure();
+      }
+    });
+    const numbers = Array.from({ length: 15 }, (_, i) => e.session_number(session, i));
+    const facts = Object.fromEntries(NUMBERS.map((key, i) => [key, numbers[i]]));
+    const pixels = options.rgba ? this.#rgba(session, 4 * facts.width * facts.height)
+      : new Uint8Array(e.memory.buffer, e.session_pixels(session), facts.width * facts.height * facts.channels).slice();
+    const camera = [...new Float64Array(e.memory.buffer, e.session_camera(session), 11)];
+    const warnings = [];
+    for (let at, i = 0; (at = e.session_warning(session, i)) !== 0; ++i) {
+      warnings.push(this.#text(at));
+    }
+    const hex = (half) => half.toString(16).padStart(8, "0");
+    return {
+      width: facts.width,
+      height: facts.height,
+      channels: options.rgba ? 4 : facts.channels,
+      pixels,
+      hash: hex(facts.hashHigh) + hex(facts.hashLow),
+      coveredPixels: facts.coveredPixels,
+      triangles: facts.triangles,
+      vertices: facts.vertices,
+      boundingBox: { min: numbers.slice(8, 11), max: numbers.slice(11, 14) },
+      up: UPS[numbers[14]],
+      camera: {
+        position: camera.slice(0, 3),
+        focalPoint: camera.slice(3, 6),
+        viewUp: camera.slice(6, 9),
+        viewAngle: camera[9],
+        orthographicHeight: camera[10],
+      },
+      warnings,
+    };
+  }
+
+  #rgba(session, size) {
+    const at = this.#allocate(size);
+    this.#exports.session_rgba(session, at);
+    const pixels = new Uint8Array(this.#exports.memory.buffer, at, size).slice();
+    this.#exports.release(at);
+    return pixels;
+  }
+
+  // Has each picture decoded that the last mesh wanted; returns how many there are now.
+  async #decodePictures(decode) {
+    const e = this.#exports;
+    let decoded = 0;
+    for (let at, i = 0; (at = e.picture_bytes(i)) !== 0; ++i) {
+      const bytes = new Uint8Array(e.memory.buffer, at, e.picture_size(i)).slice();
+      const { width, height, pixels } = await Promise.resolve(decode(bytes)).catch(() => ({}));
+      const room = width > 0 && pixels?.length === 4 * width * height ? e.picture_pixels(i, width, height) : 0;
+      if (room !== 0) {
+        new Uint8Array(e.memory.buffer).set(pixels, room);
+        ++decoded;
+      }
+    }
+    return decoded;
+  }
+
+  /** open(), with textures decoded. */
+  async read(input, { decode = usualDecoder, ...options } = {}) {
+    const before = this.#reading;
+    let end;
+    this.#reading = new Promise((resolve) => (end = resolve));
+    await before; // pictures that are wanted belong to one mesh at a time
+    try {
+      const mesh = this.open(input, options);
+      if (!decode || (await this.#decodePictures(decode)) === 0) {
+        return mesh;
+      }
+      mesh.close();
+      return this.open(input, options);
+    } finally {
+      this.#exports.picture_forget();
+      end();
+    }
+  }
+
+  /** One picture of a mesh that is not needed afterwards. */
+  render(input, options = {}) {
+    const mesh = this.open(input, options);
+    this.#exports.picture_forget();
+    try {
+      return mesh.render(drawing(options));
+    } finally {
+      mesh.close();
+    }
+  }
+
+  // ---- Lobes ----
+
+  /** Values of a lobe at cosines, in single precision: the bits that pictures have. */
+  lobeValues(words, exponent, cosines) {
+    const e = this.#exports;
+    const input = Float32Array.from(cosines);
+    return this.#with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
+      if (!e.lobe_values(text, exponent, input.length, from, to)) {
+        throw this.#failure();
+      }
+      return new Float32Array(e.memory.buffer, to, input.length).slice();
+    });
+  }
+
+  /** Values of a lobe at angles in radians, in double precision. */
+  theoryValues(words, exponent, angles) {
+    const e = this.#exports;
+    const input = Float64Array.from(angles);
+    return this.#with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
+      if (!e.theory_values(text, exponent, input.length, from, to)) {
+        throw this.#failure();
+      }
+      return new Float64Array(e.memory.buffer, to, input.length).slice();
+    });
+  }
+
+  /** What is true of a lobe at an exponent. */
+  theory(words, exponent) {
+    const e = this.#exports;
+    return this.#with([words], (text) => {
+      const values = FACTS.map((_, i) => e.theory_number(text, exponent, i));
+      if (this.#text(e.failure_text())) {
+        throw this.#failure();
+      }
+      return Object.fromEntries(FACTS.map((key, i) => [key, values[i]]));
+    });
+  }
+
+  /** Exponents and roughness: exponentFromRoughness and the like. */
+  convert(name, value) {
+    const which = CONVERSIONS.indexOf(name);
+    if (which < 0) {
+      throw new BurnishError(`"${name}": unknown conversion; one of ${CONVERSIONS.join(", ")}`, "ARGUMENT");
+    }
+    return this.#exports.theory_convert(which, value);
+  }
+
+  /**
+   * What `burnish lobe` prints: ["claims", "--format=csv"], or table, choose, fit, boundary. A file that the arguments
+   * name is given with them: { name, bytes }.
+   */
+  lobe(words, { name = "", bytes = [] } = {}) {
+    const e = this.#exports;
+    const list = words.map(String);
+    if (list.some((word) => /^(--format=)?json$/.test(word))) {
+      throw new BurnishError("--format: there is no JSON here; take csv", "ARGUMENT");
+    }
+    const content = asBytes(bytes);
+    return this.#with([list.join("\0"), name, content], (wordsAt, nameAt, bytesAt) => {
+      const text = e.lobe_command(wordsAt, list.length, nameAt, bytesAt, content.length);
+      if (text === 0) {
+        throw this.#failure();
+      }
+      return this.#text(text);
+    });
+  }
+
+  /** Endings of the files that open() reads: ".obj". */
+  get endings() {
+    const endings = [];
+    for (let i = 0, at; (at = this.#exports.format_endings(i)) !== 0; ++i) {
+      endings.push(...this.#text(at).split(" ").filter(Boolean));
+    }
+    return endings;
+  }
+
+  /** Words of one lobe of each sort. */
+  get lobes() {
+    const words = [];
+    for (let at; (at = this.#exports.lobe_example(words.length)) !== 0; ) {
+      words.push(this.#text(at));
+    }
+    return words;
+  }
+}
+
+/** A loaded mesh, which keeps its memory from one picture to the next. Close it when it is done with. */
+class Mesh {
+  #session;
+  #module;
+
+  constructor(session, module) {
+    this.#session = session;
+    this.#module = module;
+  }
+
+  render(options = {}) {
+    if (this.#session === 0) {
+      throw new BurnishError("mesh: it is closed; open it again", "ARGUMENT");
+    }
+    const loading = Object.keys(options).find((key) => LOADING.has(key));
+    if (loading) {
+      throw new BurnishError(`${flagOf(loading)}: it is for loading; give it to open()`, "ARGUMENT");
+    }
+    return this.#module.draw(this.#session, options);
+  }
+
+  close() {
+    this.#module.close(this.#session);
+    this.#session = 0;
+  }
+}
+
+const usedFile = (simd, threads) =>
+  threads > 1 ? new URL("./burnish-threads.wasm", import.meta.url)
+  : simd ? new URL("./burnish-simd.wasm", import.meta.url)
+  : new URL("./burnish.wasm", import.meta.url);
+
+// Workers that share the module's memory. Nobody waits for them: what begins before they are there goes without them.
+function startWorkers(count, module, memory, exports) {
+  for (let i = 1; i < count; ++i) {
+    const worker = new Worker(new URL("./wasm-thread.js", import.meta.url), { type: "module" });
+    worker.postMessage({ module, memory, stack: exports.threads_add() });
+  }
+}
+
+// Memory that threads share, null where the engine has none of it; pages as bindings/wasm/CMakeLists.txt states them.
+function sharedMemory() {
+  try {
+    return new WebAssembly.Memory({ initial: 256, maximum: 32768, shared: true });
+  } catch {
+    return null;
+  }
+}
+
+// A module that imports its memory is the one with threads.
+const importsMemory = (module) => WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory");
+
+/**
+ * Makes an instance of the module.
+ * @param {object} [how]
+ * @param {boolean} [how.simd]  false: the module without SIMD128; by default what the engine runs
+ * @param {number} [how.threads]  so many at once, 1; more where the page is cross-origin isolated and the caller is a worker, else 1
+ * @param {boolean} [how.startThreads]  false: startThreads() starts them, and until then one draws
+ * @param {URL|string|BufferSource|WebAssembly.Module} [how.module]  instead of the file beside this one
+ */
+export async function load({ simd = hasSimd(), threads = 1, startThreads = true, module } = {}) {
+  const mayShare = simd && globalThis.crossOriginIsolated && typeof WorkerGlobalScope === "function";
+  const isForThreads = module instanceof WebAssembly.Module ? importsMemory(module) : !module && threads > 1;
+  const memory = mayShare && isForThreads ? sharedMemory() : null;
+  const count = memory ? Math.min(threads, 64) : 1;
+  let source = module ?? usedFile(simd, count);
+  if (typeof source === "string" || source instanceof URL) {
+    source = await compileFile(new URL(source, import.meta.url));
+  }
+  const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+  const instance = await WebAssembly.instantiate(compiled, memory ? { env: { memory } } : {});
+  const exports = memory ? { ...instance.exports, memory } : instance.exports;
+  exports._initialize();
+  const burnish = new Burnish(exports, simd, count, () => startWorkers(count, compiled, memory, exports));
+  if (startThreads) {
+    burnish.startThreads();
+  }
+  return burnish;
+}
+
+let shared;
+
+/** One picture by an instance that all calls share; textures are decoded. */
+export async function render(input, options = {}) {
+  shared ??= load();
+  const mesh = await (await shared).read(input, options);
+  try {
+    return mesh.render(drawing(options));
+  } finally {
+    mesh.close();
+  }
+}

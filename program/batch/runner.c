@@ -1,0 +1,419 @@
+/* A runner: one of as many processes as there are cores. It reads an input only to hash it; what
+ * parses and draws is a worker, forked for one item. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "batch/batch.h"
+
+#ifndef _WIN32
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "cli/clock.h"
+#include "cli/limits.h"
+#include "cli/output.h"
+#include "cli/write.h"
+#include "import/import.h"
+#include "render/output/report.h"
+#include "sandbox/channel.h"
+#include "sandbox/sandbox.h"
+
+enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64 };
+
+/* What a worker tells, in memory that it shares with its runner: numbers and texts that are looked
+ * at before they are used. */
+typedef struct facts {
+    uint64_t picture, triangles, vertices;
+    float size[3];
+    int32_t is_drawn, format, width, height, is_blank;
+    uint32_t warning_count;
+    char warnings[WARNINGS_MAX][WARNING_BYTES];
+    char message[480];
+} facts;
+
+/* The files beside an input that were asked for. */
+typedef struct files {
+    char *names[FILES_MAX];
+    size_t count;
+    int are_too_many;
+    uint64_t hash; /* over names and bytes, in their order */
+} files;
+
+typedef struct runner {
+    const batch *b;
+    facts *shared;
+} runner;
+
+/* ---- Hashes ---- */
+
+/* The hash of an open file's bytes; 0, with errno, if it can't be read or is not a file. */
+static int hash_open_file(int file, uint64_t *hash, uint64_t seed) {
+    static char buffer[1 << 18];
+    struct stat state;
+    XXH64_state_t hasher;
+    ssize_t size = -1;
+    off_t at = 0;
+    XXH64_reset(&hasher, seed);
+    if (fstat(file, &state) == 0 && S_ISREG(state.st_mode)) {
+        for (; (size = pread(file, buffer, sizeof buffer, at)) > 0; at += size) {
+            XXH64_update(&hasher, buffer, (size_t)size);
+        }
+    } else {
+        errno = EINVAL;
+    }
+    *hash = XXH64_digest(&hasher);
+    return size == 0;
+}
+
+static int hash_file(const char *path, uint64_t *hash, uint64_t seed) {
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+    if (file < 0) {
+        return 0;
+    }
+    const int is_read = hash_open_file(file, hash, seed), code = errno;
+    close(file);
+    errno = code;
+    return is_read;
+}
+
+static uint64_t hash_text(const char *text, uint64_t seed) {
+    return XXH64(text, strlen(text), seed);
+}
+
+static void release_files(files *f) {
+    for (size_t i = 0; i < f->count; ++i) {
+        free(f->names[i]);
+    }
+    *f = (files){0};
+}
+
+static void see_file(void *context, const char *name, int file) {
+    files *f = context;
+    char *copy = f->count < FILES_MAX ? strdup(name) : NULL;
+    if (!copy) {
+        f->are_too_many = 1;
+        return;
+    }
+    f->names[f->count++] = copy;
+    const uint64_t seed = hash_text(name, f->hash);
+    f->hash = file >= 0 && hash_open_file(file, &f->hash, seed) ? f->hash : seed + 1;
+}
+
+/* ---- What is unchanged ---- */
+
+static const char *text_of(const cJSON *object, const char *key) {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+    return cJSON_IsString(item) ? item->valuestring : "";
+}
+
+static int is_hash(const char *text, uint64_t hash) {
+    char wanted[17];
+    snprintf(wanted, sizeof wanted, "%016llx", (unsigned long long)hash);
+    return strcmp(text, wanted) == 0;
+}
+
+/* Whether the files that the line lists still have its hash. */
+static int has_same_files(const cJSON *line, const char *input) {
+    const cJSON *names = cJSON_GetObjectItemCaseSensitive(line, "files"), *name;
+    const size_t folder = (size_t)(batch_base_name(input) - input);
+    uint64_t hash = 0;
+    cJSON_ArrayForEach(name, names) {
+        char path[8192];
+        if (!cJSON_IsString(name) || snprintf(path, sizeof path, "%.*s%s", (int)folder, input,
+                                              name->valuestring) >= (int)sizeof path) {
+            return 0;
+        }
+        uint64_t next = hash_text(name->valuestring, hash);
+        hash = hash_file(path, &hash, next) ? hash : next + 1;
+    }
+    return !names || is_hash(text_of(line, "files_hash"), hash);
+}
+
+/* Whether the line of an earlier run is still true. */
+static int is_unchanged(const batch_order *order, uint64_t hash) {
+    struct stat state;
+    if (!order->past || stat(order->item.output, &state) != 0 || state.st_size == 0) {
+        return 0;
+    }
+    cJSON *object = cJSON_Parse(order->past);
+    const int is_same = object && strcmp(text_of(object, "status"), "done") == 0 &&
+                        is_hash(text_of(object, "hash"), hash) &&
+                        !cJSON_HasObjectItem(object, "uncertain") &&
+                        has_same_files(object, order->item.input);
+    cJSON_Delete(object);
+    return is_same;
+}
+
+/* ---- The worker ---- */
+
+static void tell(void *context, const render_result *result) {
+    facts *f = context;
+    const burnish_mesh_info *info = burnish_mesh_get_info(result->mesh);
+    const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
+    f->picture = result->hash;
+    f->triangles = view->triangle_count;
+    f->vertices = view->vertex_count;
+    f->format = (int32_t)info->format;
+    f->width = result->picture->width;
+    f->height = result->picture->height;
+    f->is_blank = result->blank_cells > 0;
+    float low[3], high[3];
+    burnish_mesh_get_bounds(result->mesh, low, high);
+    for (int k = 0; k < 3; ++k) {
+        f->size[k] = high[k] - low[k];
+    }
+    for (size_t i = 0; i < result->warning_count && i < WARNINGS_MAX; ++i) {
+        snprintf(f->warnings[i], WARNING_BYTES, "%s", result->warnings[i]);
+        f->warning_count = (uint32_t)i + 1;
+    }
+    f->is_drawn = 1;
+}
+
+/* Ends the process with the exit code of `burnish render`. */
+__attribute__((noreturn)) static void draw(const runner *r, render_settings *settings) {
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    int code = 0;
+    burnish_status status = cli_limit_memory(settings->max_memory, &error);
+    if (status == BURNISH_STATUS_OK) {
+        status = render_run(settings, &code, &error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        snprintf(r->shared->message, sizeof r->shared->message, "%s", error.text);
+        code = burnish_status_exit_code(status);
+    }
+    _exit(code);
+}
+
+/* Without a sandbox: the worker opens files itself. */
+static burnish_status run_plainly(const runner *r, render_settings *settings, int *code,
+                                  burnish_error *ended, burnish_error *error) {
+    const pid_t self = getpid(), worker = fork();
+    if (worker == 0) {
+#ifdef __linux__
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+        if (getppid() != self) {
+            _exit(1);
+        }
+        draw(r, settings);
+    }
+    if (worker < 0) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "no process: %s", strerror(errno));
+    }
+    cli_limit_child(worker);
+    const int state = cli_wait_child(worker);
+    *code = WIFEXITED(state) ? WEXITSTATUS(state) : 1;
+    if (!WIFEXITED(state)) {
+        cli_fail(ended, BURNISH_STATUS_FORMAT, "the program ended by signal %d (%s)",
+                 WTERMSIG(state), strsignal(WTERMSIG(state)));
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Forks the worker and waits for it. *code: its exit code; *line: what there is to say of it. */
+static burnish_status run_worker(const runner *r, render_settings *settings, files *seen, int *code,
+                                 int *is_late, burnish_error *line) {
+    burnish_error error = {BURNISH_STATUS_OK, ""}, ended = {BURNISH_STATUS_OK, ""};
+    const sandbox_plan plan = {.input = settings->input,
+                               .format = settings->load.format,
+                               .outputs = {settings->output},
+                               .output_count = 1,
+                               .max_input_bytes = settings->load.max_input_bytes,
+                               .max_memory = settings->max_memory,
+                               .see_file = see_file,
+                               .context = seen,
+                               .ended = &ended};
+    memset(r->shared, 0, sizeof *r->shared);
+    cli_limit_child_seconds(settings->max_seconds.value);
+    cli_set_child_memory(settings->max_memory);
+    burnish_status status = settings->sandbox ? sandbox_begin(&plan, code, &error)
+                                              : run_plainly(r, settings, code, &ended, &error);
+    if (status == BURNISH_STATUS_OK && *code < 0) {
+        draw(r, settings);
+    }
+    cli_limit_child_seconds(0);
+    *is_late =
+        status == BURNISH_STATUS_OK && settings->max_seconds.value > 0 && cli_child_was_late();
+    if (*is_late) {
+        status = cli_fail(&error, BURNISH_STATUS_LIMIT,
+                          "%.300s: not done after %g seconds (--max-seconds): raise the limit or "
+                          "simplify the mesh",
+                          settings->input, settings->max_seconds.value);
+    } else if (status == BURNISH_STATUS_OK && ended.text[0]) {
+        status = cli_fail(&error, ended.status, "%.150s: %.300s", settings->input, ended.text);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        *code = burnish_status_exit_code(status);
+    }
+    *line = error;
+    return status;
+}
+
+/* ---- Items ---- */
+
+int batch_make_folders(const char *path) {
+    char *copy = strdup(path);
+    int is_made = copy != NULL;
+    for (char *slash = copy ? strchr(copy + 1, '/') : NULL; slash && is_made;
+         slash = strchr(slash + 1, '/')) {
+        *slash = 0;
+        is_made = mkdir(copy, 0777) == 0 || errno == EEXIST;
+        *slash = '/';
+    }
+    free(copy);
+    return is_made;
+}
+
+static void add_hash(cJSON *object, const char *key, uint64_t hash, int *failed) {
+    char text[17];
+    snprintf(text, sizeof text, "%016llx", (unsigned long long)hash);
+    cli_json_add(object, key, cJSON_CreateString(text), failed);
+}
+
+static void add_warnings(cJSON *object, facts *f, int *failed) {
+    cJSON *array = cJSON_CreateArray();
+    for (uint32_t i = 0; i < f->warning_count && i < WARNINGS_MAX; ++i) {
+        f->warnings[i][WARNING_BYTES - 1] = 0;
+        cli_clean(f->warnings[i]);
+        cli_json_add(array, NULL, cli_json_text(f->warnings[i]), failed);
+    }
+    cli_json_add(object, "warnings", array, failed);
+}
+
+static char *done_line(const batch *b, const batch_item *item, uint64_t hash, facts *f,
+                       const files *seen, double seconds) {
+    const int has_format = f->format >= 0 && f->format < burnish_format_count();
+    char ending[IMPORT_ENDING_SIZE];
+    int failed = 0;
+    cJSON *object = cJSON_CreateObject();
+    add_hash(object, "id", item->id, &failed);
+    batch_add_names(item, object, &failed);
+    cli_json_add(object, "status", cJSON_CreateString("done"), &failed);
+    cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
+    add_hash(object, "hash", hash, &failed);
+    add_hash(object, "picture", f->picture, &failed);
+    cli_json_add(object, "format",
+                 cJSON_CreateString(
+                     has_format ? import_format_word(item->input, b->settings->render.load.format,
+                                                     (burnish_format)f->format, ending)
+                                : ""),
+                 &failed);
+    cli_json_add(object, "triangles", cli_json_count((size_t)f->triangles), &failed);
+    cli_json_add(object, "vertices", cli_json_count((size_t)f->vertices), &failed);
+    cli_json_add(object, "size", cli_json_floats(3, f->size), &failed);
+    cli_json_add(object, "width", cJSON_CreateNumber(f->width), &failed);
+    cli_json_add(object, "height", cJSON_CreateNumber(f->height), &failed);
+    cli_json_add(object, "blank", cJSON_CreateBool(f->is_blank != 0), &failed);
+    add_warnings(object, f, &failed);
+    if (seen->count > 0) {
+        cli_json_add(object, "files", cli_json_texts(seen->count, seen->names), &failed);
+        add_hash(object, "files_hash", seen->hash, &failed);
+    }
+    if (seen->are_too_many) { /* nobody can tell whether they are unchanged */
+        cli_json_add(object, "uncertain", cJSON_CreateTrue(), &failed);
+    }
+    batch_add_seconds(b, object, seconds, &failed);
+    char *text = failed ? NULL : cJSON_PrintUnformatted(object);
+    cJSON_Delete(object);
+    return text;
+}
+
+/* The settings of one item. */
+static void set_item(const batch *b, const batch_order *order, render_settings *settings) {
+    const batch_item *item = &order->item;
+    *settings = b->settings->render;
+    settings->input = item->input;
+    settings->output = item->output;
+    settings->overwrite |= order->is_ours;
+    settings->is_default_output = 1; /* what has the name may be a texture */
+    if (item->view >= 0) {
+        settings->views.items[0] = settings->views.items[item->view];
+        settings->views.count = 1;
+    }
+    settings->quiet = 1;
+    settings->threads = 1;
+}
+
+/* The line, to be freed; *answer gets what stands before it. */
+static char *run_item(const runner *r, const batch_order *order, batch_answer *answer) {
+    const batch_item *item = &order->item;
+    const double start = cli_seconds_now();
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    render_settings settings;
+    files seen = {0};
+    uint64_t hash = 0;
+    int code = 0, is_late = 0;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (*item->input != ':' && !hash_file(item->input, &hash, 0)) {
+        status = cli_fail(&error, BURNISH_STATUS_READ, "%.300s: can't be read: %s", item->input,
+                          errno == EINVAL ? "it is no file" : strerror(errno));
+    }
+    *answer = (batch_answer){.index = order->index};
+    if (status == BURNISH_STATUS_OK && is_unchanged(order, hash)) {
+        answer->is_kept = 1;
+        return strdup(order->past);
+    }
+    set_item(r->b, order, &settings);
+    settings.tell = tell;
+    settings.tell_context = r->shared;
+    r->shared->is_drawn = 0;
+    if (status == BURNISH_STATUS_OK && !batch_make_folders(item->output)) {
+        status = cli_fail(&error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s",
+                          item->output, strerror(errno));
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_finish(&settings, &error);
+    }
+    code = burnish_status_exit_code(status);
+    if (status == BURNISH_STATUS_OK) {
+        status = run_worker(r, &settings, &seen, &code, &is_late, &error);
+    }
+    facts told = *r->shared;
+    told.message[sizeof told.message - 1] = 0;
+    if (status == BURNISH_STATUS_OK && code != 0) {
+        cli_fail(&error, BURNISH_STATUS_FORMAT, "%s",
+                 code == CLI_EXIT_BLANK ? "the picture is blank (--fail-on-blank)"
+                 : told.message[0]      ? told.message
+                                        : "the program that draws ended");
+    }
+    if (status != BURNISH_STATUS_OK || code != 0 || !told.is_drawn) {
+        answer->failed = is_late ? BATCH_LATE : BATCH_FAILED;
+    }
+    const double seconds = cli_seconds_now() - start;
+    char *text = answer->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
+                                : done_line(r->b, item, hash, &told, &seen, seconds);
+    release_files(&seen);
+    return text;
+}
+
+void batch_runner(const batch *b, int channel) {
+    runner r = {
+        b, mmap(NULL, sizeof(facts), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)};
+    batch_order order;
+    int is_there = 1;
+    while (is_there && r.shared != MAP_FAILED && batch_take_order(b, channel, &order)) {
+        batch_answer answer;
+        char *line = run_item(&r, &order, &answer);
+        answer.size = line ? (uint32_t)strlen(line) : 0;
+        is_there = cli_write_all(channel, &answer, sizeof answer) &&
+                   (!line || cli_write_all(channel, line, answer.size));
+        free(line);
+        batch_release_order(&order);
+    }
+}
+
+#endif

@@ -1,0 +1,57 @@
+/* What `burnish compare` was asked for, and what it has found. */
+#ifndef TOOL_COMPARE_COMPARE_H
+#define TOOL_COMPARE_COMPARE_H
+
+#include "picture/picture.h"
+#include "picture/verdict.h"
+#include "render/output/report.h"
+
+typedef struct compare_settings {
+    render_settings render; /* first: its flags are ours too */
+    int size[2];            /* 0: not given */
+    picture_rule rule;
+    int map; /* compare_map */
+    const char *output;
+    int format; /* picture_format of the output */
+    const char *json;
+} compare_settings;
+
+typedef enum compare_map { COMPARE_CODES, COMPARE_FLIP } compare_map;
+
+/* One of the two that are compared: a picture, or a mesh that is drawn. */
+typedef struct compare_side {
+    const char *input;
+    char label[160];          /* below its panel */
+    burnish_image picture;    /* a picture's; empty for a mesh */
+    render_settings settings; /* a mesh's: those of the flags, with its input and one lobe */
+    burnish_render_options options;
+    render_result result;
+    render_cell cell;
+    uint8_t *coverage;   /* of the mesh's picture */
+    burnish_mesh *owned; /* NULL where the mesh is the other side's */
+} compare_side;
+
+typedef struct comparison {
+    const compare_settings *settings;
+    compare_side sides[2];
+    int lobes; /* 1: one mesh with two lobes */
+    picture_verdict verdict;
+    float *flip_map; /* NULL: not wanted */
+} comparison;
+
+/* The picture of a side. */
+static inline const burnish_image *compare_image(const compare_side *side) {
+    return side->picture.pixels ? &side->picture : &side->cell.image;
+}
+static inline int compare_is_mesh(const compare_side *side) {
+    return side->result.mesh != NULL;
+}
+
+/* Reads both inputs and draws what is a mesh, by one camera that frames all meshes. */
+burnish_status compare_draw_sides(comparison *c, burnish_error *error);
+void compare_release_sides(comparison *c);
+
+/* Writes text, or JSON where --json says. */
+burnish_status compare_write_report(const comparison *c, burnish_error *error);
+
+#endif

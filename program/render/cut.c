@@ -1,0 +1,51 @@
+/* `burnish render --clip`: cuts, and what there is to say of them. */
+#include "render/origin.h"
+#include "render/output/report.h"
+
+/* Why a cut is not filled. */
+static void warn_open(render_result *result, const burnish_mesh *mesh) {
+    const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
+    const char *input = result->settings->input;
+    if (!facts) {
+        render_result_warn(result, 1, "%.300s: cut but not filled: %s have no inside", input,
+                           burnish_mesh_get_info(mesh)->line_count > 0 ? "lines" : "points");
+    } else if (!facts->is_closed) {
+        render_result_warn(
+            result, 1,
+            "%.300s: cut but not filled: the mesh is not closed, %zu of its edges are "
+            "open",
+            input, facts->open_edge_count);
+    } else {
+        render_result_warn(
+            result, 1,
+            "%.300s: cut but not filled: the mesh is no solid, its triangles are not "
+            "wound consistently or it has no volume",
+            input);
+    }
+}
+
+burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_error *error) {
+    const render_clip *clip = &result->settings->clip;
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    burnish_status status = BURNISH_STATUS_OK;
+    for (int i = 0; i < clip->count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_clip_plane *plane = &clip->items[i];
+        const int before = view->cut_count;
+        status = burnish_mesh_clip(mesh, plane, error);
+        if (status == BURNISH_STATUS_ARGUMENT) { /* "clip: ..." is a flag here */
+            const burnish_error said = *error;
+            cli_fail(error, status, "--%s", said.text);
+        }
+        if (status == BURNISH_STATUS_OK && view->cut_count == before) {
+            render_result_warn(result, 1,
+                               "%.300s: nothing of the mesh is beyond the plane %g,%g,%g,%g",
+                               result->settings->input, plane->normal[0], plane->normal[1],
+                               plane->normal[2], render_file_offset(plane, view->origin));
+        }
+    }
+    if (status == BURNISH_STATUS_OK && view->cut_count > 0 &&
+        view->inside == BURNISH_INSIDE_UNKNOWN) {
+        warn_open(result, mesh);
+    }
+    return status;
+}

@@ -1,0 +1,84 @@
+/* Drawing a cell whose camera is set, and what there is to say of it. */
+#include <stdlib.h>
+
+#include "render/annotate.h"
+#include "render/camera.h"
+#include "render/output/report.h"
+
+void render_warn_about_cell(render_result *result, const render_cell *cell) {
+    const char *input = result->settings->input;
+    const char *picture = result->cell_count > 1 ? cell->label : "the picture";
+    const int is_told = !result->settings->fail_on_blank && result->settings->rows.count == 0;
+    if (cell->report.lobe_fallbacks > 0) {
+        char lobe[32];
+        burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
+        render_result_warn(result, 1,
+                           "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
+                           "with a lower order",
+                           input, cell->report.lobe_fallbacks,
+                           burnish_mesh_material_count(result->mesh), lobe);
+    }
+    if (cell->report.layers_dropped > 0) {
+        render_result_warn(
+            result, 1,
+            "%.300s: some samples have more transparent layers than %d, or than --max-overdraw "
+            "allows; the farthest ones are left out",
+            input, BURNISH_TRANSPARENT_LAYERS_MAX);
+    }
+    if (cell->report.covered_pixels == 0) {
+        ++result->blank_cells;
+        render_result_warn(result, is_told,
+                           "%.300s: %s is blank: nothing of the object is in it; check the camera",
+                           input, picture);
+    } else if (cell->has_one_color) {
+        ++result->blank_cells;
+        render_result_warn(result, is_told,
+                           "%.300s: %s has one colour: the object can't be seen in it; check "
+                           "colours, lights and background",
+                           input, picture);
+    }
+}
+
+void render_aim_options(const render_result *result, burnish_render_options *options,
+                        const render_cell *cell) {
+    options->lobe = cell->lobe;
+    options->camera = cell->camera;
+    render_upward(result->mesh, result->settings, options->up);
+}
+
+burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
+                                  burnish_render_options *options, render_cell *cell, float **depth,
+                                  burnish_error *error) {
+    render_aim_options(result, options, cell);
+    burnish_status status = render_draw(result, renderer, options, cell, depth, error);
+    result->seconds.transform += cell->report.seconds_transform;
+    result->seconds.draw += cell->report.seconds_draw;
+    return status;
+}
+
+burnish_status render_draw_cell(render_result *result, burnish_renderer *renderer,
+                                burnish_render_options *options, render_cell *cell,
+                                burnish_error *error) {
+    float *depth = NULL;
+    options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
+    burnish_status status = render_draw_pixels(result, renderer, options, cell, &depth, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (result->settings->json) {
+        cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
+    }
+    if (result->settings->json || result->settings->tell || result->settings->fail_on_blank) {
+        cell->has_one_color = render_has_one_color(&cell->image);
+    }
+    render_warn_about_cell(result, cell);
+    status = render_annotate(result, options, cell, depth, error);
+    if (status == BURNISH_STATUS_OK && result->settings->format == PICTURE_SVG) {
+        status = render_trace(result, renderer, options, cell, depth, error);
+    }
+    free(depth);
+    if ((result->settings->json || result->settings->tell) && status == BURNISH_STATUS_OK) {
+        cell->hash = burnish_image_hash(&cell->image);
+    }
+    return status;
+}

@@ -1,0 +1,315 @@
+/* What `burnish render` tells: JSON, times, warnings. */
+#include "render/output/report.h"
+
+#include <cjson/cJSON.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/origin.h"
+#include "cli/output.h"
+#include "cli/run.h"
+#include "import/import.h"
+#include "render/camera.h"
+#include "render/origin.h"
+#include "render/reference.h"
+
+void render_result_warn(render_result *result, int printed, const char *format, ...) {
+    burnish_error line;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line.text, sizeof line.text, format, arguments);
+    va_end(arguments);
+    cli_clean(line.text);
+    if (printed && !result->settings->quiet) {
+        cli_warn(line.text);
+    }
+    char **grown = realloc(result->warnings, (result->warning_count + 1) * sizeof *grown);
+    char *copy = strdup(line.text);
+    if (grown) {
+        result->warnings = grown;
+    }
+    if (!grown || !copy) {
+        free(copy); /* the line has been printed; only the JSON lacks it */
+        return;
+    }
+    result->warnings[result->warning_count++] = copy;
+}
+
+static cJSON *hash_text(uint64_t hash) {
+    char text[17];
+    snprintf(text, sizeof text, "%016llx", (unsigned long long)hash);
+    return cJSON_CreateString(text);
+}
+
+cJSON *render_camera_object(const burnish_camera *camera, const double origin[3], int *failed) {
+    cJSON *object = cJSON_CreateObject();
+    cli_json_add(object, "position", cli_json_real_position(camera->position, origin), failed);
+    cli_json_add(object, "focal_point", cli_json_real_position(camera->focal_point, origin),
+                 failed);
+    cli_json_add(object, "view_up", cli_json_reals(3, camera->view_up), failed);
+    cli_json_add(object, "view_angle", cli_json_real(camera->view_angle), failed);
+    cli_json_add(object, "orthographic_height", cli_json_real(camera->orthographic_height), failed);
+    return object;
+}
+
+static int compare_floats(const void *a, const void *b) {
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+/* The different exponents of all materials, ascending. */
+static cJSON *exponents_array(const burnish_mesh *mesh) {
+    size_t size = burnish_mesh_material_count(mesh), kept = 0;
+    float *values = malloc(size * sizeof *values);
+    if (!values) {
+        return NULL;
+    }
+    for (size_t i = 0; i < size; ++i) {
+        values[i] = burnish_mesh_material(mesh, i)->exponent;
+    }
+    qsort(values, size, sizeof *values, compare_floats);
+    for (size_t i = 0; i < size; ++i) {
+        if (i == 0 || values[i] != values[kept - 1]) {
+            values[kept++] = values[i];
+        }
+    }
+    cJSON *array = cli_json_floats(kept, values);
+    free(values);
+    return array;
+}
+
+int render_is_blank(const render_cell *cell) {
+    return cell->report.covered_pixels == 0 || cell->has_one_color;
+}
+
+/* The keys that a single picture and a cell share. */
+static void add_picture(cJSON *object, const render_result *result, const render_cell *cell,
+                        int *failed) {
+    const double *origin = burnish_mesh_get_view(result->mesh)->origin;
+    char lobe[32];
+    burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
+    cli_json_add(object, "triangles_drawn", cli_json_count(cell->report.triangles_drawn), failed);
+    cli_json_add(object, "hidden", cli_json_real(cell->report.hidden_share), failed);
+    cli_json_add(object, "covered_pixels", cli_json_count(cell->report.covered_pixels), failed);
+    cli_json_add(object, "overdraw", cli_json_real(cell->report.overdraw), failed);
+    cli_json_add(object, "layers_dropped", cli_json_count(cell->report.layers_dropped), failed);
+    cli_json_add(object, "pixel_bounds", cli_json_integers(4, cell->report.bounds), failed);
+    cli_json_add(object, "near_white", cli_json_real(cell->tones.near_white), failed);
+    cli_json_add(object, "near_black", cli_json_real(cell->tones.near_black), failed);
+    cli_json_add(object, "like_ground", cli_json_real(cell->tones.like_ground), failed);
+    cli_json_add(object, "contrast", cli_json_real(cell->tones.contrast), failed);
+    cli_json_add(object, "camera", render_camera_object(&cell->camera, origin, failed), failed);
+    const double height = cell->camera.orthographic_height;
+    cli_json_add(object, "pixels_per_unit",
+                 cli_json_real(height > 0 ? result->options->height / height : (double)NAN),
+                 failed);
+    cli_json_add(object, "lobe", cJSON_CreateString(lobe), failed);
+}
+
+static void add_cells(cJSON *root, const render_result *result, int *failed) {
+    cJSON *cells = cJSON_CreateArray();
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        const render_cell *cell = &result->cells[i];
+        cJSON *object = cJSON_CreateObject();
+        cli_json_add(object, "row", cli_json_count(i / (size_t)result->columns), failed);
+        cli_json_add(object, "column", cli_json_count(i % (size_t)result->columns), failed);
+        if (cell->view != VIEW_FREE) {
+            cli_json_add(object, "view", cJSON_CreateString(render_view_name(cell->view)), failed);
+        }
+        cli_json_add(object, "width", cJSON_CreateNumber(cell->image.width), failed);
+        cli_json_add(object, "height", cJSON_CreateNumber(cell->image.height), failed);
+        add_picture(object, result, cell, failed);
+        cli_json_add(object, "blank", cJSON_CreateBool(render_is_blank(cell)), failed);
+        cli_json_add(object, "hash", hash_text(cell->hash), failed);
+        if (!object || !cJSON_AddItemToArray(cells, object)) {
+            cJSON_Delete(object);
+            *failed = 1;
+        }
+    }
+    cli_json_add(root, "cells", cells, failed);
+}
+
+static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
+    cJSON *cuts = cJSON_CreateArray();
+    for (int i = 0; i < view->cut_count; ++i) {
+        const burnish_clip_plane *plane = &view->cuts[i];
+        const double values[4] = {plane->normal[0], plane->normal[1], plane->normal[2],
+                                  render_file_offset(plane, view->origin)};
+        cJSON *cut = cli_json_reals(4, values);
+        if (!cut || !cJSON_AddItemToArray(cuts, cut)) {
+            cJSON_Delete(cut);
+            *failed = 1;
+        }
+    }
+    cli_json_add(root, "cuts", cuts, failed);
+    cli_json_add(root, "filled",
+                 cJSON_CreateBool(view->cut_count > 0 && view->inside != BURNISH_INSIDE_UNKNOWN),
+                 failed);
+}
+
+static void add_mesh(cJSON *root, const render_result *result, int *failed) {
+    char ending[IMPORT_ENDING_SIZE];
+    const char *format = import_format_word(result->settings->input, result->settings->load.format,
+                                            burnish_mesh_get_info(result->mesh)->format, ending);
+    const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
+    cJSON *box = cJSON_CreateObject();
+    float low[3], high[3];
+    burnish_mesh_get_bounds(result->mesh, low, high);
+    cli_json_add(root, "input", cli_json_text(result->settings->input), failed);
+    cli_json_add(root, "format", cJSON_CreateString(format), failed);
+    cli_json_add(root, "output",
+                 result->written ? cli_json_text(result->settings->output) : cJSON_CreateNull(),
+                 failed);
+    cli_json_add(root, "width", cJSON_CreateNumber(result->picture->width), failed);
+    cli_json_add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
+    if (result->settings->rows.count > 0) {
+        const int rows[2] = {result->settings->rows.first, result->settings->rows.count};
+        cli_json_add(root, "rows", cli_json_integers(2, rows), failed);
+    }
+    cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
+    cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
+    cli_json_add(root, "points", cli_json_count(burnish_mesh_get_info(result->mesh)->point_count),
+                 failed);
+    cli_json_add(root, "lines", cli_json_count(burnish_mesh_get_info(result->mesh)->line_count),
+                 failed);
+    cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(result->mesh)),
+                 failed);
+    cli_json_add(root, "textures", cli_json_count(burnish_mesh_texture_count(result->mesh)),
+                 failed);
+    cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
+    cli_json_add(box, "min", cli_json_position(low, view->origin), failed);
+    cli_json_add(box, "max", cli_json_position(high, view->origin), failed);
+    cli_json_add(root, "bounding_box", box, failed);
+    cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(result->mesh)->unit), failed);
+    cli_json_add(root, "origin", cli_json_reals(3, view->origin), failed);
+    add_cuts(root, view, failed);
+    cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->mesh, result->settings)),
+                 failed);
+    cli_json_add(root, "up_source",
+                 cJSON_CreateString(result->settings->up == UP_AUTO     ? "auto"
+                                    : result->settings->up == UP_FORMAT ? "format"
+                                                                        : "flag"),
+                 failed);
+}
+
+static const char *word_of(const cli_word *words, int value) {
+    while (words->value != value) {
+        ++words;
+    }
+    return words->name;
+}
+
+static void add_planes(cJSON *root, const render_result *result, int *failed) {
+    const render_planes *planes = &result->settings->planes;
+    cJSON *array = cJSON_CreateArray();
+    for (size_t i = 0; i < planes->count; ++i) {
+        const render_plane *plane = &planes->items[i];
+        cJSON *object = cJSON_CreateObject();
+        const cli_word *word = render_plane_words;
+        while (word->value != (int)plane->kind) {
+            ++word;
+        }
+        cli_json_add(object, "plane", cJSON_CreateString(word->name), failed);
+        cli_json_add(object, "output",
+                     result->written ? cli_json_text(plane->path) : cJSON_CreateNull(), failed);
+        if (plane->kind == PLANE_DEPTH) {
+            cli_json_add(object, "low", cli_json_float(result->planes.low), failed);
+            cli_json_add(object, "high", cli_json_float(result->planes.high), failed);
+        }
+        cli_json_add(array, NULL, object, failed);
+    }
+    cli_json_add(root, "planes", array, failed);
+}
+
+static void add_run(cJSON *root, const render_result *result, int *failed) {
+    const render_seconds *seconds = &result->seconds;
+    const burnish_render_options *options = result->options;
+    cJSON *times = cJSON_CreateObject();
+    cli_json_add(
+        root, "equation",
+        cJSON_CreateString(options->specular_model == BURNISH_SPECULAR_BLINN ? "blinn" : "phong"),
+        failed);
+    cli_json_add(root, "viewer", cJSON_CreateString(options->local_viewer ? "local" : "distant"),
+                 failed);
+    cli_json_add(root, "look",
+                 cJSON_CreateString(word_of(render_look_words, (int)result->settings->look)),
+                 failed);
+    cli_json_add(root, "occlusion",
+                 cJSON_CreateNumber(result->cells[0].report.occlusion_directions), failed);
+    cli_json_add(root, "shadow", cJSON_CreateBool(result->cells[0].report.shadow), failed);
+    cli_json_add(root, "ground", cJSON_CreateBool(result->cells[0].report.ground), failed);
+    cli_json_add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
+    cli_json_add(root, "samples", cJSON_CreateNumber(options->samples), failed);
+    cli_json_add(root, "threads", cJSON_CreateNumber(result->cells[0].report.threads), failed);
+    cli_json_add(times, "start", cli_json_seconds(seconds->start), failed);
+    cli_json_add(root, "isa", cJSON_CreateString(burnish_isa_name(result->cells[0].report.isa)),
+                 failed);
+    cli_json_add(times, "load", cli_json_seconds(seconds->load), failed);
+    cli_json_add(times, "read", cli_json_seconds(seconds->read), failed);
+    cli_json_add(times, "build", cli_json_seconds(seconds->build), failed);
+    cli_json_add(times, "transform", cli_json_seconds(seconds->transform), failed);
+    cli_json_add(times, "draw", cli_json_seconds(seconds->draw), failed);
+    cli_json_add(times, "encode", cli_json_seconds(seconds->encode), failed);
+    cli_json_add(times, "write", cli_json_seconds(seconds->write), failed);
+    cli_json_add(times, "total", cli_json_seconds(seconds->total), failed);
+    cli_json_add(root, "seconds", times, failed);
+    cli_json_add(root, "hash", hash_text(result->hash), failed);
+    cli_json_add(root, "hash_algorithm", cJSON_CreateString("xxh64"), failed);
+    cli_json_add(root, "blank", cJSON_CreateBool(result->blank_cells > 0), failed);
+    render_add_reference(root, result, failed);
+    cli_json_add(root, "warnings", cli_json_texts(result->warning_count, result->warnings), failed);
+}
+
+static burnish_status print_json(FILE *stream, const render_result *result, burnish_error *error) {
+    int failed = 0;
+    cJSON *root = cJSON_CreateObject();
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
+    add_mesh(root, result, &failed);
+    if (result->cell_count > 1) {
+        add_cells(root, result, &failed);
+    } else {
+        if (result->cells[0].view != VIEW_FREE) {
+            cli_json_add(root, "view", cJSON_CreateString(render_view_name(result->cells[0].view)),
+                         &failed);
+        }
+        add_picture(root, result, &result->cells[0], &failed);
+    }
+    if (result->settings->turntable) {
+        cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->frames), &failed);
+        cli_json_add(root, "fps", cJSON_CreateNumber(result->settings->fps), &failed);
+    }
+    if (result->settings->planes.count > 0) {
+        add_planes(root, result, &failed);
+    }
+    add_run(root, result, &failed);
+    return cli_json_print(stream, root, failed, error);
+}
+
+burnish_status render_write_json(const render_result *result, burnish_error *error) {
+    cli_output output;
+    burnish_status status = cli_output_begin(&output, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = print_json(output.stream, result, error);
+        status = cli_output_end(&output, result->settings->json, status, error);
+    }
+    return status;
+}
+
+void render_print_timing(const render_seconds *seconds) {
+    const struct {
+        const char *name;
+        double seconds;
+    } phases[] = {{"start", seconds->start}, {"read", seconds->read},
+                  {"build", seconds->build}, {"transform", seconds->transform},
+                  {"draw", seconds->draw},   {"encode", seconds->encode},
+                  {"write", seconds->write}, {"total", seconds->total}};
+    for (size_t i = 0; i < sizeof phases / sizeof *phases; ++i) {
+        fprintf(stderr, "%s%s %.2f ms", i == 0 ? "burnish: " : ", ", phases[i].name,
+                phases[i].seconds * 1e3);
+    }
+    fprintf(stderr, "\n");
+}

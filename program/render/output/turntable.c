@@ -1,0 +1,334 @@
+/* Turntables: frames are drawn, encoded and written one after the other; none is kept but the one
+ * before. What reaches pixels is computed with plain IEEE operations. */
+#include "render/output/turntable.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/clock.h"
+#include "picture/animation.h"
+#include "render/camera.h"
+#include "render/output/pieces.h"
+#include "render/output/stream.h"
+
+#define PI 3.14159265358979323846
+
+/* ---- The camera's way ---- */
+
+/* Sine and cosine of `index` of `count` parts of a turn. The eighth of a turn that the angle lies
+ * in is found in integers; there the series ends below 1e-17. */
+static void turn(int index, int count, double *sine, double *cosine) {
+    const long eighths = (8L * index / count) & 7; /* the part of the turn, in eighths */
+    const long rest = 8L * index - (8L * index / count) * count;
+    const int back = (int)(eighths & 1); /* counted from the next quarter backward */
+    const double x = (back ? (double)(count - rest) : (double)rest) / count * (PI / 4);
+    double s = 0, c = 0;
+    for (int k = 8; k > 0; --k) { /* x - x^3 / 3! + ..., Horner */
+        s = 1 - s * x * x / ((2 * k) * (2 * k + 1));
+        c = 1 - c * x * x / ((2 * k - 1) * (2 * k));
+    }
+    s *= x;
+    const double quarter[2] = {back ? -s : s, c};
+    const int quarters = (int)((eighths + back) / 2 & 3);
+    const double signs[4][2] = {{1, 1}, {1, -1}, {-1, -1}, {-1, 1}}; /* of sine and cosine */
+    *sine = signs[quarters][0] * quarter[quarters & 1];
+    *cosine = signs[quarters][1] * quarter[!(quarters & 1)];
+}
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* v turned around a unit axis (Rodrigues). */
+static void rotate(double v[3], const double axis[3], double sine, double cosine) {
+    const double along = dot(axis, v) * (1 - cosine);
+    const double across[3] = {axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
+                              axis[0] * v[1] - axis[1] * v[0]};
+    for (int k = 0; k < 3; ++k) {
+        v[k] = v[k] * cosine + across[k] * sine + axis[k] * along;
+    }
+}
+
+/* A position of the axis: the focal point, or the middle of the object's box. */
+static void find_pivot(const burnish_mesh *mesh, const render_settings *settings, double pivot[3]) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    for (int k = 0; k < 3; ++k) {
+        pivot[k] = settings->focal_point.given
+                       ? settings->focal_point.values[k]
+                       : ((double)view->bounds_min[k] + view->bounds_max[k]) / 2;
+    }
+}
+
+/* The camera of a frame: what a camera turned to the right sees. */
+static void orbit(const burnish_mesh *mesh, const render_settings *settings, int frame,
+                  burnish_camera *camera) {
+    double sine, cosine, axis[3], pivot[3];
+    turn(frame, settings->frames, &sine, &cosine);
+    render_up_in_use(mesh, settings, axis);
+    find_pivot(mesh, settings, pivot);
+    for (int k = 0; k < 3; ++k) {
+        camera->position[k] -= pivot[k];
+        camera->focal_point[k] -= pivot[k];
+    }
+    rotate(camera->position, axis, sine, cosine);
+    rotate(camera->focal_point, axis, sine, cosine);
+    rotate(camera->view_up, axis, sine, cosine);
+    for (int k = 0; k < 3; ++k) {
+        camera->position[k] += pivot[k];
+        camera->focal_point[k] += pivot[k];
+    }
+}
+
+/* ---- Framing of the whole turn ---- */
+
+enum {
+    SLICES = 64,  /* of the height */
+    SEGMENTS = 96 /* of a ring; it lies outside its circle by 0.05 % at its corners */
+};
+
+/* Vertices of one slice of the height: the largest distance from the axis, and between which
+ * heights. */
+typedef struct slice {
+    double radius, low, high; /* radius -1: no vertex */
+} slice;
+
+static void measure_slices(const burnish_mesh_view *view, const double axis[3],
+                           const double pivot[3], slice slices[SLICES]) {
+    double low = 0, high = 0, diagonal = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double p[3];
+        for (int k = 0; k < 3; ++k) {
+            p[k] = (double)(corner >> k & 1 ? view->bounds_max[k] : view->bounds_min[k]) - pivot[k];
+        }
+        const double height = dot(p, axis), length = dot(p, p);
+        low = corner == 0 || height < low ? height : low;
+        high = corner == 0 || height > high ? height : high;
+        diagonal = length > diagonal ? length : diagonal;
+    }
+    for (int i = 0; i < SLICES; ++i) {
+        slices[i] = (slice){-1, 0, 0};
+    }
+    const double scale = high > low ? SLICES / (high - low) : 0;
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        double p[3];
+        for (int k = 0; k < 3; ++k) {
+            p[k] = (double)view->positions[3 * i + (size_t)k] - pivot[k];
+        }
+        const double height = dot(p, axis), squared = dot(p, p) - height * height;
+        int index = (int)((height - low) * scale);
+        index = index < 0 ? 0 : index >= SLICES ? SLICES - 1 : index;
+        slice *s = &slices[index];
+        s->low = s->radius < 0 || height < s->low ? height : s->low;
+        s->high = s->radius < 0 || height > s->high ? height : s->high;
+        s->radius = squared > s->radius ? squared : s->radius;
+    }
+    for (int i = 0; i < SLICES; ++i) { /* squares so far; a slice on the axis keeps some area */
+        const double least = 1e-8 * diagonal;
+        slices[i].radius = slices[i].radius < 0       ? -1
+                           : slices[i].radius < least ? sqrt(least)
+                                                      : sqrt(slices[i].radius);
+    }
+}
+
+/* What the object sweeps through in a turn: discs at the ends of every slice. */
+typedef struct swept {
+    float positions[2 * SLICES][SEGMENTS + 1][3]; /* the last one of each is its middle */
+    uint32_t indices[2 * SLICES][SEGMENTS][3];
+    int discs;
+} swept;
+
+static void add_disc(swept *s, const double axis[3], const double pivot[3], double radius,
+                     double height) {
+    const double u[3] = {axis[1], axis[2], axis[0]}; /* the axis is one of the coordinates' */
+    const double v[3] = {axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2],
+                         axis[0] * u[1] - axis[1] * u[0]};
+    const uint32_t first = (uint32_t)s->discs * (SEGMENTS + 1);
+    double half_sine, half_cosine;
+    turn(1, 2 * SEGMENTS, &half_sine, &half_cosine);
+    for (int i = 0; i <= SEGMENTS; ++i) {
+        double sine, cosine;
+        turn(i % SEGMENTS, SEGMENTS, &sine, &cosine);
+        const double reach =
+            i < SEGMENTS ? radius / half_cosine : 0; /* its sides touch the circle */
+        for (int k = 0; k < 3; ++k) {
+            s->positions[s->discs][i][k] =
+                (float)(pivot[k] + axis[k] * height + reach * (u[k] * cosine + v[k] * sine));
+        }
+    }
+    for (uint32_t i = 0; i < SEGMENTS; ++i) {
+        const uint32_t triangle[3] = {first + SEGMENTS, first + i, first + (i + 1) % SEGMENTS};
+        memcpy(s->indices[s->discs][i], triangle, sizeof triangle);
+    }
+    ++s->discs;
+}
+
+static burnish_status sweep(const burnish_mesh *mesh, const double axis[3], const double pivot[3],
+                            burnish_mesh **result, burnish_error *error) {
+    slice slices[SLICES];
+    swept *s = malloc(sizeof *s);
+    if (!s) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: the turntable");
+    }
+    s->discs = 0;
+    measure_slices(burnish_mesh_get_view(mesh), axis, pivot, slices);
+    for (int i = 0; i < SLICES; ++i) {
+        if (slices[i].radius >= 0) {
+            add_disc(s, axis, pivot, slices[i].radius, slices[i].low);
+            add_disc(s, axis, pivot, slices[i].radius, slices[i].high);
+        }
+    }
+    burnish_mesh_description description = burnish_mesh_description_default();
+    burnish_load_options options = burnish_load_options_default();
+    const size_t discs = (size_t)s->discs;
+    description.name = "turntable";
+    description.positions = (burnish_array){s->positions, discs * (SEGMENTS + 1), 0};
+    description.indices = (burnish_array){s->indices, discs * SEGMENTS * 3, 0};
+    options.threads = 1;
+    burnish_status status = burnish_mesh_create(&description, &options, result, error);
+    free(s);
+    return status;
+}
+
+burnish_status render_turntable_camera(const burnish_mesh *mesh, const render_settings *settings,
+                                       render_view view, render_room *room, burnish_camera *camera,
+                                       burnish_error *error) {
+    double axis[3], pivot[3];
+    burnish_mesh *all = NULL;
+    render_settings same = *settings;
+    same.up = render_up_in_use(mesh, settings, axis);
+    find_pivot(mesh, settings, pivot);
+    burnish_status status = sweep(mesh, axis, pivot, &all, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = render_camera(all, &same, view, room, camera, error);
+    }
+    burnish_mesh_destroy(all);
+    return status;
+}
+
+/* ---- Frames ---- */
+
+/* Frames that a palette is chosen from, at most. */
+enum { SAMPLED = 8 };
+
+/* A turntable on its way into its file. */
+typedef struct stream {
+    const render_turntable *turntable;
+    picture_animation *animation;
+    render_pieces *pieces; /* NULL: all are drawn here */
+    burnish_camera first;  /* the first frame's camera */
+} stream;
+
+/* Draws a frame into the cell; render_piece_drawer. */
+static burnish_status draw_frame(void *context, int frame, burnish_error *error) {
+    const stream *s = context;
+    const render_turntable *t = s->turntable;
+    render_cell *cell = &t->result->cells[0];
+    const burnish_render_report first = cell->report;
+    cell->camera = s->first;
+    orbit(t->result->mesh, t->result->settings, frame, &cell->camera);
+    burnish_status status = t->draw(t->result, t->renderer, t->options, cell, error);
+    cell->camera = s->first; /* the report tells of the first frame */
+    cell->report = first;
+    return status;
+}
+
+/* render_stream_next */
+static burnish_status next_frame(void *context, int frame, const uint8_t **bytes, size_t *size,
+                                 burnish_error *error) {
+    stream *s = context;
+    render_result *result = s->turntable->result;
+    const int is_frame = frame < result->settings->frames;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (is_frame) {
+        status =
+            s->pieces ? render_pieces_take(s->pieces, frame, error) : draw_frame(s, frame, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const double start = cli_seconds_now();
+        status =
+            picture_animation_add(s->animation, is_frame ? &result->cells[0].image : NULL, error);
+        result->seconds.encode += cli_seconds_now() - start;
+    }
+    *bytes = s->animation->out.data;
+    *size = s->animation->out.size;
+    return status;
+}
+
+/* A palette from frames all round. */
+static burnish_status choose_palette(stream *s, picture_palette *palette, burnish_error *error) {
+    const render_turntable *t = s->turntable;
+    const int count = t->result->settings->frames;
+    const int sampled = count < SAMPLED ? count : SAMPLED;
+    picture_histogram *histogram = picture_histogram_create();
+    burnish_status status = histogram ? BURNISH_STATUS_OK
+                                      : cli_fail(error, BURNISH_STATUS_MEMORY,
+                                                 "out of memory: the palette; write APNG or WebP");
+    for (int i = 0; i < sampled && status == BURNISH_STATUS_OK; ++i) {
+        status = draw_frame(s, (int)((long)i * count / sampled), error);
+        if (status == BURNISH_STATUS_OK) {
+            picture_histogram_add(histogram, &t->result->cells[0].image);
+        }
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = picture_palette_choose(histogram, t->options->background, palette, error);
+    }
+    picture_histogram_destroy(histogram);
+    return status;
+}
+
+static render_pieces_plan plan_pieces(stream *s) {
+    const render_result *result = s->turntable->result;
+    const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
+    return (render_pieces_plan){.runners = result->settings->runners,
+                                .count = result->settings->frames,
+                                .triangles = view->triangle_count,
+                                .vertices = view->vertex_count,
+                                .image = &result->cells[0].image,
+                                .draw = draw_frame,
+                                .context = s};
+}
+
+burnish_status render_serve_turntable(const render_turntable *turntable, burnish_error *error) {
+    stream s = {.turntable = turntable, .first = turntable->result->cells[0].camera};
+    const render_pieces_plan plan = plan_pieces(&s);
+    return render_pieces_serve(&plan, error);
+}
+
+burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error) {
+    render_result *result = turntable->result;
+    const render_settings *settings = result->settings;
+    const burnish_image *image = &result->cells[0].image;
+    picture_palette palette;
+    stream s = {.turntable = turntable, .first = result->cells[0].camera};
+    const picture_animation_options options = {.format = (picture_format)settings->format,
+                                               .width = image->width,
+                                               .height = image->height,
+                                               .channels = image->channels,
+                                               .frames = settings->frames,
+                                               .fps = settings->fps,
+                                               .quality = settings->quality,
+                                               .threads = settings->threads,
+                                               .palette = &palette};
+    burnish_status status =
+        settings->format == PICTURE_GIF ? choose_palette(&s, &palette, error) : BURNISH_STATUS_OK;
+    if (status == BURNISH_STATUS_OK) {
+        status = picture_animation_create(&options, &s.animation, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->runners > 0) {
+        const render_pieces_plan plan = plan_pieces(&s);
+        status = render_pieces_create(&plan, &s.pieces, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const render_stream file = {.result = result,
+                                    .noun = "frame",
+                                    .count = settings->frames,
+                                    .next = next_frame,
+                                    .context = &s,
+                                    .ready = turntable->ready};
+        status = render_stream_write(&file, error);
+    }
+    render_pieces_destroy(s.pieces);
+    picture_animation_destroy(s.animation);
+    return status;
+}

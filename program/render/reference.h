@@ -1,0 +1,23 @@
+/* --reference: the picture against an older one. */
+#ifndef TOOL_RENDER_REFERENCE_H
+#define TOOL_RENDER_REFERENCE_H
+
+#include "render/output/report.h"
+
+/* Checks the flags' files. Errors: ARGUMENT. */
+burnish_status render_check_reference(const render_settings *settings, burnish_error *error);
+
+/* Reads the reference where there is one: before anything is drawn. Errors: READ, FORMAT, LIMIT,
+ * MEMORY. */
+burnish_status render_read_reference(render_result *result, burnish_error *error);
+
+/* Compares result->picture with it, and writes the picture of both where it is asked for. */
+burnish_status render_judge(render_result *result, burnish_error *error);
+
+/* Adds the key "reference" to the report. */
+void render_add_reference(cJSON *root, const render_result *result, int *failed);
+
+/* 1, and one line on standard error, where the picture does not pass. */
+int render_report_difference(const render_result *result);
+
+#endif

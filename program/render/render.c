@@ -1,0 +1,599 @@
+/* `burnish render`: load a mesh, draw one picture or a sheet of them, write it, report. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "burnish/core.h"
+#include "burnish/render.h"
+#include "cli/clock.h"
+#include "cli/file.h"
+#include "cli/limits.h"
+#include "cli/run.h"
+#include "font/utf8.h"
+#include "render/annotate.h"
+#include "render/camera.h"
+#include "render/many.h"
+#include "render/origin.h"
+#include "render/output/bands.h"
+#include "render/output/report.h"
+#include "render/output/turntable.h"
+#include "render/reference.h"
+#include "render/settings.h"
+#include "render/up.h"
+#include "sandbox/sandbox.h"
+
+/* Processor time so far: of the loader and of what came before loading, as wall time can't tell. */
+static double processor_seconds(void) {
+    struct timespec used;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+}
+
+static size_t empty_cells(size_t count, size_t columns) {
+    return (columns - count % columns) % columns;
+}
+
+/* Columns of a sheet: as asked; a row per view when there are several lobes too; one row for up to
+ * three cells; else near a square, one column more where that leaves fewer cells empty. */
+static int choose_columns(const render_settings *settings, size_t count) {
+    size_t columns = 1;
+    if (settings->columns > 0) {
+        return settings->columns < (int)count ? settings->columns : (int)count;
+    }
+    if (settings->views.count > 1 && settings->lobes.count > 1) {
+        return (int)settings->lobes.count;
+    }
+    if (count <= 3) {
+        return (int)count;
+    }
+    while (columns * columns < count) {
+        ++columns;
+    }
+    return (int)(columns + (empty_cells(count, columns + 1) < empty_cells(count, columns)));
+}
+
+/* Copies the text between the commas before and after item `index` of a list that has so many. */
+static void copy_item(const char *list, size_t index, char *text, size_t size) {
+    for (; index > 0; --index) {
+        list = strchr(list, ',') + 1;
+    }
+    const size_t length = strcspn(list, ",");
+    const size_t kept = length < size ? length : utf8_cut(list, size - 1);
+    memcpy(text, list, kept);
+    text[kept] = 0;
+}
+
+static void label_cell(const render_settings *settings, size_t index, render_cell *cell) {
+    char lobe[32];
+    if (settings->labels) {
+        copy_item(settings->labels, index, cell->label, sizeof cell->label);
+        return;
+    }
+    burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
+    const char *view = render_view_name(cell->view);
+    if (settings->views.count > 0 && settings->lobes.count > 1) {
+        snprintf(cell->label, sizeof cell->label, "%s, %s", view, lobe);
+    } else {
+        snprintf(cell->label, sizeof cell->label, "%s", settings->lobes.count > 1 ? lobe : view);
+    }
+}
+
+/* The one line of a run that --fail-on-blank ends. */
+static void report_blank(const render_result *result) {
+    const char *input = result->settings->input;
+    size_t unseen = 0; /* cells where the camera is not to blame */
+    burnish_error error;
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        unseen += result->cells[i].report.covered_pixels > 0 && result->cells[i].has_one_color;
+    }
+    const char *cure = unseen == result->blank_cells ? "colours, lights and background"
+                       : unseen > 0                  ? "camera, colours, lights and background"
+                                                     : "the camera";
+    if (result->cell_count > 1) {
+        cli_fail(&error, BURNISH_STATUS_OK,
+                 "%.300s: %zu of %zu cells are blank; check %s; nothing was written", input,
+                 result->blank_cells, result->cell_count, cure);
+    } else {
+        cli_fail(&error, BURNISH_STATUS_OK, "%.300s: the picture %s; check %s; nothing was written",
+                 input, unseen > 0 ? "has one colour" : "is blank", cure);
+    }
+    fprintf(stderr, "burnish: %s\n", error.text);
+}
+
+/* What a turntable draws its frames by: without annotations, so that no depth is wanted, and for
+ * no report. */
+static burnish_status draw_frame(render_result *result, burnish_renderer *renderer,
+                                 burnish_render_options *options, render_cell *cell,
+                                 burnish_error *error) {
+    float *depth = NULL;
+    options->counts = BURNISH_COUNTS_PIXELS;
+    burnish_status status = render_draw_pixels(result, renderer, options, cell, &depth, error);
+    free(depth);
+    return status;
+}
+
+/* Fills the cells' views, lobes and labels; the lobes of a view stand side by side. */
+static void describe_cells(render_result *result) {
+    const render_settings *settings = result->settings;
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        render_cell *cell = &result->cells[i];
+        size_t view = i / settings->lobes.count;
+        cell->view = settings->views.count > 0 ? settings->views.items[view] : VIEW_FREE;
+        cell->lobe = settings->lobes.items[i % settings->lobes.count];
+        cell->image.width = result->options->width;
+        cell->image.height =
+            settings->rows.count > 0 ? settings->rows.count : result->options->height;
+        cell->image.channels = result->options->transparent ? 4 : 3;
+        label_cell(settings, i, cell);
+    }
+}
+
+/* Passes of cells that share a scale: how much room annotations need on each side, how high the
+ * picture must be, the cameras. Cells that share no scale take one. */
+enum { AIM_ROOM, AIM_HEIGHT, AIM_CAMERA, AIM_PASSES };
+
+static void widen(render_room *shared, const render_room *room, double height) {
+    shared->height = height > shared->height ? height : shared->height;
+    for (int k = 0; k < 4; ++k) {
+        shared->inset[k] = room->inset[k] > shared->inset[k] ? room->inset[k] : shared->inset[k];
+    }
+}
+
+/* The cameras of all cells. */
+static burnish_status aim_cells(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const int is_shared = settings->same_scale || settings->orthographic_height.given;
+    burnish_status status = BURNISH_STATUS_OK;
+    render_room shared = {.is_given = 0};
+    for (int pass = is_shared ? AIM_ROOM : AIM_CAMERA; pass < AIM_PASSES; ++pass) {
+        render_room widest = shared;
+        for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+            burnish_camera *camera = &result->cells[i].camera;
+            render_room room = shared;
+            status = (settings->turntable ? render_turntable_camera : render_camera)(
+                result->mesh, settings, result->cells[i].view, &room, camera, error);
+            widen(&widest, &room, camera->orthographic_height * settings->zoom.value);
+        }
+        if (pass == AIM_ROOM) {
+            widest.height = 0;
+        }
+        shared = widest;
+        shared.is_given = 1;
+    }
+    return status;
+}
+
+/* The planes that the output and --plane need, of a picture that is no sheet. */
+static burnish_status draw_planes(render_result *result, burnish_renderer *renderer,
+                                  const burnish_render_options *options, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    unsigned kinds = settings->format == PICTURE_EXR   ? (1U << PLANE_KINDS) - 1
+                     : settings->format == PICTURE_NPY ? 1U << PLANE_COLOR
+                                                       : 0;
+    for (size_t i = 0; i < settings->planes.count; ++i) {
+        kinds |= 1U << settings->planes.items[i].kind;
+    }
+    return kinds == 0
+               ? BURNISH_STATUS_OK
+               : render_draw_planes(renderer, result->mesh, options, kinds, &result->planes, error);
+}
+
+static burnish_status draw_cells(render_result *result, burnish_renderer *renderer,
+                                 burnish_render_options *options, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
+    burnish_status status = aim_cells(result, error);
+    for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+        render_cell *cell = &result->cells[i];
+        if (progress) {
+            fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
+                    cell->label);
+        }
+        status = render_draw_cell(result, renderer, options, cell, error);
+    }
+    if (progress) {
+        fprintf(stderr, "\r\033[K");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_planes(result, renderer, options, error);
+    }
+    return status;
+}
+
+/* Black or white, whichever stands out more from the background. */
+static void choose_ink(const burnish_render_options *options, uint8_t ink[3]) {
+    const uint8_t *b = options->background;
+    int luma = (54 * b[0] + 183 * b[1] + 19 * b[2]) >> 8; /* BT.709 weights in 256ths */
+    memset(ink, luma < 128 && !options->transparent ? 230 : 40, 3);
+}
+
+/* The cells as a sheet takes them. */
+typedef struct sheet_cells {
+    burnish_sheet_cell items[RENDER_LIST_MAX * RENDER_LIST_MAX];
+} sheet_cells;
+
+static void list_cells(const render_result *result, sheet_cells *cells) {
+    for (size_t i = 0; i < result->cell_count; ++i) {
+        cells->items[i].image = &result->cells[i].image;
+        cells->items[i].label = result->settings->no_labels ? NULL : result->cells[i].label;
+        cells->items[i].font = font_setter(result->font);
+    }
+}
+
+/* Opens a font where --font asks for it, or a label has letters beyond ASCII: then all labels are
+ * in one font. */
+static burnish_status open_font(render_result *result, burnish_error *error) {
+    const char *foreign = NULL, *file = result->settings->font;
+    for (size_t i = 0; i < result->cell_count && !foreign; ++i) {
+        for (const char *c = result->cells[i].label; *c && !foreign; ++c) {
+            foreign = (unsigned char)*c >= 0x80 ? c : NULL;
+        }
+    }
+    if (result->cell_count < 2 || result->settings->no_labels || (!foreign && !file)) {
+        return BURNISH_STATUS_OK;
+    }
+    if (!file && (!font_is_available || result->settings->opens_no_font)) {
+        render_result_warn(result, 1, "--labels: %s; letters beyond ASCII are drawn as ?",
+                           font_is_available ? "no font may be opened here"
+                                             : "this program was built without HarfBuzz, FriBidi "
+                                               "and fontconfig");
+        return BURNISH_STATUS_OK;
+    }
+    const burnish_status status = font_open(file, &result->font, error);
+    if (status != BURNISH_STATUS_OK && !file) {
+        render_result_warn(result, 1, "--labels: %.300s; letters beyond ASCII are drawn as ?",
+                           error->text);
+        return BURNISH_STATUS_OK;
+    }
+    return status;
+}
+
+static void warn_about_font(render_result *result) {
+    const unsigned missing = (unsigned)font_missing(result->font);
+    if (missing > 0) {
+        render_result_warn(result, 1,
+                           "--labels: no font has U+%04X; a box stands for it and others that are "
+                           "missing",
+                           missing);
+    }
+}
+
+/* A sheet too large is refused before anything is loaded or drawn. */
+static burnish_status check_sheet(const render_result *result, burnish_error *error) {
+    sheet_cells cells;
+    int width, height;
+    list_cells(result, &cells);
+    return result->cell_count > 1
+               ? burnish_image_sheet_size(cells.items, result->cell_count, result->columns, &width,
+                                          &height, error)
+               : BURNISH_STATUS_OK;
+}
+
+static burnish_status compose(const render_result *result, burnish_image *sheet,
+                              burnish_error *error) {
+    sheet_cells cells;
+    uint8_t ink[3];
+    choose_ink(result->options, ink);
+    list_cells(result, &cells);
+    return burnish_image_sheet(sheet, cells.items, result->cell_count, result->columns,
+                               result->options->background, ink, error);
+}
+
+/* When the output's bytes are all on disk but not yet in place: a report that can't be printed
+ * leaves an older picture as it was. */
+static burnish_status report(void *context, burnish_error *error) {
+    render_result *result = context;
+    double now = cli_seconds_now();
+    result->seconds.write = now - result->encoded;
+    result->seconds.total = now - result->start;
+    if (result->settings->tell) {
+        result->settings->tell(result->settings->tell_context, result);
+    }
+    return result->settings->json ? render_write_json(result, error) : BURNISH_STATUS_OK;
+}
+
+static burnish_status write_planes(const render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; i < settings->planes.count && status == BURNISH_STATUS_OK; ++i) {
+        const render_plane *plane = &settings->planes.items[i];
+        picture_file file;
+        status = render_encode_plane(&result->planes, plane, settings->threads, &file, error);
+        if (status == BURNISH_STATUS_OK) {
+            status = cli_file_write(plane->path, file.bytes, file.size, error);
+        }
+        picture_release(&file);
+    }
+    return status;
+}
+
+static burnish_status encode(render_result *result, picture_file *file, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const picture_format format = (picture_format)settings->format;
+    if (format == PICTURE_EXR || format == PICTURE_NPY) {
+        return render_encode_planes(&result->planes, format, file, error);
+    }
+    if (format == PICTURE_SVG) {
+        sheet_cells cells;
+        uint8_t ink[3];
+        choose_ink(result->options, ink);
+        list_cells(result, &cells);
+        return render_encode_drawing(result, cells.items, ink, file, error);
+    }
+    const burnish_pixels pixels = burnish_image_pixels(result->picture);
+    const picture_options options = {.threads = settings->threads,
+                                     .quality = settings->quality,
+                                     .dots_per_inch = settings->dots_per_inch.value};
+    return picture_encode(format, &pixels, &options, file, error);
+}
+
+static burnish_status write_picture(render_result *result, burnish_error *error) {
+    picture_file file = {0};
+    burnish_status status = render_judge(result, error);
+    double start = cli_seconds_now();
+    if (status == BURNISH_STATUS_OK) {
+        status = encode(result, &file, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = write_planes(result, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        result->encoded = cli_seconds_now();
+        result->seconds.encode = result->encoded - start;
+        result->written = 1;
+        status = cli_file_write_then(result->settings->output, file.bytes, file.size, report,
+                                     result, error);
+    }
+    picture_release(&file);
+    return status;
+}
+
+/* A picture that others draw, too. */
+static burnish_status make_bands(render_result *result, burnish_renderer *renderer,
+                                 burnish_render_options *options, burnish_error *error) {
+    const render_bands bands = {result, renderer, options, report};
+    const burnish_status status = aim_cells(result, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    return (result->settings->runner ? render_serve_bands : render_write_bands)(&bands, error);
+}
+
+/* Draws, composes and writes; leaves in result what there is to report. */
+static burnish_status make_picture(render_result *result, burnish_renderer *renderer,
+                                   burnish_render_options *options, burnish_image *sheet,
+                                   burnish_error *error) {
+    if (render_is_shared(result->settings) && !result->settings->turntable) {
+        return make_bands(result, renderer, options, error);
+    }
+    burnish_status status = draw_cells(result, renderer, options, error);
+    result->picture = &result->cells[0].image;
+    result->hash = result->cells[0].hash;
+    if (status == BURNISH_STATUS_OK && result->cell_count > 1) {
+        status = compose(result, sheet, error);
+        result->picture = sheet;
+        result->hash =
+            status == BURNISH_STATUS_OK && (result->settings->json || result->settings->tell)
+                ? burnish_image_hash(sheet)
+                : 0;
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (result->blank_cells > 0 && result->settings->fail_on_blank) {
+        return report(result, error);
+    }
+    const render_turntable turntable = {result, renderer, options, draw_frame, report};
+    return result->settings->runner      ? render_serve_turntable(&turntable, error)
+           : result->settings->turntable ? render_write_turntable(&turntable, error)
+                                         : write_picture(result, error);
+}
+
+/* Loads the mesh, prints its warnings and settles which way is up. */
+static burnish_status load(render_result *result, render_settings *settings,
+                           burnish_render_options *options, burnish_error *error) {
+    burnish_mesh *mesh = NULL;
+    burnish_status status = render_load(settings, &mesh, error);
+    result->mesh = mesh;
+    result->seconds.load = cli_seconds_now() - result->start;
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    result->seconds.read = burnish_mesh_get_info(mesh)->read_seconds;
+    result->seconds.build = burnish_mesh_get_info(mesh)->build_seconds;
+    for (size_t i = 0; i < burnish_mesh_warning_count(mesh); ++i) {
+        render_result_warn(result, 1, "%s", burnish_mesh_warning(mesh, i));
+    }
+    const char *warning;
+    render_subtract_origin(settings, options, burnish_mesh_get_view(mesh)->origin);
+    status = render_add_own_lights(settings, mesh, options, &warning, error);
+    if (status == BURNISH_STATUS_OK && warning) {
+        render_result_warn(result, 1, "%s", warning);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_cut(result, mesh, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    settings->stands_otherwise =
+        settings->up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
+    return render_adjust_materials(settings, mesh, error);
+}
+
+static burnish_status render(render_result *result, render_settings *settings,
+                             burnish_render_options *options, burnish_error *error) {
+    burnish_image sheet = {0};
+    burnish_renderer *renderer = NULL;
+    describe_cells(result);
+    burnish_status status = open_font(result, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_sheet(result, error);
+        warn_about_font(result);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = sandbox_close(error); /* fonts are open */
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_read_reference(result, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = load(result, settings, options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_create(NULL, &renderer, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = make_picture(result, renderer, options, &sheet, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->timing) {
+        render_print_timing(&result->seconds);
+    }
+    burnish_renderer_destroy(renderer);
+    burnish_image_destroy(&sheet);
+    return status;
+}
+
+static void release(render_result *result) {
+    for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
+        burnish_drawing_destroy(result->cells[i].drawing);
+        burnish_image_destroy(&result->cells[i].image);
+    }
+    free(result->cells);
+    burnish_image_destroy(&result->reference.image);
+    font_close(result->font);
+    render_release_planes(&result->planes);
+    for (size_t i = 0; i < result->warning_count; ++i) {
+        free(result->warnings[i]);
+    }
+    free(result->warnings);
+    burnish_mesh_destroy(result->mesh);
+}
+
+/* The limits that the system keeps, and the sandbox: *code is the exit code where its worker has
+ * done all there is to do, else -1. */
+static burnish_status begin(const render_settings *settings, int *code, burnish_error *error) {
+    sandbox_plan plan = {.input = settings->input,
+                         .format = settings->load.format,
+                         .outputs = {settings->output},
+                         .max_input_bytes = settings->load.max_input_bytes,
+                         .max_memory = settings->max_memory};
+    _Static_assert(2 + RENDER_PLANES_MAX <= SANDBOX_OUTPUTS_MAX, "picture, report and planes");
+    *code = -1;
+    burnish_status status = cli_limit_memory(settings->max_memory, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = cli_limit_seconds(settings->max_seconds.value, error);
+    }
+    if (status != BURNISH_STATUS_OK || !settings->sandbox) {
+        return status;
+    }
+    if (settings->reference) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--sandbox: no other picture is read in it; leave out --reference");
+    }
+    plan.output_count = 1;
+    if (settings->json) {
+        plan.outputs[plan.output_count++] = settings->json;
+    }
+    for (size_t i = 0; i < settings->planes.count; ++i) {
+        plan.outputs[plan.output_count++] = settings->planes.items[i].path;
+    }
+    return sandbox_begin(&plan, code, error);
+}
+
+burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error) {
+    render_result result = {.settings = settings};
+    cli_prepare_memory();
+    result.seconds.start = processor_seconds();
+    result.start = cli_seconds_now();
+    burnish_render_options options = render_make_options(settings);
+    result.options = &options;
+    result.cell_count =
+        (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
+    result.columns = choose_columns(settings, result.cell_count);
+    result.cells = calloc(result.cell_count, sizeof *result.cells);
+    burnish_status status = result.cells
+                                ? render(&result, settings, &options, error)
+                                : cli_fail(error, BURNISH_STATUS_MEMORY,
+                                           "out of memory for %zu pictures", result.cell_count);
+    if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->fail_on_blank) {
+        report_blank(&result);
+        *exit_code = CLI_EXIT_BLANK;
+    } else if (status == BURNISH_STATUS_OK && render_report_difference(&result)) {
+        *exit_code = CLI_EXIT_DIFFERENT;
+    }
+    release(&result);
+    return status;
+}
+
+/* Whether pictures are named after inputs. */
+static int is_template(const char *output) {
+    static const char *const words[] = {"{model}", "{folder}", "{ending}", "{view}"};
+    for (size_t i = 0; output && i < sizeof words / sizeof *words; ++i) {
+        if (strstr(output, words[i])) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int is_folder(const char *name) {
+    struct stat state;
+    return stat(name, &state) == 0 && S_ISDIR(state.st_mode);
+}
+
+/* "render part.stl part.png", as other programs have it: nothing is drawn. With an output that is
+ * named, a shell's * may have listed textures among meshes. */
+static burnish_status refuse_output_operand(const render_settings *settings, const cli_call *call,
+                                            burnish_error *error) {
+    const char *last = NULL;
+    for (size_t i = 0; i < call->argument_count; ++i) {
+        last = call->arguments[i].flag ? last : call->arguments[i].text;
+    }
+    if (call->operand_count < 2 || settings->output || settings->output_dir || !last ||
+        !picture_is_name(last)) {
+        return BURNISH_STATUS_OK;
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "render: \"%.200s\" is a name of a picture, not of a mesh; an output is named "
+                    "with -o: burnish render %.100s -o %.100s",
+                    last, call->operands[0], last);
+}
+
+burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
+    render_settings *settings = from;
+    const int has_list = settings->files_from != NULL;
+    burnish_status status;
+    if (call->operand_count == 0 && !has_list) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
+    }
+    status = refuse_output_operand(settings, call, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (call->operand_count > 1 || settings->output_dir || settings->recursive || has_list ||
+        is_template(settings->output)) {
+        return render_many(settings, call, error);
+    }
+    if (is_folder(call->operands[0])) {
+        return cli_fail(error, BURNISH_STATUS_READ,
+                        "%.300s: is a folder; --output-dir=FOLDER draws all meshes of it",
+                        call->operands[0]);
+    }
+    settings->input = call->operands[0];
+    int code = -1;
+    status = render_finish(settings, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = begin(settings, &code, error);
+    }
+    if (status != BURNISH_STATUS_OK || code >= 0) {
+        call->exit_code = code;
+        return status;
+    }
+    return render_run(settings, &call->exit_code, error);
+}

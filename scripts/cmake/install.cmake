@@ -1,0 +1,84 @@
+# Installing: program, libraries, headers, man page, and how others find them. The target
+# burnish_installed builds what is installed and nothing else.
+include(CMakePackageConfigHelpers)
+add_custom_target(burnish_installed DEPENDS burnish)
+
+install(DIRECTORY include/burnish DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/burnish/shaders
+  PATTERN "*.shade" EXCLUDE)
+install(TARGETS burnish EXPORT burnish-static)
+if(BURNISH_SHARED)
+  install(TARGETS burnish_shared EXPORT burnish-shared)
+  add_dependencies(burnish_installed burnish_shared)
+endif()
+
+# CMake: burnish::burnish is the shared library where there is one, burnish::static the static one.
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)
+install(EXPORT burnish-static NAMESPACE burnish:: DESTINATION ${package})
+if(BURNISH_SHARED)
+  install(EXPORT burnish-shared NAMESPACE burnish:: DESTINATION ${package})
+endif()
+# The static library names its decoders' targets: they are looked for as this build did.
+set(BURNISH_CONFIG_DECODERS "")
+foreach(name 3MF PNG JPEG WEBP)
+  if(FORMAT_${name}_FOUND)
+    string(APPEND BURNISH_CONFIG_DECODERS
+           "  pkg_check_modules(FORMAT_${name} QUIET IMPORTED_TARGET GLOBAL ${BURNISH_MODULES_${name}})\n")
+  endif()
+endforeach()
+configure_file(scripts/cmake/burnish-config.cmake.in burnish-config.cmake @ONLY)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/burnish-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/burnish-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/burnish-config-version.cmake DESTINATION ${package})
+
+# pkg-config: the prefix is found from where the file lies, so that the tree can be moved; folders
+# that a distribution gives as absolute ones stay so.
+function(burnish_pc_folder folder variable)
+  if(IS_ABSOLUTE "${folder}")
+    set(${variable} "${folder}" PARENT_SCOPE)
+  else()
+    set(${variable} "\${prefix}/${folder}" PARENT_SCOPE)
+  endif()
+endfunction()
+burnish_pc_folder("${CMAKE_INSTALL_INCLUDEDIR}" BURNISH_PC_INCLUDEDIR)
+burnish_pc_folder("${CMAKE_INSTALL_LIBDIR}" BURNISH_PC_LIBDIR)
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  set(BURNISH_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
+else()
+  file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+  string(REGEX REPLACE "/$" "" up "${up}")
+  set(BURNISH_PC_PREFIX "\${pcfiledir}/${up}")
+endif()
+# What the static library needs is private only where there is a shared one to link with.
+set(BURNISH_PC_PRIVATE "")
+if(BURNISH_SHARED)
+  set(BURNISH_PC_PRIVATE ".private")
+endif()
+configure_file(scripts/cmake/burnish.pc.in burnish.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/burnish.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(BURNISH_CLI)
+  install(TARGETS burnish_cli)
+  add_dependencies(burnish_installed burnish_cli)
+endif()
+
+# Texts that the program writes about itself: where the build can run it.
+function(burnish_installed_text output folder name)
+  add_custom_command(OUTPUT ${output} COMMAND burnish_cli ${ARGN} > ${output} DEPENDS burnish_cli
+                     COMMENT "Writing ${output}" VERBATIM)
+  string(MAKE_C_IDENTIFIER "burnish_text_${output}" target)
+  add_custom_target(${target} ALL DEPENDS ${output})
+  add_dependencies(burnish_installed ${target})
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${output} RENAME ${name} DESTINATION ${folder})
+endfunction()
+if(BURNISH_CLI AND (NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR))
+  set(share ${CMAKE_INSTALL_DATADIR})
+  burnish_installed_text(burnish.1 ${CMAKE_INSTALL_MANDIR}/man1 burnish.1 help --man)
+  burnish_installed_text(burnish.bash ${share}/bash-completion/completions burnish help --completion=bash)
+  burnish_installed_text(burnish.zsh ${share}/zsh/site-functions _burnish help --completion=zsh)
+  burnish_installed_text(burnish.fish ${share}/fish/vendor_completions.d burnish.fish help --completion=fish)
+  include(scripts/cmake/desktop.cmake)
+elseif(BURNISH_CLI)
+  message(STATUS "Cross build without CMAKE_CROSSCOMPILING_EMULATOR: no man page, no completions")
+endif()

@@ -1,0 +1,107 @@
+#include "image/decode/decode.h"
+
+#include <string.h>
+
+#include "core/sanitize.h"
+
+typedef burnish_status decode_function(const burnish_encoded *from, burnish_memory *memory,
+                                       burnish_image *picture);
+
+/* What bytes begin with: at an offset, so many of them. */
+static const struct {
+    size_t offset, size;
+    uint8_t bytes[8];
+    decode_function *decode;
+} formats[] = {
+    {0, 8, {137, 'P', 'N', 'G', 13, 10, 26, 10}, burnish_decode_png},
+    {0, 3, {0xff, 0xd8, 0xff}, burnish_decode_jpeg},
+    {8, 4, {'W', 'E', 'B', 'P'}, burnish_decode_webp},
+    {0, 2, {'B', 'M'}, burnish_decode_bmp},
+};
+
+burnish_status burnish_decode_check(const burnish_encoded *from, uint64_t width, uint64_t height,
+                                    const burnish_memory *memory) {
+    const uint64_t side = (uint64_t)from->max_side;
+    if (width > side || height > side) {
+        return burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
+                            "%.200s: %llu x %llu pixels; pictures of up to %d x %d are read",
+                            from->name, (unsigned long long)width, (unsigned long long)height,
+                            from->max_side, from->max_side);
+    }
+    if (width < 1 || height < 1) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: %llu x %llu pixels; it is damaged", from->name,
+                            (unsigned long long)width, (unsigned long long)height);
+    }
+    if (width * height > from->max_pixels) {
+        return burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
+                            "%.200s: %llu x %llu pixels, and %llu are left of the limit of all "
+                            "textures; raise it, or make them smaller",
+                            from->name, (unsigned long long)width, (unsigned long long)height,
+                            (unsigned long long)from->max_pixels);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,
+                                      int channels, burnish_memory *memory,
+                                      burnish_image *picture) {
+    const burnish_status status = burnish_decode_check(from, width, height, memory);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    uint8_t *pixels =
+        burnish_allocate(memory, (size_t)(width * height), (size_t)channels, from->name);
+    if (pixels) {
+        *(from->decoded ? from->decoded : &(uint64_t){0}) += width * height;
+        *picture = (burnish_image){(int)width, (int)height, channels, pixels};
+    }
+    return memory->status;
+}
+
+/* NULL: of no format that is read. */
+static decode_function *find_decoder(const uint8_t *bytes, size_t size) {
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; ++i) {
+        const size_t end = formats[i].offset + formats[i].size;
+        if (size >= end &&
+            memcmp(bytes + formats[i].offset, formats[i].bytes, formats[i].size) == 0) {
+            return formats[i].decode;
+        }
+    }
+    return burnish_is_tga(bytes, size) ? burnish_decode_tga : NULL;
+}
+
+burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memory,
+                              burnish_image *picture) {
+    decode_function *decode = find_decoder(from->bytes, from->size);
+    *picture = (burnish_image){0};
+    if (!decode) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: neither PNG nor JPEG nor WebP nor BMP nor TGA; convert it to "
+                            "one of them",
+                            from->name);
+    }
+    burnish_outside_begin();
+    burnish_status status = decode(from, memory, picture);
+    burnish_outside_end();
+    if (status != BURNISH_STATUS_OK) {
+        burnish_release(memory->context, picture->pixels);
+        *picture = (burnish_image){0};
+    }
+    return status;
+}
+
+burnish_status burnish_image_decode(const void *bytes, size_t size, const char *name,
+                                    burnish_image *image, burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(NULL, error);
+    if (!image || (!bytes && size > 0)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one",
+                            image ? "bytes" : "image");
+    }
+    const burnish_encoded from = {.bytes = bytes,
+                                  .size = size,
+                                  .name = name ? name : "picture",
+                                  .max_side = BURNISH_IMAGE_MAX_SIZE,
+                                  .max_pixels = UINT64_MAX};
+    return burnish_decode(&from, &memory, image);
+}

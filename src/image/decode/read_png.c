@@ -1,0 +1,184 @@
+/* PNG through libpng's row interface: the simplified one converts 16 bits by the file's gamma. */
+#include "image/decode/decode.h"
+
+#if BURNISH_HAS_PNG
+#include <png.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/sanitize.h"
+
+enum {
+    MOST_CHUNK_BYTES = 8 << 20, /* of a chunk that libpng unpacks: a colour profile */
+    NO_CHUNKS = 1,              /* libpng's word for keeping no texts and no palettes of others */
+    LARGEST_RATIO = 1032        /* deflate's: what a byte can at most become */
+};
+
+/* What libpng's functions are handed. */
+typedef struct decoder {
+    png_structp png;
+    png_infop info;
+    const uint8_t *bytes;
+    size_t size, next;
+    burnish_memory memory; /* of libpng and its zlib */
+    char reason[120];      /* libpng's */
+} decoder;
+
+static png_voidp allocate(png_structp png, png_alloc_size_t size) {
+    decoder *d = png_get_mem_ptr(png);
+    return burnish_allocate(&d->memory, size, 1, "reading a PNG");
+}
+
+static void give_back(png_structp png, png_voidp items) {
+    const decoder *d = png_get_mem_ptr(png);
+    burnish_release(d->memory.context, items);
+}
+
+static void take(png_structp png, png_bytep to, size_t count) {
+    decoder *d = png_get_io_ptr(png);
+    if (count > d->size - d->next) {
+        png_error(png, "the file ends too early");
+    }
+    memcpy(to, d->bytes + d->next, count);
+    d->next += count;
+}
+
+static void fail(png_structp png, png_const_charp reason) {
+    decoder *d = png_get_error_ptr(png);
+    snprintf(d->reason, sizeof d->reason, "%s", reason);
+    png_longjmp(png, 1);
+}
+
+static void pass_over(png_structp png, png_const_charp reason) {
+    (void)png, (void)reason;
+}
+
+/* Everything as 8 bits of RGB or RGBA. Returns the channels. */
+static int ask_for_codes(decoder *d, int channels) {
+    png_set_expand(d->png);
+    png_set_scale_16(d->png);
+    png_set_gray_to_rgb(d->png);
+    if (channels == 4) {
+        png_set_add_alpha(d->png, 255, PNG_FILLER_AFTER);
+    }
+    png_set_interlace_handling(d->png);
+    png_read_update_info(d->png, d->info);
+    return png_get_channels(d->png, d->info);
+}
+
+/* Rows are never more than the file can hold, so that a small file can't ask for much memory. */
+static burnish_status make_image(const burnish_encoded *from, decoder *d, burnish_memory *memory,
+                                 burnish_image *image) {
+    const uint64_t width = png_get_image_width(d->png, d->info);
+    const uint64_t height = png_get_image_height(d->png, d->info);
+    if (png_get_rowbytes(d->png, d->info) * height / LARGEST_RATIO > d->size) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: %llu x %llu pixels can't be in a PNG of %zu bytes; it is cut "
+                            "off or damaged",
+                            from->name, (unsigned long long)width, (unsigned long long)height,
+                            d->size);
+    }
+    return burnish_decode_reserve(from, width, height, ask_for_codes(d, from->channels), memory,
+                                  image);
+}
+
+/* Sides are looked at in the first chunk's bytes, which libpng's own limits then hold to: it
+ * allocates rows of any length. */
+static burnish_status check_sides(const burnish_encoded *from, const decoder *d) {
+    enum { TYPE_AT = 12, WIDTH_AT = 16, HEIGHT_AT = 20, ENOUGH = 24 };
+    if (d->size < ENOUGH || memcmp(d->bytes + TYPE_AT, "IHDR", 4) != 0) {
+        return BURNISH_STATUS_OK; /* libpng reads no other first chunk */
+    }
+    const uint64_t width = png_get_uint_32(d->bytes + WIDTH_AT);
+    const uint64_t height = png_get_uint_32(d->bytes + HEIGHT_AT);
+    return width > 0 && height > 0 ? burnish_decode_check(from, width, height, &d->memory)
+                                   : BURNISH_STATUS_OK; /* nor these */
+}
+
+/* Whether all chunks up to IEND are there. libpng allocates what a chunk of text says that it is.
+ */
+static int is_whole(const decoder *d) {
+    enum { SIGNATURE = 8, FRAME = 12 }; /* of a chunk: length, type and sum */
+    const uint8_t *at = d->bytes + SIGNATURE;
+    size_t left = d->size > SIGNATURE ? d->size - SIGNATURE : 0;
+    while (left >= FRAME) {
+        const size_t length = png_get_uint_32(at);
+        if (length > left - FRAME) {
+            return 0;
+        }
+        if (memcmp(at + 4, "IEND", 4) == 0) {
+            return 1;
+        }
+        at += FRAME + length;
+        left -= FRAME + length;
+    }
+    return 0;
+}
+
+static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_memory *memory,
+                             burnish_image *image, png_bytepp *rows) {
+    if (setjmp(png_jmpbuf(d->png))) {
+        return d->memory.status != BURNISH_STATUS_OK
+                   ? d->memory.status
+                   : burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: no sound PNG: %s",
+                                  from->name, d->reason);
+    }
+    if (!is_whole(d)) {
+        png_error(d->png, "the file ends too early");
+    }
+    burnish_status status = check_sides(from, d);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    png_set_read_fn(d->png, d, take);
+    png_set_user_limits(d->png, (png_uint_32)from->max_side, (png_uint_32)from->max_side);
+    png_set_chunk_malloc_max(d->png, MOST_CHUNK_BYTES);
+    png_set_chunk_cache_max(d->png, NO_CHUNKS);
+    png_set_crc_action(d->png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
+    png_read_info(d->png, d->info);
+    status = make_image(from, d, memory, image);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    *rows = burnish_allocate(memory, (size_t)image->height, sizeof **rows, from->name);
+    if (!*rows) {
+        return memory->status;
+    }
+    for (int y = 0; y < image->height; ++y) {
+        (*rows)[y] = image->pixels + (size_t)y * (size_t)image->width * (size_t)image->channels;
+    }
+    png_read_image(d->png, *rows);
+    png_read_end(d->png, NULL);
+    burnish_written_outside(image->pixels,
+                            (size_t)image->width * (size_t)image->height * (size_t)image->channels);
+    return d->memory.status; /* libpng shrugs off what it can do without */
+}
+
+burnish_status burnish_decode_png(const burnish_encoded *from, burnish_memory *memory,
+                                  burnish_image *picture) {
+    decoder d = {.bytes = from->bytes,
+                 .size = from->size,
+                 .memory = burnish_memory_of(memory->context, memory->error)};
+    png_bytepp rows = NULL;
+    d.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &d, fail, pass_over, &d, allocate,
+                                     give_back);
+    d.info = d.png ? png_create_info_struct(d.png) : NULL;
+    burnish_status status = d.info ? decode(from, &d, memory, picture, &rows)
+                                   : burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
+                                                  "%.200s: out of memory", from->name);
+    png_destroy_read_struct(&d.png, &d.info, NULL);
+    burnish_release(memory->context, rows);
+    return status;
+}
+
+#else
+
+burnish_status burnish_decode_png(const burnish_encoded *from, burnish_memory *memory,
+                                  burnish_image *picture) {
+    (void)picture;
+    return burnish_fail(memory->error, BURNISH_STATUS_ARGUMENT,
+                        "%.200s: this burnish reads no PNG: it was built without libpng",
+                        from->name);
+}
+
+#endif

@@ -1,0 +1,68 @@
+/* Strokes: straight segments thickened by a round pen, antialiased and blended in linear light. */
+#ifndef BURNISH_IMAGE_TEXT_STROKES_H
+#define BURNISH_IMAGE_TEXT_STROKES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "burnish/image.h"
+#include "core/arithmetic.h"
+#include "core/memory.h"
+#include "core/tasks.h"
+
+/* A segment and the pen that draws it, in pixels from the top left corner of the picture: the
+ * centre of the first pixel is (0.5, 0.5). Equal ends are a dot. */
+typedef struct burnish_stroke {
+    float x0, y0, x1, y1;
+    float radius; /* half the line's width, (0, 1024] */
+} burnish_stroke;
+
+/* The colour of strokes. */
+typedef struct burnish_ink {
+    float linear[3]; /* light, [0, 1] */
+    float opacity;   /* [0, 1] */
+} burnish_ink;
+
+burnish_ink burnish_ink_of(const uint8_t srgb[3], float opacity);
+
+/* Draws any number of strokes as one figure. A pixel's coverage is the largest that one of the
+ * strokes gives it, so that joints and crossings are no darker than lines:
+ *   clamp(1/2 + radius - distance from the pixel's centre to the segment, 0, min(1, 2 radius)),
+ * which integrates to the line's width across it, however thin it is. Strokes may reach beyond the
+ * picture; those with an end further than 1e9 pixels away, or not a number, are left out. The same
+ * bits everywhere.
+ *   pixels   any format; with a fourth channel alpha grows where there is ink
+ *   strokes  count of them
+ *   tasks    NULL: the caller alone
+ * Memory: 64 bytes per pixel of a row for each thread; 4 per stroke and band of 16 rows that it
+ * reaches, at most 4 MiB or 4 per stroke.
+ * Errors: ARGUMENT (pixels that are none, a radius out of range), MEMORY, LIMIT, CANCELLED. */
+burnish_status burnish_strokes_draw(const burnish_pixels *pixels, const burnish_stroke *strokes,
+                                    size_t count, const burnish_ink *ink, burnish_tasks *tasks,
+                                    burnish_memory *memory);
+
+/* The same where pixels hold rows of a picture `height` rows high, from first_row on: they get the
+ * bits that they have in the whole picture. */
+burnish_status burnish_strokes_draw_rows(const burnish_pixels *pixels, int first_row, int height,
+                                         const burnish_stroke *strokes, size_t count,
+                                         const burnish_ink *ink, burnish_tasks *tasks,
+                                         burnish_memory *memory);
+
+/* ---- The same in pieces, without memory of its own ---- */
+
+typedef struct burnish_rectangle {
+    int left, top, right, bottom; /* pixels; right and bottom exclusive */
+} burnish_rectangle;
+
+/* The pixels that a stroke can touch, within a picture. */
+burnish_rectangle burnish_stroke_bounds(const burnish_stroke *stroke, int width, int height);
+
+/* Raises coverage[i] of pixels first + i of a row to the stroke's. */
+void burnish_stroke_cover(const burnish_stroke *stroke, int row, int first, int count,
+                          float *coverage);
+
+/* Mixes ink over the pixels first + i of a row that are covered. */
+void burnish_ink_blend(const burnish_pixels *pixels, int row, int first, int count,
+                       const float *coverage, const burnish_ink *ink);
+
+#endif

@@ -1,0 +1,524 @@
+/* From glTF's nodes to the streams of mesh data: once to count, once to fill them.
+ *
+ * Only vertices that a triangle uses are taken: files often have one large array of vertices, of
+ * which each primitive uses some. A scene without triangles is drawn as its lines, and one without
+ * lines as its points: solids, of the material's base colour. */
+#include <stdatomic.h>
+
+#include "core/elementary.h"
+#include "core/srgb.h"
+#include "mesh/read/budget.h"
+#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/origin.h"
+#include "mesh/read/points.h"
+#include "mesh/read/textures.h"
+
+enum {
+    STEP = 1 << 16, /* triangles after which it asks whether to end */
+    GRAIN = 1 << 12 /* vertices that a thread converts at once */
+};
+
+/* What is drawn at the moment: a primitive and its matrix. */
+typedef struct gltf_drawer {
+    burnish_gltf *gltf;
+    burnish_mesh_data *mesh;
+    burnish_gltf_kind kind;           /* of the primitives that are drawn */
+    int has[BURNISH_ATTRIBUTE_COUNT]; /* of any primitive */
+    uint64_t elements, vertices;      /* of all that is drawn */
+    size_t most_vertices;             /* of one primitive */
+    size_t most_used;                 /* vertices that one primitive can use */
+    uint32_t *slots;                  /* 1 + the vertex that became of one of the primitive's, where
+                                         that is above `base` */
+    uint32_t *sources;                /* those of the primitive's, from `base` on */
+    uint32_t base;                    /* vertices before the primitive */
+    uint16_t material;
+    double base_color[4];      /* of lines and points */
+    burnish_segment *segments; /* lines */
+    size_t segment_count;
+
+    const burnish_gltf_primitive *primitive;
+    const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoord, *indices;
+    burnish_gltf_shape shape;
+    int moves;         /* 1: morph targets or a skin move vertices one by one */
+    atomic_size_t bad; /* the first vertex, from `base` on, that can't be placed */
+} gltf_drawer;
+
+/* A unit vector of the direction; 0 where there is none. */
+static void put_unit(const double *direction, float *to) {
+    const double *d = direction;
+    const double length = d ? burnish_sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) : 0;
+    for (int i = 0; i < 3; ++i) {
+        to[i] = length > 0 && length < 1e300 ? (float)(d[i] / length) : 0;
+    }
+}
+
+/* ---- Vertices ---- */
+
+/* Writes position and normal; a normal that the file has not is 0: it will be generated. Returns 0
+ * where single precision does not hold the position. p, n: as they are in the file, or moved */
+static int put_place(const gltf_drawer *drawer, const double p[3], const double n[3], float *to,
+                     float *to_normal) {
+    double turned[3];
+    const double *m = drawer->shape.matrix, *c = drawer->shape.cofactors;
+    for (int row = 0; row < 3; ++row, m += 4, c += 3) {
+        const double moved = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+        turned[row] = c[0] * n[0] + c[1] * n[1] + c[2] * n[2];
+        if (!burnish_place(moved, drawer->mesh->origin[row], &to[row])) {
+            return 0;
+        }
+    }
+    if (to_normal) {
+        put_unit(drawer->normal ? turned : NULL, to_normal);
+    }
+    return 1;
+}
+
+/* As bitangents are cross(n, t) times the sign, that changes in a mirror. */
+static void put_tangent(const gltf_drawer *drawer, size_t vertex, float *to) {
+    double t[4], turned[3];
+    const double *m = drawer->shape.matrix;
+    to[0] = to[1] = to[2] = to[3] = 0;
+    if (!drawer->tangent) {
+        return;
+    }
+    burnish_gltf_element(drawer->tangent, vertex, t);
+    for (int row = 0; row < 3; ++row, m += 4) {
+        turned[row] = m[0] * t[0] + m[1] * t[1] + m[2] * t[2];
+    }
+    put_unit(turned, to);
+    to[3] = (t[3] < 0) != drawer->shape.is_mirrored ? -1.0f : 1.0f;
+}
+
+/* glTF's colours are linear light, the mesh's sRGB. */
+static void put_color(const gltf_drawer *drawer, size_t vertex, uint8_t *to) {
+    double color[4] = {1, 1, 1, 1};
+    if (drawer->color) {
+        burnish_gltf_element(drawer->color, vertex, color);
+    }
+    for (int i = 0; i < 3; ++i) {
+        to[i] = burnish_linear_to_srgb((float)(color[i] * drawer->base_color[i]));
+    }
+    to[3] = 255; /* alpha counts only where the material says so */
+    if (drawer->kind == BURNISH_GLTF_TRIANGLES &&
+        drawer->mesh->materials[drawer->material].alpha_mode != BURNISH_ALPHA_IGNORE &&
+        drawer->color && drawer->color->width == 4) {
+        to[3] = color[3] > 0 ? (uint8_t)(255 * (color[3] < 1 ? color[3] : 1) + 0.5) : 0;
+    }
+}
+
+/* v grows downwards in glTF, upwards in meshes. */
+static void put_texcoord(const gltf_drawer *drawer, size_t vertex, float *to) {
+    double uv[2] = {0, 0};
+    if (drawer->texcoord) {
+        burnish_gltf_element(drawer->texcoord, vertex, uv);
+    }
+    if (!burnish_double_to_float(uv[0], &to[0]) || !burnish_double_to_float(1 - uv[1], &to[1])) {
+        to[0] = to[1] = 0;
+    }
+}
+
+/* Vertex `from` of the primitive as vertex `at` of the mesh. Returns 0 on failure. */
+static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
+    burnish_mesh_data *mesh = drawer->mesh;
+    double p[3], n[3] = {0, 0, 0};
+    burnish_gltf_element(drawer->position, from, p);
+    if (drawer->normal) {
+        burnish_gltf_element(drawer->normal, from, n);
+    }
+    if ((drawer->moves && !burnish_gltf_move(drawer->gltf, &drawer->shape, from, p, n)) ||
+        !put_place(drawer, p, n, burnish_positions(mesh) + 3 * at,
+                   drawer->has[BURNISH_NORMAL] ? burnish_normals(mesh) + 3 * at : NULL)) {
+        return 0;
+    }
+    if (drawer->has[BURNISH_TANGENT]) {
+        put_tangent(drawer, from, (float *)mesh->streams[BURNISH_TANGENT].items + 4 * at);
+    }
+    if (drawer->has[BURNISH_COLOR]) {
+        put_color(drawer, from, burnish_colors(mesh) + 4 * at);
+    }
+    if (drawer->has[BURNISH_TEXCOORD]) {
+        put_texcoord(drawer, from, (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * at);
+    }
+    return 1;
+}
+
+/* Ends at the first that can't be placed, and tells which of all those is the first. */
+static void convert_range(void *context, size_t first, size_t end) {
+    gltf_drawer *drawer = context;
+    for (size_t i = first; i < end; ++i) {
+        if (!convert_vertex(drawer, drawer->sources[i], drawer->base + i)) {
+            burnish_lower_to(&drawer->bad, i);
+            return;
+        }
+    }
+}
+
+/* The vertices that the primitive's triangles, lines or points have taken. Those that move share
+ * the matrix that moves them. */
+static void convert_vertices(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    const size_t count = drawer->mesh->streams[BURNISH_POSITION].count - drawer->base;
+    atomic_init(&drawer->bad, SIZE_MAX);
+    if (drawer->moves) {
+        convert_range(drawer, 0, count);
+    } else {
+        burnish_tasks_ranges(drawer->mesh->tasks, count, GRAIN, convert_range, drawer);
+        gltf->status = burnish_tasks_check(drawer->mesh->tasks, gltf->reader->error);
+    }
+    const size_t bad = atomic_load(&drawer->bad);
+    if (bad != SIZE_MAX && gltf->status == BURNISH_STATUS_OK) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, drawer->position->value,
+                          "position %u is not finite, or beyond 3.4e38; repair the mesh",
+                          drawer->sources[bad]);
+    }
+}
+
+/* ---- Triangles ---- */
+
+/* The vertex of the mesh for one of the primitive's; BURNISH_NONE where that is none. */
+static uint32_t take_vertex(gltf_drawer *drawer, uint32_t vertex) {
+    if (vertex >= drawer->position->count) {
+        return BURNISH_NONE;
+    }
+    if (drawer->slots[vertex] > drawer->base) {
+        return drawer->slots[vertex] - 1;
+    }
+    const uint32_t at = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count++;
+    drawer->sources[at - drawer->base] = vertex;
+    drawer->slots[vertex] = at + 1;
+    return at;
+}
+
+/* Before what is wrong with an index comes what is wrong with the vertices taken before it. */
+static void fail_index(gltf_drawer *drawer, uint32_t index) {
+    convert_vertices(drawer);
+    if (drawer->gltf->status == BURNISH_STATUS_OK) {
+        burnish_gltf_fail(drawer->gltf, BURNISH_STATUS_FORMAT, drawer->indices->value,
+                          "index %u is not below the %zu positions; the file is damaged", index,
+                          drawer->position->count);
+    }
+}
+
+/* Corner k of triangle i, in the order that keeps the winding (section 3.7.2.1). */
+static uint32_t corner_of(const gltf_drawer *drawer, size_t i, unsigned k) {
+    size_t at;
+    switch (drawer->primitive->mode) {
+    case 5:
+        at = k == 0 ? i : k == 1 ? i + 1 + i % 2 : i + 2 - i % 2;
+        break;
+    case 6:
+        at = k == 2 ? 0 : i + 1 + k;
+        break;
+    default:
+        at = 3 * i + k;
+    }
+    return drawer->indices ? burnish_gltf_integer(drawer->indices, at, 0) : (uint32_t)at;
+}
+
+static void draw_triangles(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    burnish_mesh_data *mesh = drawer->mesh;
+    for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
+        uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * mesh->triangle_count;
+        for (unsigned k = 0; k < 3; ++k) {
+            const uint32_t index = corner_of(drawer, i, k), vertex = take_vertex(drawer, index);
+            if (vertex == BURNISH_NONE) {
+                fail_index(drawer, index);
+                return;
+            }
+            corners[drawer->shape.is_mirrored && k > 0 ? 3 - k : k] = vertex;
+        }
+        if (mesh->triangle_materials) {
+            mesh->triangle_materials[mesh->triangle_count] = drawer->material;
+        }
+        ++mesh->triangle_count;
+        if (i % STEP == STEP - 1) {
+            gltf->status = burnish_tasks_check(mesh->tasks, gltf->reader->error);
+            if (gltf->status != BURNISH_STATUS_OK) {
+                return;
+            }
+        }
+    }
+    convert_vertices(drawer);
+}
+
+/* Corner k of line or point i. */
+static uint32_t end_of(const gltf_drawer *drawer, size_t i, size_t k) {
+    const size_t at = drawer->primitive->mode == 1   ? 2 * i + k
+                      : drawer->primitive->mode == 2 ? (i + k) % drawer->primitive->corner_count
+                                                     : i + k;
+    return drawer->indices ? burnish_gltf_integer(drawer->indices, at, 0) : (uint32_t)at;
+}
+
+static void draw_lines_or_points(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    const size_t ends = drawer->kind == BURNISH_GLTF_LINES ? 2 : 1;
+    for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
+        uint32_t vertices[2] = {0, 0};
+        for (size_t k = 0; k < ends; ++k) {
+            const uint32_t index = end_of(drawer, i, k);
+            vertices[k] = take_vertex(drawer, index);
+            if (vertices[k] == BURNISH_NONE) {
+                fail_index(drawer, index);
+                return;
+            }
+        }
+        if (drawer->segments) {
+            drawer->segments[drawer->segment_count++] = (burnish_segment){vertices[0], vertices[1]};
+        }
+        if (i % STEP == STEP - 1) {
+            gltf->status = burnish_tasks_check(drawer->mesh->tasks, gltf->reader->error);
+            if (gltf->status != BURNISH_STATUS_OK) {
+                return;
+            }
+        }
+    }
+    convert_vertices(drawer);
+}
+
+/* Of lines and points the base colour is all that is taken of a material. */
+static void read_base_color(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    const uint32_t material = drawer->primitive->material;
+    for (int i = 0; i < 4; ++i) {
+        drawer->base_color[i] = 1;
+    }
+    if (drawer->kind != BURNISH_GLTF_TRIANGLES && material != BURNISH_GLTF_NONE) {
+        const uint32_t value = gltf->lists[BURNISH_GLTF_MATERIALS][material];
+        gltf->is_lenient = 1;
+        burnish_gltf_numbers(gltf, burnish_gltf_object(gltf, value, "pbrMetallicRoughness"),
+                             "baseColorFactor", 4, drawer->base_color);
+        gltf->is_lenient = 0;
+    }
+}
+
+static const burnish_gltf_accessor *accessor_of(const burnish_gltf *gltf, uint32_t number) {
+    return number == BURNISH_GLTF_NONE ? NULL : &gltf->accessors[number];
+}
+
+static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
+                           const double matrix[12], const burnish_gltf_primitive *primitive) {
+    burnish_gltf *gltf = drawer->gltf;
+    if (burnish_gltf_kind_of(primitive) != drawer->kind) {
+        return;
+    }
+    drawer->primitive = primitive;
+    drawer->position = accessor_of(gltf, primitive->position);
+    drawer->normal = accessor_of(gltf, primitive->normal);
+    drawer->tangent = accessor_of(gltf, primitive->tangent);
+    drawer->color = accessor_of(gltf, primitive->color);
+    drawer->texcoord = accessor_of(gltf, primitive->texcoord);
+    drawer->indices = accessor_of(gltf, primitive->indices);
+    drawer->base = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count;
+    drawer->material =
+        (uint16_t)(primitive->material == BURNISH_GLTF_NONE ? gltf->counts[BURNISH_GLTF_MATERIALS]
+                                                            : primitive->material);
+    burnish_gltf_set_shape(gltf, &drawer->shape, node, matrix, primitive);
+    drawer->moves = drawer->shape.target_count > 0 || drawer->shape.set_count > 0;
+    read_base_color(drawer);
+    if (gltf->status == BURNISH_STATUS_OK) {
+        if (drawer->kind == BURNISH_GLTF_TRIANGLES) {
+            draw_triangles(drawer);
+        } else {
+            draw_lines_or_points(drawer);
+        }
+    }
+}
+
+static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
+                            const double matrix[12], const burnish_gltf_primitive *primitive) {
+    burnish_gltf *gltf = drawer->gltf;
+    (void)node, (void)matrix;
+    static const char *const kinds[] = {"points", "lines", "triangles"};
+    const burnish_gltf_kind kind = burnish_gltf_kind_of(primitive);
+    if (kind != drawer->kind) {
+        burnish_gltf_note(gltf, &gltf->undrawn, primitive->value, "%s are not drawn beside %s",
+                          kinds[kind], kinds[drawer->kind]);
+        return;
+    }
+    const size_t vertices = gltf->accessors[primitive->position].count;
+    const uint64_t used = 3 * (uint64_t)primitive->element_count;
+    drawer->elements += primitive->element_count;
+    const size_t most = used < vertices ? (size_t)used : vertices;
+    drawer->vertices += most;
+    drawer->most_used = most > drawer->most_used ? most : drawer->most_used;
+    drawer->most_vertices = vertices > drawer->most_vertices ? vertices : drawer->most_vertices;
+    drawer->has[BURNISH_NORMAL] |= primitive->normal != BURNISH_GLTF_NONE;
+    drawer->has[BURNISH_TANGENT] |= primitive->tangent != BURNISH_GLTF_NONE;
+    drawer->has[BURNISH_COLOR] |=
+        primitive->color != BURNISH_GLTF_NONE ||
+        (kind != BURNISH_GLTF_TRIANGLES && primitive->material != BURNISH_GLTF_NONE);
+    drawer->has[BURNISH_TEXCOORD] |= primitive->texcoord != BURNISH_GLTF_NONE;
+    if (drawer->elements > gltf->reader->input->options->max_triangles) {
+        gltf->status = burnish_fail_triangles(gltf->reader, NULL);
+    } else if (kind == BURNISH_GLTF_TRIANGLES) {
+        gltf->status = burnish_budget_check(gltf->reader, drawer->vertices, drawer->elements);
+    } else {
+        gltf->status = burnish_check_points(gltf->reader, (size_t)drawer->elements,
+                                            kind == BURNISH_GLTF_LINES);
+    }
+}
+
+typedef void use_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
+                           const double matrix[12], const burnish_gltf_primitive *primitive);
+
+static void for_each_of_mesh(gltf_drawer *drawer, const burnish_gltf_node *node,
+                             const double matrix[12], use_primitive *use) {
+    const burnish_gltf *gltf = drawer->gltf;
+    for (uint32_t k = gltf->mesh_primitives[node->mesh];
+         k < gltf->mesh_primitives[node->mesh + 1] && gltf->status == BURNISH_STATUS_OK; ++k) {
+        use(drawer, node, matrix, &gltf->primitives[k]);
+    }
+}
+
+/* EXT_mesh_gpu_instancing: the mesh again and again, each at a place of its own. */
+static void for_each_instance(gltf_drawer *drawer, const burnish_gltf_node *node,
+                              uint32_t instancing, use_primitive *use) {
+    static const char *const names[3] = {"TRANSLATION", "ROTATION", "SCALE"};
+    burnish_gltf *gltf = drawer->gltf;
+    const uint32_t attributes = burnish_gltf_object(gltf, instancing, "attributes");
+    const burnish_gltf_accessor *accessors[3] = {NULL, NULL, NULL};
+    size_t count = SIZE_MAX;
+    for (int i = 0; i < 3 && gltf->status == BURNISH_STATUS_OK; ++i) {
+        const uint32_t number =
+            burnish_gltf_reference(gltf, attributes, names[i], BURNISH_GLTF_ACCESSORS);
+        if (number != BURNISH_GLTF_NONE) {
+            accessors[i] = burnish_gltf_resolve(gltf, number, instancing, 1u << (i == 1 ? 4 : 3));
+            count = accessors[i] && accessors[i]->count < count ? accessors[i]->count : count;
+        }
+    }
+    count = count == SIZE_MAX ? 0 : count;
+    for (size_t i = 0; i < count && gltf->status == BURNISH_STATUS_OK &&
+                       gltf->mesh_primitives[node->mesh] < gltf->mesh_primitives[node->mesh + 1];
+         ++i) {
+        double parts[3][4] = {{0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}}, matrix[12];
+        for (int k = 0; k < 3; ++k) {
+            if (accessors[k]) {
+                burnish_gltf_element(accessors[k], i, parts[k]);
+            }
+        }
+        burnish_gltf_compose(parts[0], parts[1], parts[2], matrix);
+        burnish_gltf_multiply(node->matrix, matrix, matrix);
+        for_each_of_mesh(drawer, node, matrix, use);
+    }
+}
+
+/* Calls `use` for each primitive of each node that is drawn. */
+static void for_each_primitive(gltf_drawer *drawer, use_primitive *use) {
+    burnish_gltf *gltf = drawer->gltf;
+    for (size_t i = 0; i < gltf->counts[BURNISH_GLTF_NODES] && gltf->status == BURNISH_STATUS_OK;
+         ++i) {
+        const burnish_gltf_node *node = &gltf->nodes[i];
+        if (!node->is_drawn || node->mesh == BURNISH_GLTF_NONE) {
+            continue;
+        }
+        const uint32_t instancing = burnish_gltf_extension(gltf, gltf->lists[BURNISH_GLTF_NODES][i],
+                                                           "EXT_mesh_gpu_instancing");
+        if (instancing != BURNISH_JSON_NONE) {
+            for_each_instance(drawer, node, instancing, use);
+        } else {
+            for_each_of_mesh(drawer, node, node->matrix, use);
+        }
+    }
+}
+
+static void reserve(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    burnish_mesh_data *mesh = drawer->mesh;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        if (drawer->has[i]) {
+            burnish_mesh_data_reserve(mesh, (burnish_attribute)i, (size_t)drawer->vertices);
+        }
+    }
+    if (drawer->kind == BURNISH_GLTF_TRIANGLES) {
+        burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, (size_t)drawer->elements);
+    }
+    if (drawer->kind == BURNISH_GLTF_LINES) {
+        drawer->segments = burnish_allocate(gltf->memory, (size_t)drawer->elements,
+                                            sizeof *drawer->segments, "lines");
+    }
+    if (drawer->kind == BURNISH_GLTF_TRIANGLES && mesh->material_count > 1) {
+        mesh->triangle_materials = burnish_reserve_discard(
+            gltf->memory, mesh->triangle_materials, &mesh->triangle_material_capacity,
+            (size_t)drawer->elements, sizeof *mesh->triangle_materials, "triangle materials");
+    }
+    drawer->slots = burnish_allocate_zeroed(gltf->memory, drawer->most_vertices,
+                                            sizeof *drawer->slots, "vertices");
+    drawer->sources =
+        burnish_allocate(gltf->memory, drawer->most_used, sizeof *drawer->sources, "vertices");
+    burnish_gltf_is_fine(gltf);
+}
+
+static void draw_all(gltf_drawer *drawer) {
+    drawer->mesh->streams[BURNISH_POSITION].count = drawer->mesh->triangle_count = 0;
+    drawer->segment_count = 0;
+    if (drawer->gltf->status == BURNISH_STATUS_OK) {
+        for_each_primitive(drawer, draw_primitive);
+    }
+}
+
+/* Once more where nodes put the scene far away. */
+static void draw_from_origin(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    double origin[3];
+    for (int i = 0; i < BURNISH_ORIGIN_TIMES && gltf->status == BURNISH_STATUS_OK &&
+                    burnish_find_origin(drawer->mesh, origin);
+         ++i) {
+        memcpy(drawer->mesh->origin, origin, sizeof origin);
+        memset(drawer->slots, 0, drawer->most_vertices * sizeof *drawer->slots);
+        draw_all(drawer);
+    }
+}
+
+/* Counts what there is of the kind that is drawn: triangles, else lines, else points. */
+static void choose_kind(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    for (int kind = BURNISH_GLTF_TRIANGLES;
+         kind >= BURNISH_GLTF_POINTS && drawer->elements == 0 && gltf->status == BURNISH_STATUS_OK;
+         --kind) {
+        drawer->kind = (burnish_gltf_kind)kind;
+        gltf->undrawn = (burnish_warning_group){0};
+        for_each_primitive(drawer, count_primitive);
+    }
+}
+
+/* Lines or points become solids, with the colours of vertices alone. */
+static void make_solids(gltf_drawer *drawer) {
+    burnish_gltf *gltf = drawer->gltf;
+    gltf->status = burnish_make_points(gltf->reader, drawer->segments, drawer->segment_count);
+    drawer->mesh->materials[0] = burnish_material_default();
+    drawer->mesh->material_count = 1;
+}
+
+void burnish_gltf_read_geometry(burnish_gltf *gltf) {
+    const burnish_load_options *options = gltf->reader->input->options;
+    gltf_drawer drawer = {
+        .gltf = gltf, .mesh = gltf->reader->mesh, .has = {[BURNISH_POSITION] = 1}};
+    choose_kind(&drawer);
+    drawer.has[BURNISH_TEXCOORD] &=
+        burnish_reader_keeps_coordinates(gltf->reader, drawer.mesh->texture_count > 0);
+    drawer.has[BURNISH_TANGENT] &= drawer.mesh->texture_count > 0;
+    if (gltf->status == BURNISH_STATUS_OK && drawer.elements == 0) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, BURNISH_JSON_NONE,
+                          "no triangles; export the scene's meshes");
+    }
+    if (gltf->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    reserve(&drawer);
+    draw_all(&drawer);
+    if (!options->origin) {
+        draw_from_origin(&drawer);
+    }
+    const size_t count = drawer.mesh->streams[BURNISH_POSITION].count;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        drawer.mesh->streams[i].count = drawer.has[i] ? count : 0;
+    }
+    if (gltf->status == BURNISH_STATUS_OK && drawer.kind != BURNISH_GLTF_TRIANGLES) {
+        make_solids(&drawer);
+    }
+    burnish_release(gltf->memory->context, drawer.segments);
+    burnish_release(gltf->memory->context, drawer.slots);
+    burnish_release(gltf->memory->context, drawer.sources);
+    burnish_release(gltf->memory->context, drawer.shape.targets);
+}

@@ -1,0 +1,180 @@
+/* glTF's materials: metallic and roughness to the coefficients of the Phong equation.
+ *
+ * The exponent is that of the Beckmann or GGX distribution of the same alpha (theory.h,
+ * burnish_theory_exponent_from_roughness): n = 2 / alpha^2 - 2 with alpha = roughness^2. A lobe of
+ * height 1 reflects the less, the narrower it is, (n + 2) / 8 makes up for that (Blinn-Phong,
+ * normalised); the height stops at 1, what the picture can show.
+ *
+ * A metal has no diffuse colour, but there is nothing here that it could mirror: so its colour
+ * takes the ambient light, as an OBJ's Ka does. */
+#include "mesh/read/gltf/gltf.h"
+
+enum { MATERIAL_LIMIT = 65535 /* what 16 bits a triangle can tell apart, but for the default */ };
+
+static double clamp(double value, double low, double high) {
+    return value > low ? (value < high ? value : high) : low; /* NaN gives low */
+}
+
+/* What a material says, before it becomes coefficients. */
+typedef struct gltf_surface {
+    double base[4];
+    double metallic, roughness;
+    double reflectance[3]; /* at normal incidence, of what is no metal */
+} gltf_surface;
+
+/* KHR_materials_ior and KHR_materials_specular: f0 = ((ior - 1) / (ior + 1))^2, times strength and
+ * colour. */
+static void read_reflectance(burnish_gltf *gltf, uint32_t value, gltf_surface *surface) {
+    const uint32_t specular = burnish_gltf_extension(gltf, value, "KHR_materials_specular");
+    const double ior = burnish_gltf_number(
+        gltf, burnish_gltf_extension(gltf, value, "KHR_materials_ior"), "ior", 1.5);
+    const double root = ior >= 1 ? (ior - 1) / (ior + 1) : ior == 0 ? 1 : 0.2;
+    const double strength = clamp(burnish_gltf_number(gltf, specular, "specularFactor", 1), 0, 1);
+    double color[3] = {1, 1, 1};
+    burnish_gltf_numbers(gltf, specular, "specularColorFactor", 3, color);
+    for (int i = 0; i < 3; ++i) {
+        surface->reflectance[i] = clamp(root * root * color[i], 0, 1) * strength;
+    }
+}
+
+static void read_metallic(burnish_gltf *gltf, uint32_t value, gltf_surface *surface) {
+    const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");
+    burnish_gltf_numbers(gltf, metallic, "baseColorFactor", 4, surface->base);
+    surface->metallic = clamp(burnish_gltf_number(gltf, metallic, "metallicFactor", 1), 0, 1);
+    surface->roughness = clamp(burnish_gltf_number(gltf, metallic, "roughnessFactor", 1), 0, 1);
+    read_reflectance(gltf, value, surface);
+}
+
+/* KHR_materials_pbrSpecularGlossiness, of older files: a diffuse colour and a reflectance. */
+static void read_glossy(burnish_gltf *gltf, uint32_t glossy, gltf_surface *surface) {
+    double specular[3] = {1, 1, 1};
+    burnish_gltf_numbers(gltf, glossy, "diffuseFactor", 4, surface->base);
+    burnish_gltf_numbers(gltf, glossy, "specularFactor", 3, specular);
+    surface->metallic = 0;
+    surface->roughness = 1 - clamp(burnish_gltf_number(gltf, glossy, "glossinessFactor", 1), 0, 1);
+    for (int i = 0; i < 3; ++i) {
+        surface->reflectance[i] = clamp(specular[i], 0, 1);
+    }
+}
+
+/* What the surface is without textures. */
+static burnish_material make_material(const gltf_surface *surface) {
+    burnish_material material = {.has_diffuse = 1,
+                                 .metallic = (float)surface->metallic,
+                                 .roughness = (float)surface->roughness};
+    const double alpha = surface->roughness * surface->roughness;
+    const double exponent = clamp(alpha > 0 ? 2 / (alpha * alpha) - 2 : 65536, 1, 65536);
+    material.exponent = (float)exponent;
+    for (int i = 0; i < 3; ++i) {
+        const double base = clamp(surface->base[i], 0, 1), metallic = surface->metallic;
+        const double f0 = surface->reflectance[i] * (1 - metallic) + base * metallic;
+        material.ambient[i] = (float)base;
+        material.diffuse[i] = (float)(base * (1 - metallic));
+        material.specular[i] = (float)clamp(f0 * (exponent + 2) / 8, 0, 1);
+        material.reflectance[i] = (float)surface->reflectance[i];
+    }
+    return material;
+}
+
+static void read_emission(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
+    const uint32_t strong = burnish_gltf_extension(gltf, value, "KHR_materials_emissive_strength");
+    const double strength = burnish_gltf_number(gltf, strong, "emissiveStrength", 1);
+    double color[3] = {0, 0, 0};
+    burnish_gltf_numbers(gltf, value, "emissiveFactor", 3, color);
+    for (int i = 0; i < 3; ++i) {
+        material->emissive[i] = (float)clamp(color[i] * strength, 0, 1e6);
+    }
+}
+
+static void read_alpha(burnish_gltf *gltf, uint32_t value, double alpha,
+                       burnish_material *material) {
+    const uint32_t mode = burnish_json_member(&gltf->json, value, "alphaMode");
+    if (burnish_json_is_text(&gltf->json, mode, "BLEND")) {
+        material->alpha_mode = BURNISH_ALPHA_BLEND;
+    } else if (burnish_json_is_text(&gltf->json, mode, "MASK")) {
+        material->alpha_mode = BURNISH_ALPHA_MASK;
+        material->alpha_cutoff =
+            (float)clamp(burnish_gltf_number(gltf, value, "alphaCutoff", 0.5), 0, 1);
+    }
+    if (material->alpha_mode != BURNISH_ALPHA_IGNORE) {
+        material->transparency = (float)(1 - clamp(alpha, 0, 1));
+    }
+}
+
+/* Textures that multiply what glTF's numbers say need the base colour and the rest as they are;
+ * so do colours of vertices on a metal. */
+static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
+                          burnish_material *material) {
+    const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");
+    burnish_texture_use *textures = material->textures;
+    gltf->texture_set = burnish_gltf_texture_set(gltf, value);
+    textures[BURNISH_TEXTURE_NORMAL] =
+        burnish_gltf_read_texture(gltf, value, "normalTexture", 0, "scale");
+    textures[BURNISH_TEXTURE_EMISSIVE] =
+        burnish_gltf_read_texture(gltf, value, "emissiveTexture", 1, NULL);
+    textures[BURNISH_TEXTURE_OCCLUSION] =
+        burnish_gltf_read_texture(gltf, value, "occlusionTexture", 0, "strength");
+    if (glossy != BURNISH_JSON_NONE) {
+        textures[BURNISH_TEXTURE_COLOR] =
+            burnish_gltf_read_texture(gltf, glossy, "diffuseTexture", 1, NULL);
+        textures[BURNISH_TEXTURE_SPECULAR] =
+            burnish_gltf_read_texture(gltf, glossy, "specularGlossinessTexture", 1, NULL);
+        return;
+    }
+    textures[BURNISH_TEXTURE_COLOR] =
+        burnish_gltf_read_texture(gltf, metallic, "baseColorTexture", 1, NULL);
+    textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS] =
+        burnish_gltf_read_texture(gltf, metallic, "metallicRoughnessTexture", 0, NULL);
+    const int has_color = textures[BURNISH_TEXTURE_COLOR].texture > 0;
+    material->is_metallic = textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
+                            (has_color && textures[BURNISH_TEXTURE_NORMAL].texture > 0) ||
+                            ((has_color || gltf->has_colors) && material->metallic > 0);
+    if (material->is_metallic || material->is_unlit) {
+        memcpy(material->diffuse, material->ambient, sizeof material->diffuse);
+    }
+}
+
+static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
+    gltf_surface surface = {.base = {1, 1, 1, 1}};
+    const uint32_t glossy =
+        burnish_gltf_extension(gltf, value, "KHR_materials_pbrSpecularGlossiness");
+    if (glossy != BURNISH_JSON_NONE) {
+        read_glossy(gltf, glossy, &surface);
+    } else {
+        read_metallic(gltf, value, &surface);
+    }
+    burnish_material material = make_material(&surface);
+    if (burnish_gltf_extension(gltf, value, "KHR_materials_unlit") != BURNISH_JSON_NONE) {
+        material.is_unlit = 1;
+        memset(material.specular, 0, sizeof material.specular);
+    }
+    read_emission(gltf, value, &material);
+    read_alpha(gltf, value, surface.base[3], &material);
+    read_textures(gltf, value, glossy, &material);
+    return material;
+}
+
+void burnish_gltf_read_materials(burnish_gltf *gltf) {
+    burnish_mesh_data *mesh = gltf->reader->mesh;
+    const size_t count = gltf->counts[BURNISH_GLTF_MATERIALS];
+    if (count > MATERIAL_LIMIT) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT,
+                          burnish_json_member(&gltf->json, 0, "materials"),
+                          "more than %d materials; merge equal ones", MATERIAL_LIMIT);
+        return;
+    }
+    mesh->materials = burnish_reserve(gltf->memory, mesh->materials, &mesh->material_capacity,
+                                      count + 1, sizeof *mesh->materials, "materials");
+    if (!burnish_gltf_is_fine(gltf)) {
+        return;
+    }
+    gltf->is_lenient = 1;
+    burnish_gltf_decode_ahead(gltf);
+    for (size_t i = 0; i < count && gltf->status == BURNISH_STATUS_OK; ++i) {
+        mesh->materials[i] = read_material(gltf, gltf->lists[BURNISH_GLTF_MATERIALS][i]);
+    }
+    gltf->is_lenient = 0;
+    burnish_gltf_drop_ahead(gltf);
+    mesh->materials[count] = burnish_material_default();
+    mesh->material_count = count + (gltf->has_plain || count == 0);
+}

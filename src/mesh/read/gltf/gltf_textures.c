@@ -1,0 +1,182 @@
+/* Textures of glTF's materials: which image, how it repeats, and where on it a point lies. */
+#include <stdio.h>
+
+#include "core/elementary.h"
+#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/textures.h"
+
+enum {
+    NEAREST = 9728,
+    CLAMP_TO_EDGE = 33071,
+    MIRRORED_REPEAT = 33648,
+    DAMAGED_MAX = 8 /* images after which no further one is tried: each may take long to fail */
+};
+
+/* ---- Images ---- */
+
+burnish_gltf_name burnish_gltf_image_name(const burnish_gltf *gltf, uint32_t image) {
+    burnish_gltf_name name;
+    const uint32_t given = burnish_json_member(&gltf->json, image, "name");
+    if (burnish_json_text(&gltf->json, given, name.text, sizeof name.text) == 0) {
+        snprintf(name.text, sizeof name.text, "%s", burnish_json_path_of(&gltf->json, image).text);
+    }
+    return name;
+}
+
+static int decode_bytes(burnish_gltf *gltf, uint32_t image, const uint8_t *bytes, size_t size,
+                        int is_color) {
+    if (gltf->damaged_images >= DAMAGED_MAX) {
+        return 0;
+    }
+    const int number = burnish_reader_decode_texture(
+        gltf->reader, burnish_json_at(&gltf->json, image),
+        burnish_gltf_image_name(gltf, image).text, bytes, size, is_color);
+    gltf->damaged_images += number == 0;
+    return number;
+}
+
+static int load_image(burnish_gltf *gltf, uint32_t image, int is_color) {
+    const uint32_t uri = burnish_json_member(&gltf->json, image, "uri");
+    const uint32_t view = burnish_gltf_reference(gltf, image, "bufferView", BURNISH_GLTF_VIEWS);
+    burnish_gltf_buffer data = {.is_loaded = 0};
+    burnish_gltf_bytes bytes;
+    size_t stride;
+    char *name;
+    int number = 0;
+    if (uri != BURNISH_JSON_NONE && burnish_gltf_open_uri(gltf, uri, &data, &name)) {
+        number = name ? burnish_reader_load_texture(
+                            gltf->reader, burnish_json_at(&gltf->json, image), name, is_color)
+                      : decode_bytes(gltf, image, data.bytes.bytes, data.bytes.size, is_color);
+        burnish_release(gltf->memory->context, name);
+    } else if (view != BURNISH_GLTF_NONE && burnish_gltf_view(gltf, view, &bytes, &stride)) {
+        number = decode_bytes(gltf, image, bytes.bytes, bytes.size, is_color);
+    }
+    burnish_gltf_release_buffer(gltf, &data);
+    burnish_gltf_is_fine(gltf);
+    return number;
+}
+
+/* Each image is decoded once as numbers, and once as colours. */
+static int texture_of_image(burnish_gltf *gltf, uint32_t image, int is_color) {
+    int *number = &gltf->image_textures[2 * (size_t)image + (is_color ? 1 : 0)];
+    if (*number < 0) {
+        *number = load_image(gltf, gltf->lists[BURNISH_GLTF_IMAGES][image], is_color);
+    }
+    return *number;
+}
+
+/* ---- Sets of texture coordinates ---- */
+
+/* That of a texture's use; SETS where it is none, or no set that is read. */
+static unsigned set_of_use(const burnish_json *json, uint32_t info) {
+    const uint32_t extensions = burnish_json_member(json, info, "extensions");
+    const uint32_t transform = burnish_json_member(json, extensions, "KHR_texture_transform");
+    uint32_t value = burnish_json_member(json, transform, "texCoord");
+    double number = 0;
+    if (value == BURNISH_JSON_NONE) {
+        value = burnish_json_member(json, info, "texCoord");
+    }
+    burnish_json_number(json, value, &number);
+    return info != BURNISH_JSON_NONE && number >= 0 && number < BURNISH_GLTF_TEXCOORDS
+               ? (unsigned)number
+               : BURNISH_GLTF_TEXCOORDS;
+}
+
+unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material) {
+    static const struct {
+        const char *object, *key; /* object NULL: the material itself */
+        unsigned votes;
+    } uses[] = {{"pbrMetallicRoughness", "baseColorTexture", 3},
+                {"pbrMetallicRoughness", "metallicRoughnessTexture", 2},
+                {"KHR_materials_pbrSpecularGlossiness", "diffuseTexture", 3},
+                {"KHR_materials_pbrSpecularGlossiness", "specularGlossinessTexture", 2},
+                {NULL, "normalTexture", 2},
+                {NULL, "occlusionTexture", 2},
+                {NULL, "emissiveTexture", 2}};
+    const burnish_json *json = &gltf->json;
+    const uint32_t extensions = burnish_json_member(json, material, "extensions");
+    unsigned votes[BURNISH_GLTF_TEXCOORDS + 1] = {0}, best = 0;
+    for (size_t i = 0; i < sizeof uses / sizeof *uses; ++i) {
+        const char *name = uses[i].object;
+        const uint32_t object =
+            !name ? material
+                  : burnish_json_member(json, strncmp(name, "KHR", 3) == 0 ? extensions : material,
+                                        name);
+        votes[set_of_use(json, burnish_json_member(json, object, uses[i].key))] += uses[i].votes;
+    }
+    for (unsigned set = 1; set < BURNISH_GLTF_TEXCOORDS; ++set) {
+        best = votes[set] > votes[best] ? set : best;
+    }
+    return best;
+}
+
+/* ---- Textures ---- */
+
+static int read_wrap(burnish_gltf *gltf, uint32_t sampler, const char *key) {
+    const uint64_t mode = burnish_gltf_whole(gltf, sampler, key, 0, 65535);
+    return mode == CLAMP_TO_EDGE     ? BURNISH_WRAP_CLAMP
+           : mode == MIRRORED_REPEAT ? BURNISH_WRAP_MIRROR
+                                     : BURNISH_WRAP_REPEAT;
+}
+
+/* KHR_texture_transform, whose v grows downwards: u' = a u + b v + c, v' = d u + e v + f. With
+ * 1 - v for v on both sides it is the mesh's. */
+static void read_transform(burnish_gltf *gltf, uint32_t transform, burnish_texture_use *use) {
+    double offset[2] = {0, 0}, scale[2] = {1, 1}, sine, cosine;
+    burnish_gltf_numbers(gltf, transform, "offset", 2, offset);
+    burnish_gltf_numbers(gltf, transform, "scale", 2, scale);
+    burnish_sincos(burnish_gltf_number(gltf, transform, "rotation", 0), &sine, &cosine);
+    const double a = cosine * scale[0], b = sine * scale[1], d = -sine * scale[0],
+                 e = cosine * scale[1];
+    const double mesh[6] = {a, -b, b + offset[0], -d, e, 1 - e - offset[1]};
+    use->has_transform = 1;
+    for (int i = 0; i < 6; ++i) {
+        use->has_transform &= burnish_double_to_float(mesh[i], &use->transform[i]);
+    }
+    if (!use->has_transform) {
+        memset(use->transform, 0, sizeof use->transform);
+    }
+}
+
+burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
+                                              int is_color, const char *strength) {
+    burnish_texture_use use = {.strength = 1};
+    const burnish_texture_use none = {0};
+    const uint32_t info = burnish_gltf_object(gltf, object, key);
+    const uint32_t number = burnish_gltf_reference(gltf, info, "index", BURNISH_GLTF_TEXTURES);
+    if (number == BURNISH_GLTF_NONE || gltf->reader->input->options->ignore_textures) {
+        return none;
+    }
+    const uint32_t transform = burnish_gltf_extension(gltf, info, "KHR_texture_transform");
+    uint64_t set = burnish_gltf_whole(gltf, info, "texCoord", 0, 1000);
+    set = burnish_gltf_whole(gltf, transform, "texCoord", set, 1000);
+    if (set != gltf->texture_set) {
+        burnish_gltf_note(gltf, &gltf->other_sets, info,
+                          "left out, as it has texture coordinates of its own (set %u)",
+                          (unsigned)set);
+        return none;
+    }
+    const uint32_t texture = gltf->lists[BURNISH_GLTF_TEXTURES][number];
+    const uint32_t webp = burnish_gltf_extension(gltf, texture, "EXT_texture_webp");
+    uint32_t image = burnish_gltf_reference(gltf, webp, "source", BURNISH_GLTF_IMAGES);
+    if (image == BURNISH_GLTF_NONE) {
+        image = burnish_gltf_reference(gltf, texture, "source", BURNISH_GLTF_IMAGES);
+    }
+    const uint32_t sampler =
+        burnish_gltf_reference(gltf, texture, "sampler", BURNISH_GLTF_SAMPLERS);
+    if (sampler != BURNISH_GLTF_NONE) {
+        const uint32_t value = gltf->lists[BURNISH_GLTF_SAMPLERS][sampler];
+        use.wrap[0] = read_wrap(gltf, value, "wrapS");
+        use.wrap[1] = read_wrap(gltf, value, "wrapT");
+        use.is_nearest = burnish_gltf_whole(gltf, value, "magFilter", 0, 65535) == NEAREST;
+    }
+    if (transform != BURNISH_JSON_NONE) {
+        read_transform(gltf, transform, &use);
+    }
+    if (strength) {
+        const double value = burnish_gltf_number(gltf, info, strength, 1);
+        burnish_double_to_float(value, &use.strength);
+    }
+    use.texture = image == BURNISH_GLTF_NONE ? 0 : texture_of_image(gltf, image, is_color);
+    return use.texture > 0 ? use : none;
+}

@@ -1,0 +1,281 @@
+/* OBJ (Wavefront, "Object Files", 1992): v, vn, vt, f, usemtl, mtllib; polygons; indices from
+ * either end, of values that stand anywhere in the file.
+ *
+ * l and p, curves and surfaces and statements of other programs are passed over, with a warning
+ * each; o, g, s and others that make nothing without one. Vertex colours
+ * follow the coordinates (v x y z r g b). */
+#include "mesh/read/obj/obj.h"
+#include "mesh/read/obj/obj_materials.h"
+#include "mesh/read/pieces.h"
+#include "mesh/read/points.h"
+#include "mesh/read/textures.h"
+
+typedef struct obj_state {
+    burnish_reader *reader;
+    int with_texcoords;
+    burnish_obj_materials materials;
+    size_t triangle;           /* those before it have their run of one material */
+    burnish_segment *segments; /* of lines, while no face has been seen */
+    size_t segment_count, segment_capacity;
+    burnish_warning_group elements, few_corners, colors, normals, free_form, unknown;
+    size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* index + 1 that a face refers to; SIZE_MAX: to one
+                                                before the first */
+} obj_state;
+
+/* The first line from `from` on that no '\' joins to the one before it. */
+static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = from;
+    while ((newline = memchr(newline, '\n', (size_t)(end - newline)))) {
+        const uint8_t *last = newline - (newline[-1] == '\r') - 1;
+        ++newline;
+        if (*last != '\\') {
+            return newline;
+        }
+    }
+    return end;
+}
+
+static void parse(const void *state, burnish_chunk *chunk) {
+    const obj_state *obj = state;
+    burnish_obj_parse(chunk, obj->with_texcoords, obj->reader->mesh->origin);
+}
+
+/* A statement that is not read. */
+static void note_other(obj_state *obj, const burnish_chunk_event *event, burnish_lexer *lexer) {
+    burnish_token keyword;
+    burnish_lexer_token(lexer, &keyword);
+    if (event->kind == BURNISH_OBJ_FREE_FORM) {
+        burnish_reader_note(obj->reader, &obj->free_form, event->at,
+                            "curves and surfaces (\"%s\") are not drawn; export them as faces",
+                            burnish_token_quote(keyword).text);
+    } else {
+        burnish_reader_note(obj->reader, &obj->unknown, event->at,
+                            "\"%s\" is not a statement of OBJ and was ignored",
+                            burnish_token_quote(keyword).text);
+    }
+}
+
+/* l v v ...: lexer at the keyword, `before` positions stand before it. A number that is no vertex's
+ * becomes BURNISH_NONE. */
+static burnish_status read_line(obj_state *obj, burnish_lexer *lexer, size_t before) {
+    burnish_memory *memory = &obj->reader->mesh->memory;
+    burnish_token token;
+    uint32_t last = BURNISH_NONE;
+    burnish_lexer_token(lexer, &token);
+    for (int i = 0; burnish_lexer_token(lexer, &token); ++i) {
+        int64_t written = 0;
+        burnish_parse_integer(burnish_obj_cut_part(&token), &written);
+        const int64_t index = written < 0 ? (int64_t)before + written : written - 1;
+        const uint32_t number = index >= 0 && index < BURNISH_NONE ? (uint32_t)index : BURNISH_NONE;
+        if (i > 0) {
+            obj->segments = burnish_reserve(memory, obj->segments, &obj->segment_capacity,
+                                            obj->segment_count + 1, sizeof *obj->segments, "lines");
+            if (memory->status != BURNISH_STATUS_OK) {
+                return memory->status;
+            }
+            obj->segments[obj->segment_count++] = (burnish_segment){last, number};
+        }
+        last = number;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status accept(void *state, const burnish_chunk *chunk) {
+    obj_state *obj = state;
+    burnish_status status = BURNISH_STATUS_OK;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        const size_t highest = chunk->back[i] > chunk->before[i] ? SIZE_MAX : chunk->highest[i];
+        obj->highest[i] = highest > obj->highest[i] ? highest : obj->highest[i];
+    }
+    for (size_t i = 0; i < chunk->event_count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_chunk_event *event = &chunk->events[i];
+        const size_t triangle = chunk->triangles_before + event->triangle;
+        burnish_lexer lexer = {event->at, chunk->text_end, 1};
+        if (event->kind == BURNISH_OBJ_ELEMENT) {
+            burnish_reader_note(obj->reader, &obj->elements, event->at,
+                                "lines and points are not drawn beside faces");
+            if (triangle == 0 && *event->at == 'l') {
+                status = read_line(obj, &lexer, chunk->before[BURNISH_POSITION] + event->position);
+            }
+            continue;
+        }
+        if (event->kind == BURNISH_OBJ_FEW_CORNERS) {
+            burnish_reader_note(obj->reader, &obj->few_corners, event->at,
+                                "a face with fewer than 3 corners was ignored");
+            continue;
+        }
+        if (event->kind == BURNISH_OBJ_COLOR) {
+            burnish_reader_note(obj->reader, &obj->colors, event->at,
+                                "what follows a vertex's coordinates is no colour; it is white");
+            continue;
+        }
+        if (event->kind == BURNISH_OBJ_NORMAL) {
+            burnish_reader_note(obj->reader, &obj->normals, event->at,
+                                "a normal is not 3 numbers; it was generated");
+            continue;
+        }
+        if (event->kind == BURNISH_OBJ_OTHER || event->kind == BURNISH_OBJ_FREE_FORM) {
+            note_other(obj, event, &lexer);
+            continue;
+        }
+        if (obj->reader->input->pieces) { /* names are kept where they stand */
+            return burnish_pieces_give_up(obj->reader);
+        }
+        if (triangle > obj->triangle) {
+            status = burnish_obj_begin_run(&obj->materials, obj->triangle);
+            obj->triangle = triangle;
+        }
+        if (status == BURNISH_STATUS_OK && event->kind == BURNISH_OBJ_LIBRARY) {
+            status = burnish_obj_read_libraries(&obj->materials, &lexer);
+        } else if (status == BURNISH_STATUS_OK) {
+            burnish_obj_use_material(&obj->materials, burnish_lexer_rest(&lexer));
+        }
+    }
+    return status;
+}
+
+static void drop_missing(void *user_data, size_t first, size_t end) {
+    const burnish_stream *stream = user_data;
+    for (size_t i = first; i < end; ++i) {
+        stream->corners[i] = stream->corners[i] < stream->count ? stream->corners[i] : BURNISH_NONE;
+    }
+}
+
+/* Corners may refer to normals and texture coordinates that are not there: exporters cut a file in
+ * pieces and leave the indices, or write indices without any values. */
+static void settle_corners(obj_state *obj, burnish_attribute attribute, const char *what) {
+    burnish_mesh_data *mesh = obj->reader->mesh;
+    burnish_stream *stream = &mesh->streams[attribute];
+    if (!stream->corners) { /* no face refers to one */
+        burnish_mesh_data_drop(mesh, attribute);
+    }
+    if (stream->corners && obj->highest[attribute] > stream->count) {
+        burnish_tasks_ranges(mesh->tasks, 3 * mesh->triangle_count, 1 << 16, drop_missing, stream);
+        burnish_reader_warn(obj->reader, NULL, "faces refer to %s that the file does not have",
+                            what);
+    }
+    if (stream->count == 0) {
+        burnish_mesh_data_drop(mesh, attribute);
+    }
+}
+
+/* Colours that count to 255, where one is brighter than any that counts to 1. */
+static void settle_colors(obj_state *obj) {
+    const burnish_stream *colors = &obj->reader->mesh->streams[BURNISH_COLOR];
+    uint8_t *rgba = burnish_colors(obj->reader->mesh);
+    int count_to_255 = 0;
+    for (size_t i = 0; i < colors->count && !count_to_255; ++i) {
+        count_to_255 = rgba[4 * i + 3] == BURNISH_OBJ_COUNTS_TO_255;
+    }
+    for (size_t i = 0; i < colors->count; ++i, rgba += 4) {
+        for (int k = 0; k < 3 && count_to_255 && rgba[3] == BURNISH_OBJ_COUNTS_TO_1; ++k) {
+            rgba[k] = rgba[k] >= 128;
+        }
+        rgba[3] = 255;
+    }
+    if (count_to_255) {
+        burnish_reader_warn(obj->reader, NULL,
+                            "colours of vertices are beyond 1 and were taken to count to 255");
+    }
+}
+
+/* Of a file without faces: its lines, or its vertices as points. */
+static burnish_status make_points(obj_state *obj) {
+    const size_t positions = obj->reader->mesh->streams[BURNISH_POSITION].count;
+    size_t count = 0;
+    for (size_t i = 0; i < obj->segment_count; ++i) {
+        const burnish_segment segment = obj->segments[i];
+        if (segment.from < positions && segment.to < positions) {
+            obj->segments[count++] = segment;
+        }
+    }
+    if (count < obj->segment_count) {
+        burnish_reader_warn(obj->reader, NULL,
+                            "%zu of %zu lines refer to vertices that the file does not have",
+                            obj->segment_count - count, obj->segment_count);
+    }
+    settle_colors(obj);
+    return burnish_make_points(obj->reader, obj->segments, count);
+}
+
+static burnish_status finish(obj_state *obj) {
+    burnish_mesh_data *mesh = obj->reader->mesh;
+    const burnish_warning_group *groups[] = {&obj->elements, &obj->few_corners, &obj->colors,
+                                             &obj->normals,  &obj->free_form,   &obj->unknown};
+    /* without faces, lines and points are what is drawn */
+    for (size_t i = mesh->triangle_count == 0; i < sizeof groups / sizeof *groups; ++i) {
+        burnish_reader_warn_group(obj->reader, groups[i]);
+    }
+    if (mesh->triangle_count == 0 && mesh->streams[BURNISH_POSITION].count > 0) {
+        return make_points(obj);
+    }
+    if (mesh->triangle_count == 0) {
+        return burnish_reader_fail(obj->reader, BURNISH_STATUS_FORMAT, NULL,
+                                   "no faces among %zu vertices; export the mesh with its faces",
+                                   mesh->streams[BURNISH_POSITION].count);
+    }
+    settle_corners(obj, BURNISH_NORMAL, "normals");
+    settle_corners(obj, BURNISH_TEXCOORD, "texture coordinates");
+    settle_colors(obj);
+    burnish_status status = burnish_cut_polygons(obj->reader);
+    if (status == BURNISH_STATUS_OK && obj->triangle < mesh->triangle_count) {
+        status = burnish_obj_begin_run(&obj->materials, obj->triangle);
+    }
+    return status == BURNISH_STATUS_OK ? burnish_obj_resolve_materials(&obj->materials) : status;
+}
+
+/* Whether the file may have textures: a library is named at its head, if at all. */
+static int names_library(const uint8_t *bytes, size_t size) {
+    enum { HEAD = 1 << 20 };
+    static const char word[] = "mtllib";
+    const size_t length = sizeof word - 1, end = size < HEAD ? size : HEAD;
+    for (size_t i = 0; i + length <= end; ++i) {
+        const uint8_t *at = memchr(bytes + i, 'm', end - i - length + 1);
+        if (!at || memcmp(at, word, length) == 0) {
+            return at != NULL;
+        }
+        i = (size_t)(at - bytes);
+    }
+    return 0;
+}
+
+burnish_status burnish_read_obj(burnish_reader *reader) {
+    static const burnish_grammar grammar = {find_start, parse, accept,
+                                            1u << BURNISH_POSITION | 1u << BURNISH_NORMAL |
+                                                1u << BURNISH_TEXCOORD,
+                                            1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
+    const size_t head = burnish_reader_head(reader);
+    const int has_library = names_library(reader->input->bytes, head);
+    obj_state obj = {.reader = reader,
+                     .with_texcoords = burnish_reader_keeps_coordinates(reader, has_library),
+                     .materials = {.reader = reader, .changed = 1}};
+    const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
+    if (reader->input->pieces && has_library) {
+        return burnish_pieces_give_up(reader);
+    }
+    reader->is_wide = 1;
+    burnish_status status = burnish_chunks_read(&grammar, &obj, reader, &at, NULL);
+    if (status == BURNISH_STATUS_OK) {
+        status = finish(&obj);
+    }
+    burnish_obj_materials_close(&obj.materials);
+    burnish_release(reader->mesh->memory.context, obj.segments);
+    return status;
+}
+
+/* The first word of the first line that is no comment is one of the format's. */
+int burnish_recognise_obj(const uint8_t *bytes, size_t size) {
+    static const char *const words[] = {"v", "vn", "vt", "f",      "o",      "g",
+                                        "s", "l",  "p",  "mtllib", "usemtl", "vp"};
+    burnish_lexer lexer = burnish_lexer_open(bytes, size, 1);
+    burnish_token token;
+    if (!burnish_lexer_word(&lexer, &token)) {
+        return 0;
+    }
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
+        if (burnish_token_is(token, words[i])) {
+            return 1;
+        }
+    }
+    return 0;
+}

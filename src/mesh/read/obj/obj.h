@@ -1,0 +1,30 @@
+/* OBJ inside its reader: what parsing a chunk leaves for the file to settle. */
+#ifndef BURNISH_MESH_READ_OBJ_OBJ_H
+#define BURNISH_MESH_READ_OBJ_OBJ_H
+
+#include "mesh/read/io/chunks.h"
+
+/* The events of a chunk. */
+enum {
+    BURNISH_OBJ_MATERIAL, /* at what follows usemtl */
+    BURNISH_OBJ_LIBRARY,  /* and mtllib */
+    BURNISH_OBJ_ELEMENT,  /* l or p */
+    BURNISH_OBJ_FEW_CORNERS,
+    BURNISH_OBJ_COLOR,  /* what is none follows a vertex */
+    BURNISH_OBJ_NORMAL, /* what is none follows vn */
+    BURNISH_OBJ_FREE_FORM,
+    BURNISH_OBJ_OTHER
+};
+
+/* While the file is read, alpha says what a colour's numbers counted to, as the file's largest
+ * tells only at its end: a vertex without a colour has 255. */
+enum { BURNISH_OBJ_COUNTS_TO_1 = 1, BURNISH_OBJ_COUNTS_TO_255 = 2 };
+
+/* Reads statements from chunk->first on until one ends at chunk->end or after it.
+ *   origin  subtracted from positions */
+void burnish_obj_parse(burnish_chunk *chunk, int with_texcoords, const double origin[3]);
+
+/* Cuts the part before the next '/' off a corner. */
+burnish_token burnish_obj_cut_part(burnish_token *token);
+
+#endif

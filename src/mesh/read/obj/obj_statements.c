@@ -1,0 +1,437 @@
+/* OBJ: the statements of a chunk, read as if nothing stood before it. */
+#include "mesh/read/obj/obj.h"
+#include "mesh/read/origin.h"
+
+/* Numbers of a corner: those of its attributes, by attribute. No corner has a colour of its own, so
+ * that in its column stands which of the others are relative, as bits 1 << attribute. */
+enum { COLUMNS = BURNISH_TEXCOORD + 1, RELATIVE = BURNISH_COLOR };
+
+typedef struct obj_parser {
+    burnish_chunk *chunk;
+    burnish_lexer lexer;
+    int with_texcoords;
+    const double *origin;
+} obj_parser;
+
+/* ---- Values ---- */
+
+static void fail_number(obj_parser *obj, const char *what, burnish_token token,
+                        burnish_number_status number) {
+    burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes, "%s",
+                       burnish_describe_number(what, token, number).text);
+}
+
+/* A vertex: up to `most` numbers of the line; returns how many, -1 after an error in one of the
+ * first three, its coordinates, and -2 after one in what follows them. */
+static int read_floats(obj_parser *obj, float *values, int most) {
+    burnish_token token;
+    burnish_number_status number;
+    int count = 0;
+    double value;
+    while (count < most && burnish_lexer_double(&obj->lexer, &token, &value, &number)) {
+        const double origin = count < 3 ? obj->origin[count] : 0;
+        if (number == BURNISH_NUMBER_OK && !burnish_place(value, origin, &values[count])) {
+            number = BURNISH_NUMBER_RANGE;
+        }
+        if (number != BURNISH_NUMBER_OK && count >= 3) {
+            return -2;
+        }
+        if (number != BURNISH_NUMBER_OK) {
+            fail_number(obj, "coordinate", token, number);
+            return -1;
+        }
+        ++count;
+    }
+    return count;
+}
+
+/* No colour that counts to 1 is brighter, and one of 2 out of 255 is black. */
+static const float BRIGHTEST = 2;
+
+static void store_color(const float color[3], uint8_t *rgba) {
+    const int is_large = color[0] > BRIGHTEST || color[1] > BRIGHTEST || color[2] > BRIGHTEST;
+    for (int i = 0; i < 3; ++i) {
+        const float c = is_large ? color[i] / 255 : color[i];
+        rgba[i] = (uint8_t)(c <= 0 ? 0 : c >= 1 ? 255 : c * 255 + 0.5f);
+    }
+    rgba[3] = is_large ? BURNISH_OBJ_COUNTS_TO_255 : BURNISH_OBJ_COUNTS_TO_1;
+}
+
+static void append_color(obj_parser *obj, const float color[3]) {
+    burnish_chunk *chunk = obj->chunk;
+    const size_t positions = chunk->data.streams[BURNISH_POSITION].count;
+    do { /* those before it are white */
+        uint8_t *rgba = burnish_chunk_append(chunk, BURNISH_COLOR);
+        if (!rgba) {
+            return;
+        }
+        memset(rgba, 0xFF, 4);
+        if (chunk->data.streams[BURNISH_COLOR].count == positions && color) {
+            store_color(color, rgba);
+        }
+    } while (chunk->data.streams[BURNISH_COLOR].count < positions);
+}
+
+static void read_vertex(obj_parser *obj, const uint8_t *at) {
+    enum { MOST = 7 }; /* x y z [w], or x y z r g b [a] */
+    float values[MOST];
+    int count = read_floats(obj, values, MOST);
+    if (count == -1) {
+        return;
+    }
+    if (count == -2 || count == 5) {
+        burnish_chunk_note(obj->chunk, BURNISH_OBJ_COLOR, at);
+        count = 3;
+    }
+    if (count < 3) {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, obj->lexer.next,
+                           "vertex has %d number%s; write v x y z or v x y z r g b", count,
+                           count == 1 ? "" : "s");
+        return;
+    }
+    float *position = burnish_chunk_append(obj->chunk, BURNISH_POSITION);
+    if (position) {
+        memcpy(position, values, 3 * sizeof *position);
+        if (count >= 6 || obj->chunk->data.streams[BURNISH_COLOR].count > 0) {
+            append_color(obj, count >= 6 ? values + 3 : NULL);
+        }
+    }
+}
+
+/* Numbers that are not finite become 0: exporters write nan for faces without area. What is no
+ * normal at all is 0, 0, 0, which is generated again. */
+static void read_normal(obj_parser *obj, const uint8_t *at) {
+    burnish_token token;
+    burnish_number_status number;
+    float *normal = burnish_chunk_append(obj->chunk, BURNISH_NORMAL);
+    for (int i = 0; i < 3 && normal; ++i) {
+        if (!burnish_lexer_float(&obj->lexer, &token, &normal[i], &number) ||
+            number == BURNISH_NUMBER_GARBAGE) {
+            normal[0] = normal[1] = normal[2] = 0;
+            burnish_chunk_note(obj->chunk, BURNISH_OBJ_NORMAL, at);
+            return;
+        }
+        normal[i] = number == BURNISH_NUMBER_OK ? normal[i] : 0;
+    }
+}
+
+/* vt u [v [w]]; what can't be read is 0, since nothing is lost but the texture's place. */
+static void read_texcoord(obj_parser *obj) {
+    burnish_token token;
+    burnish_number_status number = BURNISH_NUMBER_OK;
+    float *texcoord = burnish_chunk_append(obj->chunk, BURNISH_TEXCOORD);
+    for (int i = 0; i < 2 && texcoord; ++i) {
+        if (!burnish_lexer_float(&obj->lexer, &token, &texcoord[i], &number) ||
+            number != BURNISH_NUMBER_OK) {
+            texcoord[i] = 0;
+        }
+    }
+}
+
+/* ---- Faces ---- */
+
+static void fail_corner(obj_parser *obj, burnish_token corner) {
+    burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, corner.bytes,
+                       "face corner \"%s\" is not an index; write v, v/t, v//n or v/t/n",
+                       burnish_token_quote(corner).text);
+}
+
+/* Puts an index, counted from 1 or backwards from -1, into the corner's column: whatever it is, no
+ * further forward or back than 32 bits tell. Returns whether something may have it. */
+static inline int take_number(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
+                              uint32_t *corner) {
+    if (written > 0) {
+        corner[attribute] = (uint32_t)written - 1;
+        /* Branches on which of two indices is larger would be unpredictable. */
+        const size_t highest = chunk->highest[attribute];
+        chunk->highest[attribute] = (size_t)written > highest ? (size_t)written : highest;
+        return 1;
+    }
+    const size_t count = chunk->data.streams[attribute].count;
+    const uint64_t back = (uint64_t)-written;
+    corner[attribute] = (uint32_t)(count - (size_t)back);
+    corner[RELATIVE] |= 1u << attribute;
+    if (back > count && back - count > chunk->back[attribute]) {
+        chunk->back[attribute] = (size_t)(back - count);
+    }
+    return back > 0;
+}
+
+/* A normal or texture coordinate: it need not be there (finish() looks for those). */
+static inline void take_index(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
+                              uint32_t *corner) {
+    if (written != 0 && written > INT32_MIN && written <= (int64_t)BURNISH_VALUE_LIMIT) {
+        take_number(chunk, written, attribute, corner);
+    } else {
+        corner[attribute] = (uint32_t)BURNISH_VALUE_LIMIT; /* what no file has */
+        chunk->highest[attribute] = SIZE_MAX;
+    }
+}
+
+/* A vertex, which must. Returns 0 for one that is known not to. */
+static inline int take_vertex(burnish_chunk *chunk, int64_t written, uint32_t *corner) {
+    const size_t count = chunk->data.streams[BURNISH_POSITION].count;
+    return take_number(chunk, written, BURNISH_POSITION, corner) &&
+           (written > 0
+                ? (uint64_t)written <= chunk->total[BURNISH_POSITION]
+                : !chunk->exact || (uint64_t)-written <= chunk->before[BURNISH_POSITION] + count);
+}
+
+static int fail_vertex(obj_parser *obj, burnish_token token, int64_t written) {
+    const burnish_chunk *chunk = obj->chunk;
+    const size_t count = chunk->data.streams[BURNISH_POSITION].count;
+    if (written == 0) {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                           "face refers to vertex 0; indices start at 1");
+    } else if (written > 0) {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                           "face refers to vertex %s, but the file has %zu; correct the index",
+                           burnish_token_quote(token).text, chunk->total[BURNISH_POSITION]);
+    } else {
+        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
+                           "face refers to vertex %s, but the file has %zu before it; correct the "
+                           "index",
+                           burnish_token_quote(token).text,
+                           chunk->before[BURNISH_POSITION] + count);
+    }
+    return 0;
+}
+
+/* One index of a corner; returns 0 after an error. */
+static int parse_index(obj_parser *obj, burnish_token corner, burnish_token token,
+                       int64_t *written) {
+    const burnish_number_status number = burnish_parse_integer(token, written);
+    if (number == BURNISH_NUMBER_GARBAGE) {
+        fail_corner(obj, corner);
+        return 0;
+    }
+    if (number == BURNISH_NUMBER_RANGE) { /* beyond any count */
+        *written = *token.bytes == '-' ? -INT64_MAX : INT64_MAX;
+    }
+    return 1;
+}
+
+burnish_token burnish_obj_cut_part(burnish_token *token) {
+    size_t size = 0;
+    while (size < token->size && token->bytes[size] != '/') {
+        ++size;
+    }
+    burnish_token part = {token->bytes, size};
+    size_t used = size < token->size ? size + 1 : size;
+    token->bytes += used;
+    token->size -= used;
+    return part;
+}
+
+/* v, v/t, v//n or v/t/n of any form; returns the attributes that it has, 0 after an error. */
+static unsigned parse_corner(obj_parser *obj, burnish_token corner, uint32_t *numbers) {
+    burnish_token left = corner, part = burnish_obj_cut_part(&left);
+    unsigned used = 1u << BURNISH_POSITION;
+    int64_t written = 0;
+    if (!parse_index(obj, corner, part, &written)) {
+        return 0;
+    }
+    if (!take_vertex(obj->chunk, written, numbers)) {
+        return (unsigned)fail_vertex(obj, part, written);
+    }
+    part = burnish_obj_cut_part(&left);
+    if (part.size > 0) {
+        if (!parse_index(obj, corner, part, &written)) {
+            return 0;
+        }
+        take_index(obj->chunk, written, BURNISH_TEXCOORD, numbers);
+        used |= (unsigned)obj->with_texcoords << BURNISH_TEXCOORD;
+    }
+    if (left.size > 0) {
+        part = burnish_obj_cut_part(&left);
+        if (left.size > 0) {
+            fail_corner(obj, corner);
+            return 0;
+        }
+        if (!parse_index(obj, corner, part, &written)) {
+            return 0;
+        }
+        take_index(obj->chunk, written, BURNISH_NORMAL, numbers);
+        used |= 1u << BURNISH_NORMAL;
+    }
+    return used;
+}
+
+/* Digits, possibly after a '-'; NULL for anything else. */
+static inline const uint8_t *scan_index(const uint8_t *p, int64_t *written) {
+    uint64_t value = 0;
+    const int negative = *p == '-';
+    p += negative;
+    unsigned digits = burnish_scan_digits(&p, &value);
+    if (digits == 0 || digits > 18) {
+        return NULL;
+    }
+    *written = negative ? -(int64_t)value : (int64_t)value;
+    return p;
+}
+
+/* The next corner where it is right and of plain form; returns 0, and moves nothing, for any other.
+ */
+static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
+    const uint8_t *p = obj->lexer.next;
+    unsigned used = 1u << BURNISH_POSITION;
+    int64_t written;
+    while (p < obj->lexer.end && *p == ' ') {
+        ++p;
+    }
+    if (obj->lexer.end - p <= BURNISH_DECIMAL_ROOM || !(p = scan_index(p, &written)) ||
+        !take_vertex(obj->chunk, written, numbers)) {
+        return 0;
+    }
+    if (*p == '/') {
+        ++p;
+        if (*p != '/') {
+            if (!(p = scan_index(p, &written))) {
+                return 0;
+            }
+            take_index(obj->chunk, written, BURNISH_TEXCOORD, numbers);
+            used |= (unsigned)obj->with_texcoords << BURNISH_TEXCOORD;
+        }
+        if (*p == '/') {
+            if (!(p = scan_index(p + 1, &written))) {
+                return 0;
+            }
+            take_index(obj->chunk, written, BURNISH_NORMAL, numbers);
+            used |= 1u << BURNISH_NORMAL;
+        }
+    }
+    if (!burnish_is_blank(*p) && !burnish_is_line_end(*p)) {
+        return 0;
+    }
+    obj->lexer.next = p;
+    return used;
+}
+
+/* Notes which corners of the face's triangles count from the chunk's first value; relative: for
+ * which attributes there are some. */
+static void note_relative(burnish_chunk *chunk, const uint32_t *corners, size_t count,
+                          size_t first_triangle, uint32_t relative) {
+    for (unsigned i = 0; relative >> i; ++i) {
+        burnish_chunk_slots *slots = &chunk->relative[i];
+        const size_t needed = slots->count + 3 * (count - 2);
+        if (!(relative >> i & 1)) {
+            continue;
+        }
+        if (needed > slots->capacity) {
+            slots->items = burnish_reserve(&chunk->data.memory, slots->items, &slots->capacity,
+                                           needed, sizeof *slots->items, "corners");
+            if (chunk->data.memory.status != BURNISH_STATUS_OK) {
+                chunk->status = chunk->data.memory.status;
+                return;
+            }
+        }
+        for (size_t k = 0; k < count - 2; ++k) {
+            const size_t triangle[3] = {0, k + 1, k + 2};
+            for (size_t c = 0; c < 3; ++c) {
+                slots->items[slots->count] = (uint32_t)(3 * (first_triangle + k) + c);
+                slots->count += corners[triangle[c] * COLUMNS + RELATIVE] >> i & 1;
+            }
+        }
+    }
+}
+
+static void read_face(obj_parser *obj, const uint8_t *at) {
+    burnish_chunk *chunk = obj->chunk;
+    const size_t first_triangle = chunk->data.triangle_count;
+    size_t count = 0;
+    uint32_t relative = 0, *corners = chunk->scratch;
+    unsigned used = 0;
+    for (;; ++count) {
+        burnish_token token;
+        if ((count + 1) * COLUMNS > chunk->scratch_capacity &&
+            !(corners = burnish_chunk_scratch(chunk, (count + 1) * COLUMNS))) {
+            return;
+        }
+        uint32_t *numbers = corners + count * COLUMNS;
+        numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
+        numbers[RELATIVE] = 0;
+        unsigned found = scan_corner(obj, numbers);
+        if (found == 0) {
+            if (!burnish_lexer_token(&obj->lexer, &token)) {
+                break;
+            }
+            numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
+            numbers[RELATIVE] = 0;
+            if ((found = parse_corner(obj, token, numbers)) == 0) {
+                return;
+            }
+        }
+        used |= found;
+        relative |= numbers[RELATIVE];
+    }
+    if (count < 3) {
+        burnish_chunk_note(chunk, BURNISH_OBJ_FEW_CORNERS, at);
+        return;
+    }
+    if (burnish_chunk_append_face(chunk, at, corners, COLUMNS, count, used) == BURNISH_STATUS_OK &&
+        relative) {
+        note_relative(chunk, corners, count, first_triangle, relative);
+    }
+}
+
+/* ---- Statements ---- */
+
+/* They make geometry that is not drawn. */
+static const char *const free_form_words[] = {"curv", "curv2", "surf", "bzp",
+                                              "bsp",  "cdc",   "cdp",  NULL};
+/* They make none of their own, or belong to those that do. */
+static const char *const silent_words[] = {
+    "mg",     "usemap", "maplib", "bevel", "lod",  "c_interp",   "d_interp",  "call", "csh",
+    "cstype", "deg",    "bmat",   "step",  "parm", "trim",       "hole",      "scrv", "sp",
+    "end",    "con",    "ctech",  "stech", "res",  "shadow_obj", "trace_obj", NULL};
+
+static int is_one_of(burnish_token keyword, const char *const *words) {
+    while (*words && !burnish_token_is(keyword, *words)) {
+        ++words;
+    }
+    return *words != NULL;
+}
+
+static void read_statement(obj_parser *obj) {
+    burnish_token keyword;
+    if (!burnish_lexer_token(&obj->lexer, &keyword)) {
+        return;
+    }
+    const uint8_t first = keyword.bytes[0], second = keyword.size > 1 ? keyword.bytes[1] : 0;
+    if (keyword.size == 1) {
+        if (first == 'v') {
+            read_vertex(obj, keyword.bytes);
+        } else if (first == 'f') {
+            read_face(obj, keyword.bytes);
+        } else if (first == 'l' || first == 'p') {
+            burnish_chunk_note(obj->chunk, BURNISH_OBJ_ELEMENT, keyword.bytes);
+        } else if (first != 'o' && first != 'g' && first != 's') {
+            burnish_chunk_note(obj->chunk, BURNISH_OBJ_OTHER, keyword.bytes);
+        }
+    } else if (keyword.size == 2 && first == 'v') {
+        if (second == 'n') {
+            read_normal(obj, keyword.bytes);
+        } else if (second == 't' && obj->with_texcoords) {
+            read_texcoord(obj);
+        }
+    } else if (burnish_token_is(keyword, "usemtl")) {
+        burnish_chunk_note(obj->chunk, BURNISH_OBJ_MATERIAL, obj->lexer.next);
+    } else if (burnish_token_is(keyword, "mtllib")) {
+        burnish_chunk_note(obj->chunk, BURNISH_OBJ_LIBRARY, obj->lexer.next);
+    } else if (is_one_of(keyword, free_form_words)) {
+        burnish_chunk_note(obj->chunk, BURNISH_OBJ_FREE_FORM, keyword.bytes);
+    } else if (!is_one_of(keyword, silent_words)) {
+        burnish_chunk_note(obj->chunk, BURNISH_OBJ_OTHER, keyword.bytes);
+    }
+}
+
+void burnish_obj_parse(burnish_chunk *chunk, int with_texcoords, const double origin[3]) {
+    obj_parser obj = {chunk, {chunk->first, chunk->text_end, 1}, with_texcoords, origin};
+    do {
+        read_statement(&obj);
+    } while (chunk->status == BURNISH_STATUS_OK && burnish_lexer_next_line(&obj.lexer) &&
+             obj.lexer.next < chunk->end);
+    if (!chunk->bounded) {
+        chunk->end = obj.lexer.next;
+    }
+}

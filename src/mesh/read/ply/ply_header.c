@@ -1,0 +1,353 @@
+/* The header of a PLY file (G. Turk, "The PLY Polygon File Format", 1994). */
+#include <string.h>
+
+#include "mesh/read/pieces.h"
+#include "mesh/read/ply/ply.h"
+
+typedef struct header_state {
+    burnish_reader *reader;
+    burnish_ply_header *header;
+    burnish_lexer lexer;
+    int has_format;
+    burnish_warning_group unknown; /* lines */
+} header_state;
+
+/* A malformed line. */
+#define FAIL(ply, ...)                                                                             \
+    burnish_reader_fail((ply)->reader, BURNISH_STATUS_FORMAT, (ply)->lexer.next, __VA_ARGS__)
+
+static burnish_ply_type type_of(burnish_token token) {
+    static const struct {
+        const char *name;
+        burnish_ply_type type;
+    } types[] = {{"char", BURNISH_PLY_INT8},      {"int8", BURNISH_PLY_INT8},
+                 {"uchar", BURNISH_PLY_UINT8},    {"uint8", BURNISH_PLY_UINT8},
+                 {"short", BURNISH_PLY_INT16},    {"int16", BURNISH_PLY_INT16},
+                 {"ushort", BURNISH_PLY_UINT16},  {"uint16", BURNISH_PLY_UINT16},
+                 {"int", BURNISH_PLY_INT32},      {"int32", BURNISH_PLY_INT32},
+                 {"uint", BURNISH_PLY_UINT32},    {"uint32", BURNISH_PLY_UINT32},
+                 {"float", BURNISH_PLY_FLOAT32},  {"float32", BURNISH_PLY_FLOAT32},
+                 {"double", BURNISH_PLY_FLOAT64}, {"float64", BURNISH_PLY_FLOAT64}};
+    for (size_t i = 0; i < sizeof types / sizeof *types; ++i) {
+        if (burnish_token_is(token, types[i].name)) {
+            return types[i].type;
+        }
+    }
+    return BURNISH_PLY_NONE;
+}
+
+static burnish_ply_role vertex_role(burnish_token name) {
+    static const struct {
+        const char *name;
+        burnish_ply_role role;
+    } roles[] = {{"x", BURNISH_PLY_X},
+                 {"y", BURNISH_PLY_Y},
+                 {"z", BURNISH_PLY_Z},
+                 {"nx", BURNISH_PLY_NX},
+                 {"ny", BURNISH_PLY_NY},
+                 {"nz", BURNISH_PLY_NZ},
+                 {"red", BURNISH_PLY_RED},
+                 {"green", BURNISH_PLY_GREEN},
+                 {"blue", BURNISH_PLY_BLUE},
+                 {"alpha", BURNISH_PLY_ALPHA},
+                 {"r", BURNISH_PLY_RED},
+                 {"g", BURNISH_PLY_GREEN},
+                 {"b", BURNISH_PLY_BLUE},
+                 {"a", BURNISH_PLY_ALPHA},
+                 {"diffuse_red", BURNISH_PLY_RED},
+                 {"diffuse_green", BURNISH_PLY_GREEN},
+                 {"diffuse_blue", BURNISH_PLY_BLUE},
+                 {"diffuse_alpha", BURNISH_PLY_ALPHA},
+                 {"s", BURNISH_PLY_S},
+                 {"t", BURNISH_PLY_T},
+                 {"u", BURNISH_PLY_S},
+                 {"v", BURNISH_PLY_T},
+                 {"texture_u", BURNISH_PLY_S},
+                 {"texture_v", BURNISH_PLY_T}};
+    for (size_t i = 0; i < sizeof roles / sizeof *roles; ++i) {
+        if (burnish_token_is(name, roles[i].name)) {
+            return roles[i].role;
+        }
+    }
+    return BURNISH_PLY_OTHER;
+}
+
+static burnish_ply_role role_of(burnish_ply_kind kind, int is_list, burnish_token name) {
+    if (kind == BURNISH_PLY_ELEMENT_VERTEX && !is_list) {
+        return vertex_role(name);
+    }
+    if (kind == BURNISH_PLY_ELEMENT_FACE && !is_list) {
+        const burnish_ply_role role = vertex_role(name);
+        return role >= BURNISH_PLY_RED && role <= BURNISH_PLY_ALPHA ? role
+               : burnish_token_is(name, "texnumber")                ? BURNISH_PLY_TEXNUMBER
+                                                                    : BURNISH_PLY_OTHER;
+    }
+    if (kind == BURNISH_PLY_ELEMENT_FACE && burnish_token_is(name, "texcoord")) {
+        return BURNISH_PLY_TEXCOORDS;
+    }
+    if ((kind == BURNISH_PLY_ELEMENT_FACE || kind == BURNISH_PLY_ELEMENT_STRIPS) && is_list &&
+        (burnish_token_is(name, "vertex_indices") || burnish_token_is(name, "vertex_index"))) {
+        return BURNISH_PLY_CORNERS;
+    }
+    return BURNISH_PLY_OTHER;
+}
+
+static burnish_status read_format(header_state *ply) {
+    burnish_token encoding = {0}, version = {0};
+    int words = burnish_lexer_token(&ply->lexer, &encoding);
+    words += burnish_lexer_token(&ply->lexer, &version);
+    if (words < 2 || !burnish_token_is(version, "1.0")) {
+        return FAIL(ply, "format version is \"%s\"; only 1.0 exists",
+                    burnish_token_quote(version).text);
+    }
+    if (burnish_token_is(encoding, "ascii")) {
+        ply->header->encoding = BURNISH_PLY_ASCII;
+    } else if (burnish_token_is(encoding, "binary_little_endian")) {
+        ply->header->encoding = BURNISH_PLY_LITTLE_ENDIAN;
+    } else if (burnish_token_is(encoding, "binary_big_endian")) {
+        ply->header->encoding = BURNISH_PLY_BIG_ENDIAN;
+    } else {
+        return FAIL(ply,
+                    "format \"%s\" is unknown; use ascii, binary_little_endian or "
+                    "binary_big_endian",
+                    burnish_token_quote(encoding).text);
+    }
+    ply->has_format = 1;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_element(header_state *ply) {
+    burnish_ply_header *header = ply->header;
+    burnish_ply_element element = {.first_property = header->property_count, .at = ply->lexer.next};
+    burnish_token token = {0};
+    int64_t count = -1;
+    burnish_number_status number = BURNISH_NUMBER_GARBAGE;
+    if (burnish_lexer_token(&ply->lexer, &element.name) &&
+        burnish_lexer_token(&ply->lexer, &token)) {
+        number = burnish_parse_integer(token, &count);
+    }
+    if (number == BURNISH_NUMBER_RANGE) {
+        return FAIL(ply, "element count %s is more than any file holds; correct it",
+                    burnish_token_quote(token).text);
+    }
+    if (number != BURNISH_NUMBER_OK || count < 0) {
+        return FAIL(ply, "element count is \"%s\"; write element NAME COUNT",
+                    burnish_token_quote(token).text);
+    }
+    element.count = (uint64_t)count;
+    if (burnish_token_is(element.name, "vertex")) {
+        element.kind = BURNISH_PLY_ELEMENT_VERTEX;
+    } else if (burnish_token_is(element.name, "face")) {
+        element.kind = BURNISH_PLY_ELEMENT_FACE;
+    } else if (burnish_token_is(element.name, "tristrips")) {
+        element.kind = BURNISH_PLY_ELEMENT_STRIPS;
+    }
+    burnish_memory *memory = &ply->reader->mesh->memory;
+    header->elements = burnish_reserve(memory, header->elements, &header->element_capacity,
+                                       header->element_count + 1, sizeof element, "elements");
+    if (memory->status == BURNISH_STATUS_OK) {
+        header->elements[header->element_count++] = element;
+    }
+    return memory->status;
+}
+
+static burnish_status fail_property(header_state *ply, burnish_token type) {
+    return FAIL(ply,
+                "property type \"%s\" is unknown; use char, uchar, short, ushort, int, "
+                "uint, float or double",
+                burnish_token_quote(type).text);
+}
+
+/* property TYPE NAME, or property list COUNT_TYPE TYPE NAME. */
+static burnish_status read_property(header_state *ply) {
+    burnish_ply_header *header = ply->header;
+    burnish_ply_property property = {BURNISH_PLY_NONE, BURNISH_PLY_NONE, BURNISH_PLY_OTHER};
+    burnish_token type = {0}, name = {0};
+    if (header->element_count == 0) {
+        return FAIL(ply, "property before the first element; declare its element first");
+    }
+    burnish_ply_element *element = &header->elements[header->element_count - 1];
+    burnish_lexer_token(&ply->lexer, &type);
+    int is_list = burnish_token_is(type, "list");
+    if (is_list) {
+        burnish_token count_type = {0};
+        burnish_lexer_token(&ply->lexer, &count_type);
+        property.count_type = type_of(count_type);
+        if (property.count_type == BURNISH_PLY_NONE || property.count_type >= BURNISH_PLY_FLOAT32) {
+            return FAIL(ply, "list count type \"%s\" is no integer type; use uchar or int",
+                        burnish_token_quote(count_type).text);
+        }
+        type = (burnish_token){0};
+        burnish_lexer_token(&ply->lexer, &type);
+    }
+    property.type = type_of(type);
+    if (property.type == BURNISH_PLY_NONE) {
+        return fail_property(ply, type);
+    }
+    if (!burnish_lexer_token(&ply->lexer, &name)) {
+        return FAIL(ply, "property has no name; write property TYPE NAME");
+    }
+    property.role = role_of(element->kind, is_list, name);
+    if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0) {
+        header->has_face_coordinates |= property.role == BURNISH_PLY_TEXCOORDS;
+    }
+    burnish_memory *memory = &ply->reader->mesh->memory;
+    header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,
+                                         header->property_count + 1, sizeof property, "properties");
+    if (memory->status == BURNISH_STATUS_OK) {
+        header->properties[header->property_count++] = property;
+        ++element->property_count;
+    }
+    return memory->status;
+}
+
+/* comment TextureFile NAME */
+static burnish_status add_texture(header_state *ply) {
+    burnish_ply_header *header = ply->header;
+    burnish_memory *memory = &ply->reader->mesh->memory;
+    const burnish_token name = burnish_lexer_rest(&ply->lexer);
+    if (name.size == 0 || header->texture_count == BURNISH_PLY_TEXTURES_MAX) {
+        return BURNISH_STATUS_OK;
+    }
+    header->textures = burnish_reserve(memory, header->textures, &header->texture_capacity,
+                                       header->texture_count + 1, sizeof name, "textures");
+    if (memory->status == BURNISH_STATUS_OK) {
+        header->textures[header->texture_count++] = name;
+    }
+    return memory->status;
+}
+
+/* After end_header stands one line end. Where "\r" alone ends the first line, the next byte, even a
+ * "\n", is the body's. Returns 0 when there is none. */
+static int find_body(header_state *ply) {
+    const uint8_t *p = ply->lexer.next, *end = ply->lexer.end, *first = ply->reader->input->bytes;
+    while (p < end && *p != '\n' && *p != '\r') {
+        ++p;
+    }
+    if (p == end) {
+        return 0;
+    }
+    while (*first != '\n' && *first != '\r') {
+        ++first;
+    }
+    const int pairs = *first == '\n' || first[1] == '\n'; /* more header follows it */
+    const int is_pair = pairs && *p == '\r' && end - p > 1 && p[1] == '\n';
+    if (is_pair && *first == '\n') {
+        burnish_reader_warn(ply->reader, p, "\"end_header\" ends with CR LF, other lines with LF");
+    }
+    ply->header->body = p + (is_pair ? 2 : 1);
+    return 1;
+}
+
+/* Returns 1 in *done after end_header. */
+static burnish_status read_line(header_state *ply, int *done) {
+    burnish_token keyword;
+    if (!burnish_lexer_token(&ply->lexer, &keyword) || burnish_token_is(keyword, "obj_info")) {
+        return BURNISH_STATUS_OK;
+    }
+    if (burnish_token_is(keyword, "comment")) {
+        if (burnish_lexer_token(&ply->lexer, &keyword) &&
+            burnish_token_is(keyword, "TextureFile")) {
+            return add_texture(ply);
+        }
+        return BURNISH_STATUS_OK;
+    }
+    if (burnish_token_is(keyword, "format")) {
+        return read_format(ply);
+    }
+    if (burnish_token_is(keyword, "element")) {
+        return read_element(ply);
+    }
+    if (burnish_token_is(keyword, "property")) {
+        return read_property(ply);
+    }
+    if (burnish_token_is(keyword, "end_header")) {
+        *done = find_body(ply);
+        return BURNISH_STATUS_OK;
+    }
+    burnish_reader_note(ply->reader, &ply->unknown, keyword.bytes,
+                        "\"%s\" begins no line of a PLY header; it was ignored",
+                        burnish_token_quote(keyword).text);
+    return BURNISH_STATUS_OK;
+}
+
+/* Which roles an element's properties fill, one bit each. */
+static unsigned roles_of(const burnish_ply_header *header, const burnish_ply_element *element) {
+    unsigned roles = 0;
+    for (size_t i = 0; i < element->property_count; ++i) {
+        roles |= 1u << header->properties[element->first_property + i].role;
+    }
+    return roles;
+}
+
+static burnish_status check_elements(header_state *ply) {
+    const unsigned rgb = 1u << BURNISH_PLY_RED | 1u << BURNISH_PLY_GREEN | 1u << BURNISH_PLY_BLUE;
+    const unsigned xyz = 1u << BURNISH_PLY_X | 1u << BURNISH_PLY_Y | 1u << BURNISH_PLY_Z;
+    burnish_ply_header *header = ply->header;
+    int vertex_elements = 0;
+    for (size_t i = 0; i < header->element_count; ++i) {
+        const burnish_ply_element *element = &header->elements[i];
+        unsigned roles = roles_of(header, element);
+        header->has_vertex_colors |=
+            element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & rgb) == rgb;
+        header->has_face_colors |=
+            element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0 && (roles & rgb) == rgb;
+        if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && ++vertex_elements > 1) {
+            return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
+                                       "a second vertex element; merge the two");
+        }
+        if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & xyz) != xyz) {
+            return burnish_reader_fail(
+                ply->reader, BURNISH_STATUS_FORMAT, element->at,
+                "element vertex has no scalar properties x, y and z; add them");
+        }
+        if ((element->kind == BURNISH_PLY_ELEMENT_FACE ||
+             element->kind == BURNISH_PLY_ELEMENT_STRIPS) &&
+            element->count > 0 && !(roles & 1u << BURNISH_PLY_CORNERS)) {
+            return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
+                                       "element %s has no list property vertex_indices; add it",
+                                       burnish_token_quote(element->name).text);
+        }
+    }
+    if (vertex_elements == 0) {
+        return FAIL(ply, "the header declares no element vertex; export the mesh again");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header) {
+    const burnish_reader_input *input = reader->input;
+    header_state ply = {.reader = reader,
+                        .header = header,
+                        .lexer = {input->bytes, input->bytes + burnish_reader_head(reader), 0}};
+    burnish_token magic = {0};
+    int done = 0;
+    *header = (burnish_ply_header){0};
+    if (!burnish_lexer_token(&ply.lexer, &magic) || !burnish_token_is(magic, "ply")) {
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
+                                   "expected the line \"ply\", found \"%s\"; check the format",
+                                   burnish_token_quote(magic).text);
+    }
+    while (!done) {
+        if (!burnish_lexer_next_line(&ply.lexer)) {
+            return FAIL(&ply, "the file ends within the header; the file is truncated");
+        }
+        burnish_status status = read_line(&ply, &done);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    burnish_reader_warn_group(reader, &ply.unknown);
+    if (!ply.has_format) {
+        return FAIL(&ply, "the header has no format line; add \"format ascii 1.0\" or what the "
+                          "file is");
+    }
+    return check_elements(&ply);
+}
+
+void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header) {
+    burnish_release(context, header->textures);
+    burnish_release(context, header->properties);
+    burnish_release(context, header->elements);
+    *header = (burnish_ply_header){0};
+}

@@ -1,0 +1,532 @@
+/* PLY: rows of any kind, read one after the other, in chunks, by one decoder that is compiled for
+ * each of the three encodings.
+ *
+ * Rows of an ASCII file are values, wherever lines end. But where lines do not hold what the header
+ * says, values are left over, and there are as many lines as rows, rows are lines: what is missing
+ * at their ends is made up, what is too much ignored. */
+#include "mesh/read/io/chunks.h"
+#include "mesh/read/origin.h"
+#include "mesh/read/ply/ply.h"
+
+/* The events of a chunk; TEXTURE + n: faces from here on show texture n. */
+enum { FEW_CORNERS, FIELDS, TEXTURE };
+
+typedef struct ply_parser {
+    const burnish_ply_state *ply;
+    burnish_chunk *chunk;
+    burnish_lexer lexer;
+    const uint8_t *value_at; /* of a binary value, for messages */
+    int is_short;            /* the line at hand has fewer values than the row */
+    int texture;             /* that the last face shows; -1: not told yet */
+    int has_normals, has_coordinates, has_colors; /* of vertices */
+} ply_parser;
+
+/* What of a face's row is used once all of it is known. */
+typedef struct face_row {
+    size_t corner_count;
+    const uint8_t *coordinates; /* the values of texcoord */
+    burnish_ply_type coordinate_type;
+    uint64_t coordinate_count; /* of values, 2 per corner */
+    int texture;
+} face_row;
+
+/* Where a message points to: a binary value's first byte, the end of a word. */
+#define HERE(p) ((p)->ply->header.encoding == BURNISH_PLY_ASCII ? (p)->lexer.next : (p)->value_at)
+
+#define FAIL(p, ...) burnish_chunk_fail((p)->chunk, BURNISH_STATUS_FORMAT, HERE(p), __VA_ARGS__)
+
+static inline size_t bytes_left(const ply_parser *p) {
+    return (size_t)(p->lexer.end - p->lexer.next);
+}
+
+/* How many values of a type may still follow: in ASCII each takes a character and a blank. */
+static uint64_t values_left(const ply_parser *p, burnish_ply_type type) {
+    const uint64_t left = bytes_left(p);
+    return p->ply->header.encoding == BURNISH_PLY_ASCII ? left / 2 + left % 2
+                                                        : left / burnish_ply_type_size(type);
+}
+
+/* The row at hand, counted from 1. */
+static unsigned long long row_number(const ply_parser *p) {
+    return p->ply->first_row + p->chunk->rows_before + p->chunk->rows + 1;
+}
+
+static int fail_truncated(ply_parser *p) {
+    FAIL(p, "the %s ends in element %s, row %llu of %llu; the file is truncated",
+         p->ply->by_lines ? "line" : "file", burnish_token_quote(p->ply->element->name).text,
+         row_number(p), (unsigned long long)p->ply->element->count);
+    return 0;
+}
+
+/* An ASCII value. What is not finite is NaN: whether that matters is the property's to say. */
+static int read_word(ply_parser *p, double *value) {
+    burnish_token word;
+    burnish_number_status number;
+    if (!burnish_lexer_word_double(&p->lexer, &word, value, &number)) {
+        return fail_truncated(p);
+    }
+    if (number == BURNISH_NUMBER_NOT_FINITE || number == BURNISH_NUMBER_RANGE) {
+        *value = __builtin_nan("");
+    } else if (number != BURNISH_NUMBER_OK) {
+        FAIL(p, "%s", burnish_describe_number("value", word, number).text);
+        return 0;
+    }
+    return 1;
+}
+
+static inline int read_value(ply_parser *p, burnish_ply_encoding encoding, burnish_ply_type type,
+                             double *value) {
+    if (encoding == BURNISH_PLY_ASCII) {
+        return read_word(p, value);
+    }
+    const size_t size = burnish_ply_type_size(type);
+    p->value_at = p->lexer.next;
+    if (bytes_left(p) < size) {
+        return fail_truncated(p);
+    }
+    *value = burnish_ply_load(p->lexer.next, type, encoding == BURNISH_PLY_BIG_ENDIAN);
+    p->lexer.next += size;
+    return 1;
+}
+
+/* The same for what should be a count or an index. */
+static inline int read_count(ply_parser *p, burnish_ply_encoding encoding, burnish_ply_type type,
+                             double *value) {
+    uint64_t count;
+    if (encoding != BURNISH_PLY_ASCII || !burnish_lexer_count(&p->lexer, &count)) {
+        return read_value(p, encoding, type, value);
+    }
+    *value = (double)count;
+    return 1;
+}
+
+static int skip_values(ply_parser *p, burnish_ply_type type, uint64_t count) {
+    p->value_at = p->lexer.next;
+    if (count > values_left(p, type)) {
+        return fail_truncated(p);
+    }
+    if (p->ply->header.encoding != BURNISH_PLY_ASCII) {
+        p->lexer.next += count * burnish_ply_type_size(type);
+        return 1;
+    }
+    for (; count > 0; --count) {
+        burnish_token word;
+        if (!burnish_lexer_word(&p->lexer, &word)) {
+            return fail_truncated(p);
+        }
+    }
+    return 1;
+}
+
+static inline int read_length(ply_parser *p, burnish_ply_encoding encoding,
+                              const burnish_ply_property *property, uint64_t *count) {
+    double value;
+    if (!read_count(p, encoding, property->count_type, &value)) {
+        return 0;
+    }
+    *count = value >= 0 && value <= UINT32_MAX ? (uint64_t)value : UINT64_MAX;
+    if ((double)*count != value) {
+        FAIL(p, "element %s, row %llu: list length %g is no count; repair the file",
+             burnish_token_quote(p->ply->element->name).text, row_number(p), value);
+        return 0;
+    }
+    if (*count > values_left(p, property->type)) {
+        FAIL(p,
+             "element %s, row %llu: a list of %llu values does not fit %s; the file is truncated "
+             "or damaged",
+             burnish_token_quote(p->ply->element->name).text, row_number(p),
+             (unsigned long long)*count, p->ply->by_lines ? "its line" : "the rest of the file");
+        return 0;
+    }
+    return 1;
+}
+
+/* Into the chunk's scratch array; a strip may hold -1, which starts a new one. */
+static inline int read_corners(ply_parser *p, burnish_ply_encoding encoding,
+                               const burnish_ply_property *property, size_t count) {
+    const double vertex_count = (double)p->ply->vertex_count;
+    uint32_t *corners = burnish_chunk_scratch(p->chunk, count);
+    for (size_t i = 0; i < count; ++i) {
+        double value;
+        if (!corners || !read_count(p, encoding, property->type, &value)) {
+            return 0;
+        }
+        const int inside = value >= 0 && value < vertex_count;
+        const uint32_t index = inside ? (uint32_t)value : BURNISH_NONE;
+        const int restart = value == -1 && p->ply->element->kind == BURNISH_PLY_ELEMENT_STRIPS;
+        if (!restart && (!inside || (double)index != value)) {
+            FAIL(p,
+                 "element %s, row %llu: vertex index %.10g is out of range; there are %zu "
+                 "vertices, counted from 0",
+                 burnish_token_quote(p->ply->element->name).text, row_number(p), value,
+                 p->ply->vertex_count);
+            return 0;
+        }
+        corners[i] = index;
+    }
+    return corners || count == 0;
+}
+
+static void write_color(const burnish_ply_type types[BURNISH_PLY_ROLE_COUNT],
+                        const double values[BURNISH_PLY_ROLE_COUNT], uint8_t *rgba) {
+    for (int i = 0; i < 4; ++i) {
+        const burnish_ply_type type = types[BURNISH_PLY_RED + i];
+        rgba[i] = type == BURNISH_PLY_NONE
+                      ? 255
+                      : burnish_ply_to_color(values[BURNISH_PLY_RED + i], type);
+    }
+}
+
+/* Appends a vertex; values by role. */
+static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_COUNT]) {
+    burnish_chunk *chunk = p->chunk;
+    const burnish_ply_state *ply = p->ply;
+    float *to = burnish_chunk_append(chunk, BURNISH_POSITION);
+    for (int i = 0; i < 3 && to; ++i) {
+        burnish_place(values[BURNISH_PLY_X + i], ply->reader->mesh->origin[i], &to[i]);
+    }
+    if (p->has_normals) {
+        to = burnish_chunk_append(chunk, BURNISH_NORMAL);
+        for (int i = 0; i < 3 && to; ++i) { /* build makes a normal that is 0 */
+            to[i] = 0;
+            burnish_double_to_float(values[BURNISH_PLY_NX + i], &to[i]);
+        }
+    }
+    if (p->has_coordinates) {
+        to = burnish_chunk_append(chunk, BURNISH_TEXCOORD);
+        for (int i = 0; i < 2 && to; ++i) {
+            to[i] = 0;
+            burnish_double_to_float(values[BURNISH_PLY_S + i], &to[i]);
+        }
+    }
+    if (p->has_colors) {
+        uint8_t *rgba = burnish_chunk_append(chunk, BURNISH_COLOR);
+        if (rgba) {
+            write_color(ply->types, values, rgba);
+        }
+    }
+}
+
+/* Triangles between three corners in a row, every second one the other way round; those that only
+ * turn the strip (two corners the same) are left out. */
+static void append_strips(ply_parser *p, const uint8_t *at, const uint32_t *corners, size_t count) {
+    size_t start = 0;
+    for (size_t i = 0; i < count && p->chunk->status == BURNISH_STATUS_OK; ++i) {
+        if (corners[i] == BURNISH_NONE) {
+            start = i + 1;
+            continue;
+        }
+        if (i < start + 2) {
+            continue;
+        }
+        const size_t odd = (i - start) & 1;
+        const uint32_t triangle[3] = {corners[i - 2 + odd], corners[i - 1 - odd], corners[i]};
+        if (triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
+            triangle[2] != triangle[0]) {
+            burnish_chunk_append_face(p->chunk, at, triangle, 1, 3, 1u << BURNISH_POSITION);
+        }
+    }
+}
+
+/* One colour per triangle of a face of `count` corners. */
+static void append_face_color(ply_parser *p, const double values[BURNISH_PLY_ROLE_COUNT],
+                              size_t count) {
+    for (size_t i = 2; i < count && p->chunk->status == BURNISH_STATUS_OK; ++i) {
+        uint8_t *rgba = burnish_chunk_append(p->chunk, BURNISH_COLOR);
+        if (rgba) {
+            write_color(p->ply->face_types, values, rgba);
+        }
+    }
+}
+
+/* A number of the list texcoord; 0 for what is none. */
+static float read_coordinate(ply_parser *p, burnish_ply_encoding encoding, burnish_ply_type type) {
+    burnish_token word;
+    burnish_number_status number = BURNISH_NUMBER_OK;
+    double value = 0;
+    float coordinate = 0;
+    if (encoding == BURNISH_PLY_ASCII) {
+        burnish_lexer_word_double(&p->lexer, &word, &value, &number);
+    } else {
+        value = burnish_ply_load(p->lexer.next, type, encoding == BURNISH_PLY_BIG_ENDIAN);
+        p->lexer.next += burnish_ply_type_size(type);
+    }
+    if (number == BURNISH_NUMBER_OK) {
+        burnish_double_to_float(value, &coordinate);
+    }
+    return coordinate;
+}
+
+/* Texture coordinates of each triangle of a face's fan; 0, 0 where the row has another number of
+ * them. */
+static void append_coordinates(ply_parser *p, burnish_ply_encoding encoding, const face_row *face) {
+    const uint8_t *after = p->lexer.next;
+    const int are_there = face->coordinate_count == 2 * (uint64_t)face->corner_count;
+    float uv[3][2] = {{0, 0}, {0, 0}, {0, 0}}; /* of the first corner, the last and this one */
+    p->lexer.next = are_there ? face->coordinates : after;
+    for (size_t i = 0; i < face->corner_count && p->chunk->status == BURNISH_STATUS_OK; ++i) {
+        memcpy(uv[1], uv[2], sizeof uv[1]);
+        for (int k = 0; k < 2 && are_there; ++k) {
+            uv[2][k] = read_coordinate(p, encoding, face->coordinate_type);
+        }
+        if (i == 0) {
+            memcpy(uv[0], uv[2], sizeof uv[0]);
+        }
+        for (int corner = 0; corner < 3 && i >= 2; ++corner) {
+            float *to = burnish_chunk_append(p->chunk, BURNISH_TEXCOORD);
+            if (to) {
+                memcpy(to, uv[corner], sizeof uv[corner]);
+            }
+        }
+    }
+    p->lexer.next = after;
+}
+
+static void append_corners(ply_parser *p, const uint8_t *at, size_t count) {
+    const uint32_t *corners = p->chunk->scratch;
+    if (p->ply->element->kind == BURNISH_PLY_ELEMENT_STRIPS) {
+        append_strips(p, at, corners, count);
+    } else if (count < 3) {
+        burnish_chunk_note(p->chunk, FEW_CORNERS, at);
+    } else {
+        burnish_chunk_append_face(p->chunk, at, corners, 1, count, 1u << BURNISH_POSITION);
+    }
+}
+
+static int at_line_end(ply_parser *p) {
+    while (p->lexer.next < p->lexer.end && burnish_is_blank(*p->lexer.next)) {
+        ++p->lexer.next;
+    }
+    return p->lexer.next == p->lexer.end || burnish_is_line_end(*p->lexer.next);
+}
+
+/* What a value is that its line does not have: colours are white, the rest 0. */
+static double missing_value(const burnish_ply_property *property) {
+    return property->role < BURNISH_PLY_RED || property->role > BURNISH_PLY_ALPHA ? 0
+           : property->type >= BURNISH_PLY_FLOAT32                                ? 1
+                                                                                  : 65535;
+}
+
+/* A face's triangles, and what is theirs. */
+static inline void append_face(ply_parser *p, burnish_ply_encoding encoding,
+                               const double values[BURNISH_PLY_ROLE_COUNT], const face_row *face) {
+    const int is_face = p->ply->element->kind == BURNISH_PLY_ELEMENT_FACE;
+    if (is_face && face->corner_count >= 3 && p->ply->takes_textures &&
+        face->texture != p->texture) {
+        burnish_chunk_note(p->chunk, TEXTURE + face->texture, p->lexer.next);
+        p->texture = face->texture;
+    }
+    append_corners(p, HERE(p), face->corner_count);
+    if (is_face && p->ply->takes_face_colors) {
+        append_face_color(p, values, face->corner_count);
+    }
+    if (is_face && p->ply->takes_face_coordinates) {
+        append_coordinates(p, encoding, face);
+    }
+}
+
+/* texnumber: which of the header's textures the face shows. */
+static inline int read_texture(ply_parser *p, burnish_ply_encoding encoding,
+                               const burnish_ply_property *property, int *texture) {
+    double value;
+    if (!read_value(p, encoding, property->type, &value)) {
+        return 0;
+    }
+    *texture =
+        value >= 0 && value < BURNISH_PLY_TEXTURES_MAX ? (int)value : BURNISH_PLY_TEXTURES_MAX;
+    return 1;
+}
+
+/* A face of three corners, and nothing else, in one line of text, as most are. Returns 0, and moves
+ * nothing, for any other row. */
+static int read_triangle(ply_parser *p) {
+    const burnish_ply_element *element = p->ply->element;
+    burnish_lexer lexer = p->lexer;
+    uint64_t count, index;
+    uint32_t corners[3];
+    if (element->kind != BURNISH_PLY_ELEMENT_FACE || element->property_count != 1 ||
+        p->ply->by_lines || !burnish_lexer_count(&lexer, &count) || count != 3) {
+        return 0;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (!burnish_lexer_count(&lexer, &index) || index >= p->ply->vertex_count) {
+            return 0;
+        }
+        corners[i] = (uint32_t)index;
+    }
+    p->lexer = lexer;
+    burnish_chunk_append_face(p->chunk, HERE(p), corners, 1, 3, 1u << BURNISH_POSITION);
+    return 1;
+}
+
+/* One row, whatever its element; returns 0 after an error. */
+static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
+    const burnish_ply_element *element = p->ply->element;
+    const burnish_ply_property *property = p->ply->header.properties + element->first_property;
+    const burnish_ply_property *end = property + element->property_count;
+    double values[BURNISH_PLY_ROLE_COUNT];
+    face_row face = {.corner_count = 0};
+    if (encoding == BURNISH_PLY_ASCII && read_triangle(p)) {
+        return p->chunk->status == BURNISH_STATUS_OK;
+    }
+    for (; property < end; ++property) {
+        uint64_t count = 1;
+        if (p->ply->by_lines && property->role > BURNISH_PLY_Z &&
+            property->role != BURNISH_PLY_CORNERS && at_line_end(p)) {
+            if (property->role < BURNISH_PLY_ROLE_COUNT) {
+                values[property->role] = missing_value(property);
+            }
+            p->is_short = 1;
+            continue;
+        }
+        if (property->role < BURNISH_PLY_ROLE_COUNT) {
+            float unused;
+            if (!read_value(p, encoding, property->type, &values[property->role])) {
+                return 0;
+            }
+            if (property->role <= BURNISH_PLY_Z &&
+                !burnish_double_to_float(values[property->role], &unused)) {
+                FAIL(p,
+                     "vertex %llu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
+                     row_number(p) - 1, 'x' + (int)property->role);
+                return 0;
+            }
+            continue;
+        }
+        if (property->count_type != BURNISH_PLY_NONE &&
+            !read_length(p, encoding, property, &count)) {
+            return 0;
+        }
+        if (property->role == BURNISH_PLY_CORNERS) {
+            face.corner_count = (size_t)count;
+            if (!read_corners(p, encoding, property, face.corner_count)) {
+                return 0;
+            }
+            continue;
+        }
+        if (property->role == BURNISH_PLY_TEXNUMBER) {
+            if (!read_texture(p, encoding, property, &face.texture)) {
+                return 0;
+            }
+            continue;
+        }
+        if (property->role == BURNISH_PLY_TEXCOORDS) {
+            face.coordinates = p->lexer.next;
+            face.coordinate_type = property->type;
+            face.coordinate_count = count;
+        }
+        if (!skip_values(p, property->type, count)) {
+            return 0;
+        }
+    }
+    if (element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+        append_vertex(p, values);
+    } else if (element->kind != BURNISH_PLY_ELEMENT_OTHER) {
+        append_face(p, encoding, values, &face);
+    }
+    return p->chunk->status == BURNISH_STATUS_OK;
+}
+
+/* A row of an ASCII file that is a line. */
+static int read_line_row(ply_parser *p) {
+    const uint8_t *first = p->lexer.next, *text_end = p->lexer.end;
+    p->lexer.end = burnish_ply_line_end(first, text_end);
+    p->is_short = 0;
+    const int good = read_row(p, BURNISH_PLY_ASCII);
+    if (good && (p->is_short || !at_line_end(p))) {
+        burnish_chunk_note(p->chunk, FIELDS, first);
+    }
+    p->lexer.next = good ? p->lexer.end : p->lexer.next;
+    p->lexer.end = text_end;
+    return good && p->chunk->status == BURNISH_STATUS_OK;
+}
+
+/* Rows that begin before the chunk's end. In ASCII one that reaches beyond a start that was found
+ * shows that rows are no lines there. */
+static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
+    burnish_chunk *chunk = p->chunk;
+    while (chunk->rows < chunk->rows_left) {
+        if (encoding == BURNISH_PLY_ASCII) {
+            burnish_lexer_skip_blank_lines(&p->lexer);
+        }
+        if (p->lexer.next >= chunk->end ||
+            !(encoding == BURNISH_PLY_ASCII && p->ply->by_lines ? read_line_row(p)
+                                                                : read_row(p, encoding))) {
+            break;
+        }
+        chunk->is_odd |= encoding == BURNISH_PLY_ASCII && !at_line_end(p);
+        if (chunk->bounded && p->lexer.next > chunk->end) {
+            chunk->status = BURNISH_STATUS_FORMAT;
+            return;
+        }
+        ++chunk->rows;
+        chunk->rows_end = p->lexer.next;
+    }
+    if (!chunk->bounded) {
+        chunk->end = p->lexer.next;
+    }
+}
+
+static void parse(const void *state, burnish_chunk *chunk) {
+    const burnish_ply_state *ply = state;
+    ply_parser p = {.ply = ply,
+                    .chunk = chunk,
+                    .lexer = {chunk->first, chunk->text_end, 0},
+                    .value_at = chunk->first,
+                    .texture = -1,
+                    .has_normals = burnish_ply_has_roles(ply, BURNISH_PLY_NX, BURNISH_PLY_NZ),
+                    .has_coordinates = burnish_ply_has_roles(ply, BURNISH_PLY_S, BURNISH_PLY_T),
+                    .has_colors = burnish_ply_has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE)};
+    switch (ply->header.encoding) {
+    case BURNISH_PLY_ASCII:
+        parse_rows(&p, BURNISH_PLY_ASCII);
+        break;
+    case BURNISH_PLY_LITTLE_ENDIAN:
+        parse_rows(&p, BURNISH_PLY_LITTLE_ENDIAN);
+        break;
+    case BURNISH_PLY_BIG_ENDIAN:
+        parse_rows(&p, BURNISH_PLY_BIG_ENDIAN);
+        break;
+    }
+}
+
+static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
+    return newline ? newline + 1 : end;
+}
+
+static burnish_status accept(void *state, const burnish_chunk *chunk) {
+    burnish_ply_state *ply = state;
+    burnish_status status = BURNISH_STATUS_OK;
+    ply->is_odd |= chunk->is_odd;
+    for (size_t i = 0; i < chunk->event_count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_chunk_event *event = &chunk->events[i];
+        if (event->kind == FIELDS) {
+            burnish_reader_note(ply->reader, &ply->fields, event->at,
+                                "the line has more or fewer values than the header says");
+        } else if (event->kind == FEW_CORNERS) {
+            burnish_reader_note(ply->reader, &ply->few_corners, event->at,
+                                "a face with fewer than 3 corners was ignored");
+        } else {
+            status = burnish_ply_use_texture(ply, chunk->triangles_before + event->triangle,
+                                             event->kind - TEXTURE);
+        }
+    }
+    return status;
+}
+
+burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows) {
+    const burnish_grammar grammar = {ply->header.encoding == BURNISH_PLY_ASCII ? find_line : NULL,
+                                     parse, accept, 1u << BURNISH_POSITION | ply->per_triangle, 0};
+    size_t missing = rows;
+    burnish_status status = burnish_chunks_read(&grammar, ply, ply->reader, at, &missing);
+    if (status == BURNISH_STATUS_OK && missing > 0) {
+        status = burnish_reader_fail(
+            ply->reader, BURNISH_STATUS_FORMAT, *at,
+            "the file ends in element %s, row %llu of %llu; the file is truncated",
+            burnish_token_quote(ply->element->name).text,
+            (unsigned long long)(ply->element->count - missing + 1),
+            (unsigned long long)ply->element->count);
+    }
+    return status;
+}

@@ -1,0 +1,225 @@
+/* 3MF: the parts of the archive, and the order in which they are read. */
+#include "mesh/read/threemf/threemf.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Any ZIP archive, as far as its first bytes tell. */
+int burnish_recognise_3mf(const uint8_t *bytes, size_t size) {
+    return size >= 4 && memcmp(bytes, "PK\3\4", 4) == 0;
+}
+
+#if BURNISH_HAS_3MF
+
+/* ---- Names ---- */
+
+char *burnish_threemf_copy_name(burnish_threemf *threemf, const char *name) {
+    char *copy = burnish_allocate(threemf->memory, strlen(name) + 1, 1, "a name"), *to = copy;
+    while (copy && *name) {
+        const size_t size = strcspn(name, "/\\\\");
+        if (size == 2 && memcmp(name, "..", 2) == 0) {
+            while (to > copy && *--to != '/') { /* back over the folder before it */
+            }
+        } else if (size > 0 && !(size == 1 && *name == '.')) {
+            *to = '/';
+            to += to > copy;
+            memcpy(to, name, size);
+            to += size;
+        }
+        name += size + (name[size] != 0);
+    }
+    if (copy) {
+        *to = 0;
+    }
+    return copy;
+}
+
+static uint32_t list_part(burnish_threemf *threemf, burnish_zip_part *part) {
+    if (part->user_data == 0) {
+        burnish_threemf_part *added = BURNISH_THREEMF_APPEND(threemf, &threemf->parts);
+        if (!added) {
+            return BURNISH_THREEMF_NONE;
+        }
+        const size_t shown =
+            part->name_size < sizeof added->name ? part->name_size : sizeof added->name - 1;
+        memcpy(added->name, part->name + part->name_size - shown, shown);
+        added->part = part;
+        part->user_data = (uint32_t)threemf->parts.count;
+    }
+    return part->user_data - 1;
+}
+
+uint32_t burnish_threemf_add_part(burnish_threemf *threemf, const char *name) {
+    char *copy = burnish_threemf_copy_name(threemf, name);
+    burnish_zip_part *part = copy ? burnish_zip_find(&threemf->zip, copy) : NULL;
+    if (copy && !part) {
+        burnish_reader_note(threemf->reader, &threemf->missing, NULL,
+                            "the part \"%.80s\" is not in the archive; its objects are missing",
+                            copy);
+    }
+    burnish_release(threemf->memory->context, copy);
+    return part ? list_part(threemf, part) : BURNISH_THREEMF_NONE;
+}
+
+burnish_threemf_place burnish_threemf_show(const burnish_threemf *threemf, uint32_t part,
+                                           uint32_t line) {
+    burnish_threemf_place place;
+    snprintf(place.text, sizeof place.text, "%s:%u", threemf->parts.items[part].name, line);
+    return place;
+}
+
+/* ---- The first part ---- */
+
+/* Follows the package's relationship with its 3D model. */
+static void begin_relationship(burnish_threemf_xml *xml, burnish_threemf_element element,
+                               const char *const *attributes) {
+    static const char wanted[] = "/3dmodel";
+    const char *type = burnish_threemf_attribute(attributes, "Type");
+    const char *target = burnish_threemf_attribute(attributes, "Target");
+    const size_t size = type ? strlen(type) : 0;
+    if (element == BURNISH_THREEMF_RELATIONSHIP && target && size >= sizeof wanted - 1 &&
+        strcmp(type + size - (sizeof wanted - 1), wanted) == 0 && xml->threemf->parts.count == 0) {
+        burnish_threemf_add_part(xml->threemf, target);
+    }
+}
+
+/* The start part is that of the relationship, else the one that all programs write. */
+static void find_start(burnish_threemf *threemf) {
+    static const char usual[] = "3D/3dmodel.model";
+    const burnish_threemf_handler handler = {begin_relationship, NULL, NULL};
+    const burnish_zip_part *relationships = burnish_zip_find(&threemf->zip, "_rels/.rels");
+    burnish_zip_part *start = burnish_zip_find(&threemf->zip, usual);
+    if (relationships && !burnish_threemf_parse(threemf, relationships, "_rels/.rels", &handler)) {
+        return;
+    }
+    if (threemf->parts.count == 0 && start) {
+        list_part(threemf, start);
+    }
+    if (threemf->parts.count == 0 && threemf->memory->status == BURNISH_STATUS_OK) {
+        threemf->status = burnish_reader_fail(threemf->reader, BURNISH_STATUS_FORMAT, NULL,
+                                              "a ZIP archive without a 3D model; of archives only "
+                                              "3MF is read");
+    }
+}
+
+/* ---- Resources ---- */
+
+static int compare_resources(const void *left, const void *right) {
+    const burnish_threemf_resource *a = left, *b = right;
+    return a->part != b->part   ? (a->part > b->part) - (a->part < b->part)
+           : a->id != b->id     ? (a->id > b->id) - (a->id < b->id)
+           : a->line != b->line ? (a->line > b->line) - (a->line < b->line)
+                                : (a->kind > b->kind) - (a->kind < b->kind);
+}
+
+/* Ids must be different: else nobody could say what a triangle names. */
+static void sort_resources(burnish_threemf *threemf) {
+    const size_t count = threemf->resources.count;
+    burnish_threemf_resource *items = threemf->resources.items;
+    if (count > 0) {
+        qsort(items, count, sizeof *items, compare_resources);
+    }
+    for (size_t i = 1; i < count && threemf->status == BURNISH_STATUS_OK; ++i) {
+        if (items[i].part == items[i - 1].part && items[i].id == items[i - 1].id) {
+            threemf->status = burnish_reader_fail(
+                threemf->reader, BURNISH_STATUS_FORMAT, NULL,
+                "%s: the id %u is that of line %u too; give each resource its own",
+                burnish_threemf_show(threemf, items[i].part, items[i].line).text, items[i].id,
+                items[i - 1].line);
+        }
+    }
+}
+
+const burnish_threemf_resource *burnish_threemf_find(const burnish_threemf *threemf, uint32_t part,
+                                                     uint32_t id, int kind) {
+    const burnish_threemf_resource *items = threemf->resources.items;
+    size_t first = 0, end = threemf->resources.count;
+    while (first < end) {
+        const size_t middle = first + (end - first) / 2;
+        if (items[middle].part < part || (items[middle].part == part && items[middle].id < id)) {
+            first = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    return first < threemf->resources.count && items[first].part == part && items[first].id == id &&
+                   (int)items[first].kind == kind
+               ? &items[first]
+               : NULL;
+}
+
+/* ---- Reading ---- */
+
+static void read_parts(burnish_threemf *threemf) {
+    burnish_threemf_color *white = BURNISH_THREEMF_APPEND(threemf, &threemf->colors);
+    if (white) {
+        memset(white->rgba, 255, sizeof white->rgba);
+        find_start(threemf);
+    }
+    for (uint32_t i = 0; i < threemf->parts.count && threemf->status == BURNISH_STATUS_OK &&
+                         threemf->memory->status == BURNISH_STATUS_OK;
+         ++i) {
+        burnish_threemf_read_model(threemf, i);
+    }
+    if (threemf->status == BURNISH_STATUS_OK) {
+        threemf->status = threemf->memory->status;
+    }
+}
+
+static void close_file(burnish_threemf *threemf) {
+    const burnish_context *context = threemf->memory->context;
+    for (size_t i = 0; i < threemf->textures.count; ++i) {
+        burnish_release(context, threemf->textures.items[i].path);
+    }
+    burnish_release(context, threemf->parts.items);
+    burnish_release(context, threemf->resources.items);
+    burnish_release(context, threemf->objects.items);
+    burnish_release(context, threemf->components.items);
+    burnish_release(context, threemf->items.items);
+    burnish_release(context, threemf->vertices.items);
+    burnish_release(context, threemf->triangles.items);
+    burnish_release(context, threemf->groups.items);
+    burnish_release(context, threemf->colors.items);
+    burnish_release(context, threemf->coordinates.items);
+    burnish_release(context, threemf->ranges.items);
+    burnish_release(context, threemf->numbers.items);
+    burnish_release(context, threemf->textures.items);
+    burnish_zip_close(&threemf->zip);
+}
+
+burnish_status burnish_read_3mf(burnish_reader *reader) {
+    burnish_threemf threemf = {.reader = reader, .memory = &reader->mesh->memory};
+    threemf.status = burnish_zip_open(&threemf.zip, reader);
+    if (threemf.status == BURNISH_STATUS_OK) {
+        read_parts(&threemf);
+    }
+    if (threemf.status == BURNISH_STATUS_OK) {
+        sort_resources(&threemf);
+    }
+    if (threemf.status == BURNISH_STATUS_OK && burnish_threemf_mix(&threemf)) {
+        burnish_threemf_write_scene(&threemf);
+        burnish_threemf_settle_values(&threemf);
+    }
+    if (threemf.status == BURNISH_STATUS_OK) {
+        threemf.status = threemf.memory->status;
+    }
+    if (threemf.status == BURNISH_STATUS_OK) {
+        burnish_reader_warn_group(reader, &threemf.missing);
+        burnish_reader_warn_group(reader, &threemf.not_drawn);
+        burnish_reader_warn_group(reader, &threemf.bad_properties);
+        burnish_reader_warn_group(reader, &threemf.mixed);
+        burnish_reader_warn_group(reader, &threemf.slices);
+    }
+    close_file(&threemf);
+    return threemf.status;
+}
+
+#else
+
+burnish_status burnish_read_3mf(burnish_reader *reader) {
+    return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                               "a ZIP archive; 3MF is read where burnish was built with expat, "
+                               "which this one was not");
+}
+
+#endif

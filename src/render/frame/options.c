@@ -1,0 +1,205 @@
+/* Options of a frame, and whether they can be drawn. */
+#include <string.h>
+
+#include "render/frame/frame.h"
+
+/* Marks options that burnish_render_options_default() made. */
+#define RENDER_COOKIE 0x62726e64u
+
+burnish_render_options burnish_render_options_default(void) {
+    burnish_render_options options;
+    memset(&options, 0, sizeof options);
+    options.cookie = RENDER_COOKIE;
+    options.width = 1024;
+    options.height = 768;
+    options.samples = 4;
+    options.max_overdraw = BURNISH_OVERDRAW_DEFAULT;
+    options.camera.view_up[1] = 1;
+    options.camera.view_angle = 30;
+    options.lobe.fit = BURNISH_FIT_ENERGY;
+    options.lobe.order = 2;
+    options.local_viewer = 1;
+    options.edge_opacity = 1;
+    memset(options.edge_color, 20, sizeof options.edge_color);
+    burnish_look_apply(BURNISH_LOOK_PLAIN, &options);
+    return options;
+}
+
+/* ---- Checks ---- */
+
+burnish_status burnish_render_options_check_cookie(const burnish_render_options *options,
+                                                   burnish_error *error) {
+    return options && options->cookie == RENDER_COOKIE
+               ? BURNISH_STATUS_OK
+               : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "options: start from burnish_render_options_default()");
+}
+
+static int finite(const double *values, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (!(values[i] - values[i] == 0)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_light_color(const float color[3]) {
+    for (int i = 0; i < 3; ++i) {
+        if (!(color[i] >= 0 && color[i] <= 1e6f)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static burnish_status check_camera(const burnish_camera *camera, burnish_error *error) {
+    if (!finite(camera->position, 3) || !finite(camera->focal_point, 3) ||
+        !finite(camera->view_up, 3)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: position, focal point and view up must be finite numbers");
+    }
+    if (!(camera->orthographic_height >= 0 && camera->orthographic_height <= 1e300)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: orthographic height must be a finite number >= 0");
+    }
+    if (camera->orthographic_height == 0 && !(camera->view_angle >= BURNISH_VIEW_ANGLE_MIN &&
+                                              camera->view_angle <= BURNISH_VIEW_ANGLE_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: view angle %g is not in [0.001, 179] degrees",
+                            camera->view_angle);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_lights(const burnish_render_options *options, burnish_error *error) {
+    if (options->light_count < 0 || options->light_count > BURNISH_LIGHT_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lights: %d is not in [0, %d]",
+                            options->light_count, BURNISH_LIGHT_MAX);
+    }
+    for (int i = 0; i < options->light_count; ++i) {
+        const burnish_light *light = &options->lights[i];
+        const double *v = light->vector;
+        int directionless =
+            light->kind == BURNISH_LIGHT_DIRECTIONAL && v[0] == 0 && v[1] == 0 && v[2] == 0;
+        if ((unsigned)light->kind > BURNISH_LIGHT_POINT || !finite(v, 3) || directionless ||
+            !is_light_color(light->color)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "light %d: needs a finite vector (not 0 for a directional light) "
+                                "and a colour in [0, 1e6]",
+                                i + 1);
+        }
+    }
+    if ((unsigned)options->specular_model > BURNISH_SPECULAR_PHONG) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "specular model %d does not exist",
+                            (int)options->specular_model);
+    }
+    if (!is_light_color(options->ambient_light)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ambient light: not in [0, 1e6]");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_occlusion(const burnish_render_options *options, burnish_error *error) {
+    if (options->occlusion < BURNISH_OCCLUSION_AUTO || options->occlusion > BURNISH_OCCLUSION_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "occlusion: %d directions are not in [0, %d], nor automatic",
+                            options->occlusion, BURNISH_OCCLUSION_MAX);
+    }
+    if (!(options->occlusion_strength >= 0 && options->occlusion_strength <= 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "occlusion: a strength of %g is not in [0, 1]",
+                            (double)options->occlusion_strength);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_ground(const burnish_render_options *options, burnish_error *error) {
+    if (!finite(options->up, 3)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "up: needs three finite numbers");
+    }
+    if (options->ground != 0 && options->ground != 1) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ground: %d is neither 0 nor 1",
+                            options->ground);
+    }
+    if (options->shadow != 0 && options->shadow != 1) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "shadow: %d is neither 0 nor 1",
+                            options->shadow);
+    }
+    if (options->shadow &&
+        (options->light_count < 1 || options->lights[0].kind != BURNISH_LIGHT_DIRECTIONAL)) {
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT, "shadow: %s; put a directional light first",
+            options->light_count < 1 ? "there is no light" : "the first light is a point light");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_edges(const burnish_render_options *options, burnish_error *error) {
+    const int all = BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL | BURNISH_EDGES_AXIS_VIEWS;
+    if (options->edges < 0 || options->edges > all) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "edges: %d is no sum of BURNISH_EDGES_...", options->edges);
+    }
+    if (!(options->edge_width > 0 && options->edge_width <= BURNISH_EDGE_WIDTH_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "edges: a width of %g pixels is not in (0, %d]",
+                            (double)options->edge_width, BURNISH_EDGE_WIDTH_MAX);
+    }
+    if (!(options->edge_opacity >= 0 && options->edge_opacity <= 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "edges: an opacity of %g is not in [0, 1]",
+                            (double)options->edge_opacity);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_render_options_check(const burnish_render_options *options,
+                                            burnish_error *error) {
+    burnish_status status = burnish_render_options_check_cookie(options, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (options->width < 1 || options->width > BURNISH_IMAGE_MAX_SIZE || options->height < 1 ||
+        options->height > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "resolution %dx%d: each side must be in [1, %d]", options->width,
+                            options->height, BURNISH_IMAGE_MAX_SIZE);
+    }
+    if (options->first_row < 0 || options->row_count < 0 ||
+        options->first_row > options->height - options->row_count ||
+        (options->row_count == 0 && options->first_row > 0)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "rows: %d from %d on are not among the picture's %d; 0 from 0 on means "
+                            "all",
+                            options->row_count, options->first_row, options->height);
+    }
+    if (options->samples != 1 && options->samples != 4 && options->samples != 8 &&
+        options->samples != BURNISH_MAX_SAMPLES) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "samples: %d is not 1, 4, 8 or 16",
+                            options->samples);
+    }
+    if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "threads: %d is not in [0, %d]",
+                            options->threads, BURNISH_THREADS_MAX);
+    }
+    if (!(options->max_overdraw >= 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "max-overdraw: %g is not at least 1; HUGE_VAL means no limit",
+                            options->max_overdraw);
+    }
+    status = burnish_lobe_spec_check(&options->lobe, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_camera(&options->camera, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_occlusion(options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_edges(options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_ground(options, error);
+    }
+    return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
+}

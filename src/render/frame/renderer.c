@@ -1,0 +1,560 @@
+/* A renderer: leads a frame's data through raster, shading and the target. */
+#include <string.h>
+
+#include "core/clock.h"
+#include "core/environment.h"
+#include "core/memory.h"
+#include "core/tasks.h"
+#include "core/vector.h"
+#include "render/frame/frame.h"
+#include "render/light/casters.h"
+#include "render/lines/lines.h"
+
+/* ---- Renderers ---- */
+
+/* A picture whose rows are drawn in several calls: what their geometry and lines depend on. No
+ * padding counts: it is all 0 before it is filled. */
+typedef struct picture_key {
+    uint64_t version; /* burnish_transparency.version; 0: no picture */
+    burnish_camera camera;
+    burnish_raster_view view;
+    int ignore_colors, cull_back_faces, edges;
+    float edge_width, edge_opacity;
+    uint8_t edge_color[3];
+} picture_key;
+
+/* What is kept from frame to frame. */
+struct burnish_renderer {
+    const burnish_context *context;
+    burnish_tasks tasks;
+    burnish_shaders shaders;
+    burnish_geometry geometry;
+    burnish_attributes attributes;
+    burnish_transparency transparency;
+    burnish_casters casters;
+    burnish_texturing texturing;
+    burnish_tiles tiles;
+    burnish_occlusion occlusion;
+    burnish_line_art line_art;
+    burnish_ground ground;
+    burnish_shadow shadow;
+    burnish_output_row background;
+    burnish_srgb_encoder encoder;
+    const burnish_kernels *best; /* asking the processor takes as long as drawing a tile */
+    uint8_t *drawn;              /* a byte per triangle */
+    size_t drawn_capacity;
+    picture_key picture;   /* whose geometry is there */
+    int has_picture_lines; /* 1: its lines are, too */
+};
+
+burnish_status burnish_renderer_create(const burnish_context *context, burnish_renderer **renderer,
+                                       burnish_error *error) {
+    if (!renderer) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "renderer: NULL; pass where to put it");
+    }
+    burnish_memory memory = burnish_memory_of(context, error);
+    *renderer = burnish_allocate_zeroed(&memory, 1, sizeof **renderer, "a renderer");
+    if (*renderer) {
+        (*renderer)->context = context;
+        burnish_srgb_encoder_make(&(*renderer)->encoder);
+    }
+    return memory.status;
+}
+
+void burnish_renderer_destroy(burnish_renderer *renderer) {
+    if (renderer) {
+        const burnish_context *context = renderer->context;
+        burnish_tiles_destroy(&renderer->tiles, context);
+        burnish_occlusion_destroy(&renderer->occlusion, context);
+        burnish_line_art_destroy(&renderer->line_art, context);
+        burnish_ground_destroy(&renderer->ground, context);
+        burnish_shadow_destroy(&renderer->shadow, context);
+        burnish_attributes_destroy(&renderer->attributes, context);
+        burnish_transparency_destroy(&renderer->transparency, context);
+        burnish_casters_destroy(&renderer->casters, context);
+        burnish_texturing_destroy(&renderer->texturing, context);
+        burnish_geometry_destroy(&renderer->geometry);
+        burnish_release(context, renderer->shaders.items);
+        burnish_release(context, renderer->shaders.lights);
+        burnish_release(context, renderer->background.bytes);
+        burnish_release(context, renderer->drawn);
+        burnish_release(context, renderer);
+    }
+}
+
+/* ---- A frame ---- */
+
+/* What one call draws, and what it learns. */
+typedef struct drawing {
+    burnish_renderer *renderer;
+    const burnish_mesh *mesh;
+    const burnish_render_options *options;
+    burnish_target target;
+    burnish_counts counts;
+    burnish_render_report report;
+    burnish_memory memory;
+    burnish_view view;
+} drawing;
+
+/* NULL where every triangle is opaque. */
+static const burnish_transparency *transparency_of(const drawing *d) {
+    return d->renderer->transparency.has_some ? &d->renderer->transparency : NULL;
+}
+
+static int is_part(const drawing *d) {
+    return d->options->row_count > 0;
+}
+
+static picture_key key_of(const drawing *d) {
+    const burnish_render_options *options = d->options;
+    picture_key key;
+    memset(&key, 0, sizeof key);
+    key.version = d->renderer->transparency.version;
+    key.camera = options->camera;
+    key.view = d->view.raster;
+    key.ignore_colors = options->ignore_colors;
+    key.cull_back_faces = options->cull_back_faces;
+    key.edges = options->edges;
+    key.edge_width = options->edge_width;
+    key.edge_opacity = options->edge_opacity;
+    memcpy(key.edge_color, options->edge_color, sizeof key.edge_color);
+    return key;
+}
+
+static double overdraw_limit(const drawing *d) {
+    enum { LEAST_AREA = 512 * 512 };
+    return burnish_overdraw_limit(&d->view.raster, d->options->max_overdraw, LEAST_AREA);
+}
+
+/* Vertices to the screen, triangles to batches; for rows of a picture only once. */
+static burnish_status transform(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
+                                         mesh->triangle_count,
+                                         transparency_of(d) ? renderer->transparency.masks : NULL};
+    const picture_key key = key_of(d);
+    const int is_done = is_part(d) && memcmp(&key, &renderer->picture, sizeof key) == 0;
+    burnish_status status = BURNISH_STATUS_OK;
+    memset(&renderer->picture, 0, sizeof renderer->picture);
+    renderer->has_picture_lines &= is_done;
+    if (!is_done) {
+        status = burnish_geometry_update(&renderer->geometry, d->view.shading.ops, &d->view.raster,
+                                         &triangles, &renderer->tasks, d->memory.error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        d->report.overdraw = burnish_overdraw(renderer->geometry.cells, &d->view.raster);
+        status = burnish_check_overdraw(d->report.overdraw, overdraw_limit(d), "the picture",
+                                        d->memory.error);
+    }
+    if (status == BURNISH_STATUS_OK && !is_done) {
+        status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
+                                           d->options->ignore_colors, &renderer->tasks, &d->memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_transparency_add_clipped(&renderer->transparency, &renderer->geometry,
+                                                  &d->memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_tasks_check(&renderer->tasks, d->memory.error);
+    }
+    if (status == BURNISH_STATUS_OK && is_part(d)) {
+        renderer->picture = key;
+    }
+    burnish_tasks_progress(&renderer->tasks, BURNISH_STAGE_TRANSFORM, 1);
+    return status;
+}
+
+/* The direction in which the object stands. */
+static burnish_vec3 up_of(const drawing *d) {
+    const double *up = d->options->up;
+    return up[0] == 0 && up[1] == 0 && up[2] == 0
+               ? burnish_vec3_loadf(burnish_mesh_get_view(d->mesh)->up_axis)
+               : burnish_vec3_normalize(burnish_vec3_load(up));
+}
+
+/* Blended triangles cast no shadow, masked ones by their pieces. */
+static burnish_status set_drawer(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_status status = burnish_casters_update(
+        &renderer->casters, burnish_mesh_get_view(d->mesh), &renderer->transparency, &d->memory);
+    renderer->occlusion.drawer.transparent = renderer->casters.transparent;
+    renderer->occlusion.drawer.max_overdraw = d->options->max_overdraw;
+    return status;
+}
+
+/* The depth maps, for points that count from `eye`. */
+static burnish_status update_maps(drawing *d, const double eye[3],
+                                  burnish_occlusion_lookup *lookup) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_render_options *options = d->options;
+    const int side = options->width < options->height ? options->width : options->height;
+    double up[3];
+    burnish_vec3_store(up_of(d), up);
+    const burnish_status status = set_drawer(d);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    return burnish_occlusion_update(
+        &renderer->occlusion, d->view.shading.ops, &renderer->casters.mesh,
+        options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
+        side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE, eye, up, d->view.pixel,
+        &renderer->tasks, &d->memory, lookup);
+}
+
+/* What ambient occlusion needs of the mesh. */
+static burnish_status update_occlusion(drawing *d) {
+    d->view.shading.occlusion = NULL;
+    if (d->options->occlusion == 0 || !d->target.pixels.pixels) {
+        return BURNISH_STATUS_OK;
+    }
+    d->view.occlusion.strength = d->options->occlusion_strength;
+    d->view.shading.occlusion = &d->view.occlusion;
+    const burnish_status status = update_maps(d, d->view.eye, &d->view.occlusion);
+    d->report.occlusion_directions = d->view.occlusion.count;
+    return status;
+}
+
+/* The first light's depth map. */
+static burnish_status update_shadow(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_render_options *options = d->options;
+    const int side = options->width > options->height ? options->width : options->height;
+    d->view.shading.shadow = NULL;
+    if (!options->shadow || !d->target.pixels.pixels) {
+        return BURNISH_STATUS_OK;
+    }
+    const burnish_status status = set_drawer(d);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    d->view.shading.shadow = &d->view.shadow;
+    d->report.shadow = 1;
+    return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,
+                                 d->view.shading.ops, &renderer->casters.mesh, d->view.key,
+                                 side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL
+                                                              : BURNISH_SHADOW_LARGE,
+                                 d->view.eye, &renderer->tasks, &d->memory, &d->view.shadow);
+}
+
+/* The ground's shadow, where the camera sees it; before what occlusion needs, whose maps it takes.
+ */
+static burnish_status update_ground(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    burnish_ground *ground = &renderer->ground;
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    const burnish_vec3 eye = burnish_vec3_load(d->view.eye);
+    const double origin[3] = {0, 0, 0};
+    const burnish_shadow *shadow = d->report.shadow ? &renderer->shadow : NULL;
+    burnish_occlusion_lookup lookup;
+    if (!d->options->ground || !d->target.pixels.pixels || mesh->triangle_count == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_ground_place(ground, mesh, up_of(d));
+    d->report.ground = burnish_ground_is_seen(ground, &d->view.shading.rays, eye);
+    if (!d->report.ground) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status = update_maps(d, origin, &lookup);
+    if (status == BURNISH_STATUS_OK &&
+        !burnish_ground_is_drawn(ground, &renderer->occlusion, shadow)) {
+        status = burnish_ground_draw(ground, d->view.shading.ops, &renderer->occlusion, shadow,
+                                     &renderer->tasks, &d->memory);
+    }
+    d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye);
+    return status;
+}
+
+static int marks_drawn(const drawing *d) {
+    return d->counts == BURNISH_COUNTS_ALL || d->counts == BURNISH_COUNTS_AREA;
+}
+
+/* The bytes where drawn triangles are marked, all 0. */
+static uint8_t *clear_drawn(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const size_t count = d->report.triangles;
+    if (!marks_drawn(d)) {
+        return NULL;
+    }
+    renderer->drawn = burnish_reserve_discard(
+        &d->memory, renderer->drawn, &renderer->drawn_capacity, count, 1, "drawn triangles");
+    if (renderer->drawn) {
+        memset(renderer->drawn, 0, count);
+    }
+    return renderer->drawn;
+}
+
+static void count_drawn(drawing *d) {
+    for (size_t i = 0; marks_drawn(d) && i < d->report.triangles; ++i) {
+        d->report.triangles_drawn += d->renderer->drawn[i];
+    }
+}
+
+static burnish_vec3 corner_of(const burnish_mesh_view *mesh, size_t corner) {
+    return burnish_vec3_loadf(mesh->positions + 3 * (size_t)mesh->indices[corner]);
+}
+
+/* Sums in the order of the triangles, whatever the threads. */
+static void measure_hidden(drawing *d) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    double hidden = 0, all = 0;
+    for (size_t i = 0; d->counts == BURNISH_COUNTS_AREA && i < mesh->triangle_count; ++i) {
+        const burnish_vec3 a = corner_of(mesh, 3 * i);
+        const burnish_vec3 b = burnish_vec3_sub(corner_of(mesh, 3 * i + 1), a);
+        const burnish_vec3 c = burnish_vec3_sub(corner_of(mesh, 3 * i + 2), a);
+        const double area = burnish_vec3_length(burnish_vec3_cross(b, c));
+        all += area;
+        hidden += d->renderer->drawn[i] ? 0 : area;
+    }
+    d->report.hidden_share = all > 0 ? hidden / all : 0;
+}
+
+/* How often a tile may collect transparent layers: all passes together are the work that
+ * max_overdraw allows. */
+static int layer_passes(const drawing *d) {
+    const double passes = overdraw_limit(d) / d->report.overdraw; /* by 0: inf */
+    return passes < BURNISH_LAYER_PASSES ? (int)passes : BURNISH_LAYER_PASSES;
+}
+
+/* Tiles to pixels. */
+static burnish_status draw_tiles(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const burnish_isa_ops *ops = d->view.shading.ops;
+    const burnish_caps caps = burnish_caps_create(burnish_mesh_get_view(d->mesh), &d->view.raster);
+    burnish_frame frame = {.ops = ops,
+                           .geometry = &renderer->geometry,
+                           .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
+                                       burnish_mesh_get_view(d->mesh)->triangle_materials,
+                                       transparency_of(d), caps.count > 0 ? &caps : NULL, 0},
+                           .output = {.ops = ops,
+                                      .encoder = &renderer->encoder,
+                                      .view = &d->view,
+                                      .ground = d->report.ground ? &d->view.ground : NULL},
+                           .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
+                           .layer_passes = layer_passes(d),
+                           .drawn = clear_drawn(d),
+                           .tasks = &renderer->tasks,
+                           .context = renderer->context};
+    burnish_status status = burnish_output_begin(&frame.output, &d->target, d->options,
+                                                 &renderer->background, &d->memory);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_frame_draw(&frame, &renderer->tiles, &d->report, d->memory.error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        count_drawn(d);
+        measure_hidden(d);
+    }
+    return status;
+}
+
+/* Lines from the target's depths and triangles. */
+static burnish_status find_lines(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    return burnish_line_art_update(&renderer->line_art, burnish_mesh_get_view(d->mesh), &d->view,
+                                   d->options, &d->target, &renderer->tasks, &d->memory);
+}
+
+/* The lines of all rows, where some are drawn: which show depends on what lies along them. */
+static burnish_status find_picture_lines(const drawing *d) {
+    burnish_line_art *art = &d->renderer->line_art;
+    burnish_render_options options = *d->options;
+    drawing whole = *d;
+    options.first_row = options.row_count = 0;
+    whole.options = &options;
+    whole.target = burnish_target_default();
+    whole.counts = BURNISH_COUNTS_NONE;
+    burnish_status status = burnish_line_art_planes(art, &options, &whole.target, &whole.memory);
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_tiles(&whole);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = find_lines(&whole);
+    }
+    burnish_line_art_drop_planes(art, d->memory.context);
+    d->renderer->has_picture_lines = status == BURNISH_STATUS_OK;
+    return status;
+}
+
+/* Tiles, and edges over them. */
+static burnish_status draw_edged(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    burnish_line_art *art = &renderer->line_art;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!renderer->has_picture_lines) {
+        memset(&art->lines, 0, sizeof art->lines);
+        status = is_part(d) ? find_picture_lines(d)
+                            : burnish_line_art_planes(art, d->options, &d->target, &d->memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_tiles(d);
+    }
+    if (status == BURNISH_STATUS_OK && !is_part(d)) {
+        status = find_lines(d);
+    }
+    if (status == BURNISH_STATUS_OK && d->target.pixels.pixels && art->lines.line_count > 0) {
+        status =
+            burnish_line_art_draw(art, d->options, &d->target.pixels, &renderer->tasks, &d->memory);
+    }
+    return status;
+}
+
+static const burnish_kernels *choose_kernels(burnish_renderer *renderer,
+                                             const burnish_render_options *options) {
+    if (!options->kernels && !renderer->best) {
+        renderer->best = burnish_kernels_best();
+    }
+    return options->kernels ? options->kernels : renderer->best;
+}
+
+/* Everything after the checks. */
+static burnish_status draw(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    const double start = burnish_seconds_now();
+    burnish_tasks_begin(&renderer->tasks, renderer->context, d->options->threads);
+    d->view.shading.ops = choose_kernels(renderer, d->options);
+    d->report.threads = burnish_tasks_threads(&renderer->tasks);
+    d->report.isa = d->view.shading.ops->isa;
+    d->report.triangles = burnish_mesh_get_view(d->mesh)->triangle_count;
+    burnish_status status =
+        burnish_texturing_update(&renderer->texturing, d->mesh, d->options->ignore_colors,
+                                 d->options->samples, &renderer->tasks, &d->memory);
+    burnish_texturing *texturing = renderer->texturing.has_some ? &renderer->texturing : NULL;
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_view_create(d->mesh, d->options, &renderer->shaders, texturing, &d->view,
+                                     &d->memory);
+        d->report.lobe_fallbacks = d->view.lobe_fallbacks;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status =
+            burnish_transparency_update(&renderer->transparency, d->mesh, texturing,
+                                        d->options->ignore_colors, &renderer->tasks, &d->memory);
+    }
+    if (status == BURNISH_STATUS_OK) { /* first: what covers the picture too often needs no map */
+        status = transform(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = update_shadow(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = update_ground(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = update_occlusion(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        d->report.seconds_transform = burnish_seconds_now() - start;
+    }
+    if (status != BURNISH_STATUS_OK || !d->options->edges) {
+        memset(&renderer->line_art.lines, 0, sizeof renderer->line_art.lines);
+        renderer->has_picture_lines = 0;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = (d->options->edges ? draw_edged : draw_tiles)(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        d->report.seconds_draw = burnish_seconds_now() - start - d->report.seconds_transform;
+    }
+    return status;
+}
+
+/* ---- Entries ---- */
+
+const burnish_lines *burnish_renderer_get_lines(const burnish_renderer *renderer) {
+    return renderer ? &renderer->line_art.lines : NULL;
+}
+
+static burnish_status check_call(const burnish_renderer *renderer, const burnish_mesh *mesh,
+                                 const burnish_render_options *options, burnish_error *error) {
+    if (!renderer || !mesh) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "draw: the %s is NULL; create one first",
+                            !renderer ? "renderer" : "mesh");
+    }
+    burnish_status status = burnish_render_options_check(options, error);
+    if (status == BURNISH_STATUS_OK && options->context && options->context != renderer->context) {
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "options: the renderer was made with another context; leave it NULL");
+    }
+    return status;
+}
+
+burnish_status burnish_renderer_draw_into(burnish_renderer *renderer, const burnish_mesh *mesh,
+                                          const burnish_render_options *options,
+                                          const burnish_target *target,
+                                          burnish_render_report *report, burnish_error *error) {
+    burnish_status status = check_call(renderer, mesh, options, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_target_check(target, options, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    const burnish_environment environment = burnish_environment_enter();
+    const burnish_render_options resolved = burnish_line_art_resolve(options);
+    drawing d = {.renderer = renderer,
+                 .mesh = mesh,
+                 .options = &resolved,
+                 .target = *target,
+                 .counts = report ? options->counts : BURNISH_COUNTS_NONE,
+                 .memory = burnish_memory_of(renderer->context, error)};
+    status = draw(&d);
+    if (status == BURNISH_STATUS_OK && report) {
+        *report = d.report;
+    }
+    burnish_environment_leave(environment);
+    return status;
+}
+
+/* An image of the options' rows: the one that is there if it fits. */
+static burnish_status prepare_image(burnish_image *image, const burnish_render_options *options,
+                                    burnish_error *error) {
+    const int channels = options->transparent ? 4 : 3;
+    const burnish_row_range rows = burnish_drawn_rows(options);
+    const int height = rows.end - rows.first;
+    if (image->pixels && image->width == options->width && image->height == height &&
+        image->channels == channels) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_image_destroy(image);
+    return burnish_image_create(image, options->width, height, channels, error);
+}
+
+burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_mesh *mesh,
+                                     const burnish_render_options *options, burnish_image *image,
+                                     burnish_render_report *report, burnish_error *error) {
+    if (!image) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "draw: the image is NULL; pass an empty one");
+    }
+    burnish_target target = burnish_target_default();
+    burnish_status status = check_call(renderer, mesh, options, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = prepare_image(image, options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        target.pixels = burnish_image_pixels(image);
+        status = burnish_renderer_draw_into(renderer, mesh, options, &target, report, error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        burnish_image_destroy(image);
+    }
+    return status;
+}
+
+burnish_status burnish_render(const burnish_mesh *mesh, const burnish_render_options *options,
+                              burnish_image *image, burnish_render_report *report,
+                              burnish_error *error) {
+    burnish_renderer *renderer;
+    if (image) {
+        memset(image, 0, sizeof *image);
+    }
+    burnish_status status = burnish_render_options_check(options, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_create(options->context, &renderer, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_draw(renderer, mesh, options, image, report, error);
+        burnish_renderer_destroy(renderer);
+    }
+    return status;
+}

@@ -1,0 +1,39 @@
+/* The raster's space: the mesh's, moved and scaled so that it fills the unit sphere, whatever its
+ * size and wherever it lies. */
+#ifndef BURNISH_RENDER_FRAME_SPACE_H
+#define BURNISH_RENDER_FRAME_SPACE_H
+
+#include "burnish/mesh.h"
+#include "core/vector.h"
+
+/* The middle of the mesh, rounded to floats: what the raster subtracts from positions. */
+static inline burnish_vec3 burnish_space_center(const burnish_mesh_view *mesh) {
+    float center[3];
+    for (int i = 0; i < 3; ++i) {
+        center[i] = (float)(((double)mesh->bounds_min[i] + mesh->bounds_max[i]) * 0.5);
+    }
+    return burnish_vec3_loadf(center);
+}
+
+/* Units of the raster's space per unit of the mesh. */
+static inline double burnish_space_scale(const burnish_mesh_view *mesh) {
+    const burnish_vec3 low = burnish_vec3_loadf(mesh->bounds_min);
+    const burnish_vec3 high = burnish_vec3_loadf(mesh->bounds_max);
+    const double half_diagonal = burnish_vec3_length(burnish_vec3_sub(high, low)) * 0.5;
+    return half_diagonal > 0 ? 1 / half_diagonal : 1;
+}
+
+/* A unit vector across v. */
+static inline burnish_vec3 burnish_space_across(burnish_vec3 v) {
+    const int x_is_least = v.x * v.x <= v.y * v.y && v.x * v.x <= v.z * v.z;
+    const burnish_vec3 other = x_is_least ? (burnish_vec3){1, 0, 0} : (burnish_vec3){0, 1, 0};
+    return burnish_vec3_normalize(burnish_vec3_cross(other, v));
+}
+
+static inline void burnish_space_store(burnish_vec3 v, float out[3]) {
+    out[0] = (float)v.x;
+    out[1] = (float)v.y;
+    out[2] = (float)v.z;
+}
+
+#endif

@@ -1,0 +1,532 @@
+#include "render/frame/surface.h"
+
+#include <string.h>
+
+/* ---- Planes ---- */
+
+/* Whether attributes are needed themselves, not times 1/w: colours, and normals whose length
+ * matters. */
+static int needs_division(const burnish_surface *surface) {
+    return surface->attributes->has_colors || surface->shading->is_lyon;
+}
+
+int burnish_surface_planes(const burnish_surface *surface) {
+    const int has_colors = surface->attributes->has_colors;
+    if (has_colors) {
+        return BURNISH_PLANE_COUNT;
+    }
+    return needs_division(surface) ? BURNISH_PLANE_W + 1 : BURNISH_PLANE_Z + 1;
+}
+
+/* ---- Batches: attributes divided by 1/w, positions from depths, then the kernels, a run of one
+ * material after another ---- */
+
+static int padded(int count) {
+    return (count + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
+}
+
+/* Clears what is between the last item and the end of its vector: it is read, though not used. */
+static void clear_tail(float *items, int count) {
+    memset(items + count, 0, (size_t)(padded(count) - count) * sizeof *items);
+}
+
+/* attribute / (1/w) in three arrays. */
+static void divide(int count, const float *const attribute[3], const float *inverse_w,
+                   float (*out)[BURNISH_SHADE_BATCH]) {
+    float w[BURNISH_SHADE_BATCH];
+    for (int i = 0; i < count; ++i) {
+        w[i] = 1.0f / inverse_w[i];
+    }
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            out[k][i] = attribute[k][i] * w[i];
+        }
+    }
+}
+
+/* `count` points of one material; those of a special one leave their opacity in scratch. */
+static void shade_material(const burnish_shading *shading, const burnish_kernels_points *points,
+                           float (*streams)[BURNISH_SHADE_BATCH], int material, int count,
+                           burnish_texture_scratch *scratch, float *const rgb[3]) {
+    const burnish_kernels_shader *shader = &shading->shaders[material];
+    const burnish_texturing *texturing = shading->texturing;
+    if (texturing && texturing->materials[material].is_special) {
+        const float *from[BURNISH_TEXTURE_STREAMS];
+        for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
+            from[k] = streams[k];
+        }
+        burnish_texture_shade(texturing, shading->ops, shader, material, points, from, count,
+                              scratch, rgb);
+        return;
+    }
+    shading->ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
+        shader, points, (size_t)count, NULL, rgb);
+}
+
+static int has_one_material(const burnish_fragment_batch *batch) {
+    const int32_t *material = batch->material;
+    int32_t different = 0;
+    for (int i = 0; i < (material ? batch->count : 0); ++i) {
+        different |= material[i] ^ material[0];
+    }
+    return different == 0;
+}
+
+/* The arrays of a batch that shading reads, and where those of one material go. */
+typedef struct point_streams {
+    int count;
+    const float *from[BURNISH_SHADE_STREAMS];
+    float *to[BURNISH_SHADE_STREAMS];
+} point_streams;
+
+static void add_stream(point_streams *streams, const float *from, float *to) {
+    streams->from[streams->count] = from;
+    streams->to[streams->count] = to;
+    streams->count += 1;
+}
+
+/* Samples whose cover a material leaves in scratch. */
+static int smooth_samples(const burnish_shading *shading, int material,
+                          const burnish_fragment_scratch *scratch) {
+    const burnish_texturing *texturing = shading->texturing;
+    return scratch->texture.has_shifts && texturing->materials[material].is_smooth
+               ? texturing->smooth_samples
+               : 0;
+}
+
+/* Takes the opacity of a group's points back to the batch. */
+static void scatter_opacity(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                            int material, int size, burnish_fragment_scratch *scratch) {
+    float *const alpha = scratch->texture.alpha;
+    const float *const from[3] = {scratch->texture.opacity, scratch->texture.opacity,
+                                  scratch->texture.opacity};
+    float *const to[3] = {alpha, alpha, alpha};
+    shading->ops->scatter_material(material, batch->material, size, scratch->group.places, from,
+                                   to);
+    for (int s = 0; s < smooth_samples(shading, material, scratch); s += 2) { /* an even number */
+        float(*cover)[BURNISH_TEXTURE_BATCH] = scratch->texture.cover + s;
+        float(*covers)[BURNISH_TEXTURE_BATCH] = scratch->texture.covers + s;
+        const float *const part[3] = {cover[0], cover[1], cover[1]};
+        float *const all[3] = {covers[0], covers[1], covers[1]};
+        shading->ops->scatter_material(material, batch->material, size, scratch->group.places, part,
+                                       all);
+    }
+}
+
+/* Where points lie in their textures; all are opaque until their material is shaded. */
+static void locate(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                   burnish_texture_scratch *scratch) {
+    if (shading->texturing->needs_points) {
+        burnish_texture_locate(shading->texturing, shading->ops, &shading->rays, &batch->points,
+                               batch->material, batch->count, scratch);
+    }
+    for (int i = 0; i < BURNISH_SHADE_BATCH && shading->texturing->has_alpha; ++i) {
+        scratch->alpha[i] = 1.0f;
+    }
+    burnish_masks_begin(shading->texturing, batch->samples, batch->count, scratch);
+}
+
+/* Shades a batch of several materials, one after another: the vectors that show it are brought
+ * together, shaded, and its pixels of them taken back. */
+static void shade_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                        const burnish_kernels_points *points, burnish_fragment_scratch *scratch,
+                        float *const rgb[3]) {
+    burnish_material_group *group = &scratch->group;
+    burnish_kernels_points brought = {.w = group->w};
+    float *const light[3] = {group->light[0], group->light[1], group->light[2]};
+    const float *const shaded[3] = {light[0], light[1], light[2]};
+    point_streams streams = {0};
+    for (int k = 0; k < 3; ++k) {
+        brought.normal[k] = group->normal[k];
+        brought.diffuse[k] = points->diffuse[k] ? group->diffuse[k] : NULL;
+        brought.position[k] = group->position[k];
+        add_stream(&streams, points->normal[k], group->normal[k]);
+        if (points->diffuse[k]) {
+            add_stream(&streams, points->diffuse[k], group->diffuse[k]);
+        }
+        if (shading->needs_position) {
+            add_stream(&streams, points->position[k], group->position[k]);
+        }
+    }
+    if (shading->needs_position) {
+        add_stream(&streams, points->w, group->w);
+    }
+    if (points->first_light) {
+        brought.first_light = group->lit;
+        add_stream(&streams, points->first_light, group->lit);
+    }
+    const int textured = !shading->texturing           ? 0
+                         : scratch->texture.has_shifts ? BURNISH_TEXTURE_STREAMS
+                                                       : BURNISH_TEXTURE_STREAMS_PLAIN;
+    for (int k = 0; k < textured; ++k) {
+        add_stream(&streams, scratch->texture.points[k], scratch->texture.brought[k]);
+    }
+    memcpy(group->left, batch->material, (size_t)padded(batch->count) * sizeof *group->left);
+    for (int i = 0; i < batch->count; ++i) {
+        const int32_t material = group->left[i];
+        if (material >= 0) {
+            const int size = shading->ops->collect_material(material, i, batch->count, group->left,
+                                                            streams.count, streams.from, streams.to,
+                                                            group->places);
+            shade_material(shading, &brought, scratch->texture.brought, material, size,
+                           &scratch->texture, light);
+            shading->ops->scatter_material(material, batch->material, size, group->places, shaded,
+                                           rgb);
+            if (shading->texturing && shading->texturing->materials[material].is_alpha) {
+                scatter_opacity(shading, batch, material, size, scratch);
+            }
+        }
+    }
+}
+
+static void occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                          const burnish_kernels_points *points, burnish_share_scratch *scratch,
+                          float *const rgb[3]) {
+    burnish_share_points shared = {.w = points->w,
+                                   .pixels = batch->pixels,
+                                   .first_pixel = batch->first_pixel,
+                                   .shown = batch->shown};
+    for (int k = 0; k < 3; ++k) {
+        shared.position[k] = points->position[k];
+        shared.normal[k] = points->normal[k];
+    }
+    burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count, scratch, rgb);
+}
+
+/* rgb gets the colours: linear light, >= 0, not clamped above. */
+static void shade_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                        burnish_fragment_scratch *scratch, float *const rgb[3]) {
+    burnish_kernels_points points = {.w = scratch->w};
+    float *const position[3] = {scratch->position[0], scratch->position[1], scratch->position[2]};
+    for (int k = 0; k < 3; ++k) {
+        points.normal[k] = shading->is_lyon ? scratch->divided_normal[k] : batch->normal[k];
+        points.diffuse[k] = batch->color[k] ? scratch->divided_color[k] : NULL;
+        points.position[k] = position[k];
+    }
+    if (shading->is_lyon) {
+        divide(batch->count, batch->normal, batch->inverse_w, scratch->divided_normal);
+    }
+    if (batch->color[0]) {
+        divide(batch->count, batch->color, batch->inverse_w, scratch->divided_color);
+    }
+    if (shading->needs_position) {
+        shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
+                                          position, scratch->w);
+        for (int k = 0; k < 3; ++k) {
+            clear_tail(position[k], batch->count);
+        }
+        clear_tail(scratch->w, batch->count);
+    }
+    if (shading->shadow) {
+        shading->ops->cast_shadow(shading->shadow, &points, (size_t)batch->count, scratch->lit);
+        points.first_light = scratch->lit;
+    }
+    if (shading->texturing) {
+        locate(shading, batch, &scratch->texture);
+    }
+    if (has_one_material(batch)) {
+        const int material = batch->material ? batch->material[0] : 0;
+        shade_material(shading, &points, scratch->texture.points, material, batch->count,
+                       &scratch->texture, rgb);
+        if (shading->texturing && shading->texturing->materials[material].is_alpha) {
+            memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
+            for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {
+                memcpy(scratch->texture.covers[s], scratch->texture.cover[s],
+                       (size_t)batch->count * sizeof *scratch->texture.covers[s]);
+            }
+        }
+    } else {
+        shade_mixed(shading, batch, &points, scratch, rgb);
+    }
+    if (shading->occlusion) {
+        occlude_batch(shading, batch, &points, &scratch->share, rgb);
+    }
+}
+
+/* ---- Caps ---- */
+
+/* Instead of the colours of vertices, which a cap has none of. */
+#define CAP_COLOR 0.5f
+
+static int material_of(const burnish_surface *surface, uint32_t id_and_facing) {
+    return surface->triangle_materials ? surface->triangle_materials[id_and_facing >> 1] : 0;
+}
+
+/* ---- Simple pixels: attributes lie in the tile's planes ---- */
+
+/* The pixels of a row of blocks from its first one. */
+#define BLOCK_X(x)                                                                                 \
+    x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3
+#define BLOCK_Y 0, 0, 0, 0, -1, -1, -1, -1, -2, -2, -2, -2, -3, -3, -3, -3
+static const float PIXEL_X[BURNISH_BLOCK_ROW_PIXELS] = {
+    BLOCK_X(0),  BLOCK_X(4),  BLOCK_X(8),  BLOCK_X(12), BLOCK_X(16), BLOCK_X(20),
+    BLOCK_X(24), BLOCK_X(28), BLOCK_X(32), BLOCK_X(36), BLOCK_X(40), BLOCK_X(44),
+    BLOCK_X(48), BLOCK_X(52), BLOCK_X(56), BLOCK_X(60)};
+static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
+    BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y,
+    BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y, BLOCK_Y};
+_Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
+                   (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
+               "a row of blocks is one batch");
+_Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
+               "so is a group of fragments");
+
+/* Neighbouring blocks of a row that show a triangle: its pixels [first, end). */
+typedef struct block_run {
+    int row, first, end;
+} block_run;
+
+/* Complex pixels get the material of the pixel before, so that runs of one material stay long;
+ * their result is discarded. */
+static void find_materials(const burnish_surface *surface, const burnish_tile *tile, block_run run,
+                           const burnish_block_row *pixels, int32_t *material) {
+    int32_t last = 0;
+    for (int i = run.first; i < run.end; ++i) {
+        if (pixels->simple[i] >= 0) {
+            const uint32_t id = burnish_tile_id_and_facing(tile, run.row, i, pixels->simple[i]);
+            last = surface->triangle_materials[id >> 1];
+        }
+        material[i] = last;
+    }
+}
+
+/* Whether all pixels of a block are simple, and show one triangle unless there is one sample. */
+static int is_plain_block(const burnish_tile *tile, const int32_t *simple) {
+    const int32_t first = tile->options.samples == 1 ? 0 : ~0;
+    int32_t any = 0, different = 0;
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+        any |= simple[i];
+        different |= simple[i] ^ simple[0];
+    }
+    return any >= 0 && (different & first) == 0;
+}
+
+/* The triangles of a run's pixels; complex ones get that of the pixel before. */
+static void find_triangles(const burnish_tile *tile, block_run run, const burnish_block_row *pixels,
+                           uint32_t *ids) {
+    uint32_t last = 0;
+    for (int block = run.first; block < run.end; block += BURNISH_BLOCK_PIXELS) {
+        const int32_t *simple = pixels->simple + block;
+        uint32_t *to = ids + (block - run.first);
+        if (!is_plain_block(tile, simple)) {
+            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+                if (simple[i] >= 0) {
+                    last = burnish_tile_id_and_facing(tile, run.row, block + i, simple[i]);
+                }
+                to[i] = last;
+            }
+            continue;
+        }
+        if (tile->options.samples == 1) {
+            memcpy(to, tile->buffer.ids + run.row * BURNISH_BLOCK_ROW_PIXELS + block,
+                   BURNISH_BLOCK_PIXELS * sizeof *to);
+        } else {
+            last = burnish_tile_id_and_facing(tile, run.row, block, simple[0]);
+            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+                to[i] = last;
+            }
+        }
+        last = to[BURNISH_BLOCK_PIXELS - 1];
+    }
+}
+
+burnish_screen_points burnish_row_points(const burnish_raster_view *view, const burnish_tile *tile,
+                                         int number) {
+    const int y = tile->y + number * BURNISH_BLOCK_SIZE;
+    return (burnish_screen_points){.x = (float)(2 * tile->x + 1 - view->width) * 0.5f,
+                                   .y = (float)(view->height - 2 * y - 1) * 0.5f,
+                                   .x_offset = PIXEL_X,
+                                   .y_offset = PIXEL_Y};
+}
+
+/* The pixels of a run, which lie in the tile's planes. */
+static burnish_fragment_batch run_batch(const burnish_surface *surface, const burnish_tile *tile,
+                                        block_run run) {
+    const int start = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
+    const int has_colors = surface->attributes->has_colors;
+    burnish_fragment_batch batch = {.count = run.end - run.first,
+                                    .points = burnish_row_points(surface->view, tile, run.row)};
+    batch.points.x_offset += run.first;
+    batch.points.y_offset += run.first;
+    batch.points.depth = tile->buffer.center_depths + start;
+    for (int k = 0; k < 3; ++k) {
+        batch.normal[k] = tile->buffer.planes[BURNISH_PLANE_X + k] + start;
+        batch.color[k] = has_colors ? tile->buffer.planes[BURNISH_PLANE_R + k] + start : NULL;
+    }
+    if (needs_division(surface)) {
+        batch.inverse_w = tile->buffer.planes[BURNISH_PLANE_W] + start;
+    }
+    return batch;
+}
+
+static void shade_run(const burnish_surface *surface, const burnish_tile *tile, block_run run,
+                      burnish_fragment_scratch *scratch, burnish_row_light *row) {
+    burnish_fragment_batch batch = run_batch(surface, tile, run);
+    float *const rgb[3] = {row->rgb[0] + run.first, row->rgb[1] + run.first,
+                           row->rgb[2] + run.first};
+    batch.first_pixel = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
+    batch.shown = row->pixels.simple + run.first;
+    if (surface->triangle_materials) {
+        find_materials(surface, tile, run, &row->pixels, scratch->material);
+        batch.material = scratch->material + run.first;
+    }
+    if (surface->shading->texturing) {
+        find_triangles(tile, run, &row->pixels, scratch->texture.ids);
+    }
+    shade_batch(surface->shading, &batch, scratch, rgb);
+}
+
+void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                           burnish_row_light *row) {
+    const burnish_raster_view *view = surface->view;
+    float *const *planes = tile->buffer.planes;
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
+        const int x = tile->x + burnish_pixel_x(pixel), y = tile->y + burnish_pixel_y(pixel);
+        const int simple = row->pixels.simple[i];
+        row->hatch[i] = BURNISH_NO_CAP;
+        if (simple < 0) {
+            continue;
+        }
+        const uint32_t id = burnish_tile_id_and_facing(tile, number, i, simple);
+        const burnish_cap *cap = (id & 1) == surface->caps->inside
+                                     ? burnish_caps_find(surface->caps, x + 0.5 - view->width * 0.5,
+                                                         view->height * 0.5 - y - 0.5,
+                                                         &tile->buffer.center_depths[pixel])
+                                     : NULL;
+        if (!cap) {
+            continue;
+        }
+        const float inverse_w = needs_division(surface) ? planes[BURNISH_PLANE_W][pixel] : 1;
+        for (int k = 0; k < 3; ++k) {
+            planes[BURNISH_PLANE_X + k][pixel] = cap->normal[k] * inverse_w;
+            if (surface->attributes->has_colors) {
+                planes[BURNISH_PLANE_R + k][pixel] = CAP_COLOR * inverse_w;
+            }
+        }
+        row->hatch[i] = burnish_cap_hatch(cap->number + material_of(surface, id), x, y);
+    }
+}
+
+void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                             burnish_fragment_scratch *scratch, burnish_row_light *row) {
+    const unsigned dirty = tile->buffer.dirty_blocks[number];
+    for (int block = 0, end; block < BURNISH_TILE_BLOCKS; block = end + 1) {
+        for (end = block; end < BURNISH_TILE_BLOCKS && dirty >> end & 1; ++end) {
+        }
+        if (end > block) {
+            const block_run run = {number, block * BURNISH_BLOCK_PIXELS,
+                                   end * BURNISH_BLOCK_PIXELS};
+            shade_run(surface, tile, run, scratch, row);
+        }
+    }
+    for (int i = 0; surface->caps && i < 3 * BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int k = i / BURNISH_BLOCK_ROW_PIXELS, at = i % BURNISH_BLOCK_ROW_PIXELS;
+        row->rgb[k][at] *= burnish_cap_light(row->hatch[at], k);
+    }
+}
+
+/* ---- Complex pixels: attributes are gathered ---- */
+
+/* An attribute at barycentric weights. In perspective an attribute times 1/w is linear on the
+ * screen. */
+static burnish_float4 interpolate(const burnish_float4 *attribute, const uint32_t v[3],
+                                  float weight1, float weight2) {
+    const float weight0 = (1.0f - weight1) - weight2;
+    return (attribute[v[0]] * weight0 + attribute[v[1]] * weight1) + attribute[v[2]] * weight2;
+}
+
+static void gather(const burnish_surface *surface, burnish_fragments *fragments,
+                   burnish_fragment_scratch *scratch) {
+    const burnish_attributes *attributes = surface->attributes;
+    for (int i = 0; i < fragments->count; ++i) {
+        const burnish_primitive *primitive = &fragments->primitives[i];
+        const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
+        const float side = primitive->id_and_facing & 1 ? -1.0f : 1.0f;
+        const burnish_float4 normal =
+            interpolate(attributes->normals, primitive->vertices, weight1, weight2);
+        scratch->normal[0][i] = normal[0] * side;
+        scratch->normal[1][i] = normal[1] * side;
+        scratch->normal[2][i] = normal[2] * side;
+        scratch->inverse_w[i] = normal[3];
+        if (attributes->has_colors) {
+            const burnish_float4 color =
+                interpolate(attributes->colors, primitive->vertices, weight1, weight2);
+            scratch->color[0][i] = color[0];
+            scratch->color[1][i] = color[1];
+            scratch->color[2][i] = color[2];
+        }
+        if (surface->triangle_materials) {
+            scratch->material[i] = surface->triangle_materials[primitive->id_and_facing >> 1];
+        }
+        scratch->texture.ids[i] = primitive->id_and_facing;
+    }
+    for (int k = 0; k < 3; ++k) {
+        clear_tail(scratch->normal[k], fragments->count);
+        clear_tail(scratch->color[k], fragments->count);
+    }
+    clear_tail(fragments->x, fragments->count);
+    clear_tail(fragments->y, fragments->count);
+}
+
+/* Puts caps in the place of gathered fragments that are seen from inside. */
+static void cap_fragments(const burnish_surface *surface, const burnish_tile *tile,
+                          burnish_fragments *fragments, burnish_fragment_scratch *scratch) {
+    for (int i = 0; i < fragments->count; ++i) {
+        const uint32_t id = fragments->primitives[i].id_and_facing;
+        const int pixel = fragments->pixels[i];
+        const burnish_cap *cap =
+            (id & 1) == surface->caps->inside
+                ? burnish_caps_find(surface->caps, (double)fragments->x[i], (double)fragments->y[i],
+                                    &fragments->depth[i])
+                : NULL;
+        for (int k = 0; cap && k < 3; ++k) {
+            scratch->normal[k][i] = cap->normal[k] * scratch->inverse_w[i];
+            scratch->color[k][i] = CAP_COLOR * scratch->inverse_w[i];
+        }
+        scratch->hatch[i] = cap ? burnish_cap_hatch(cap->number + material_of(surface, id),
+                                                    tile->x + burnish_pixel_x(pixel),
+                                                    tile->y + burnish_pixel_y(pixel))
+                                : BURNISH_NO_CAP;
+    }
+}
+
+burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
+                                               const burnish_tile *tile,
+                                               burnish_fragments *fragments,
+                                               burnish_fragment_scratch *scratch,
+                                               float *const *rgb) {
+    burnish_fragment_batch batch = {.count = fragments->count,
+                                    .inverse_w = scratch->inverse_w,
+                                    .pixels = fragments->pixels,
+                                    .samples = surface->is_layers ? fragments->samples : NULL,
+                                    .points = {0, 0, fragments->x, fragments->y, fragments->depth},
+                                    .material =
+                                        surface->triangle_materials ? scratch->material : NULL};
+    for (int k = 0; k < 3; ++k) {
+        batch.normal[k] = scratch->normal[k];
+        batch.color[k] = surface->attributes->has_colors ? scratch->color[k] : NULL;
+    }
+    gather(surface, fragments, scratch);
+    if (surface->caps) {
+        cap_fragments(surface, tile, fragments, scratch);
+    }
+    if (rgb) {
+        shade_batch(surface->shading, &batch, scratch, rgb);
+    }
+    for (int k = 0; surface->caps && rgb && k < 3; ++k) {
+        for (int i = 0; i < batch.count; ++i) {
+            rgb[k][i] *= burnish_cap_light(scratch->hatch[i], k);
+        }
+    }
+    return batch;
+}
+
+float burnish_fragment_alpha(const burnish_attributes *attributes,
+                             const burnish_fragments *fragments, int i) {
+    const uint32_t *v = fragments->primitives[i].vertices;
+    const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
+    const burnish_float4 color = interpolate(attributes->colors, v, weight1, weight2);
+    const burnish_float4 normal = interpolate(attributes->normals, v, weight1, weight2);
+    return color[3] / normal[3];
+}

@@ -1,0 +1,148 @@
+/* From attributes of vertices to the light of visible points. There are two ways from a tile to the
+ * fragments that are shaded: a row of blocks whose simple pixels lie in the tile's planes already,
+ * and fragments of complex pixels, which are gathered. Both are shaded by the kernels as a batch.
+ *
+ * Everything here happens in the raster's space: model space moved and scaled so that the scene is
+ * about 1 in size; positions count from the eye. */
+#ifndef BURNISH_RENDER_FRAME_SURFACE_H
+#define BURNISH_RENDER_FRAME_SURFACE_H
+
+#include <stdint.h>
+
+#include "burnish/mesh.h"
+#include "core/memory.h"
+#include "raster/fragments.h"
+#include "render/frame/caps.h"
+#include "render/light/occlusion_share.h"
+#include "render/texture/texture.h"
+#include "simd/isa_ops.h"
+
+/* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
+ * screen. One item per screen vertex, those that clipping made included. Owned; all zero before the
+ * first frame, a later frame uses the arrays again. */
+typedef struct burnish_attributes {
+    burnish_float4 *normals; /* (x, y, z, 1) / w */
+    burnish_float4 *colors;  /* linear (r, g, b, alpha) / w */
+    int has_colors;
+    size_t normal_capacity, color_capacity;
+} burnish_attributes;
+
+/* The mesh's normals and, unless they are to be ignored, colours. Errors: MEMORY; destroy them all
+ * the same. */
+burnish_status burnish_attributes_update(burnish_attributes *attributes,
+                                         const burnish_geometry *geometry,
+                                         const burnish_mesh_view *mesh, int ignore_colors,
+                                         burnish_tasks *tasks, burnish_memory *memory);
+void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_context *context);
+
+/* Fragments that are shaded at once: their arrays stay in L1. */
+enum {
+    BURNISH_SHADE_BATCH = 256,
+    BURNISH_SHADE_PAD = 16, /* lanes of the longest vector */
+    /* normal, colour, position, w, first light; where textures are */
+    BURNISH_SHADE_STREAMS = 11 + BURNISH_TEXTURE_STREAMS
+};
+
+/* Fragments to be shaded: arrays of `count` <= BURNISH_SHADE_BATCH, readable up to the next
+ * multiple of 16. This is the one form that is shaded, whether the arrays are rows of a tile or
+ * were gathered. */
+typedef struct burnish_fragment_batch {
+    int count;
+    const float *normal[3];       /* turned toward the viewer's side, times 1/w */
+    const float *color[3];        /* linear vertex colours times 1/w; all NULL: none */
+    const float *inverse_w;       /* 1/w; read with colours and where burnish_shading.is_lyon */
+    burnish_screen_points points; /* read where burnish_shading.needs_position */
+    const int32_t *material;      /* NULL: all are 0 */
+    const uint16_t *pixels;       /* index in the tile; NULL: first_pixel + i */
+    const uint16_t *samples; /* of fragments of layers: bits of those that show it; else NULL */
+    int first_pixel;
+    const int32_t *shown; /* items below 0 need no light; NULL: all do */
+} burnish_fragment_batch;
+
+/* What a frame is shaded with. */
+typedef struct burnish_shading {
+    const burnish_isa_ops *ops;
+    const burnish_kernels_shader *shaders;            /* one per material */
+    burnish_rays rays;                                /* from the eye */
+    int needs_position;                               /* 1: a point light or a local viewer */
+    const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
+    const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
+    const burnish_texturing *texturing;               /* NULL: no material is special */
+    int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
+} burnish_shading;
+
+struct burnish_transparency; /* transparency.h */
+
+/* What visible points are shaded from. */
+typedef struct burnish_surface {
+    const burnish_raster_view *view;
+    const burnish_shading *shading;
+    const burnish_attributes *attributes;
+    const uint16_t *triangle_materials;              /* NULL: all have material 0 */
+    const struct burnish_transparency *transparency; /* NULL: every triangle is opaque */
+    const burnish_caps *caps;                        /* NULL: none */
+    int is_layers; /* 1: fragments are those of layers of transparency */
+} burnish_surface;
+
+/* The vectors of a batch in which a material is shown, and their light. */
+typedef struct burnish_material_group {
+    float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
+    float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
+    float lit[BURNISH_SHADE_BATCH];
+    float light[3][BURNISH_SHADE_BATCH];
+    int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
+    uint8_t places[BURNISH_SHADE_BATCH]; /* of vectors in the batch */
+} burnish_material_group;
+
+/* A thread's arrays. All zero before the first use. */
+typedef struct burnish_fragment_scratch {
+    float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH]; /* times 1/w */
+    float inverse_w[BURNISH_SHADE_BATCH];
+    int32_t material[BURNISH_SHADE_BATCH];
+    float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
+    float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
+    float lit[BURNISH_SHADE_BATCH]; /* what of the first light reaches a point */
+    burnish_material_group group;
+    burnish_share_scratch share;
+    burnish_texture_scratch texture;
+    float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */
+} burnish_fragment_scratch;
+
+/* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are
+ * some numbers. All zero before the first use. */
+typedef struct burnish_row_light {
+    burnish_block_row pixels;
+    float hatch[BURNISH_BLOCK_ROW_PIXELS];  /* where there are caps: burnish_cap_hatch */
+    float rgb[3][BURNISH_BLOCK_ROW_PIXELS]; /* linear light, >= 0 */
+} burnish_row_light;
+
+/* The planes that shading needs of a tile. */
+int burnish_surface_planes(const burnish_surface *surface);
+
+/* Puts caps in the place of the simple pixels of row `number` that are seen from inside: into the
+ * tile's planes, before they are shaded. */
+void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                           burnish_row_light *row);
+
+/* The pixels of row `number`, in the order of its blocks, without depths. */
+burnish_screen_points burnish_row_points(const burnish_raster_view *view, const burnish_tile *tile,
+                                         int number);
+
+/* Shades the simple pixels of row `number`, whose attributes are read where they lie. row->pixels
+ * must hold what the row's pixels show. */
+void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                             burnish_fragment_scratch *scratch, burnish_row_light *row);
+
+/* Gathers what the fragments of complex pixels are shaded from, in scratch, and shades them: rgb
+ * receives their light; NULL: they are only gathered. Fragments of caps get the cap's depth. */
+burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
+                                               const burnish_tile *tile,
+                                               burnish_fragments *fragments,
+                                               burnish_fragment_scratch *scratch,
+                                               float *const *rgb);
+
+/* Alpha of the colours of fragment i. */
+float burnish_fragment_alpha(const burnish_attributes *attributes,
+                             const burnish_fragments *fragments, int i);
+
+#endif

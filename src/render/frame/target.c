@@ -1,0 +1,503 @@
+/* What a finished tile becomes in the caller's target: samples to pixels in linear light, and
+ * pixels to bytes. planes.c has the planes. */
+#include <string.h>
+
+#include "render/frame/frame.h"
+
+/* Marks targets that burnish_target_default() made. */
+#define TARGET_COOKIE 0x74677431u /* "tgt1" */
+
+burnish_target burnish_target_default(void) {
+    return (burnish_target){.cookie = TARGET_COOKIE};
+}
+
+static size_t pixel_size_of(burnish_pixel_format format) {
+    static const size_t sizes[] = {[BURNISH_PIXELS_RGB8] = 3,
+                                   [BURNISH_PIXELS_RGBA8] = 4,
+                                   [BURNISH_PIXELS_BGRA8] = 4,
+                                   [BURNISH_PIXELS_RGBA_FLOAT] = 16};
+    return sizes[format];
+}
+
+/* ---- Checks ---- */
+
+/* Whether rows of `width` items of `size` bytes, made of words, fit a plane's stride. */
+static burnish_status check_plane(const void *plane, size_t stride, size_t row, size_t word,
+                                  const char *name, burnish_error *error) {
+    if (plane && (stride < row || stride % word != 0)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: %s has a stride of %zu bytes; expected at least %zu, a "
+                            "multiple of %zu",
+                            name, stride, row, word);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_pixels(const burnish_pixels *pixels,
+                                   const burnish_render_options *options, burnish_error *error) {
+    if (!pixels->pixels) {
+        return BURNISH_STATUS_OK;
+    }
+    if ((unsigned)pixels->format > BURNISH_PIXELS_RGBA_FLOAT) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: %d is no pixel format; expected RGB8, RGBA8, BGRA8 or "
+                            "RGBA_FLOAT",
+                            (int)pixels->format);
+    }
+    const burnish_row_range rows = burnish_drawn_rows(options);
+    if (pixels->width != options->width || pixels->height != rows.end - rows.first) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: %d x %d pixels, but the options ask for %d x %d",
+                            pixels->width, pixels->height, options->width, rows.end - rows.first);
+    }
+    if (options->transparent && pixels->format == BURNISH_PIXELS_RGB8) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: RGB8 has no alpha; use RGBA8 or BGRA8 for a transparent "
+                            "background");
+    }
+    return check_plane(pixels->pixels, pixels->stride,
+                       (size_t)pixels->width * pixel_size_of(pixels->format), 1, "pixels", error);
+}
+
+burnish_status burnish_target_check(const burnish_target *target,
+                                    const burnish_render_options *options, burnish_error *error) {
+    if (!target || target->cookie != TARGET_COOKIE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "target: start from burnish_target_default()");
+    }
+    const size_t width = (size_t)options->width;
+    burnish_status status = check_pixels(&target->pixels, options, error);
+    const struct {
+        const void *plane;
+        size_t stride, size, word;
+        const char *name;
+    } planes[] = {{target->depth, target->depth_stride, 4, 4, "depth"},
+                  {target->triangles, target->triangle_stride, 4, 4, "triangles"},
+                  {target->normals, target->normal_stride, 12, 4, "normals"},
+                  {target->coverage, target->coverage_stride, 1, 1, "coverage"}};
+    for (size_t i = 0; i < sizeof planes / sizeof *planes && status == BURNISH_STATUS_OK; ++i) {
+        status = check_plane(planes[i].plane, planes[i].stride, width * planes[i].size,
+                             planes[i].word, planes[i].name, error);
+    }
+    return status;
+}
+
+/* ---- Resolve ---- */
+
+static void add_light(burnish_tile_sums *sums, const burnish_fragments *fragments,
+                      const float *const rgb[3], int samples, float limit) {
+    for (int i = 0; i < fragments->count; ++i) {
+        const int pixel = fragments->pixels[i];
+        const float weight = sums->layers ? burnish_layers_through(sums->layers, samples, pixel,
+                                                                   fragments->samples[i])
+                                          : (float)fragments->weight[i];
+        for (int k = 0; k < 3; ++k) {
+            const float value = rgb[k][i];
+            sums->light[k][pixel] += weight * (value < limit ? value : limit);
+        }
+        sums->covered[pixel] = (uint8_t)(sums->covered[pixel] + fragments->weight[i]);
+    }
+}
+
+/* a where simple >= 0, b elsewhere; without a branch, which would be unpredictable. */
+static inline float pick(int32_t simple, float a, float b) {
+    uint32_t none = (uint32_t)(simple >> 31), a_bits, b_bits;
+    memcpy(&a_bits, &a, sizeof a_bits);
+    memcpy(&b_bits, &b, sizeof b_bits);
+    a_bits = (a_bits & ~none) | (b_bits & none);
+    memcpy(&a, &a_bits, sizeof a);
+    return a;
+}
+
+/* With several samples, the light of a row in place: simple pixels as they are, of the others' sums
+ * the mean. The background's code comes back from its linear value where nothing covers a pixel. */
+static void resolve_row(const burnish_output *output, const burnish_tile_sums *sums, int number,
+                        burnish_row_light *row) {
+    const int base = number * BURNISH_BLOCK_ROW_PIXELS, samples = output->samples;
+    const int transparent = output->transparent;
+    const uint8_t *covered = sums->covered + base;
+    const float all = 1.0f / (float)samples; /* a power of two */
+    const float limit = output->limit;
+    for (int k = 0; k < 3; ++k) {
+        const float background = output->background_light[k];
+        const float *sum = sums->light[k] + base;
+        float *light = row->rgb[k];
+        for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+            const float missing = (float)(samples - covered[i]);
+            float mixed = (sum[i] + missing * background) * all;
+            if (transparent) {
+                mixed = covered[i] ? sum[i] * (1.0f / (float)covered[i]) : 0.0f;
+            }
+            const float value = light[i] < limit ? light[i] : limit;
+            light[i] = pick(row->pixels.simple[i], value, mixed);
+        }
+    }
+}
+
+/* One sample at least of pixel i of a row shows a layer: what the row has there so far is the light
+ * of opaque triangles, and their light and the background's pass through the layers. */
+static void resolve_layered_pixel(const burnish_output *output, const burnish_tile *tile,
+                                  const burnish_tile_sums *sums, int number, int i,
+                                  burnish_row_light *row) {
+    const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i, samples = output->samples;
+    const unsigned all = (1u << samples) - 1;
+    const int is_simple = row->pixels.simple[i] >= 0;
+    unsigned empty = 0;
+    for (int s = 0; s < samples && !is_simple; ++s) {
+        const float depth = tile->buffer.depths[burnish_sample_index(samples, pixel, s)];
+        empty |= (unsigned)(depth == BURNISH_FARTHEST) << s;
+    }
+    const float passed =
+        is_simple ? burnish_layers_through(sums->layers, samples, pixel, all) : 0.0f;
+    const float missing = burnish_layers_through(sums->layers, samples, pixel, empty);
+    const float alpha = (float)samples - missing;
+    for (int k = 0; k < 3; ++k) {
+        const float value = row->rgb[k][i] < output->limit ? row->rgb[k][i] : output->limit;
+        float sum = sums->layers->light[k][pixel];
+        sum += is_simple ? passed * value : samples > 1 ? sums->light[k][pixel] : 0.0f;
+        if (output->transparent) {
+            row->rgb[k][i] = alpha > 0 ? sum / alpha : 0.0f;
+        } else {
+            row->rgb[k][i] = (sum + missing * output->background_light[k]) / (float)samples;
+        }
+    }
+    sums->layers->alpha[pixel] = alpha / (float)samples;
+    row->pixels.simple[i] = is_simple ? row->pixels.simple[i] : 0; /* it shows something */
+}
+
+/* The bits of a row's block whose pixels show layers. */
+static unsigned layered_pixels(const burnish_tile_sums *sums, int number, int block) {
+    return sums->layers ? sums->layers->covered[number * BURNISH_TILE_BLOCKS + block] : 0;
+}
+
+static void resolve_layers(const burnish_output *output, const burnish_tile *tile,
+                           const burnish_tile_sums *sums, int number, burnish_row_light *row) {
+    for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
+        for (unsigned rest = layered_pixels(sums, number, block); rest; rest &= rest - 1) {
+            const int i = block * BURNISH_BLOCK_PIXELS + __builtin_ctz(rest);
+            resolve_layered_pixel(output, tile, sums, number, i, row);
+        }
+    }
+}
+
+/* ---- Formats ---- */
+
+/* `width` pixels, four neighbours in each group of 16 codes, as bytes in the target's order. */
+static void store_codes(const burnish_output *output, const uint32_t *codes, int width,
+                        uint8_t *out) {
+    const int is_blue_first = output->target.pixels.format == BURNISH_PIXELS_BGRA8;
+    const int red = is_blue_first ? 16 : 0, blue = is_blue_first ? 0 : 16;
+    for (int x = 0; x < width; ++x) {
+        const uint32_t code = codes[x / 4 * BURNISH_BLOCK_PIXELS + x % 4];
+        out[4 * x] = (uint8_t)(code >> red);
+        out[4 * x + 1] = (uint8_t)(code >> 8);
+        out[4 * x + 2] = (uint8_t)(code >> blue);
+        out[4 * x + 3] = (uint8_t)(code >> 24);
+    }
+}
+
+/* The same as three bytes per pixel. A group may be written past its end: the next one overwrites
+ * that, and the last ones go by way of `bytes`, so that the next tile's pixels stay. */
+static void pack_codes(const burnish_output *output, const uint32_t *codes, int width,
+                       uint8_t *out) {
+    enum { LAST = 2 /* groups */ };
+    const int size = BURNISH_BLOCK_SIZE, groups = (width + size - 1) / size;
+    const int direct = groups > LAST ? groups - LAST : 0;
+    uint8_t bytes[3 * BURNISH_BLOCK_SIZE * LAST + 4];
+    output->ops->pack_groups((size_t)direct, codes, BURNISH_BLOCK_PIXELS, out);
+    output->ops->pack_groups((size_t)(groups - direct), codes + direct * BURNISH_BLOCK_PIXELS,
+                             BURNISH_BLOCK_PIXELS, bytes);
+    if (width == BURNISH_TILE_SIZE) { /* a number that the compiler knows */
+        memcpy(out + 3 * direct * size, bytes, 3 * BURNISH_BLOCK_SIZE * LAST);
+    } else {
+        memcpy(out + 3 * direct * size, bytes, 3 * (size_t)(width - direct * size));
+    }
+}
+
+static uint8_t *row_at(const burnish_output *output, const burnish_tile *tile, int y) {
+    const size_t row = (size_t)(tile->y + y - output->rows.first);
+    return output->target.pixels.pixels + row * output->target.pixels.stride +
+           (size_t)tile->x * output->pixel_size;
+}
+
+/* ---- sRGB codes ---- */
+
+/* With one sample a pixel: dirty blocks are encoded, the others are background. */
+static void encode_blocks(const burnish_output *output, unsigned dirty,
+                          const burnish_row_light *row, uint32_t *codes) {
+    for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
+        const int first = block * BURNISH_BLOCK_PIXELS;
+        if (dirty >> block & 1) {
+            const float *const rgb[3] = {row->rgb[0] + first, row->rgb[1] + first,
+                                         row->rgb[2] + first};
+            output->ops->encode_pixels(output->encoder, BURNISH_BLOCK_PIXELS, rgb,
+                                       row->pixels.simple + first, output->alpha,
+                                       output->background_code, codes + first);
+        } else {
+            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+                codes[first + i] = output->background_code;
+            }
+        }
+    }
+}
+
+/* Samples of a pixel that show something. */
+static int covered_samples(const burnish_output *output, const uint8_t *covered,
+                           const burnish_row_light *row, int i) {
+    return row->pixels.simple[i] >= 0 ? output->samples : covered[i];
+}
+
+static void encode_row(const burnish_output *output, const burnish_tile_sums *sums, int number,
+                       const burnish_row_light *row, uint32_t *codes) {
+    const float *const rgb[3] = {row->rgb[0], row->rgb[1], row->rgb[2]};
+    const uint8_t *covered = sums->covered + number * BURNISH_BLOCK_ROW_PIXELS;
+    const int samples = output->samples;
+    output->ops->encode_pixels(output->encoder, BURNISH_BLOCK_ROW_PIXELS, rgb, NULL, 0, 0, codes);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && output->alpha; ++i) {
+        const int count = covered_samples(output, covered, row, i);
+        codes[i] |= output->transparent ? (uint32_t)((255 * count + samples / 2) / samples) << 24
+                                        : output->alpha;
+    }
+}
+
+/* Puts the alpha of pixels that show layers into a row's codes. */
+static void encode_layered_alpha(const burnish_output *output, const burnish_tile_sums *sums,
+                                 int number, uint32_t *codes) {
+    for (int block = 0; block < BURNISH_TILE_BLOCKS && output->transparent; ++block) {
+        for (unsigned rest = layered_pixels(sums, number, block); rest; rest &= rest - 1) {
+            const int i = block * BURNISH_BLOCK_PIXELS + __builtin_ctz(rest);
+            const float alpha = sums->layers->alpha[number * BURNISH_BLOCK_ROW_PIXELS + i];
+            codes[i] = (codes[i] & 0xffffffu) | (uint32_t)(255 * alpha + 0.5f) << 24;
+        }
+    }
+}
+
+/* ---- Linear light ---- */
+
+/* `width` pixels of row y of the blocks, as floats. */
+static void store_light(const burnish_output *output, const burnish_tile_sums *sums, int number,
+                        const burnish_row_light *row, int y, int width, uint8_t *out) {
+    const uint8_t *covered = sums->covered + number * BURNISH_BLOCK_ROW_PIXELS;
+    for (int x = 0; x < width; ++x, out += sizeof output->background_light) {
+        const int i = x / 4 * BURNISH_BLOCK_PIXELS + y * BURNISH_BLOCK_SIZE + x % 4;
+        float pixel[4] = {row->rgb[0][i], row->rgb[1][i], row->rgb[2][i], 1.0f};
+        if (output->samples == 1 && row->pixels.simple[i] < 0) {
+            memcpy(pixel, output->background_light, sizeof pixel);
+        } else if (output->samples > 1 && output->transparent) {
+            pixel[3] = (float)covered_samples(output, covered, row, i) / (float)output->samples;
+        }
+        if (layered_pixels(sums, number, x / 4) >> i % BURNISH_BLOCK_PIXELS & 1 &&
+            output->transparent) {
+            pixel[3] = sums->layers->alpha[number * BURNISH_BLOCK_ROW_PIXELS + i];
+        }
+        memcpy(out, pixel, sizeof pixel);
+    }
+}
+
+/* ---- Tiles ---- */
+
+void burnish_output_add_fragments(const burnish_output *output, const burnish_tile *tile,
+                                  const burnish_fragments *fragments,
+                                  const burnish_fragment_batch *batch, const float *const rgb[3],
+                                  burnish_tile_sums *sums) {
+    add_light(sums, fragments, rgb, output->samples, output->limit);
+    if (output->has_planes) {
+        burnish_planes_store_fragments(output, tile, fragments, batch, sums->weights);
+    }
+}
+
+static void store_coded(const burnish_output *output, const burnish_tile *tile, int number,
+                        const uint32_t *codes) {
+    const int is_packed = output->target.pixels.format == BURNISH_PIXELS_RGB8;
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
+    for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
+        (is_packed ? pack_codes : store_codes)(output, codes + y * BURNISH_BLOCK_SIZE, tile->width,
+                                               row_at(output, tile, top + y));
+    }
+}
+
+static void store_pixels(const burnish_output *output, const burnish_tile *tile,
+                         const burnish_tile_sums *sums, int number, const burnish_row_light *row) {
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
+    uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
+    if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
+        for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
+            store_light(output, sums, number, row, y, tile->width, row_at(output, tile, top + y));
+        }
+        return;
+    }
+    if (output->samples == 1) {
+        encode_blocks(output, tile->buffer.dirty_blocks[number], row, codes);
+    } else {
+        encode_row(output, sums, number, row, codes);
+    }
+    encode_layered_alpha(output, sums, number, codes);
+    store_coded(output, tile, number, codes);
+}
+
+/* ---- Ground ---- */
+
+/* Whether the ground is dark somewhere in a row of blocks. */
+static int find_shadow(const burnish_output *output, const burnish_tile *tile, int number,
+                       float *shadow) {
+    const burnish_screen_points points = burnish_row_points(&output->view->raster, tile, number);
+    int is_dark = 0;
+    output->ops->shadow_ground(output->ground, &points, BURNISH_BLOCK_ROW_PIXELS, shadow);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        is_dark |= shadow[i] > 0;
+    }
+    return is_dark;
+}
+
+/* The part of a pixel that shows background. sums: NULL where nothing else is. */
+static float background_share(const burnish_output *output, const burnish_tile_sums *sums,
+                              int number, const burnish_row_light *row, int i) {
+    const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
+    const unsigned block = (unsigned)i / BURNISH_BLOCK_PIXELS;
+    if (!sums) {
+        return 1.0f;
+    }
+    if (layered_pixels(sums, number, (int)block) >> i % BURNISH_BLOCK_PIXELS & 1) {
+        return 1.0f - sums->layers->alpha[pixel];
+    }
+    if (row->pixels.simple[i] >= 0 || output->samples == 1) {
+        return row->pixels.simple[i] >= 0 ? 0.0f : 1.0f;
+    }
+    return (float)(output->samples - sums->covered[pixel]) / (float)output->samples;
+}
+
+/* Darkens the background that a resolved row shows or, where there is none, puts black below what
+ * it shows; alpha receives the row's. */
+static void darken_background(const burnish_output *output, const burnish_tile_sums *sums,
+                              int number, const float *shadow, burnish_row_light *row,
+                              float *alpha) {
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const float share = background_share(output, sums, number, row, i);
+        const float dark = share * shadow[i], before = 1.0f - share;
+        alpha[i] = output->transparent ? before + dark : 1.0f;
+        for (int k = 0; k < 3; ++k) {
+            float *light = &row->rgb[k][i];
+            const float background = output->background_light[k];
+            if (output->transparent) {
+                *light = before > 0 ? *light * (before / alpha[i]) : 0.0f;
+            } else {
+                *light = (before > 0 ? *light : background) - dark * background;
+            }
+        }
+    }
+}
+
+/* `width` pixels of row y of the blocks, as floats. */
+static void store_resolved(const burnish_row_light *row, const float *alpha, int y, int width,
+                           uint8_t *out) {
+    for (int x = 0; x < width; ++x) {
+        const int i = x / 4 * BURNISH_BLOCK_PIXELS + y * BURNISH_BLOCK_SIZE + x % 4;
+        const float pixel[4] = {row->rgb[0][i], row->rgb[1][i], row->rgb[2][i], alpha[i]};
+        memcpy(out + (size_t)x * sizeof pixel, pixel, sizeof pixel);
+    }
+}
+
+static void store_on_ground(const burnish_output *output, const burnish_tile *tile,
+                            const burnish_tile_sums *sums, int number, const float *shadow,
+                            burnish_row_light *row) {
+    const float *const rgb[3] = {row->rgb[0], row->rgb[1], row->rgb[2]};
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
+    float alpha[BURNISH_BLOCK_ROW_PIXELS];
+    uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
+    darken_background(output, sums, number, shadow, row, alpha);
+    if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
+        for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
+            store_resolved(row, alpha, y, tile->width, row_at(output, tile, top + y));
+        }
+        return;
+    }
+    output->ops->encode_pixels(output->encoder, BURNISH_BLOCK_ROW_PIXELS, rgb, NULL, 0, 0, codes);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && output->alpha; ++i) {
+        codes[i] |= (uint32_t)(alpha[i] * 255.0f + 0.5f) << 24;
+    }
+    store_coded(output, tile, number, codes);
+}
+
+void burnish_output_store_row(const burnish_output *output, const burnish_tile *tile,
+                              const burnish_tile_sums *sums, int number, burnish_row_light *row) {
+    float shadow[BURNISH_BLOCK_ROW_PIXELS];
+    if (output->target.pixels.pixels) {
+        if (output->samples > 1) {
+            resolve_row(output, sums, number, row);
+        }
+        resolve_layers(output, tile, sums, number, row);
+        if (output->ground && find_shadow(output, tile, number, shadow)) {
+            store_on_ground(output, tile, sums, number, shadow, row);
+        } else {
+            store_pixels(output, tile, sums, number, row);
+        }
+    }
+    if (output->has_planes) {
+        burnish_planes_store_row(output, tile, sums, number, &row->pixels);
+    }
+}
+
+void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
+                                     int number) {
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
+    const int top = number * BURNISH_BLOCK_SIZE;
+    float shadow[BURNISH_BLOCK_ROW_PIXELS];
+    if (output->ground && output->target.pixels.pixels &&
+        find_shadow(output, tile, number, shadow)) {
+        burnish_row_light row;
+        store_on_ground(output, tile, NULL, number, shadow, &row);
+        return;
+    }
+    for (int y = rows.first; output->target.pixels.pixels && y < rows.end; ++y) {
+        memcpy(row_at(output, tile, top + y), output->background,
+               (size_t)tile->width * output->pixel_size);
+    }
+}
+
+/* ---- A frame ---- */
+
+/* One pixel of background in the target's format. */
+static void background_pixel(const burnish_output *output, uint8_t pixel[16]) {
+    if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
+        memcpy(pixel, output->background_light, sizeof output->background_light);
+    } else {
+        store_codes(output, &output->background_code, 1, pixel);
+    }
+}
+
+burnish_status burnish_output_begin(burnish_output *output, const burnish_target *target,
+                                    const burnish_render_options *options, burnish_output_row *row,
+                                    burnish_memory *memory) {
+    const uint8_t *code = options->background;
+    const size_t width = (size_t)options->width;
+    uint8_t pixel[16];
+    output->target = *target;
+    output->rows = burnish_drawn_rows(options);
+    output->has_planes = burnish_planes_are_wanted(target);
+    output->samples = options->samples;
+    output->transparent = options->transparent;
+    output->limit = target->pixels.format == BURNISH_PIXELS_RGBA_FLOAT ? __builtin_inff() : 1.0f;
+    output->alpha = target->pixels.format == BURNISH_PIXELS_RGB8 ? 0 : 0xff000000u;
+    output->background_code = 0;
+    memset(output->background_light, 0, sizeof output->background_light);
+    if (!options->transparent) {
+        output->background_code =
+            (uint32_t)code[0] | (uint32_t)code[1] << 8 | (uint32_t)code[2] << 16 | output->alpha;
+        for (int k = 0; k < 3; ++k) {
+            output->background_light[k] = burnish_srgb_to_linear[code[k]];
+        }
+        output->background_light[3] = 1.0f;
+    }
+    output->pixel_size = pixel_size_of(target->pixels.format);
+    row->bytes = burnish_reserve_discard(memory, row->bytes, &row->capacity,
+                                         width * output->pixel_size, 1, "a row of background");
+    if (!row->bytes) {
+        return memory->status;
+    }
+    background_pixel(output, pixel);
+    for (size_t i = 0; i < width; ++i) {
+        memcpy(row->bytes + i * output->pixel_size, pixel, output->pixel_size);
+    }
+    output->background = row->bytes;
+    return BURNISH_STATUS_OK;
+}

@@ -1,0 +1,252 @@
+#include "render/frame/transparency.h"
+
+#include <string.h>
+
+#include "burnish/render.h"
+
+_Static_assert((int)BURNISH_LAYERS_MAX *(int)BURNISH_LAYER_PASSES == BURNISH_TRANSPARENT_LAYERS_MAX,
+               "what render.h says");
+
+/* ---- Triangles ---- */
+
+/* What the tasks of find_range share. */
+typedef struct find_context {
+    const burnish_transparency *transparency;
+    const burnish_mesh_view *mesh;
+} find_context;
+
+static int is_transparent_material(const burnish_transparency *transparency, size_t material) {
+    return transparency->opacities[material] < 1 ||
+           (transparency->texturing && transparency->texturing->materials[material].is_alpha);
+}
+
+static int is_transparent(const find_context *find, size_t triangle) {
+    const burnish_mesh_view *mesh = find->mesh;
+    const size_t material = mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
+    int alpha = 255;
+    for (size_t k = 0; find->transparency->has_alpha && k < 3; ++k) {
+        alpha &= mesh->colors[4 * (size_t)mesh->indices[3 * triangle + k] + 3];
+    }
+    return is_transparent_material(find->transparency, material) || alpha < 255;
+}
+
+/* The masks of some batches. */
+static void find_range(void *context, size_t first, size_t end) {
+    const find_context *find = context;
+    const size_t count = find->mesh->triangle_count;
+    for (size_t batch = first; batch < end; ++batch) {
+        unsigned mask = 0;
+        for (size_t i = 0; i < BURNISH_BATCH_SIZE && batch * BURNISH_BATCH_SIZE + i < count; ++i) {
+            mask |= (unsigned)is_transparent(find, batch * BURNISH_BATCH_SIZE + i) << i;
+        }
+        find->transparency->masks[batch] = (uint16_t)mask;
+    }
+}
+
+/* ---- Versions ---- */
+
+/* What decides where a material is opaque. Compared byte by byte: all 0 before it is filled. */
+typedef struct burnish_opacity_rule {
+    const burnish_texture_levels *levels[2]; /* MASK: of colour and opacity; NULL: none */
+    float transform[2][6];
+    int wrap[2][2];
+    float level_cutoff, cutoff, transparency; /* MASK */
+    int is_transparent, is_masked;
+} burnish_opacity_rule;
+
+static void fill_rule(const burnish_transparency *transparency, size_t i,
+                      burnish_opacity_rule *rule) {
+    static const int slots[2] = {BURNISH_TEXTURE_COLOR, BURNISH_TEXTURE_OPACITY};
+    const burnish_texturing *texturing = transparency->texturing;
+    const burnish_textured_material *material = texturing ? &texturing->materials[i] : NULL;
+    memset(rule, 0, sizeof *rule);
+    rule->is_transparent = is_transparent_material(transparency, i);
+    if (!rule->is_transparent || !material || material->material.alpha_mode != BURNISH_ALPHA_MASK) {
+        return;
+    }
+    rule->is_masked = 1;
+    rule->cutoff = material->material.alpha_cutoff;
+    rule->transparency = material->material.transparency;
+    for (int k = 0; k < 2; ++k) {
+        const burnish_texture_sampler *sampler = &material->samplers[slots[k]];
+        rule->levels[k] = sampler->levels;
+        memcpy(rule->transform[k], sampler->transform, sizeof rule->transform[k]);
+        memcpy(rule->wrap[k], sampler->wrap, sizeof rule->wrap[k]);
+    }
+    rule->level_cutoff = rule->levels[0] ? rule->levels[0]->cutoff : 0;
+}
+
+static void update_version(burnish_transparency *transparency, const burnish_mesh_view *mesh,
+                           size_t materials, int had_alpha, burnish_memory *memory) {
+    const size_t count = transparency->has_some ? materials : 0;
+    int is_other = transparency->serial != mesh->serial || transparency->rule_count != count ||
+                   transparency->has_alpha != had_alpha;
+    transparency->serial = 0;
+    transparency->rules =
+        burnish_reserve_discard(memory, transparency->rules, &transparency->rule_capacity, count,
+                                sizeof *transparency->rules, "opacities");
+    if (memory->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        burnish_opacity_rule rule;
+        fill_rule(transparency, i, &rule);
+        is_other = is_other || memcmp(&rule, &transparency->rules[i], sizeof rule) != 0;
+        memcpy(&transparency->rules[i], &rule, sizeof rule);
+    }
+    transparency->version += (uint64_t)is_other;
+    transparency->rule_count = count;
+    transparency->serial = mesh->serial;
+}
+
+/* ---- A frame ---- */
+
+burnish_status burnish_transparency_update(burnish_transparency *transparency,
+                                           const burnish_mesh *mesh,
+                                           const burnish_texturing *texturing, int ignore_colors,
+                                           burnish_tasks *tasks, burnish_memory *memory) {
+    enum { GRAIN = 1024 /* batches */ };
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const size_t materials = burnish_mesh_material_count(mesh);
+    const size_t batches = (view->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
+    const int had_alpha = transparency->has_alpha;
+    transparency->has_alpha = view->has_transparent_colors && !ignore_colors;
+    transparency->has_some = transparency->has_alpha;
+    transparency->texturing = texturing;
+    transparency->opacities =
+        burnish_reserve_discard(memory, transparency->opacities, &transparency->opacity_capacity,
+                                materials, sizeof *transparency->opacities, "opacities");
+    for (size_t i = 0; memory->status == BURNISH_STATUS_OK && i < materials; ++i) {
+        const burnish_material *material = burnish_mesh_material(mesh, i);
+        const int is_masked = material->alpha_mode == BURNISH_ALPHA_MASK; /* the mask says all */
+        transparency->opacities[i] = is_masked ? 1 : 1 - material->transparency;
+        transparency->has_some |= is_transparent_material(transparency, i);
+    }
+    if (memory->status == BURNISH_STATUS_OK) {
+        update_version(transparency, view, materials, had_alpha, memory);
+    }
+    if (memory->status != BURNISH_STATUS_OK || !transparency->has_some) {
+        return memory->status;
+    }
+    transparency->masks =
+        burnish_reserve_discard(memory, transparency->masks, &transparency->mask_capacity, batches,
+                                sizeof *transparency->masks, "transparent triangles");
+    if (transparency->masks) {
+        find_context find = {transparency, view};
+        burnish_tasks_ranges(tasks, batches, GRAIN, find_range, &find);
+    }
+    return memory->status;
+}
+
+burnish_status burnish_transparency_add_clipped(burnish_transparency *transparency,
+                                                const burnish_geometry *geometry,
+                                                burnish_memory *memory) {
+    const size_t first = geometry->mesh_batches;
+    if (!transparency->has_some || geometry->batch_count == first) {
+        return BURNISH_STATUS_OK;
+    }
+    transparency->masks = burnish_reserve(memory, transparency->masks, &transparency->mask_capacity,
+                                          geometry->batch_count, sizeof *transparency->masks,
+                                          "transparent triangles");
+    if (memory->status != BURNISH_STATUS_OK) {
+        return memory->status;
+    }
+    memset(transparency->masks + first, 0,
+           (geometry->batch_count - first) * sizeof *transparency->masks);
+    for (size_t i = 0; i < geometry->clipped_count; ++i) {
+        const uint32_t id = geometry->clipped_ids[i];
+        const unsigned bit =
+            transparency->masks[id / BURNISH_BATCH_SIZE] >> id % BURNISH_BATCH_SIZE & 1;
+        transparency->masks[first + i / BURNISH_BATCH_SIZE] |=
+            (uint16_t)(bit << i % BURNISH_BATCH_SIZE);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+void burnish_transparency_destroy(burnish_transparency *transparency,
+                                  const burnish_context *context) {
+    burnish_release(context, transparency->opacities);
+    burnish_release(context, transparency->masks);
+    burnish_release(context, transparency->rules);
+    memset(transparency, 0, sizeof *transparency);
+}
+
+/* ---- Light ---- */
+
+burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *memory) {
+    const size_t size =
+        sizeof(burnish_layer_light) + (size_t)samples * BURNISH_TILE_PIXELS * sizeof(float);
+    return burnish_allocate(memory, size, 1, "layers");
+}
+
+void burnish_layer_light_clear(burnish_layer_light *layers, int samples) {
+    memset(layers->light, 0, sizeof layers->light);
+    memset(layers->covered, 0, sizeof layers->covered);
+    for (size_t i = 0; i < (size_t)samples * BURNISH_TILE_PIXELS; ++i) {
+        layers->through[i] = 1.0f;
+    }
+}
+
+static float opacity_of(const burnish_surface *surface, const burnish_fragments *fragments, int i) {
+    const burnish_primitive *primitive = &fragments->primitives[i];
+    const size_t material = surface->triangle_materials
+                                ? surface->triangle_materials[primitive->id_and_facing >> 1]
+                                : 0;
+    float opacity = surface->transparency->opacities[material];
+    if (surface->transparency->has_alpha) {
+        opacity *= burnish_fragment_alpha(surface->attributes, fragments, i);
+    }
+    return opacity < 0 ? 0 : opacity > 1 ? 1 : opacity;
+}
+
+/* Lays samples of opacity `opacity` times `cover` (NULL: 1) of fragment i behind what is there;
+ * returns what of its light is seen. */
+static float lay_samples(burnish_layer_light *layers, const burnish_fragments *fragments, int i,
+                         float (*cover)[BURNISH_TEXTURE_BATCH], float opacity, int samples) {
+    const int pixel = fragments->pixels[i];
+    const unsigned bits = fragments->samples[i];
+    float seen = 0;
+    if (!cover) {
+        seen = opacity * burnish_layers_through(layers, samples, pixel, bits);
+    }
+    for (unsigned rest = bits; rest; rest &= rest - 1) {
+        const int s = __builtin_ctz(rest);
+        float *through = &layers->through[burnish_sample_index(samples, pixel, s)];
+        const float covered = cover ? opacity * cover[s][i] : opacity;
+        seen += cover ? covered * *through : 0;
+        *through *= 1.0f - covered;
+    }
+    return seen;
+}
+
+/* Whether a mask leaves some of fragment i. */
+static int is_there(const burnish_fragments *fragments, int i,
+                    float (*cover)[BURNISH_TEXTURE_BATCH]) {
+    for (unsigned rest = cover ? fragments->samples[i] : 0; rest; rest &= rest - 1) {
+        if (cover[__builtin_ctz(rest)][i] > 0) {
+            return 1;
+        }
+    }
+    return !cover;
+}
+
+void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
+                             const burnish_fragments *fragments, const float *const *rgb,
+                             const float *alpha, float (*cover)[BURNISH_TEXTURE_BATCH], int samples,
+                             float limit) {
+    for (int i = 0; i < fragments->count; ++i) {
+        const int pixel = fragments->pixels[i];
+        const float textured = alpha ? alpha[i] : 1.0f;
+        const float opacity = opacity_of(surface, fragments, i) * textured;
+        if (textured <= 0 || !is_there(fragments, i, cover)) {
+            continue; /* nothing is there */
+        }
+        const float seen = lay_samples(layers, fragments, i, cover, opacity, samples);
+        for (int k = 0; rgb && k < 3; ++k) {
+            const float value = rgb[k][i];
+            layers->light[k][pixel] += seen * (value < limit ? value : limit);
+        }
+        layers->covered[pixel / BURNISH_BLOCK_PIXELS] |=
+            (uint16_t)(1u << pixel % BURNISH_BLOCK_PIXELS);
+    }
+}

@@ -1,0 +1,30 @@
+/* What casts shadows: the mesh's opaque triangles, and of masked ones the pieces that their mask
+ * leaves. A piece is a part of a triangle, so that depth maps know nothing of textures. */
+#ifndef BURNISH_RENDER_LIGHT_CASTERS_H
+#define BURNISH_RENDER_LIGHT_CASTERS_H
+
+#include "burnish/mesh.h"
+#include "core/memory.h"
+#include "render/frame/transparency.h"
+
+/* Owned; all zero before the first frame, a later frame of the same version uses the same pieces.
+ */
+typedef struct burnish_casters {
+    burnish_mesh_view mesh; /* with the pieces' positions, indices and triangles after its own; its
+                               serial is the version, so depth maps of it are those of a version */
+    const uint16_t *transparent; /* per batch of these: triangles that cast none; NULL: all cast */
+    float *positions;
+    uint32_t *indices;
+    uint16_t *masks;
+    size_t position_capacity, index_capacity, mask_capacity;
+    size_t position_count, index_count; /* of pieces: numbers, not triples */
+    uint64_t version;                   /* burnish_transparency.version; 0: none */
+} burnish_casters;
+
+/* transparency: of the mesh. Errors: MEMORY. */
+burnish_status burnish_casters_update(burnish_casters *casters, const burnish_mesh_view *mesh,
+                                      const burnish_transparency *transparency,
+                                      burnish_memory *memory);
+void burnish_casters_destroy(burnish_casters *casters, const burnish_context *context);
+
+#endif

@@ -1,0 +1,282 @@
+#include "render/light/depth_map.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#include "render/frame/bands.h"
+#include "render/frame/space.h"
+#include "simd/isa_ops.h"
+
+/* Maps are drawn from this far: behind the unit sphere there is as much of the range as before it.
+ */
+#define DISTANCE (BURNISH_MAP_RANGE / 2)
+
+/* ---- Views ---- */
+
+burnish_map_view burnish_map_view_make(burnish_vec3 toward, burnish_vec3 right, int size) {
+    return (burnish_map_view){.toward = toward,
+                              .right = right,
+                              .up = burnish_vec3_cross(toward, right),
+                              .size = size,
+                              .texels = (size - 4) * 0.5};
+}
+
+static void store_row(burnish_vec3 axis, double factor, double constant, float row[4]) {
+    burnish_space_store(burnish_vec3_scale(axis, factor), row);
+    row[3] = (float)constant;
+}
+
+/* The same for points that count from the eye. */
+static void move_row(float row[4], const double eye[3]) {
+    row[3] = (float)((double)row[3] + (double)row[0] * eye[0] + (double)row[1] * eye[1] +
+                     (double)row[2] * eye[2]);
+}
+
+burnish_map_rows burnish_map_rows_make(const burnish_map_view *view, const double eye[3]) {
+    const double middle = view->size * 0.5 - 0.5;
+    burnish_map_rows rows;
+    store_row(view->right, view->texels, middle, rows.column);
+    store_row(view->up, -view->texels, middle, rows.row);
+    store_row(view->toward, BURNISH_MAP_CODES / BURNISH_MAP_RANGE,
+              BURNISH_MAP_CODES * (1 - DISTANCE / BURNISH_MAP_RANGE), rows.depth);
+    move_row(rows.column, eye);
+    move_row(rows.row, eye);
+    move_row(rows.depth, eye);
+    return rows;
+}
+
+static burnish_raster_view raster_view(const burnish_map_view *view,
+                                       const burnish_mesh_view *mesh) {
+    const double scale = burnish_space_scale(mesh);
+    burnish_raster_view raster = {.width = view->size, .height = view->size, .samples = 1};
+    burnish_space_store(burnish_space_center(mesh), raster.origin);
+    store_row(view->right, view->texels * scale, 0, raster.rows[0]);
+    store_row(view->up, view->texels * scale, 0, raster.rows[1]);
+    store_row(view->toward, scale / BURNISH_MAP_RANGE, 1 - DISTANCE / BURNISH_MAP_RANGE,
+              raster.rows[2]);
+    raster.rows[3][3] = 1;
+    return raster;
+}
+
+/* ---- Tiles ---- */
+
+/* What the tasks of a map share. */
+typedef struct map_context {
+    burnish_map_drawer *drawer;
+    const burnish_isa_ops *ops;
+    const burnish_raster_view *view;
+    uint16_t *depths;
+} map_context;
+
+/* Depths are below 0 where nothing is. They are compared by their bits, which have the same order
+ * from 0 on: whole numbers let compilers use vectors. */
+static uint16_t code_of_depth(float depth) {
+    int32_t bits;
+    memcpy(&bits, &depth, sizeof bits);
+    bits = bits > 0 ? bits : 0;
+    memcpy(&depth, &bits, sizeof depth);
+    return (uint16_t)(int32_t)(depth * (float)BURNISH_MAP_CODES + 0.5f);
+}
+
+static void store_tile(const burnish_tile *tile, uint16_t *depths, size_t size) {
+    uint16_t codes[BURNISH_TILE_PIXELS];
+    for (int i = 0; i < BURNISH_TILE_PIXELS; ++i) {
+        codes[i] = code_of_depth(tile->buffer.depths[i]);
+    }
+    for (int y = 0; y < tile->height; ++y) {
+        uint16_t *to = depths + (size_t)(tile->y + y) * size + tile->x;
+        for (int x = 0; x < tile->width; x += BURNISH_BLOCK_SIZE) {
+            memcpy(to + x, codes + burnish_pixel_index(x, y), BURNISH_BLOCK_SIZE * sizeof *to);
+        }
+    }
+}
+
+static void clear_tile(const burnish_tile *tile, uint16_t *depths, size_t size) {
+    for (int y = 0; y < tile->height; ++y) {
+        memset(depths + (size_t)(tile->y + y) * size + tile->x, 0,
+               (size_t)tile->width * sizeof *depths);
+    }
+}
+
+static void draw_tile(void *context, int column, int row, int thread) {
+    const map_context *map = context;
+    const burnish_map_drawer *drawer = map->drawer;
+    const size_t size = (size_t)map->view->width;
+    burnish_tile *tile = &drawer->tiles[thread];
+    if (burnish_tile_draw(tile, map->ops, map->view, &drawer->geometry, &drawer->bins, column,
+                          row)) {
+        store_tile(tile, map->depths, size);
+    } else {
+        clear_tile(tile, map->depths, size);
+    }
+}
+
+static void destroy_tiles(burnish_map_drawer *drawer, const burnish_context *context) {
+    for (int i = 0; i < drawer->tile_count; ++i) {
+        burnish_tile_destroy(&drawer->tiles[i]);
+    }
+    burnish_release(context, drawer->tiles);
+    drawer->tiles = NULL;
+    drawer->tile_count = 0;
+}
+
+static burnish_status prepare_tiles(burnish_map_drawer *drawer, int threads,
+                                    burnish_memory *memory) {
+    static const burnish_tile_options depth_only = {.samples = 1};
+    if (drawer->tile_count == threads) {
+        return BURNISH_STATUS_OK;
+    }
+    destroy_tiles(drawer, memory->context);
+    drawer->tiles =
+        burnish_allocate_zeroed(memory, (size_t)threads, sizeof *drawer->tiles, "tiles");
+    drawer->tile_count = drawer->tiles ? threads : 0;
+    burnish_status status = memory->status;
+    for (int i = 0; i < drawer->tile_count && status == BURNISH_STATUS_OK; ++i) {
+        status =
+            burnish_tile_create(&drawer->tiles[i], &depth_only, memory->context, memory->error);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        destroy_tiles(drawer, memory->context); /* no later map takes a half-made one */
+    }
+    return status;
+}
+
+/* ---- Maps ---- */
+
+/* Maps have few texels and hold nothing but depth, so they may be covered more often, small ones as
+ * many times more: bundles of tubes, whose hidden long triangles HiZ rejects, reach 1500 in maps of
+ * 256 x 256 texels, 3000 in smaller ones, and take 0.1 s. */
+static double overdraw_limit(const burnish_map_drawer *drawer, const burnish_raster_view *view) {
+    enum { FACTOR = 2, LEAST_AREA = 256 * 256 };
+    return burnish_overdraw_limit(view, FACTOR * drawer->max_overdraw, LEAST_AREA);
+}
+
+static burnish_status check_overdraw(const burnish_map_drawer *drawer,
+                                     const burnish_raster_view *view, uint64_t cells,
+                                     burnish_memory *memory) {
+    return burnish_check_overdraw(burnish_overdraw(cells, view), overdraw_limit(drawer, view),
+                                  "a depth map (ambient occlusion, ground, shadow)", memory->error);
+}
+
+burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+                                const burnish_mesh_view *mesh, const burnish_map_view *view,
+                                uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory) {
+    const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
+                                         mesh->triangle_count, NULL};
+    const burnish_raster_view raster = raster_view(view, mesh);
+    map_context map = {drawer, ops, &raster, depths};
+    burnish_status status = prepare_tiles(drawer, burnish_tasks_threads(tasks), memory);
+    for (int i = 0; i < drawer->tile_count; ++i) {
+        drawer->tiles[i].transparent = drawer->transparent;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_geometry_update(&drawer->geometry, ops, &raster, &triangles, tasks,
+                                         memory->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_overdraw(drawer, &raster, drawer->geometry.cells, memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const burnish_bands bands = {&drawer->bins,  ops,   &drawer->geometry,
+                                     &raster,        tasks, drawer->tile_count,
+                                     memory->context};
+        status = burnish_bands_draw(&bands, draw_tile, &map, memory->error);
+    }
+    return status;
+}
+
+/* ---- Pairs of maps ---- */
+
+/* Vertices of all threads take at most so many bytes, or those of one. */
+#define VERTEX_BUDGET ((size_t)64 << 20)
+
+/* What the tasks of many pairs share. */
+typedef struct maps_context {
+    const burnish_map_drawer *drawer;
+    const burnish_isa_ops *ops;
+    const burnish_mesh_view *mesh;
+    const burnish_map_view *views;
+    int count;
+    uint16_t *depths;
+    size_t stride;
+    burnish_map_finish *finish;
+    uint64_t cells[BURNISH_MAP_PAIRS]; /* that each pair's triangles touch */
+    atomic_int refused;                /* the first pair that is covered too often so far */
+} maps_context;
+
+/* The first of all pairs that is covered too often ends the call, so those after it may be left
+ * out, and none before it. */
+static void refuse_from(maps_context *all, int pair) {
+    int first = atomic_load(&all->refused);
+    while (pair < first && !atomic_compare_exchange_weak(&all->refused, &first, pair)) {
+    }
+}
+
+/* Draws BURNISH_MAPS pairs. */
+static void draw_pairs(void *context, size_t index, int thread) {
+    maps_context *all = context;
+    const burnish_mesh_view *mesh = all->mesh;
+    const int first = (int)index * BURNISH_MAPS, rest = all->count - first;
+    burnish_raster_view views[BURNISH_MAPS];
+    if (first > atomic_load(&all->refused)) {
+        return;
+    }
+    burnish_maps maps = {.count = rest < BURNISH_MAPS ? rest : BURNISH_MAPS,
+                         .size = all->views->size,
+                         .vertices = all->drawer->vertices + (size_t)thread * mesh->vertex_count,
+                         .indices = mesh->indices,
+                         .triangle_count = mesh->triangle_count,
+                         .transparent = all->drawer->transparent};
+    for (int i = 0; i < maps.count; ++i) {
+        views[i] = raster_view(&all->views[first + i], mesh);
+        for (int side = 0; side < 2; ++side) {
+            maps.depths[i][side] = all->depths + (size_t)(2 * (first + i) + side) * all->stride;
+            memset(maps.depths[i][side], 0,
+                   (size_t)maps.size * (size_t)maps.size * sizeof **maps.depths[i]);
+        }
+    }
+    all->ops->project_to_maps(views, mesh->positions, mesh->vertex_count, &maps);
+    all->ops->draw_maps(&maps);
+    for (int i = 0; i < maps.count; ++i) {
+        all->cells[first + i] = maps.cells[i];
+        if (burnish_overdraw(maps.cells[i], &views[i]) > overdraw_limit(all->drawer, &views[i])) {
+            refuse_from(all, first + i);
+        }
+        for (int side = 0; side < 2 && all->finish; ++side) {
+            all->finish(maps.depths[i][side], (size_t)maps.size);
+        }
+    }
+}
+
+burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+                                      const burnish_mesh_view *mesh, const burnish_map_view *views,
+                                      int count, uint16_t *depths, size_t stride,
+                                      burnish_map_finish *finish, burnish_tasks *tasks,
+                                      burnish_memory *memory) {
+    const size_t fit = VERTEX_BUDGET / sizeof *drawer->vertices / (mesh->vertex_count + 1) + 1;
+    const size_t all = (size_t)burnish_tasks_threads(tasks), threads = all < fit ? all : fit;
+    maps_context pairs = {drawer, ops, mesh, views, count, depths, stride, finish, {0}, count};
+    drawer->vertices = burnish_reserve_discard(memory, drawer->vertices, &drawer->vertex_capacity,
+                                               threads * mesh->vertex_count,
+                                               sizeof *drawer->vertices, "vertices of depth maps");
+    if (memory->status != BURNISH_STATUS_OK) {
+        return memory->status;
+    }
+    burnish_tasks_run(tasks, ((size_t)count + BURNISH_MAPS - 1) / BURNISH_MAPS, 1, (int)threads,
+                      draw_pairs, &pairs);
+    burnish_status status = burnish_tasks_check(tasks, memory->error);
+    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_raster_view raster = raster_view(&views[i], mesh);
+        status = check_overdraw(drawer, &raster, pairs.cells[i], memory);
+    }
+    return status;
+}
+
+void burnish_map_drawer_destroy(burnish_map_drawer *drawer, const burnish_context *context) {
+    destroy_tiles(drawer, context);
+    burnish_release(context, drawer->vertices);
+    drawer->vertices = NULL;
+    drawer->vertex_capacity = 0;
+    burnish_bins_destroy(&drawer->bins);
+    burnish_geometry_destroy(&drawer->geometry);
+}

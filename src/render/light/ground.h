@@ -1,0 +1,78 @@
+/* A ground that is seen only by the shadow on it: the plane across the up direction through the
+ * mesh's lowest point. The background is darkened where it shows the plane from above. The mesh
+ * lies above the plane, so that nothing of it is ever behind the ground.
+ *
+ * The shadow is the share of the sky that is hidden from points of the plane, a texture. Each of
+ * the depth maps that see the mesh from below has a silhouette on the plane, which stands for a
+ * cone of the sky: its edge is blurred by as much as the cone is wide where the blocker is.
+ * Silhouettes are added up by width of blur, so that few blurs serve all. The first light's shadow,
+ * where there is one, is one more silhouette, against that light. */
+#ifndef BURNISH_RENDER_LIGHT_GROUND_H
+#define BURNISH_RENDER_LIGHT_GROUND_H
+
+#include "core/tasks.h"
+#include "render/light/occlusion.h"
+#include "render/light/shadow.h"
+#include "shading/shader.h"
+
+enum {
+    BURNISH_GROUND_SIZE = 256, /* texels along the texture's edge */
+    BURNISH_GROUND_LAYERS = 8  /* widths of blur */
+};
+
+/* A depth map that sees the mesh from below, as points of the texture are looked up in it: of texel
+ * (i, j) column, row and depth are dot products with (1, i, j). */
+typedef struct burnish_silhouette {
+    float column[3], row[3], depth[3];
+    const uint16_t *depths;
+    int size;
+    float spread; /* width of blur, in texels of the texture, per code of distance */
+    float weight; /* of its part of the sky */
+} burnish_silhouette;
+
+/* The texture, kept from frame to frame. All zero before the first. */
+typedef struct burnish_ground {
+    uint64_t mesh;              /* whose plane it is, burnish_mesh_view.serial; 0: nobody's */
+    uint64_t maps;              /* whose shadow it is, burnish_occlusion.mesh; 0: nobody's */
+    int count, size;            /* of the depth maps */
+    burnish_vec3 light;         /* that casts a shadow; 0: none does */
+    int light_size;             /* of its depth map */
+    burnish_vec3 up, across[2]; /* unit vectors; the texture's axes */
+    double height;              /* of the plane: p . up, in the raster's space */
+    double reach;               /* half an edge of the texture */
+    uint16_t *texels;           /* darkness, 65535 is black; 0 at the edge */
+    float *layers;              /* scratch: sums of silhouettes by width of blur */
+    size_t capacity, layer_capacity;
+} burnish_ground;
+
+/* The texture as a picture shows it. Of the point (x, y) of the screen, in pixels from the image's
+ * centre, right and up, the texel is (column . (1, x, y), row . (1, x, y)) / depth . (1, x, y),
+ * where that is positive. */
+typedef struct burnish_ground_view {
+    const uint16_t *texels;
+    float column[3], row[3], depth[3];
+} burnish_ground_view;
+
+/* Where the plane is. Errors: none. */
+void burnish_ground_place(burnish_ground *ground, const burnish_mesh_view *mesh, burnish_vec3 up);
+
+/* Whether a camera at `eye`, in the raster's space, sees the plane from above. */
+int burnish_ground_is_seen(const burnish_ground *ground, const burnish_rays *rays,
+                           burnish_vec3 eye);
+
+/* Whether the texture is that of the plane and the maps. shadow may be NULL. */
+int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_occlusion *occlusion,
+                            const burnish_shadow *shadow);
+
+/* Draws the texture of a ground that was placed.
+ *   shadow  of the first light, or NULL
+ * Errors: MEMORY, CANCELLED; the texture is then nobody's. */
+burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops *ops,
+                                   const burnish_occlusion *occlusion, const burnish_shadow *shadow,
+                                   burnish_tasks *tasks, burnish_memory *memory);
+
+burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burnish_rays *rays,
+                                        burnish_vec3 eye);
+void burnish_ground_destroy(burnish_ground *ground, const burnish_context *context);
+
+#endif

@@ -1,0 +1,95 @@
+/* The ground's shadow at points of the screen. */
+#ifndef BURNISH_RENDER_LIGHT_GROUND_SIMD_H
+#define BURNISH_RENDER_LIGHT_GROUND_SIMD_H
+
+#include "render/light/depth_map_simd.h"
+#include "render/light/ground.h"
+
+BURNISH_INLINE vf ground_row(const float row[3], vf x, vf y) {
+    const vf sum = vf_add(vf_set(row[0]), vf_mul(vf_set(row[1]), x));
+    return vf_add(sum, vf_mul(vf_set(row[2]), y));
+}
+
+/* Four texels of a silhouette: the part of them that shows the mesh, bilinear, and the nearest
+ * depth. */
+typedef struct silhouette_texels {
+    vf covered, depth;
+} silhouette_texels;
+
+BURNISH_INLINE vf shown_of(vi texel) {
+    return vf_min(vf_from_int(texel), vf_set(1.0f));
+}
+
+BURNISH_INLINE silhouette_texels silhouette_at(const burnish_silhouette *silhouette, vf x, vf y) {
+    const vf x0 = texel_before(x, silhouette->size), y0 = texel_before(y, silhouette->size);
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f);
+    const vf u = vf_min(vf_max(vf_sub(x, x0), zero), one);
+    const vf v = vf_min(vf_max(vf_sub(y, y0), zero), one);
+    const vi index = texel_index(x0, y0, silhouette->size), low = vi_set(0xffff);
+    const vi upper = vi_gather_pair(silhouette->depths, index);
+    const vi lower = vi_gather_pair(silhouette->depths + silhouette->size, index);
+    const vi texels[4] = {vi_and(upper, low), vi_shr(upper, 16), vi_and(lower, low),
+                          vi_shr(lower, 16)};
+    const vf left = shown_of(texels[0]), left_below = shown_of(texels[2]);
+    const vf above = vf_add(left, vf_mul(vf_sub(shown_of(texels[1]), left), u));
+    const vf below = vf_add(left_below, vf_mul(vf_sub(shown_of(texels[3]), left_below), u));
+    const vi nearest = vi_max(vi_max(texels[0], texels[1]), vi_max(texels[2], texels[3]));
+    return (silhouette_texels){vf_add(above, vf_mul(vf_sub(below, above), v)),
+                               vf_from_int(nearest)};
+}
+
+/* Half the width of layer k's tent, about: 0, 2, 4, 8 ... texels. */
+#define LAYER_WIDTH(k) ((k) > 0 ? (float)(1 << (k)) : 0.0f)
+
+static void add_silhouette(const burnish_silhouette *silhouette, float row, size_t count,
+                           float *const *layers) {
+    const vf y = vf_set(row), zero = vf_set(0.0f), one = vf_set(1.0f);
+    for (size_t i = 0; i < count; i += LANES) {
+        const vf x = vf_from_int(vi_add(vi_ramp(1), vi_set((int32_t)i)));
+        const silhouette_texels at = silhouette_at(silhouette, ground_row(silhouette->column, x, y),
+                                                   ground_row(silhouette->row, x, y));
+        if (!vm_any(vf_greater(at.covered, zero))) {
+            continue;
+        }
+        const vf weight = vf_mul(at.covered, vf_set(silhouette->weight));
+        const vf distance = vf_max(vf_sub(ground_row(silhouette->depth, x, y), at.depth), zero);
+        const vf width = vf_min(vf_mul(distance, vf_set(silhouette->spread)),
+                                vf_set(LAYER_WIDTH(BURNISH_GROUND_LAYERS - 1)));
+        vf rest = one; /* what wider layers get: each takes what is left of its wider neighbour */
+        for (int k = 0; k < BURNISH_GROUND_LAYERS; ++k) {
+            const float step = LAYER_WIDTH(k + 1) - LAYER_WIDTH(k);
+            const vf wider = vf_min(
+                vf_max(vf_mul(vf_sub(width, vf_set(LAYER_WIDTH(k))), vf_set(1.0f / step)), zero),
+                one);
+            const vf part = vf_sub(rest, wider);
+            vf_store(layers[k] + i, vf_add(vf_load(layers[k] + i), vf_mul(weight, part)));
+            rest = wider;
+        }
+    }
+}
+
+static void shadow_ground(const burnish_ground_view *view, const burnish_screen_points *points,
+                          size_t count, float *shadow) {
+    const vf zero = vf_set(0.0f), least = vf_set(0x1p-40f);
+    const vf end = vf_set((float)(BURNISH_GROUND_SIZE - 1));
+    for (size_t i = 0; i < count; i += LANES) {
+        const vf x = vf_add(vf_set(points->x), vf_load(points->x_offset + i));
+        const vf y = vf_add(vf_set(points->y), vf_load(points->y_offset + i));
+        const vf depth = ground_row(view->depth, x, y);
+        const vf scale = vf_div(vf_set(1.0f), vf_max(depth, least));
+        map_point point = {.depth = zero, .slope_x = zero, .slope_y = zero};
+        point.x = vf_mul(ground_row(view->column, x, y), scale);
+        point.y = vf_mul(ground_row(view->row, x, y), scale);
+        vm seen = vm_and(vf_greater(depth, least), vf_greater(point.x, zero));
+        seen = vm_and(seen, vf_greater(point.y, zero));
+        seen = vm_and(seen, vm_and(vf_greater(end, point.x), vf_greater(end, point.y)));
+        vf dark = zero;
+        if (vm_any(seen)) {
+            dark = map_over(view->texels, vi_set(0), BURNISH_GROUND_SIZE, &point, vf_set(1.0f),
+                            vf_set(1.0f / 65535.0f));
+        }
+        vf_store(shadow + i, vf_and_mask(seen, dark));
+    }
+}
+
+#endif

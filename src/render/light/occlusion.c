@@ -1,0 +1,172 @@
+/* The depth maps of ambient occlusion: their directions, and when they are drawn. */
+#include "render/light/occlusion.h"
+
+#include <string.h>
+
+#include "render/frame/space.h"
+
+/* How far points are moved off the surface, in texels: less makes a curved surface hide itself,
+ * more opens creases. */
+#define OFFSET 1.5
+
+/* The filter's radius in cones of a direction, which are circles of as large a part of the sky; its
+ * limits, in texels and in the raster's space. */
+#define CONE 0.65
+#define LEAST_RADIUS 0.75f
+#define MOST_RADIUS 0.15
+
+/* Neighbouring points share look-ups within so many texels. */
+#define REACH 1.5
+#define SQRT2 1.4142135623730951
+
+/* The sky below is this bright where above it is 1. */
+#define DARK_SKY 0.35
+
+/* The upper half of a spherical Fibonacci set, each point with the one across. A point of the mesh
+ * faces one of the two, so that both need one look-up, and both maps are drawn at once; the error
+ * of integrals over a hemisphere is that of a whole Fibonacci set of 8/9 as many. */
+burnish_map_view burnish_occlusion_view(int i, int count, int size) {
+    const double golden_angle = 2.39996322972865332;
+    const int pair = i / 2;
+    const double z = 1 - (2.0 * pair + 1) / count, radius = burnish_sqrt(1 - z * z);
+    double sine, cosine;
+    burnish_sincos(golden_angle * pair, &sine, &cosine);
+    const burnish_map_view view =
+        burnish_map_view_make((burnish_vec3){radius * cosine, radius * sine, z},
+                              (burnish_vec3){-sine, cosine, 0}, /* no point is a pole */
+                              size);
+    return i % 2 ? burnish_map_view_back(view) : view;
+}
+
+/* As many directions as do not show as silhouettes on large flat faces, which meshes of few
+ * triangles have, and as few as do not take too long where a mesh is large: those are rough. */
+static int choose_count(const burnish_mesh_view *mesh) {
+    static const struct {
+        size_t triangles;
+        int count;
+    } steps[] = {{8192, 72}, {65536, 54}, {262144, 36}, {1048576, 28}};
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; ++i) {
+        if (mesh->triangle_count <= steps[i].triangles) {
+            return steps[i].count;
+        }
+    }
+    return 18;
+}
+
+/* Numbers of a map and its blockers. */
+static size_t map_texels(int size) {
+    const size_t edge = (size_t)size, cells = edge / BURNISH_OCCLUSION_CELL;
+    return edge * edge + 2 * cells * cells;
+}
+
+/* After a map's depths the largest of each cell, then of each 2 x 2 cells; the last row and column
+ * have none. */
+static void find_blockers(uint16_t *depths, size_t size) {
+    const size_t cells = size / BURNISH_OCCLUSION_CELL;
+    uint16_t *blockers = depths + size * size, *quads = blockers + cells * cells;
+    for (size_t y = 0; y < cells; ++y) {
+        uint16_t columns[BURNISH_OCCLUSION_LARGE] = {0};
+        for (int i = 0; i < BURNISH_OCCLUSION_CELL; ++i, depths += size) {
+            for (size_t x = 0; x < size; ++x) {
+                columns[x] = depths[x] > columns[x] ? depths[x] : columns[x];
+            }
+        }
+        for (size_t cell = 0; cell < cells; ++cell) {
+            const uint16_t *from = columns + cell * BURNISH_OCCLUSION_CELL;
+            uint16_t largest = 0;
+            for (int x = 0; x < BURNISH_OCCLUSION_CELL; ++x) {
+                largest = from[x] > largest ? from[x] : largest;
+            }
+            blockers[y * cells + cell] = largest;
+        }
+    }
+    memset(quads, 0, cells * cells * sizeof *quads);
+    for (size_t y = 0; y + 1 < cells; ++y) {
+        for (size_t x = 0; x + 1 < cells; ++x) {
+            const uint16_t *at = blockers + y * cells + x;
+            const uint16_t upper = at[0] > at[1] ? at[0] : at[1];
+            const uint16_t lower = at[cells] > at[cells + 1] ? at[cells] : at[cells + 1];
+            quads[y * cells + x] = upper > lower ? upper : lower;
+        }
+    }
+}
+
+const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int i) {
+    return occlusion->depths + (size_t)i * map_texels(occlusion->size);
+}
+
+static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
+                                const burnish_mesh_view *mesh, int count, int size,
+                                burnish_tasks *tasks, burnish_memory *memory) {
+    const size_t texels = map_texels(size);
+    occlusion->mesh = 0;
+    occlusion->depths =
+        burnish_reserve_discard(memory, occlusion->depths, &occlusion->capacity,
+                                (size_t)count * texels, sizeof *occlusion->depths, "depth maps");
+    burnish_map_view views[BURNISH_MAP_PAIRS];
+    burnish_status status = memory->status;
+    for (int i = 0; i < count / 2; ++i) {
+        views[i] = burnish_occlusion_view(2 * i, count, size);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_map_pairs_draw(&occlusion->drawer, ops, mesh, views, count / 2,
+                                        occlusion->depths, texels, find_blockers, tasks, memory);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        occlusion->mesh = mesh->serial;
+        occlusion->max_overdraw = occlusion->drawer.max_overdraw;
+        occlusion->count = count;
+        occlusion->size = size;
+    }
+    return status;
+}
+
+burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
+                                        const burnish_mesh_view *mesh, int wanted, int size,
+                                        const double eye[3], const double up[3], double pixel,
+                                        burnish_tasks *tasks, burnish_memory *memory,
+                                        burnish_occlusion_lookup *lookup) {
+    const int count = wanted == BURNISH_OCCLUSION_AUTO ? choose_count(mesh) : wanted + wanted % 2;
+    double texels = 1, plane = 0;
+    if (occlusion->mesh != mesh->serial || occlusion->count != count || occlusion->size != size ||
+        occlusion->max_overdraw > occlusion->drawer.max_overdraw) {
+        burnish_status status = draw_maps(occlusion, ops, mesh, count, size, tasks, memory);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    for (int i = 0; i < count / 2; ++i) {
+        const burnish_map_view view = burnish_occlusion_view(2 * i, count, size);
+        burnish_occlusion_pair *pair = &occlusion->pairs[i];
+        texels = view.texels;
+        plane = burnish_map_plane(&view);
+        pair->map = burnish_map_rows_make(&view, eye);
+        burnish_space_store(view.toward, pair->toward);
+        const double height =
+            burnish_vec3_dot(burnish_vec3_loadf(pair->toward), burnish_vec3_load(up));
+        pair->weight[0] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 + 0.5 * height));
+        pair->weight[1] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 - 0.5 * height));
+        pair->depths = burnish_occlusion_depths(occlusion, 2 * i);
+        pair->blockers = pair->depths + (size_t)size * (size_t)size;
+    }
+    lookup->count = count / 2;
+    lookup->size = size;
+    lookup->pairs = occlusion->pairs;
+    lookup->back = (int32_t)map_texels(size);
+    lookup->offset = (float)(OFFSET / texels);
+    lookup->slope = (float)(BURNISH_MAP_RANGE * texels / BURNISH_MAP_CODES);
+    lookup->plane = (float)plane;
+    lookup->cone =
+        (float)(CONE * burnish_sqrt(4.0 / count) * texels * BURNISH_MAP_RANGE / BURNISH_MAP_CODES);
+    lookup->least_radius = LEAST_RADIUS;
+    lookup->most_radius = (float)(MOST_RADIUS * texels);
+    lookup->reach = (float)(REACH / texels);
+    lookup->share = pixel > 0 && 4 * SQRT2 * pixel * texels < REACH ? 4 : 2;
+    return BURNISH_STATUS_OK;
+}
+
+void burnish_occlusion_destroy(burnish_occlusion *occlusion, const burnish_context *context) {
+    burnish_map_drawer_destroy(&occlusion->drawer, context);
+    burnish_release(context, occlusion->depths);
+    memset(occlusion, 0, sizeof *occlusion);
+}

@@ -1,0 +1,120 @@
+#include "render/light/occlusion_share.h"
+
+#include "simd/isa_ops.h"
+
+/* Least cosine between normals that share: 10 degrees. */
+#define ALIKE 0.985f
+
+enum { NO_KEY = 0xffff };
+
+/* Positions themselves, unit normals. */
+static void prepare(const burnish_isa_ops *ops, const burnish_share_points *points, int count,
+                    burnish_share_scratch *scratch) {
+    float *const normal[3] = {scratch->normal[0], scratch->normal[1], scratch->normal[2]};
+    float inverse[BURNISH_SHARE_BATCH];
+    for (int i = 0; i < count; ++i) {
+        inverse[i] = 1.0f / points->w[i];
+    }
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            scratch->position[k][i] = points->position[k][i] * inverse[i];
+        }
+    }
+    ops->normalize_array((size_t)count, points->normal, normal);
+}
+
+/* The square of 2 x 2 or 4 x 4 pixels in which a pixel of a tile lies. */
+static int square_of(int pixel, int share) {
+    const int block = pixel / BURNISH_BLOCK_PIXELS * 4;
+    return share == 4 ? block : block + (pixel >> 2 & 2) + (pixel >> 1 & 1);
+}
+
+static int is_alike(const burnish_share_scratch *scratch, int point, int key, float reach_squared) {
+    float distance = 0, cosine = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float step = scratch->position[k][point] - scratch->key_position[k][key];
+        distance += step * step;
+        cosine += scratch->normal[k][point] * scratch->key_normal[k][key];
+    }
+    return distance < reach_squared && cosine > ALIKE;
+}
+
+/* The key of a point: one of its square that is alike, or a new one. */
+static int find_key(const burnish_occlusion_lookup *lookup, int point, int square, int *count,
+                    burnish_share_scratch *scratch) {
+    const float reach_squared = lookup->reach * lookup->reach;
+    const int first = scratch->first[square];
+    const int is_known = first < *count && scratch->square[first] == square;
+    for (int key = is_known ? first : NO_KEY; key != NO_KEY; key = scratch->next[key]) {
+        if (is_alike(scratch, point, key, reach_squared)) {
+            return key;
+        }
+    }
+    const int key = (*count)++;
+    for (int k = 0; k < 3; ++k) {
+        scratch->key_position[k][key] = scratch->position[k][point];
+        scratch->key_normal[k][key] = scratch->normal[k][point];
+    }
+    scratch->square[key] = (uint16_t)square;
+    scratch->next[key] = (uint16_t)(is_known ? first : NO_KEY);
+    scratch->first[square] = (uint16_t)key;
+    return key;
+}
+
+/* The points in the order of their pixels, of one pixel as they are: the order of fragments within
+ * a block depends on the length of vectors, and which point becomes a key on the order. */
+static void sort_points(const burnish_share_points *points, int count, uint16_t *order) {
+    for (int first = 0, end; first < count; first = end) {
+        const int block = points->pixels[first] / BURNISH_BLOCK_PIXELS;
+        int next[BURNISH_BLOCK_PIXELS + 1] = {0};
+        for (end = first; end < count && points->pixels[end] / BURNISH_BLOCK_PIXELS == block;
+             ++end) {
+            ++next[points->pixels[end] % BURNISH_BLOCK_PIXELS + 1];
+        }
+        next[0] = first;
+        for (int i = 1; i < BURNISH_BLOCK_PIXELS; ++i) {
+            next[i] += next[i - 1];
+        }
+        for (int i = first; i < end; ++i) {
+            order[next[points->pixels[i] % BURNISH_BLOCK_PIXELS]++] = (uint16_t)i;
+        }
+    }
+}
+
+/* Chooses the points that are looked up; returns how many. */
+static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_share_points *points,
+                     int count, burnish_share_scratch *scratch) {
+    uint16_t order[BURNISH_SHARE_BATCH];
+    int keys = 0;
+    if (points->pixels) {
+        sort_points(points, count, order);
+    }
+    for (int i = 0; i < count; ++i) {
+        const int at = points->pixels ? order[i] : i;
+        const int pixel = points->pixels ? points->pixels[at] : points->first_pixel + at;
+        scratch->key[at] = NO_KEY;
+        if (!points->shown || points->shown[at] >= 0) {
+            scratch->key[at] =
+                (uint16_t)find_key(lookup, at, square_of(pixel, lookup->share), &keys, scratch);
+        }
+    }
+    return keys;
+}
+
+void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_isa_ops *ops,
+                            const burnish_share_points *points, int count,
+                            burnish_share_scratch *scratch, float *const rgb[3]) {
+    const float *const position[3] = {scratch->key_position[0], scratch->key_position[1],
+                                      scratch->key_position[2]};
+    const float *const normal[3] = {scratch->key_normal[0], scratch->key_normal[1],
+                                    scratch->key_normal[2]};
+    prepare(ops, points, count, scratch);
+    const int keys = find_keys(lookup, points, count, scratch);
+    ops->occlude(lookup, position, normal, (size_t)keys, scratch->open);
+    for (int i = 0; i < count; ++i) {
+        const float open = scratch->key[i] == NO_KEY ? 1.0f : scratch->open[scratch->key[i]];
+        for (int k = 0; k < 3; ++k) {
+            rgb[k][i] *= open;
+        }
+    }
+}

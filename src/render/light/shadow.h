@@ -1,0 +1,44 @@
+/* The shadow of the first light on the mesh: one depth map toward the light. */
+#ifndef BURNISH_RENDER_LIGHT_SHADOW_H
+#define BURNISH_RENDER_LIGHT_SHADOW_H
+
+#include "render/light/depth_map.h"
+
+enum { BURNISH_SHADOW_SMALL = 1024, BURNISH_SHADOW_LARGE = 2048 }; /* texels along an edge */
+
+/* What points that count from the eye are looked up with. */
+typedef struct burnish_shadow_lookup {
+    burnish_map_rows map;
+    float toward[3]; /* the light */
+    const uint16_t *depths;
+    int size;
+    float offset; /* along the normal, in the raster's space */
+    float slope;  /* a texel's width nearer by depth hides a point */
+    float plane;  /* burnish_map_plane */
+    float radius; /* of the filter, in texels */
+} burnish_shadow_lookup;
+
+/* The map, kept from frame to frame. All zero before the first. */
+typedef struct burnish_shadow {
+    uint64_t mesh;       /* whose it is, burnish_mesh_view.serial; 0: nobody's */
+    double max_overdraw; /* the drawer's then: a lower one may refuse it */
+    burnish_vec3 toward;
+    int size;
+    uint16_t *depths;
+    size_t capacity;
+} burnish_shadow;
+
+/* Draws the map unless it is there, and readies the look-up.
+ *   drawer  its transparent triangles, which cast no shadow, are the caller's to set; the mesh has
+ *           another serial where they are others
+ *   toward  the light, a unit vector
+ *   eye     the camera, in the raster's space
+ * Errors: MEMORY, CANCELLED, LIMIT; the map is then nobody's. */
+burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer *drawer,
+                                     const burnish_isa_ops *ops, const burnish_mesh_view *mesh,
+                                     burnish_vec3 toward, int size, const double eye[3],
+                                     burnish_tasks *tasks, burnish_memory *memory,
+                                     burnish_shadow_lookup *lookup);
+void burnish_shadow_destroy(burnish_shadow *shadow, const burnish_context *context);
+
+#endif

@@ -1,0 +1,336 @@
+/* What is seen of a chain of segments, and how it becomes polylines. */
+#include <string.h>
+
+#include "core/vector.h"
+#include "render/lines/lines.h"
+
+enum {
+    SAMPLES_MAX = 1 << 16, /* of a chain, which has at most 32,000 pixels and a segment more */
+    GAP_MAX = 2,           /* samples: shorter gaps are closed */
+    SWITCH_MAX = 4         /* samples: a shorter change between outline and inner line is none */
+};
+
+/* What a sample shows; RIM: an outline where the background begins. */
+enum { HIDDEN, INNER, OUTLINE, RIM };
+
+/* Pixels. */
+#define SURFACE_SLACK 2.0 /* of depth: how far a pixel's surface may be before an edge's sample */
+#define JUST_OUTSIDE 1.5  /* how far outside a silhouette no sample of a pixel shows its surface */
+#define LOOK_OUTSIDE                                                                               \
+    2.0                /* how far outside a silhouette the surface behind it is looked for, ...    \
+                        */
+#define STEP_DEPTH 8.0 /* ... and how much further away it is, at least */
+#define STUB 3.0       /* shorter ends of hidden edges are left out, which corners let show */
+#define SHORTEST 0.01  /* shorter lines are points */
+#define TOLERANCE 0.08 /* how far points that are left out lie from a line, at most */
+
+/* Distances are floats. */
+#define DISTANCE_PRECISION 0x1p-21
+
+/* ---- Samples ---- */
+
+/* A sample of a segment: where it is on the screen, how far away, and the unit vector to its left.
+ */
+typedef struct sample {
+    double x, y, distance, left[2];
+    double pixel; /* a pixel's width there, in the mesh's units */
+} sample;
+
+static sample sample_at(const burnish_line_scene *scene, const burnish_line_segment *s, double t) {
+    const double dx = (double)s->x[1] - (double)s->x[0], dy = (double)s->y[1] - (double)s->y[0];
+    const double length = burnish_sqrt(dx * dx + dy * dy);
+    const double inverse = length > 0 ? 1 / length : 0;
+    const double key = (double)s->key[0] + t * ((double)s->key[1] - (double)s->key[0]);
+    sample at = {.x = (double)s->x[0] + t * dx,
+                 .y = (double)s->y[0] + t * dy,
+                 .distance = scene->is_parallel ? key : 1 / key,
+                 .left = {dy * inverse, -dx * inverse}};
+    at.pixel = scene->is_parallel ? scene->footprint : scene->footprint * at.distance;
+    return at;
+}
+
+/* The pixel `aside` to the left of a sample; 0 outside the picture. */
+static int pixel_beside(const burnish_line_scene *scene, const sample *at, double aside, int *x,
+                        int *y) {
+    const double px = at->x + aside * at->left[0], py = at->y + aside * at->left[1];
+    if (!(px >= 0 && py >= 0 && px < scene->width && py < scene->height)) {
+        return 0;
+    }
+    *x = (int)px;
+    *y = (int)py;
+    return 1;
+}
+
+static float depth_at(const burnish_target *target, int x, int y) {
+    const void *row = (const char *)target->depth + (size_t)y * target->depth_stride;
+    return ((const float *)row)[x];
+}
+
+static uint32_t triangle_at(const burnish_target *target, int x, int y) {
+    const void *row = (const char *)target->triangles + (size_t)y * target->triangle_stride;
+    return ((const uint32_t *)row)[x];
+}
+
+/* Whether what a pixel near the edge shows is the edge's own triangle, not behind a cap, or nothing
+ * nearer than the edge. The latter tells nothing of an edge without a front-facing triangle, unless
+ * triangles are seen from their back here: a part seen along an axis hides the edges of its other
+ * side, which lie just where its own do. */
+static int is_seen(const burnish_line_scene *scene, const burnish_line_segment *s,
+                   const sample *at) {
+    const double limit = at->distance * (1 - DISTANCE_PRECISION) - SURFACE_SLACK * at->pixel;
+    const double aside[4] = {0, 1, -1, JUST_OUTSIDE * s->outside};
+    const int count = s->outside ? 4 : 3;
+    int is_free = 0, sees_back = s->has_front;
+    for (int i = 0; i < count; ++i) {
+        int x, y;
+        if (!pixel_beside(scene, at, aside[i], &x, &y)) {
+            continue;
+        }
+        const uint32_t triangle = triangle_at(scene->target, x, y);
+        const int shows = triangle != BURNISH_TRIANGLE_NONE;
+        const int is_cap =
+            shows && scene->cap_facing && scene->facing[triangle] == scene->cap_facing;
+        if (shows && !is_cap && (triangle == s->triangles[0] || triangle == s->triangles[1])) {
+            return 1;
+        }
+        is_free |= (double)depth_at(scene->target, x, y) >= limit;
+        sees_back |= shows && scene->facing[triangle] < 0;
+    }
+    return is_free && sees_back;
+}
+
+/* RIM or OUTLINE where there is a step in depth at a silhouette, else HIDDEN. At the picture's
+ * border that is not known, and taken for the background. */
+static uint8_t step_at(const burnish_line_scene *scene, const burnish_line_segment *s,
+                       const sample *at) {
+    int x, y;
+    if (s->outside == 0) {
+        return HIDDEN;
+    }
+    if (!pixel_beside(scene, at, LOOK_OUTSIDE * s->outside, &x, &y) ||
+        triangle_at(scene->target, x, y) == BURNISH_TRIANGLE_NONE) {
+        return RIM;
+    }
+    const double behind = (double)depth_at(scene->target, x, y) - at->distance;
+    return behind > STEP_DEPTH * at->pixel ? OUTLINE : HIDDEN;
+}
+
+static uint8_t look(const burnish_line_scene *scene, const burnish_line_segment *s, double t) {
+    const sample at = sample_at(scene, s, t);
+    if (!is_seen(scene, s, &at)) {
+        return HIDDEN;
+    }
+    const uint8_t step = step_at(scene, s, &at);
+    return step != HIDDEN ? step : s->is_feature ? INNER : HIDDEN;
+}
+
+/* ---- Runs of samples ---- */
+
+static size_t run_end(const uint8_t *states, size_t first, size_t count) {
+    size_t end = first + 1;
+    while (end < count && states[end] == states[first]) {
+        ++end;
+    }
+    return end;
+}
+
+/* Runs of `state` no longer than `most` between two samples that are not HIDDEN get the state
+ * before them. */
+static void close_runs(uint8_t *states, size_t count, uint8_t state, size_t most) {
+    for (size_t first = 0, end; first < count; first = end) {
+        end = run_end(states, first, count);
+        if (states[first] == state && end - first <= most && first > 0 && end < count &&
+            states[first - 1] != HIDDEN && states[end] != HIDDEN) {
+            memset(states + first, states[first - 1], end - first);
+            end = first;
+            while (end < count && states[end] == states[first - 1]) {
+                ++end;
+            }
+        }
+    }
+}
+
+/* ---- Polylines ---- */
+
+/* A point on a chain: the end of one of its segments, walked forward or backward. */
+static void chain_point(const burnish_line_art *art, uint32_t end, double t, double point[2]) {
+    const burnish_line_segment *s = &art->segments[end / 2];
+    const double u = end % 2 ? 1 - t : t;
+    point[0] = (double)s->x[0] + u * ((double)s->x[1] - (double)s->x[0]);
+    point[1] = (double)s->y[0] + u * ((double)s->y[1] - (double)s->y[0]);
+}
+
+/* A polyline that grows: points that lie within TOLERANCE of the line from the last kept one are
+ * left out. Those lines make a cone, which each point narrows (Williams 1978, Sklansky and Gonzalez
+ * 1980): O(n). */
+typedef struct growing {
+    burnish_line_art *art;
+    burnish_memory *memory;
+    double kept[2], last[2];
+    double left[2], right[2]; /* the cone's sides; 0, 0: none yet */
+    int has_last;
+} growing;
+
+static double cross(const double a[2], const double b[2]) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+
+static void store_point(growing *g, const double point[2]) {
+    burnish_lines *lines = &g->art->lines;
+    g->art->points = burnish_reserve(g->memory, g->art->points, &g->art->point_capacity,
+                                     2 * (lines->point_count + 1), sizeof *g->art->points, "lines");
+    if (g->memory->status != BURNISH_STATUS_OK) {
+        return;
+    }
+    float *to = g->art->points + 2 * lines->point_count++;
+    to[0] = (float)point[0];
+    to[1] = (float)point[1];
+    memcpy(g->kept, point, sizeof g->kept);
+    memset(g->left, 0, sizeof g->left);
+    memset(g->right, 0, sizeof g->right);
+    g->has_last = 0;
+}
+
+/* Narrows the cone by a point at v from its tip. */
+static void narrow(growing *g, const double v[2], double length) {
+    const double sine = TOLERANCE / length, cosine = burnish_sqrt(1 - sine * sine);
+    const double a[2] = {cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1]};
+    const double b[2] = {cosine * v[0] + sine * v[1], cosine * v[1] - sine * v[0]};
+    const int is_new = g->left[0] == 0 && g->left[1] == 0;
+    if (is_new || cross(g->left, a) < 0) {
+        memcpy(g->left, a, sizeof a);
+    }
+    if (is_new || cross(g->right, b) > 0) {
+        memcpy(g->right, b, sizeof b);
+    }
+}
+
+static void add_point(growing *g, const double point[2]) {
+    for (int again = 0; again < 2; ++again) {
+        const double v[2] = {point[0] - g->kept[0], point[1] - g->kept[1]};
+        const double length = burnish_sqrt(v[0] * v[0] + v[1] * v[1]);
+        const int has_cone = g->left[0] != 0 || g->left[1] != 0;
+        const int inside = !has_cone || (cross(g->right, v) >= 0 && cross(v, g->left) >= 0 &&
+                                         v[0] * g->left[0] + v[1] * g->left[1] > 0);
+        if (inside || !g->has_last) {
+            if (length > 2 * TOLERANCE) {
+                narrow(g, v, length);
+            }
+            break;
+        }
+        const double last[2] = {g->last[0], g->last[1]};
+        store_point(g, last);
+    }
+    memcpy(g->last, point, sizeof g->last);
+    g->has_last = 1;
+}
+
+static void begin_line(growing *g, double width, int is_rim, const double point[2]) {
+    burnish_line_art *art = g->art;
+    const size_t line = art->lines.line_count;
+    art->starts = burnish_reserve(g->memory, art->starts, &art->start_capacity, line + 2,
+                                  sizeof *art->starts, "lines");
+    art->widths = burnish_reserve(g->memory, art->widths, &art->width_capacity, line + 1,
+                                  sizeof *art->widths, "lines");
+    art->is_rim = burnish_reserve(g->memory, art->is_rim, &art->rim_capacity, line + 1,
+                                  sizeof *art->is_rim, "lines");
+    if (art->lines.point_count > UINT32_MAX / 4 && g->memory->status == BURNISH_STATUS_OK) {
+        g->memory->status =
+            burnish_fail(g->memory->error, BURNISH_STATUS_LIMIT, "edges: more than 2^30 points");
+    }
+    if (g->memory->status == BURNISH_STATUS_OK) {
+        art->starts[line] = (uint32_t)art->lines.point_count;
+        art->widths[line] = (float)width;
+        art->is_rim[line] = (uint8_t)is_rim;
+        store_point(g, point);
+    }
+}
+
+static void end_line(growing *g) {
+    burnish_line_art *art = g->art;
+    if (g->memory->status == BURNISH_STATUS_OK && g->has_last) {
+        const double last[2] = {g->last[0], g->last[1]};
+        store_point(g, last);
+    }
+    if (g->memory->status == BURNISH_STATUS_OK) {
+        art->starts[++art->lines.line_count] = (uint32_t)art->lines.point_count;
+    }
+}
+
+/* ---- Tracing ---- */
+
+/* Where a chain is walked: its segment, and the length before it. */
+typedef struct cursor {
+    size_t at;
+    double before, length; /* of the segment at hand */
+} cursor;
+
+static double length_of(const burnish_line_art *art, uint32_t end) {
+    const burnish_line_segment *s = &art->segments[end / 2];
+    const double dx = (double)s->x[1] - (double)s->x[0], dy = (double)s->y[1] - (double)s->y[0];
+    return burnish_sqrt(dx * dx + dy * dy);
+}
+
+/* Moves on to the segment that holds the chain's length `to`; returns where in it. */
+static double advance(const burnish_line_art *art, const uint32_t *chain, size_t count, cursor *c,
+                      double to) {
+    while (c->at + 1 < count && c->before + c->length <= to) {
+        c->before += c->length;
+        c->length = length_of(art, chain[++c->at]);
+    }
+    const double t = c->length > 0 ? (to - c->before) / c->length : 0;
+    return t > 0 ? t < 1 ? t : 1 : 0;
+}
+
+/* The part of a chain from one length to another as a line. */
+static void add_line(burnish_line_art *art, const uint32_t *chain, size_t count, cursor *c,
+                     double from, double to, double width, int is_rim, burnish_memory *memory) {
+    growing g = {.art = art, .memory = memory};
+    double point[2];
+    double t = advance(art, chain, count, c, from);
+    chain_point(art, chain[c->at], t, point);
+    begin_line(&g, width, is_rim, point);
+    for (size_t before = c->at; memory->status == BURNISH_STATUS_OK; before = c->at) {
+        const double end = c->before + c->length;
+        t = advance(art, chain, count, c, to < end ? to : end);
+        chain_point(art, chain[before], before == c->at ? t : 1, point);
+        add_point(&g, point);
+        if (before == c->at) {
+            break;
+        }
+    }
+    end_line(&g);
+}
+
+void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *scene,
+                            const uint32_t *chain, size_t count, burnish_memory *memory) {
+    uint8_t states[SAMPLES_MAX];
+    cursor c = {0, 0, length_of(art, chain[0])};
+    double length = 0;
+    for (size_t i = 0; i < count; ++i) {
+        length += length_of(art, chain[i]);
+    }
+    const size_t samples = length < SAMPLES_MAX - 2 ? (size_t)length + 1 : SAMPLES_MAX;
+    const double step = length / (double)samples;
+    for (size_t i = 0; i < samples; ++i) {
+        const double t = advance(art, chain, count, &c, ((double)i + 0.5) * step);
+        const uint32_t end = chain[c.at];
+        states[i] = look(scene, &art->segments[end / 2], end % 2 ? 1 - t : t);
+    }
+    close_runs(states, samples, HIDDEN, GAP_MAX);
+    close_runs(states, samples, INNER, SWITCH_MAX);
+    close_runs(states, samples, OUTLINE, SWITCH_MAX);
+    close_runs(states, samples, RIM, SWITCH_MAX);
+    c = (cursor){0, 0, length_of(art, chain[0])};
+    for (size_t first = 0, end; first < samples; first = end) {
+        end = run_end(states, first, samples);
+        const double from = (double)first * step, to = (double)end * step;
+        const int is_stub = states[first] == INNER && to - from < STUB && end - first < samples &&
+                            !scene->keeps_all;
+        if (states[first] != HIDDEN && to - from > SHORTEST && !is_stub) {
+            add_line(art, chain, count, &c, from, to,
+                     states[first] == INNER ? scene->inner : scene->outline, states[first] == RIM,
+                     memory);
+        }
+    }
+}

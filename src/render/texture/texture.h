@@ -1,0 +1,215 @@
+/* Textures in a frame: what materials sample (texture.c), where a visible point lies in its image
+ * (texture_points.c), and its light (texture_shade.c).
+ *
+ * A material is special where it has textures, light of its own, or metal's parameters: batches
+ * (surface.h) hand its points over here. A mesh without one has none of all that. */
+#ifndef BURNISH_RENDER_TEXTURE_TEXTURE_H
+#define BURNISH_RENDER_TEXTURE_TEXTURE_H
+
+#include "burnish/mesh.h"
+#include "core/tasks.h"
+#include "raster/samples.h"
+#include "render/texture/texture_levels.h"
+#include "simd/isa_ops.h"
+
+/* ---- What the kernels read ---- */
+
+/* A texture as a material uses it. */
+typedef struct burnish_texture_sampler {
+    const burnish_texture_levels *levels; /* NULL: none */
+    int wrap[2];                          /* burnish_texture_wrap */
+    int is_nearest;
+    int is_single; /* 1: of two levels the larger one alone counts */
+    int has_transform;
+    float transform[6]; /* as burnish_texture_use has it */
+} burnish_texture_sampler;
+
+/* Where a material with a mask is there. */
+typedef struct burnish_mask {
+    float solid, cutoff; /* there: where solid times alpha is at least cutoff */
+    float alpha;         /* the alpha for which they are equal */
+    int samples;
+    const int8_t (*offsets)[2]; /* of samples, from the pixel's centre, 1/16 pixel */
+    float spread;               /* pixels that the streams' changes are taken over: 1, or 1/2 */
+} burnish_mask;
+
+/* The texels that points are means of, by their index in burnish_texture_levels.texels: those on
+ * the left, the upper and the lower one, and the shares of those on their right and of the lower
+ * row. */
+enum { BURNISH_TEXTURE_BATCH = 256 };
+
+typedef struct burnish_texture_level_taps {
+    int32_t upper[BURNISH_TEXTURE_BATCH], lower[BURNISH_TEXTURE_BATCH];
+    float x[BURNISH_TEXTURE_BATCH], y[BURNISH_TEXTURE_BATCH];
+} burnish_texture_level_taps;
+
+typedef struct burnish_texture_taps {
+    burnish_texture_level_taps level[2];       /* the next larger and the next smaller one */
+    float share[BURNISH_TEXTURE_BATCH];        /* of the smaller one */
+    uint8_t has_second[BURNISH_TEXTURE_BATCH]; /* of each vector: it counts */
+    int32_t least;                             /* of level[0].upper */
+} burnish_texture_taps;
+
+/* Where points lie in the image, and how that changes from a pixel to the one on its right and
+ * the one above. */
+enum {
+    BURNISH_TEXTURE_U,
+    BURNISH_TEXTURE_V,
+    BURNISH_TEXTURE_U_X,
+    BURNISH_TEXTURE_V_X,
+    BURNISH_TEXTURE_U_Y,
+    BURNISH_TEXTURE_V_Y,
+    BURNISH_TEXTURE_TANGENT,                            /* x, y, z, along which u grows */
+    BURNISH_TEXTURE_SIGN = BURNISH_TEXTURE_TANGENT + 3, /* of the bitangent */
+    BURNISH_TEXTURE_SHIFT_X, /* of fragments of layers: where the point lies, in pixels from its
+                                pixel's centre, right and up */
+    BURNISH_TEXTURE_SHIFT_Y,
+    BURNISH_TEXTURE_STREAMS, /* arrays of floats per point */
+    /* those where no mask is smoothed */
+    BURNISH_TEXTURE_STREAMS_PLAIN = BURNISH_TEXTURE_SHIFT_X
+};
+
+/* ---- A frame ---- */
+
+typedef struct burnish_textured_material {
+    burnish_material material; /* vertex colours take the place of a colour that it has not */
+    int is_special;
+    int has_textures; /* 1: coordinates are needed */
+    int has_normals;  /* 1: tangents too */
+    int is_varied;    /* 1: more than its colour differs from point to point */
+    int is_alpha;     /* 1: alpha is below 1 somewhere */
+    int is_smooth;    /* 1: a mask that is decided sample by sample */
+    float mask_alpha; /* MASK: the alpha from which on something is there */
+    burnish_texture_sampler samplers[BURNISH_TEXTURE_SLOT_COUNT];
+} burnish_textured_material;
+
+/* Owned; all zero before the first frame, a later frame uses what still fits. */
+typedef struct burnish_texturing {
+    int has_some;       /* 0: no material is special, and nothing else means anything */
+    int needs_points;   /* 1: some have textures */
+    int needs_tangents; /* 1: some have normal textures */
+    int has_alpha;      /* 1: some have alpha below 1 */
+    int samples;        /* of a pixel */
+    int smooth_samples; /* the same, where masks are decided sample by sample; 0: none is */
+    const burnish_mesh_view *mesh;
+    burnish_textured_material *materials; /* one per material */
+    size_t material_capacity;
+    burnish_texture_levels *levels; /* BURNISH_TEXTURE_KIND_COUNT per texture */
+    size_t levels_count;
+    uint64_t serial; /* of the mesh that they are of; 0: of none */
+    float slopes[BURNISH_EACH_TABLE], scales[BURNISH_EACH_TABLE]; /* burnish_point_materials */
+    float least_exponent;
+    burnish_lobe_spec lobe;       /* that these are of */
+    burnish_kernels_shader white; /* a material of 1 in all, folded with the frame's lights */
+    burnish_light_constants lights[BURNISH_LIGHT_MAX];
+    double origin[3], scale, eye[3]; /* raster space: (p - origin) scale - eye */
+} burnish_texturing;
+
+/* What the mesh's materials sample; builds levels of textures that have none. Errors: MEMORY,
+ * CANCELLED. */
+burnish_status burnish_texturing_update(burnish_texturing *texturing, const burnish_mesh *mesh,
+                                        int ignore_colors, int samples, burnish_tasks *tasks,
+                                        burnish_memory *memory);
+
+/* What the view says: the lights with a white material, the lobe, where the eye is. Called where
+ * has_some is 1. Errors: ARGUMENT. */
+burnish_status burnish_texturing_view(burnish_texturing *texturing,
+                                      const burnish_kernels_lighting *lighting,
+                                      const burnish_lobe_spec *lobe, burnish_error *error);
+void burnish_texturing_destroy(burnish_texturing *texturing, const burnish_context *context);
+
+/* ---- Points ---- */
+
+/* A triangle of points, one record of floats: numerators of the weights of corners 1 and 2 and
+ * their denominator as planes over the screen (at its centre, per pixel right, per pixel up), and
+ * corner 0 and the edges from it in the image. Before the kernel makes planes of them, these are
+ * corner 0 from the eye and the edges from it. */
+enum {
+    BURNISH_CORNER_P,
+    BURNISH_CORNER_E1 = 3,
+    BURNISH_CORNER_E2 = 6,
+    BURNISH_CORNER_FIRST = BURNISH_CORNER_P,
+    BURNISH_CORNER_SECOND = BURNISH_CORNER_E1,
+    BURNISH_CORNER_DETERMINANT = BURNISH_CORNER_E2,
+    BURNISH_CORNER_UV = 9,
+    BURNISH_CORNER_UV1 = 11,
+    BURNISH_CORNER_UV2 = 13,
+    BURNISH_CORNER_FLOATS = 16
+};
+enum {
+    BURNISH_TEXTURE_GROUP = 16,    /* points; a row of blocks is a multiple */
+    BURNISH_TEXTURE_RECENT = 1024, /* a power of two */
+    /* Records that are kept, as the next row of blocks shows many of the triangles again. */
+    BURNISH_TEXTURE_RECORDS = 1024
+};
+
+typedef struct burnish_texture_scratch {
+    uint32_t ids[BURNISH_TEXTURE_BATCH];     /* id and facing of each point's triangle */
+    uint16_t records[BURNISH_TEXTURE_BATCH]; /* and its number in corners */
+    uint8_t is_uniform[BURNISH_TEXTURE_BATCH / BURNISH_TEXTURE_GROUP]; /* 1: a group has one */
+    float corners[BURNISH_TEXTURE_RECORDS + BURNISH_TEXTURE_GROUP][BURNISH_CORNER_FLOATS];
+    uint32_t record_ids[BURNISH_TEXTURE_RECORDS];
+    int record_count;                        /* of this frame */
+    uint16_t recent[BURNISH_TEXTURE_RECENT]; /* records by the low bits of their triangle */
+    float weights[2][BURNISH_TEXTURE_BATCH]; /* barycentric, of corners 1 and 2 */
+    float points[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];
+    float brought[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* of one material */
+    burnish_texture_taps taps;
+    const burnish_texture_sampler *taps_of; /* the use that taps are of; NULL: none */
+    float sample[4][BURNISH_TEXTURE_BATCH];
+    float normal[3][BURNISH_TEXTURE_BATCH], length[BURNISH_TEXTURE_BATCH];
+    float ambient[3][BURNISH_TEXTURE_BATCH], diffuse[3][BURNISH_TEXTURE_BATCH];
+    float specular[3][BURNISH_TEXTURE_BATCH], exponent[BURNISH_TEXTURE_BATCH];
+    float open[BURNISH_TEXTURE_BATCH];    /* of ambient light */
+    float opacity[BURNISH_TEXTURE_BATCH]; /* of points of one material */
+    float alpha[BURNISH_TEXTURE_BATCH];   /* of the batch: what textures leave of the opacity */
+    /* What masks leave of each sample of a pixel: of points of one material, and of the batch,
+     * where some are smoothed. */
+    int has_shifts; /* 1: points are fragments of layers, and some masks are smoothed */
+    float cover[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
+    float covers[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
+    float at[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];    /* quarters of pixels */
+    float mixed[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* their pixels */
+    float part[BURNISH_MAX_SAMPLES / 4][BURNISH_TEXTURE_BATCH];
+} burnish_texture_scratch;
+
+/* To be called before the first point of a frame: forgets the last frame's triangles. */
+void burnish_texture_begin(burnish_texture_scratch *scratch);
+
+/* Fills scratch->points for scratch->ids; points whose material needs none get some numbers.
+ *   materials  of points; NULL: all have material 0 */
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+                            const burnish_rays *rays, const burnish_screen_points *points,
+                            const int32_t *materials, int count, burnish_texture_scratch *scratch);
+
+/* Light of `count` points of one special material.
+ *   shader   of the material
+ *   streams  BURNISH_TEXTURE_STREAMS arrays of the points
+ *   rgb      receives linear light, >= 0; NULL: only opacity is wanted
+ *   scratch  opacity becomes what the material's textures leave of its opacity, [0, 1]; where its
+ *            mask is smoothed 1, and cover what the mask leaves of each sample */
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+                           const burnish_kernels_shader *shader, int material,
+                           const burnish_kernels_points *points, const float *const *streams,
+                           int count, burnish_texture_scratch *scratch, float *const rgb[3]);
+
+/* ---- Masks (masks.c) ---- */
+
+/* What masks need of a batch: where fragments of layers lie in their pixels; all samples are whole
+ * until their material is shaded.
+ *   samples  of fragments of layers, bits of those that show it; NULL: of other points */
+void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *samples, int count,
+                         burnish_texture_scratch *scratch);
+
+/* Where nearest texels count and that of a point is not there, others next to it may be, and show
+ * in some samples: gives the point their mean colour. */
+void burnish_masks_color(const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const float *const *streams, int count, burnish_texture_scratch *scratch);
+
+/* The mask of points whose opacity and taps of the colour have been found: opacity becomes 0 or 1,
+ * or 1 and cover what the mask leaves of each sample. */
+void burnish_masks_apply(const burnish_texturing *texturing,
+                         const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const float *const *streams, int count, burnish_texture_scratch *scratch);
+
+#endif

@@ -1,0 +1,202 @@
+/* The light of points whose material has textures. */
+#include <string.h>
+
+#include "render/texture/texture.h"
+
+/* Whole vectors: whatever samples a texture is given these, as lanes after the last point are read
+ * from its bands, too. */
+static int padded_count(int count) {
+    return (count + 15) / 16 * 16;
+}
+
+/* Whether points lie at the same texels in both. */
+static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sampler *b) {
+    return a->levels->width[0] == b->levels->width[0] &&
+           a->levels->height[0] == b->levels->height[0] && a->wrap[0] == b->wrap[0] &&
+           a->wrap[1] == b->wrap[1] && a->is_nearest == b->is_nearest &&
+           a->has_transform == b->has_transform &&
+           memcmp(a->transform, b->transform, sizeof a->transform) == 0;
+}
+
+/* Channels by their bits. */
+enum { RED = 1, GREEN_BLUE = 6, COLOR = 7, ALL = 15 };
+
+/* Samples a slot; channels that are not wanted may be written, too. Returns 0 where the material
+ * has no such texture. */
+static int sample_into(const burnish_textured_material *material, int slot, unsigned channels,
+                       const burnish_isa_ops *ops, const float *const *streams, int count,
+                       burnish_texture_scratch *scratch, float *const out[4]) {
+    const burnish_texture_sampler *sampler = &material->samplers[slot];
+    if (!sampler->levels) {
+        return 0;
+    }
+    if (!scratch->taps_of || !same_taps(sampler, scratch->taps_of)) {
+        ops->find_taps(sampler, streams, (size_t)count, &scratch->taps);
+        scratch->taps_of = sampler;
+    }
+    if (sampler->levels->bands && scratch->taps.least < sampler->levels->offset[1]) {
+        burnish_texture_levels_need(sampler->levels, scratch->taps.level[0].upper,
+                                    scratch->taps.level[0].lower, (size_t)count);
+    }
+    ops->sample_texture(sampler->levels, &scratch->taps, channels, (size_t)count, out);
+    return 1;
+}
+
+/* The same into scratch->sample. */
+static int sample(const burnish_textured_material *material, int slot, unsigned channels,
+                  const burnish_isa_ops *ops, const float *const *streams, int count,
+                  burnish_texture_scratch *scratch) {
+    float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
+                           scratch->sample[3]};
+    return sample_into(material, slot, channels, ops, streams, count, scratch, out);
+}
+
+static void fill(float *to, int count, float value) {
+    for (int i = 0; i < count; ++i) {
+        to[i] = value;
+    }
+}
+
+/* The colour of points, vertex colours included, in scratch->diffuse; opacity as far as colour and
+ * opacity textures say. */
+static void find_color(const burnish_textured_material *material, const burnish_isa_ops *ops,
+                       const burnish_kernels_points *points, const float *const *streams, int count,
+                       burnish_texture_scratch *scratch) {
+    const int takes_alpha = material->material.alpha_mode != BURNISH_ALPHA_IGNORE;
+    float *const out[4] = {scratch->diffuse[0], scratch->diffuse[1], scratch->diffuse[2],
+                           scratch->opacity};
+    const int has_color = sample_into(material, BURNISH_TEXTURE_COLOR, takes_alpha ? ALL : COLOR,
+                                      ops, streams, count, scratch, out);
+    burnish_masks_color(material, ops, streams, count, scratch);
+    for (int k = 0; k < 3; ++k) {
+        if (!has_color) {
+            fill(scratch->diffuse[k], count, 1.0f);
+        }
+        for (int i = 0; points->diffuse[k] && i < count; ++i) {
+            scratch->diffuse[k][i] *= points->diffuse[k][i];
+        }
+    }
+    if (!has_color) {
+        fill(scratch->opacity, count, 1.0f);
+    }
+    if (takes_alpha &&
+        sample(material, BURNISH_TEXTURE_OPACITY, RED, ops, streams, count, scratch)) {
+        for (int i = 0; i < count; ++i) {
+            scratch->opacity[i] *= scratch->sample[0][i];
+        }
+    }
+}
+
+/* Normals as the texture turns them, in scratch->normal, and how much mean normals are shorter than
+ * 1 in scratch->length. */
+static void turn_normals(const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const burnish_kernels_points *points, const float *const *streams,
+                         int count, burnish_texture_scratch *scratch) {
+    const float *const from[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
+                                  scratch->sample[3]};
+    float *const to[4] = {scratch->normal[0], scratch->normal[1], scratch->normal[2],
+                          scratch->length};
+    sample(material, BURNISH_TEXTURE_NORMAL, ALL, ops, streams, count, scratch);
+    ops->turn_normals(material->material.textures[BURNISH_TEXTURE_NORMAL].strength, points->normal,
+                      streams + BURNISH_TEXTURE_TANGENT, from, (size_t)count, to);
+}
+
+/* ---- Coefficients of each point ---- */
+
+/* Samples what coefficients are made of; bit k: there is slot k. */
+static unsigned sample_coefficients(const burnish_textured_material *material,
+                                    const burnish_isa_ops *ops, const float *const *streams,
+                                    int count, burnish_texture_scratch *scratch) {
+    float(*const sample)[BURNISH_TEXTURE_BATCH] = scratch->sample;
+    float(*const specular)[BURNISH_TEXTURE_BATCH] = scratch->specular;
+    const struct {
+        int slot;
+        unsigned channels;
+        float *out[4];
+    } wanted[] = {
+        {BURNISH_TEXTURE_OCCLUSION, RED, {scratch->open, sample[1], sample[2], sample[3]}},
+        {BURNISH_TEXTURE_SPECULAR, COLOR, {specular[0], specular[1], specular[2], sample[3]}},
+        {BURNISH_TEXTURE_EXPONENT, RED, {scratch->exponent, sample[1], sample[2], sample[3]}},
+        {BURNISH_TEXTURE_METALLIC_ROUGHNESS,
+         GREEN_BLUE,
+         {sample[0], sample[1], sample[2], sample[3]}}};
+    unsigned sampled = 0;
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; ++i) {
+        const int is_metal = wanted[i].slot == BURNISH_TEXTURE_METALLIC_ROUGHNESS;
+        const int is_phong = wanted[i].slot == BURNISH_TEXTURE_SPECULAR ||
+                             wanted[i].slot == BURNISH_TEXTURE_EXPONENT;
+        if (!(material->material.is_metallic ? is_phong : is_metal)) {
+            sampled |= (unsigned)sample_into(material, wanted[i].slot, wanted[i].channels, ops,
+                                             streams, count, scratch, wanted[i].out)
+                       << wanted[i].slot;
+        }
+    }
+    return sampled;
+}
+
+static void shade_varied(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+                         const burnish_textured_material *material,
+                         const burnish_kernels_points *points, const float *const *streams,
+                         int count, burnish_texture_scratch *scratch, float *const rgb[3]) {
+    burnish_kernels_points turned = *points;
+    burnish_point_materials each = {.exponent = scratch->exponent,
+                                    .slopes = texturing->slopes,
+                                    .scales = texturing->scales,
+                                    .least_exponent = texturing->least_exponent};
+    if (material->has_normals) {
+        turn_normals(material, ops, points, streams, count, scratch);
+    }
+    const unsigned sampled = sample_coefficients(material, ops, streams, count, scratch);
+    ops->vary_points(material, sampled, (size_t)count, scratch);
+    for (int k = 0; k < 3; ++k) {
+        each.ambient[k] = scratch->ambient[k];
+        each.diffuse[k] = scratch->diffuse[k];
+        each.specular[k] = scratch->specular[k];
+        turned.normal[k] = material->has_normals ? scratch->normal[k] : points->normal[k];
+    }
+    ops->shade_each[texturing->white.lobe.body](&texturing->white, &turned, &each, (size_t)count,
+                                                rgb);
+}
+
+static void add_emissive(const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const float *const *streams, int count, burnish_texture_scratch *scratch,
+                         float *const rgb[3]) {
+    const float *emissive = material->material.emissive;
+    if (!(emissive[0] > 0 || emissive[1] > 0 || emissive[2] > 0)) {
+        return;
+    }
+    const int has_sample = sample(material, BURNISH_TEXTURE_EMISSIVE, COLOR, ops, streams,
+                                  padded_count(count), scratch);
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            rgb[k][i] += emissive[k] * (has_sample ? scratch->sample[k][i] : 1.0f);
+        }
+    }
+}
+
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+                           const burnish_kernels_shader *shader, int number,
+                           const burnish_kernels_points *points, const float *const *streams,
+                           int count, burnish_texture_scratch *scratch, float *const rgb[3]) {
+    const burnish_textured_material *material = &texturing->materials[number];
+    const int all = padded_count(count); /* arrays are readable up to there */
+    scratch->taps_of = NULL;
+    find_color(material, ops, points, streams, all, scratch);
+    if (material->material.alpha_mode == BURNISH_ALPHA_MASK) {
+        burnish_masks_apply(texturing, material, ops, streams, all, scratch);
+    }
+    if (!rgb) {
+        return;
+    }
+    if (material->is_varied) {
+        shade_varied(texturing, ops, material, points, streams, all, scratch, rgb);
+    } else {
+        burnish_kernels_points colored = *points;
+        for (int k = 0; k < 3; ++k) {
+            colored.diffuse[k] = scratch->diffuse[k];
+        }
+        ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
+            shader, &colored, (size_t)count, NULL, rgb);
+    }
+    add_emissive(material, ops, streams, count, scratch, rgb);
+}

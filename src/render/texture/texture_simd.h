@@ -1,0 +1,489 @@
+/* Sampling textures, and turning normals by them, over vectors of points. */
+#ifndef BURNISH_RENDER_TEXTURE_TEXTURE_SIMD_H
+#define BURNISH_RENDER_TEXTURE_TEXTURE_SIMD_H
+
+#include <string.h>
+
+#include "render/texture/texture.h"
+#include "simd/vector_math.h"
+
+/* Adding it to a float of magnitude below 2^22 leaves a whole number: 1.5 * 2^23. */
+#define TEXTURE_ROUNDER 12582912.0f
+
+/* Points whose texels are asked for before they are read. */
+#define TEXTURE_AHEAD 32
+
+/* Coordinates beyond it have no bits left for texels. */
+#define TEXTURE_REACH 0x1p20f
+
+BURNISH_INLINE vf texture_dot(const vf a[3], const vf b[3]) {
+    return vf_add(vf_add(vf_mul(a[0], b[0]), vf_mul(a[1], b[1])), vf_mul(a[2], b[2]));
+}
+
+/* ---- Rays and triangles ---- */
+
+BURNISH_INLINE void texture_cross(const vf a[3], const vf b[3], vf out[3]) {
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        out[k] = vf_sub(vf_mul(a[i], b[j]), vf_mul(a[j], b[i]));
+    }
+}
+
+BURNISH_INLINE void texture_set(const float from[3], vf out[3]) {
+    for (int k = 0; k < 3; ++k) {
+        out[k] = vf_set(from[k]);
+    }
+}
+
+/* A plane over the screen: at its centre, per pixel to the right and up. */
+typedef struct texture_plane {
+    vf at, x, y;
+} texture_plane;
+
+BURNISH_INLINE texture_plane texture_plane_of(const vf ray[3], const vf right[3], const vf up[3],
+                                              const vf normal[3]) {
+    return (texture_plane){texture_dot(ray, normal), texture_dot(right, normal),
+                           texture_dot(up, normal)};
+}
+
+BURNISH_INLINE void texture_store_plane(texture_plane plane, vf *out) {
+    out[0] = plane.at;
+    out[1] = plane.x;
+    out[2] = plane.y;
+}
+
+/* Where rays meet triangles (Moeller and Trumbore 1997): both numerators and the determinant of the
+ * weights are linear on the screen. They come from edges, not from corners, so that single
+ * precision is enough for triangles of any size.
+ *
+ * In perspective rays d leave the eye, 0: with s = -p they are d's dot products with e2 x s, s x e1
+ * and e2 x e1. In parallel projection they start on a plane, all in one direction d: s moves, and
+ * its dot products with d x e2 and e1 x d count. */
+BURNISH_INLINE void texture_meet(const burnish_rays *rays, vf record[BURNISH_CORNER_FLOATS]) {
+    const int is_parallel = !(rays->q_per_depth > 0);
+    vf e1[3], e2[3], s[3], ray[3], right[3], up[3], normals[3][3];
+    texture_plane first, second, determinant;
+    texture_set(rays->ray_x, right);
+    texture_set(rays->ray_y, up);
+    for (int k = 0; k < 3; ++k) {
+        s[k] = vf_sub(vf_set(0.0f), record[BURNISH_CORNER_P + k]);
+        e1[k] = record[BURNISH_CORNER_E1 + k];
+        e2[k] = record[BURNISH_CORNER_E2 + k];
+    }
+    if (is_parallel) {
+        texture_set(rays->ray_depth, ray);
+        texture_cross(ray, e2, normals[0]);
+        texture_cross(e1, ray, normals[1]);
+        const vf zero = vf_set(0.0f);
+        first = texture_plane_of(s, right, up, normals[0]);
+        second = texture_plane_of(s, right, up, normals[1]);
+        determinant = (texture_plane){texture_dot(e1, normals[0]), zero, zero};
+    } else {
+        texture_set(rays->ray, ray);
+        texture_cross(e2, s, normals[0]);
+        texture_cross(s, e1, normals[1]);
+        texture_cross(e2, e1, normals[2]);
+        first = texture_plane_of(ray, right, up, normals[0]);
+        second = texture_plane_of(ray, right, up, normals[1]);
+        determinant = texture_plane_of(ray, right, up, normals[2]);
+    }
+    texture_store_plane(first, record + BURNISH_CORNER_FIRST);
+    texture_store_plane(second, record + BURNISH_CORNER_SECOND);
+    texture_store_plane(determinant, record + BURNISH_CORNER_DETERMINANT);
+}
+
+static void plane_records(const burnish_rays *rays, float *records, size_t count) {
+    enum { SIZE = BURNISH_CORNER_FLOATS };
+    for (size_t i = 0; i < count; i += LANES) {
+        float aside[4 * LANES];
+        vf record[SIZE];
+        const void *from[LANES];
+        for (int k = 0; k < SIZE; k += 4) {
+            for (size_t lane = 0; lane < LANES; ++lane) {
+                from[lane] = records + SIZE * (i + lane) + k;
+            }
+            vf_load_aos4(from, record + k);
+        }
+        texture_meet(rays, record);
+        for (int k = 0; k < SIZE; k += 4) {
+            vf_store_aos4(aside, record[k], record[k + 1], record[k + 2], record[k + 3]);
+            for (size_t lane = 0; lane < LANES; ++lane) {
+                memcpy(records + SIZE * (i + lane) + k, aside + 4 * lane, 4 * sizeof *aside);
+            }
+        }
+    }
+}
+
+/* The records of LANES points, number by number. */
+BURNISH_INLINE void texture_load_records(const float *corners, const uint16_t *records,
+                                         int is_uniform, vf out[BURNISH_CORNER_FLOATS]) {
+    const void *from[LANES];
+    if (is_uniform) {
+        const float *record = corners + BURNISH_CORNER_FLOATS * (size_t)records[0];
+        for (int k = 0; k < BURNISH_CORNER_FLOATS; ++k) {
+            out[k] = vf_set(record[k]);
+        }
+        return;
+    }
+    for (int k = 0; k < BURNISH_CORNER_FLOATS; k += 4) {
+        for (int lane = 0; lane < LANES; ++lane) {
+            from[lane] = corners + BURNISH_CORNER_FLOATS * (size_t)records[lane] + k;
+        }
+        vf_load_aos4(from, out + k);
+    }
+}
+
+BURNISH_INLINE vf texture_plane_at(const vf plane[3], vf x, vf y) {
+    return vf_add(plane[0], vf_add(vf_mul(x, plane[1]), vf_mul(y, plane[2])));
+}
+
+/* A weight and its change per pixel to the right and up, from planes. */
+BURNISH_INLINE texture_plane texture_divide(const vf plane[3], const vf determinant[3], vf inverse,
+                                            vf x, vf y) {
+    texture_plane weight;
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f);
+    weight.at = vf_mul(texture_plane_at(plane, x, y), inverse);
+    weight.at = vf_min(vf_max(weight.at, zero), one); /* 0 for NaN */
+    weight.x = vf_mul(vf_sub(plane[1], vf_mul(weight.at, determinant[1])), inverse);
+    weight.y = vf_mul(vf_sub(plane[2], vf_mul(weight.at, determinant[2])), inverse);
+    return weight;
+}
+
+static void locate_points(const burnish_screen_points *points, const float *corners,
+                          const uint16_t *records, const uint8_t *is_uniform, size_t count,
+                          float *const *streams, float *const *weights) {
+    for (size_t i = 0; i < count; i += LANES) {
+        vf record[BURNISH_CORNER_FLOATS];
+        const int uniform = is_uniform[i / BURNISH_TEXTURE_GROUP];
+        const size_t at = uniform ? i / BURNISH_TEXTURE_GROUP * BURNISH_TEXTURE_GROUP : i;
+        texture_load_records(corners, records + at, uniform, record);
+        const vf *determinant = record + BURNISH_CORNER_DETERMINANT;
+        const vf x = vf_add(vf_set(points->x), vf_load(points->x_offset + i));
+        const vf y = vf_add(vf_set(points->y), vf_load(points->y_offset + i));
+        const vf inverse = vf_div(vf_set(1.0f), texture_plane_at(determinant, x, y));
+        const texture_plane first =
+            texture_divide(record + BURNISH_CORNER_FIRST, determinant, inverse, x, y);
+        const texture_plane second =
+            texture_divide(record + BURNISH_CORNER_SECOND, determinant, inverse, x, y);
+        for (int k = 0; k < 2; ++k) {
+            const vf along1 = record[BURNISH_CORNER_UV1 + k];
+            const vf along2 = record[BURNISH_CORNER_UV2 + k];
+            const vf from = record[BURNISH_CORNER_UV + k];
+            vf_store(streams[k] + i,
+                     vf_add(from, vf_add(vf_mul(first.at, along1), vf_mul(second.at, along2))));
+            vf_store(streams[2 + k] + i, vf_add(vf_mul(first.x, along1), vf_mul(second.x, along2)));
+            vf_store(streams[4 + k] + i, vf_add(vf_mul(first.y, along1), vf_mul(second.y, along2)));
+        }
+        if (weights) {
+            vf_store(weights[0] + i, first.at);
+            vf_store(weights[1] + i, second.at);
+        }
+    }
+}
+
+/* ---- Texels ---- */
+
+/* The whole number below x, abs(x) < 2^21; one less for some whole x, which then are that plus 1:
+ * interpolation comes to the same. */
+BURNISH_INLINE vf texture_floor(vf x) {
+    const vf rounder = vf_set(TEXTURE_ROUNDER);
+    return vf_sub(vf_add(vf_sub(x, vf_set(0.5f)), rounder), rounder);
+}
+
+/* A whole number as an integer. */
+BURNISH_INLINE vi texture_integer(vf x) {
+    return vi_sub(vf_bits(vf_add(x, vf_set(TEXTURE_ROUNDER))), vi_set(0x4b400000));
+}
+
+/* One coordinate in [0, 1], about, by its wrap. NaN gives some number. */
+BURNISH_INLINE vf texture_wrap(vf u, int wrap) {
+    u = vf_min(vf_max(u, vf_set(-TEXTURE_REACH)), vf_set(TEXTURE_REACH));
+    if (wrap == BURNISH_WRAP_CLAMP) {
+        return vf_min(vf_max(u, vf_set(0.0f)), vf_set(1.0f));
+    }
+    if (wrap == BURNISH_WRAP_MIRROR) {
+        const vf half = vf_mul(u, vf_set(0.5f));
+        const vf m = vf_mul(vf_sub(half, texture_floor(half)), vf_set(2.0f));
+        return vf_min(m, vf_sub(vf_set(2.0f), m));
+    }
+    return vf_sub(u, texture_floor(u));
+}
+
+/* The first of the two texels next to a coordinate on a side of `size`, and the share of the
+ * second, which lies beside it in memory. u: from texture_wrap. */
+typedef struct texture_side {
+    vi first;
+    vf share;
+} texture_side;
+
+BURNISH_INLINE texture_side texture_find(vf u, vi size, int wrap) {
+    const vi zero = vi_set(0), last = vi_sub(size, vi_set(1));
+    const vf x = vf_sub(vf_mul(u, vf_from_int(size)), vf_set(0.5f));
+    const vf below = texture_floor(x);
+    texture_side side = {.share = vf_sub(x, below), .first = texture_integer(below)};
+    const vm is_inside = vi_not_negative(side.first);
+    if (wrap == BURNISH_WRAP_REPEAT) {
+        side.first = vi_blend(is_inside, side.first, last);
+    } else { /* next to the edge there is one texel */
+        side.share = vf_and_mask(is_inside, side.share);
+        side.share = vf_and_mask(vi_greater(last, side.first), side.share);
+        side.first = vi_max(side.first, zero);
+    }
+    return side;
+}
+
+/* Channel k of texels in their first lane words: of 8 bits, or k and k + 1 of 16. */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#define TEXTURE_SHIFT(bits, k) (32 - (bits) * ((k) + 1))
+#else
+#define TEXTURE_SHIFT(bits, k) ((bits) * (k))
+#endif
+#define TEXTURE_PART(x, bits, k)                                                                   \
+    vf_from_int(vi_and(vi_shr(x, TEXTURE_SHIFT(bits, k)), vi_set((1 << (bits)) - 1)))
+
+BURNISH_INLINE vf texture_mix(vf a, vf b, vf share) {
+    return vf_add(a, vf_mul(share, vf_sub(b, a)));
+}
+
+/* A level, 0 the largest, and the share of the next one. */
+typedef struct texture_level {
+    vi first;
+    vf share;
+    vm is_small; /* texels are smaller than pixels */
+} texture_level;
+
+/* Half the base-2 logarithm of a square in [1, 4^k], exact for powers of 4: 4^e (1 + f) and
+ * 2 * 4^e (1 + f), where log2(1 + f) is f + f (1 - f) Q(f), Q by Remez exchange to 1.6e-5. */
+BURNISH_INLINE texture_level texture_half_log2(vf squared) {
+    const vi exponent = vi_sub(vi_shr(vf_bits(squared), 23), vi_set(127));
+    const vi mantissa = vi_or(vi_and(vf_bits(squared), vi_set(0x7fffff)), vi_set(0x3f800000));
+    const vf one = vf_set(1.0f), half = vf_set(0.5f);
+    const vf f = vf_sub(vf_from_bits(mantissa), one);
+    vf q = vf_set(-0.045149014747f);
+    q = vf_add(vf_mul(q, f), vf_set(0.148426602971f));
+    q = vf_sub(vf_mul(q, f), vf_set(0.267179385633f));
+    q = vf_add(vf_mul(q, f), vf_set(0.441917036809f));
+    const vf fraction = vf_add(f, vf_mul(vf_mul(f, vf_sub(one, f)), q));
+    const vf odd = vf_from_int(vi_and(exponent, vi_set(1)));
+    return (texture_level){.first = vi_shr(exponent, 1),
+                           .share = vf_mul(vf_add(odd, fraction), half),
+                           .is_small = vf_greater(squared, one)};
+}
+
+/* By the longer of a pixel's two sides in texels of level 0. */
+BURNISH_INLINE texture_level texture_level_of(const burnish_texture_levels *levels,
+                                              const vf change[4]) {
+    const vf width = vf_set((float)levels->width[0]), height = vf_set((float)levels->height[0]);
+    const vf most = vf_from_bits(vi_set((127 + 2 * (levels->count - 1)) << 23));
+    const vf ux = vf_mul(change[0], width), vx = vf_mul(change[1], height);
+    const vf uy = vf_mul(change[2], width), vy = vf_mul(change[3], height);
+    const vf squared =
+        vf_max(vf_add(vf_mul(ux, ux), vf_mul(vx, vx)), vf_add(vf_mul(uy, uy), vf_mul(vy, vy)));
+    return texture_half_log2(vf_min(vf_max(squared, vf_set(1.0f)), most));
+}
+
+/* The texels around (u, v) in each lane's level; returns the first. nearest: where it holds, the
+ * nearest alone. */
+BURNISH_INLINE vi texture_find_taps(const burnish_texture_sampler *sampler, vf u, vf v, vi level,
+                                    vm nearest, size_t i, burnish_texture_level_taps *taps) {
+    const burnish_texture_levels *levels = sampler->levels;
+    const vi width = vi_gather16(levels->width, level), height = vi_gather16(levels->height, level);
+    const vi offset = vi_gather16(levels->offset, level), stride = vi_add(width, vi_set(1));
+    texture_side x = texture_find(u, width, sampler->wrap[0]);
+    texture_side y = texture_find(v, height, sampler->wrap[1]);
+    if (sampler->is_nearest) {
+        const vf half = vf_set(0.5f), one = vf_set(1.0f);
+        x.share = vf_blend(nearest, vf_and_mask(vf_greater(x.share, half), one), x.share);
+        y.share = vf_blend(nearest, vf_and_mask(vf_greater(y.share, half), one), y.share);
+    }
+    const vi upper = vi_add(vi_add(offset, x.first), vi_mul(y.first, stride));
+    vi_store(taps->upper + i, upper);
+    vi_store(taps->lower + i, vi_add(upper, stride));
+    vf_store(taps->x + i, x.share);
+    vf_store(taps->y + i, y.share);
+    return upper;
+}
+
+/* A texture's own coordinates and their changes. */
+BURNISH_INLINE void texture_transform(const burnish_texture_sampler *sampler,
+                                      const float *const *streams, size_t i, vf to[6]) {
+    const float *t = sampler->transform;
+    vf from[6];
+    for (int k = 0; k < 6; ++k) {
+        to[k] = from[k] = vf_load(streams[k] + i);
+    }
+    if (sampler->has_transform) {
+        for (int k = 0; k < 6; k += 2) {
+            to[k] = vf_add(vf_mul(vf_set(t[0]), from[k]), vf_mul(vf_set(t[1]), from[k + 1]));
+            to[k + 1] = vf_add(vf_mul(vf_set(t[3]), from[k]), vf_mul(vf_set(t[4]), from[k + 1]));
+        }
+        to[0] = vf_add(to[0], vf_set(t[2]));
+        to[1] = vf_add(to[1], vf_set(t[5]));
+    }
+}
+
+static void find_taps(const burnish_texture_sampler *sampler, const float *const *streams,
+                      size_t count, burnish_texture_taps *taps) {
+    vi least = vi_set(INT32_MAX);
+    for (size_t i = 0; i < count; i += LANES) {
+        vf at[6];
+        texture_transform(sampler, streams, i, at);
+        const vf u = texture_wrap(at[0], sampler->wrap[0]);
+        const vf v = texture_wrap(vf_sub(vf_set(1.0f), at[1]), sampler->wrap[1]);
+        const texture_level level = texture_level_of(sampler->levels, at + 2);
+        const vm nearest = vm_not(level.is_small);
+        least = vi_min(least,
+                       texture_find_taps(sampler, u, v, level.first, nearest, i, &taps->level[0]));
+        const int has_second = !sampler->is_single && vm_any(level.is_small);
+        vf_store(taps->share + i, sampler->is_single ? vf_set(0.0f) : level.share);
+        taps->has_second[i / LANES] = (uint8_t)has_second;
+        if (has_second) {
+            const vi next =
+                vi_min(vi_add(level.first, vi_set(1)), vi_set(BURNISH_TEXTURE_LEVELS_MAX - 1));
+            (void)texture_find_taps(sampler, u, v, next, nearest, i, &taps->level[1]);
+        }
+    }
+    int32_t lanes[LANES];
+    vi_store(lanes, least);
+    taps->least = INT32_MAX;
+    for (int lane = 0; lane < LANES; ++lane) {
+        taps->least = lanes[lane] < taps->least ? lanes[lane] : taps->least;
+    }
+}
+
+/* A kind of texels: light, 8 bytes each, or codes of 4; and the channels of them that are wanted,
+ * bit k for channel k. All is known when the kernel is compiled. */
+typedef struct texture_kind {
+    int is_light;
+    unsigned channels;
+} texture_kind;
+
+BURNISH_INLINE const uint8_t *texture_memory(texture_kind kind,
+                                             const burnish_texture_levels *levels, int32_t index) {
+    return kind.is_light ? (const uint8_t *)(levels->texels + 4 * (size_t)(uint32_t)index)
+                         : levels->codes + 4 * (size_t)(uint32_t)index;
+}
+
+/* Channel k of texels and of their right neighbours: four words of each lane's memory. */
+BURNISH_INLINE void texture_channel(texture_kind kind, const vf words[4], int k, vf *left,
+                                    vf *right) {
+    const vi first = vf_bits(words[kind.is_light ? k / 2 : 0]);
+    const vi second = vf_bits(words[kind.is_light ? 2 + k / 2 : 1]);
+    if (kind.is_light) {
+        *left = k % 2 ? TEXTURE_PART(first, 16, 1) : TEXTURE_PART(first, 16, 0);
+        *right = k % 2 ? TEXTURE_PART(second, 16, 1) : TEXTURE_PART(second, 16, 0);
+    } else if (k < 2) {
+        *left = k ? TEXTURE_PART(first, 8, 1) : TEXTURE_PART(first, 8, 0);
+        *right = k ? TEXTURE_PART(second, 8, 1) : TEXTURE_PART(second, 8, 0);
+    } else {
+        *left = k == 3 ? TEXTURE_PART(first, 8, 3) : TEXTURE_PART(first, 8, 2);
+        *right = k == 3 ? TEXTURE_PART(second, 8, 3) : TEXTURE_PART(second, 8, 2);
+    }
+}
+
+/* The mean of texels and their right neighbours, in their own units. */
+BURNISH_INLINE void texture_row(texture_kind kind, const burnish_texture_levels *levels,
+                                const int32_t *indices, vf share, vf out[4]) {
+    const void *from[LANES];
+    vf words[4];
+    for (int lane = 0; lane < LANES; ++lane) {
+        from[lane] = texture_memory(kind, levels, indices[lane]);
+    }
+    vf_load_aos4(from, words);
+    for (int k = 0; k < 4; ++k) {
+        vf left, right;
+        if (kind.channels >> k & 1) {
+            texture_channel(kind, words, k, &left, &right);
+            out[k] = texture_mix(left, right, share);
+        }
+    }
+}
+
+BURNISH_INLINE void texture_mix_channels(texture_kind kind, vf to[4], const vf with[4], vf share) {
+    for (int k = 0; k < 4; ++k) {
+        if (kind.channels >> k & 1) {
+            to[k] = texture_mix(to[k], with[k], share);
+        }
+    }
+}
+
+BURNISH_INLINE void texture_bilinear(texture_kind kind, const burnish_texture_levels *levels,
+                                     const burnish_texture_level_taps *taps, size_t i, vf out[4]) {
+    const vf x = vf_load(taps->x + i);
+    vf lower[4];
+    texture_row(kind, levels, taps->upper + i, x, out);
+    texture_row(kind, levels, taps->lower + i, x, lower);
+    texture_mix_channels(kind, out, lower, vf_load(taps->y + i));
+}
+
+/* Asks for the texels of a vector of points: of some lanes, whose cache lines hold most others'. */
+BURNISH_INLINE void texture_prefetch(texture_kind kind, const burnish_texture_levels *levels,
+                                     const burnish_texture_taps *taps, size_t i) {
+    for (size_t lane = i; lane < i + LANES; lane += 3) {
+        for (int k = 0; k < (taps->has_second[i / LANES] ? 2 : 1); ++k) {
+            __builtin_prefetch(texture_memory(kind, levels, taps->level[k].upper[lane]));
+            __builtin_prefetch(texture_memory(kind, levels, taps->level[k].lower[lane]));
+        }
+    }
+}
+
+/* Colours as if they had not been multiplied by alpha. */
+BURNISH_INLINE void texture_divide_alpha(vf texel[4]) {
+    const vm is_seen = vf_greater(texel[3], vf_set(0.0f));
+    const vf alpha = vf_blend(is_seen, texel[3], vf_set(1.0f));
+    for (int k = 0; k < 3; ++k) {
+        texel[k] = vf_and_mask(is_seen, vf_div(texel[k], alpha));
+    }
+}
+
+BURNISH_INLINE void texture_sample(texture_kind kind, const burnish_texture_levels *levels,
+                                   const burnish_texture_taps *taps, size_t count,
+                                   float *const out[4]) {
+    const vf unit = vf_set(1.0f / (float)(kind.is_light ? BURNISH_TEXEL_ONE : 255));
+    for (size_t i = 0; i < count; i += LANES) {
+        vf texel[4];
+        if (i + TEXTURE_AHEAD < count) {
+            texture_prefetch(kind, levels, taps, i + TEXTURE_AHEAD);
+        }
+        texture_bilinear(kind, levels, &taps->level[0], i, texel);
+        if (taps->has_second[i / LANES]) {
+            vf second[4];
+            texture_bilinear(kind, levels, &taps->level[1], i, second);
+            texture_mix_channels(kind, texel, second, vf_load(taps->share + i));
+        }
+        for (int k = 0; k < 4; ++k) {
+            if (kind.channels >> k & 1) {
+                texel[k] = vf_mul(texel[k], unit);
+            }
+        }
+        if (kind.channels == 15 && levels->is_weighted) {
+            texture_divide_alpha(texel);
+        }
+        for (int k = 0; k < 4; ++k) {
+            if (kind.channels >> k & 1) {
+                vf_store(out[k] + i, texel[k]);
+            }
+        }
+    }
+}
+
+static void sample_texture(const burnish_texture_levels *levels, const burnish_texture_taps *taps,
+                           unsigned channels, size_t count, float *const out[4]) {
+    if (levels->texels) {
+        if (channels == 7) {
+            texture_sample((texture_kind){1, 7}, levels, taps, count, out);
+        } else if (channels == 8) {
+            texture_sample((texture_kind){1, 8}, levels, taps, count, out);
+        } else {
+            texture_sample((texture_kind){1, 15}, levels, taps, count, out);
+        }
+    } else if (channels == 1) {
+        texture_sample((texture_kind){0, 1}, levels, taps, count, out);
+    } else if (channels == 6) {
+        texture_sample((texture_kind){0, 6}, levels, taps, count, out);
+    } else {
+        texture_sample((texture_kind){0, 15}, levels, taps, count, out);
+    }
+}
+
+#endif

@@ -1,0 +1,183 @@
+/* What samples of textures make of a surface: tangents, turned normals, coefficients of each point.
+ */
+#ifndef BURNISH_RENDER_TEXTURE_TEXTURE_SURFACE_SIMD_H
+#define BURNISH_RENDER_TEXTURE_TEXTURE_SURFACE_SIMD_H
+
+#include "render/texture/texture_simd.h"
+
+/* ---- Normals ---- */
+
+BURNISH_INLINE void texture_normalize(vf v[3]) {
+    const vf inverse = vector_inverse_sqrt(texture_dot(v, v));
+    for (int k = 0; k < 3; ++k) {
+        v[k] = vf_mul(v[k], inverse);
+    }
+}
+
+/* Tangents by the weights of corners 1 and 2. */
+static void interpolate_tangents(const burnish_mesh_view *mesh, const uint32_t *ids,
+                                 const float *const weights[2], size_t count, float *const *out) {
+    for (size_t i = 0; i < count; i += LANES) {
+        const vf weight1 = vf_load(weights[0] + i), weight2 = vf_load(weights[1] + i);
+        vf corners[3][4];
+        float sides[LANES];
+        for (int corner = 0; corner < 3; ++corner) {
+            const void *from[LANES];
+            for (size_t lane = 0; lane < LANES; ++lane) {
+                const size_t triangle = ids[i + lane] >> 1;
+                from[lane] =
+                    mesh->tangents + 4 * (size_t)mesh->indices[3 * triangle + (size_t)corner];
+            }
+            vf_load_aos4(from, corners[corner]);
+        }
+        for (size_t lane = 0; lane < LANES; ++lane) { /* from its back all of the frame turns */
+            sides[lane] = ids[i + lane] & 1 ? -1.0f : 1.0f;
+        }
+        const vf side = vf_load(sides);
+        for (int k = 0; k < 3; ++k) {
+            const vf a = corners[0][k];
+            const vf along1 = vf_mul(weight1, vf_sub(corners[1][k], a));
+            const vf along2 = vf_mul(weight2, vf_sub(corners[2][k], a));
+            vf_store(out[k] + i, vf_mul(side, vf_add(vf_add(a, along1), along2)));
+        }
+        vf_store(out[3] + i, vf_mul(side, corners[0][3]));
+    }
+}
+
+static void turn_normals(float strength, const float *const normal[3], const float *const *tangent,
+                         const float *const sample[4], size_t count, float *const out[4]) {
+    const vf one = vf_set(1.0f), two = vf_set(2.0f);
+    for (size_t i = 0; i < count; i += LANES) {
+        vf n[3], t[3], b[3], turned[3];
+        for (int k = 0; k < 3; ++k) {
+            n[k] = vf_load(normal[k] + i);
+            t[k] = vf_load(tangent[k] + i);
+        }
+        texture_normalize(n);
+        const vf along = texture_dot(n, t);
+        for (int k = 0; k < 3; ++k) {
+            t[k] = vf_sub(t[k], vf_mul(n[k], along));
+        }
+        texture_normalize(t);
+        const vf sign = vf_load(tangent[3] + i);
+        for (int k = 0; k < 3; ++k) {
+            const int j = (k + 1) % 3, l = (k + 2) % 3;
+            b[k] = vf_mul(sign, vf_sub(vf_mul(n[j], t[l]), vf_mul(n[l], t[j])));
+        }
+        const vf x = vf_mul(vf_sub(vf_mul(vf_load(sample[0] + i), two), one), vf_set(strength));
+        const vf y = vf_mul(vf_sub(vf_mul(vf_load(sample[1] + i), two), one), vf_set(strength));
+        const vf z = vf_sub(vf_mul(vf_load(sample[2] + i), two), one);
+        for (int k = 0; k < 3; ++k) {
+            turned[k] = vf_add(vf_add(vf_mul(x, t[k]), vf_mul(y, b[k])), vf_mul(z, n[k]));
+        }
+        texture_normalize(turned);
+        for (int k = 0; k < 3; ++k) {
+            vf_store(out[k] + i, turned[k]);
+        }
+        const vf missing = vf_sub(one, vf_load(sample[3] + i));
+        vf_store(out[3] + i, vf_max(vf_sub(one, vf_mul(missing, missing)), vf_set(0.0f)));
+    }
+}
+
+/* ---- Coefficients ---- */
+
+/* Coefficients of a vector of points. */
+typedef struct texture_coefficients {
+    vf ambient[3], diffuse[3], specular[3], exponent;
+} texture_coefficients;
+
+/* Metal's parameters become coefficients: shading.h has the formulas. */
+BURNISH_INLINE void texture_metal(const burnish_material *from, int has_sample, size_t i,
+                                  const burnish_texture_scratch *scratch,
+                                  texture_coefficients *to) {
+    const vf one = vf_set(1.0f), two = vf_set(2.0f);
+    vf roughness = vf_set(from->roughness), metallic = vf_set(from->metallic);
+    if (has_sample) {
+        roughness = vf_mul(roughness, vf_load(scratch->sample[1] + i));
+        metallic = vf_mul(metallic, vf_load(scratch->sample[2] + i));
+    }
+    const vf squared = vf_mul(roughness, roughness), alpha2 = vf_mul(squared, squared);
+    const vf wanted = vf_sub(vf_div(two, vf_max(alpha2, vf_set(0x1p-20f))), two);
+    to->exponent = vf_max(vf_min(wanted, vf_set(65536.0f)), one);
+    for (int k = 0; k < 3; ++k) {
+        const vf base = vf_mul(vf_set(from->diffuse[k]), vf_load(scratch->diffuse[k] + i));
+        const vf rest = vf_sub(one, metallic);
+        to->ambient[k] = base;
+        to->specular[k] =
+            vf_add(vf_mul(vf_set(from->reflectance[k]), rest), vf_mul(base, metallic));
+        to->diffuse[k] = vf_mul(base, rest);
+    }
+}
+
+/* Phong's coefficients times what textures say. */
+BURNISH_INLINE void texture_phong(const burnish_material *from, unsigned sampled, size_t i,
+                                  const burnish_texture_scratch *scratch,
+                                  texture_coefficients *to) {
+    to->exponent = vf_set(from->exponent);
+    if (sampled >> BURNISH_TEXTURE_EXPONENT & 1) {
+        to->exponent = vf_max(vf_mul(to->exponent, vf_load(scratch->exponent + i)), vf_set(1.0f));
+    }
+    for (int k = 0; k < 3; ++k) {
+        const vf color = vf_load(scratch->diffuse[k] + i);
+        to->ambient[k] = vf_mul(vf_set(from->ambient[k]), color);
+        to->diffuse[k] = vf_mul(vf_set(from->diffuse[k]), color);
+        to->specular[k] = vf_set(from->specular[k]);
+        if (sampled >> BURNISH_TEXTURE_SPECULAR & 1) {
+            to->specular[k] = vf_mul(to->specular[k], vf_load(scratch->specular[k] + i));
+        }
+    }
+}
+
+/* Normals that differ within a pixel widen its lobe (Toksvig 2005): n l / (l + n (1 - l)). A wide
+ * lobe of metal's parameters is lower, so that it reflects as much, and none higher than 1, as
+ * glTF's reader has it for materials without textures. */
+BURNISH_INLINE void texture_widen(const burnish_textured_material *material, size_t i,
+                                  const burnish_texture_scratch *scratch,
+                                  texture_coefficients *to) {
+    const vf one = vf_set(1.0f), before = to->exponent;
+    const int is_metallic = material->material.is_metallic;
+    if (material->has_normals) {
+        const vf l = vf_load(scratch->length + i), n = before;
+        to->exponent = vf_max(vf_div(vf_mul(n, l), vf_add(l, vf_mul(n, vf_sub(one, l)))), one);
+    }
+    if (!is_metallic && !material->has_normals) {
+        return;
+    }
+    const vf factor = is_metallic ? vf_mul(vf_add(to->exponent, vf_set(2.0f)), vf_set(0.125f))
+                                  : vf_div(vf_add(to->exponent, one), vf_add(before, one));
+    for (int k = 0; k < 3; ++k) {
+        const vf specular = vf_mul(to->specular[k], factor);
+        to->specular[k] = is_metallic ? vf_min(one, specular) : specular;
+    }
+}
+
+static void vary_points(const burnish_textured_material *material, unsigned sampled, size_t count,
+                        burnish_texture_scratch *scratch) {
+    const vf one = vf_set(1.0f);
+    const vf strength = vf_set(material->material.textures[BURNISH_TEXTURE_OCCLUSION].strength);
+    for (size_t i = 0; i < count; i += LANES) {
+        texture_coefficients to;
+        if (material->material.is_metallic) {
+            texture_metal(&material->material, sampled >> BURNISH_TEXTURE_METALLIC_ROUGHNESS & 1, i,
+                          scratch, &to);
+        } else {
+            texture_phong(&material->material, sampled, i, scratch, &to);
+        }
+        texture_widen(material, i, scratch, &to);
+        if (sampled >> BURNISH_TEXTURE_OCCLUSION & 1) { /* what of the ambient light arrives */
+            const vf hidden = vf_mul(strength, vf_sub(vf_load(scratch->open + i), one));
+            const vf open = vf_max(vf_add(one, hidden), vf_set(0.0f));
+            for (int k = 0; k < 3; ++k) {
+                to.ambient[k] = vf_mul(to.ambient[k], open);
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            vf_store(scratch->ambient[k] + i, to.ambient[k]);
+            vf_store(scratch->diffuse[k] + i, to.diffuse[k]);
+            vf_store(scratch->specular[k] + i, to.specular[k]);
+        }
+        vf_store(scratch->exponent + i, to.exponent);
+    }
+}
+
+#endif

@@ -1,0 +1,196 @@
+/* Folder dependencies point one way: reads every include below ROOTS, file by file, and checks it
+ * against the table, which is the architecture. */
+#include <dirent.h>
+#include <sys/stat.h>
+
+#include "support.h"
+
+/* What the files of a folder may include: those of the same folder, and these folders' and files'.
+ * "burnish/NAME" is include/burnish/NAME. A folder that is not listed fails. */
+static const struct layer {
+    const char *folder;
+    const char *may_include;
+} LAYERS[] = {
+    {"src/core", "burnish/core.h"},
+    {"src/simd", "core shading/shader.h burnish/core.h burnish/kernels.h"},
+    {"src/theory", "core shading/lobe_words.h burnish/core.h burnish/lobe.h "
+                   "burnish/shading.h burnish/theory.h"},
+    {"src/shading", "core simd burnish/core.h burnish/kernels.h burnish/lobe.h "
+                    "burnish/shading.h"},
+    {"src/mesh", "core mesh/build burnish/core.h burnish/mesh.h"},
+    {"src/mesh/build", "core mesh burnish/core.h burnish/mesh.h"},
+    {"src/mesh/read", "core image/decode mesh mesh/read/io mesh/read/gltf mesh/read/obj "
+                      "mesh/read/ply mesh/read/threemf burnish/core.h burnish/mesh.h"},
+    {"src/mesh/read/io", "core image/decode mesh/read burnish/core.h"},
+    {"src/mesh/read/gltf", "core mesh/read mesh/read/io"},
+    {"src/mesh/read/obj", "core mesh/read mesh/read/io"},
+    {"src/mesh/read/ply", "core mesh/read mesh/read/io"},
+    {"src/mesh/read/threemf", "core mesh/read mesh/read/io"},
+    {"src/raster", "core simd burnish/core.h"},
+    {"src/image", "core image/text burnish/core.h burnish/image.h"},
+    {"src/image/decode", "core image/zlib_stream.h burnish/image.h"},
+    {"src/image/text", "core image/pixels.h burnish/image.h"},
+    {"src/annotate",
+     "core image image/text burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},
+    {"src/render/frame", "core simd raster render/light render/lines render/texture "
+                         "image/text/drawing.h burnish/core.h burnish/mesh.h burnish/render.h"},
+    {"src/render/light", "core simd raster shading render/frame burnish/mesh.h burnish/render.h"},
+    {"src/render/lines", "core mesh/edges.h image/text/strokes.h render/frame burnish/render.h"},
+    {"src/render/texture", "core simd raster burnish/mesh.h"},
+    {"program/batch", "cli import picture render render/output sandbox burnish"},
+    {"program/cli", "burnish"},
+    {"program/compare", "cli import render render/output picture burnish"},
+    {"program/font", "cli burnish"},
+    {"program/import", "cli core/beneath.h core/show_name.h burnish"},
+    {"program/info", "cli import burnish"},
+    {"program/lobe", "cli plot burnish"},
+    {"program/picture", "cli burnish"},
+    {"program/plot", "cli lobe picture burnish"},
+    {"program/mpi", "burnish"},
+    {"program/render", "cli font picture render/output sandbox burnish"},
+    {"program/render/output", "cli font import picture render sandbox burnish"},
+    {"program/sandbox", "cli core/beneath.h core/show_name.h import burnish"},
+    {"program/serve", "cli import render sandbox burnish"},
+    {"program/view", "cli picture render burnish"},
+    {"program/session", "cli render render/output burnish"},
+    {"importers",
+     "mesh/read/bms.h mesh/read/io/unpack.h mesh/read/io/zip.h core/srgb.h sandbox/lock.h"},
+    {"importers/assimp", "importers"},
+    {"importers/draco", "importers"},
+    {"importers/occt", "importers"},
+    {"bench", "simd shading cli burnish"},
+    {"bench/load", "bench burnish"},
+    {"bench/shaders", ""},
+    {"bench/peers", "bench core simd shading burnish"},
+    {"bench/scale", "bench/peers burnish"},
+    {"bindings/wasm", "cli lobe core/error.h core/pool.h image/decode mesh/read/io/beside.h "
+                      "burnish wasi"},
+    {"hardware/arduino/src", "burnish"},
+    {"hardware/arduino/src/burnish", ""}, /* beside them, when packed: the integer headers */
+    {"bindings/python", "cli lobe burnish"},
+};
+
+/* Where templates (..._simd.h) meet an instruction set: what this file may include besides. */
+static const struct layer MEETING = {"src/simd/isa_simd.h",
+                                     "raster shading render/frame render/light render/texture"};
+
+/* Templates are included by templates and by the meeting; the contenders take the
+ * kernels' too, and core has one of its own. */
+static int may_include_templates(const char *path) {
+    return strstr(path, "_simd.h") || strstr(path, "/src/simd/isa_") ||
+           strstr(path, "/src/core/") || strstr(path, "/bench/");
+}
+
+static const struct layer *find_layer(const char *folder) {
+    for (size_t i = 0; i < sizeof LAYERS / sizeof LAYERS[0]; ++i) {
+        if (strcmp(LAYERS[i].folder, folder) == 0) {
+            return &LAYERS[i];
+        }
+    }
+    return NULL;
+}
+
+static int holds_word(const char *words, const char *word) {
+    char padded[256], wanted[256];
+    snprintf(padded, sizeof padded, " %.250s ", words);
+    snprintf(wanted, sizeof wanted, " %.250s ", word);
+    return strstr(padded, wanted) != NULL;
+}
+
+/* Whether a file of `folder` may include "include": by its folder, or by its whole name. */
+static int allowed(const struct layer *layer, const char *include) {
+    const char *own = strchr(layer->folder, '/');
+    char folder[256];
+    snprintf(folder, sizeof folder, "%s", include);
+    char *slash = strrchr(folder, '/');
+    if (!slash) { /* beside the file itself */
+        return 1;
+    }
+    *slash = 0;
+    return (own && strcmp(own + 1, folder) == 0) || strcmp(layer->folder, folder) == 0 ||
+           holds_word(layer->may_include, folder) || holds_word(layer->may_include, include);
+}
+
+static int check_file(const struct layer *layer, const char *path) {
+    FILE *file = fopen(path, "r");
+    char line[512], include[256];
+    int includes = 0, number = 0;
+    if (!CHECK(file, "can't open %s", path)) {
+        return 0;
+    }
+    while (fgets(line, sizeof line, file)) {
+        ++number;
+        if (sscanf(line, " # include \"%255[^\"]\"", include) == 1) {
+            const int is_meeting = strstr(path, MEETING.folder) != NULL;
+            ++includes;
+            CHECK(!strstr(include, "_simd.h") || may_include_templates(path),
+                  "%s:%d includes the template \"%s\"; call it through simd/isa_ops.h", path,
+                  number, include);
+            CHECK(allowed(layer, include) || (is_meeting && allowed(&MEETING, include)),
+                  "%s:%d includes \"%s\"; %s may include: %s", path, number, include, layer->folder,
+                  layer->may_include);
+        }
+    }
+    fclose(file);
+    return includes;
+}
+
+static int is_source(const char *name) {
+    const char *ending = strrchr(name, '.');
+    return ending &&
+           (strcmp(ending, ".c") == 0 || strcmp(ending, ".h") == 0 || strcmp(ending, ".cpp") == 0);
+}
+
+/* Checks the sources of a folder and of all below it; returns how many includes it saw. */
+static int check_folder(const char *folder) {
+    char path[1024];
+    int includes = 0;
+    snprintf(path, sizeof path, "%s/%s", TEST_SOURCE_DIR, folder);
+    DIR *directory = opendir(path);
+    if (!CHECK(directory, "no folder %s", path)) {
+        return 0;
+    }
+    const struct layer *layer = find_layer(folder);
+    for (struct dirent *entry; (entry = readdir(directory)) != NULL;) {
+        struct stat info;
+        snprintf(path, sizeof path, "%s/%s/%s", TEST_SOURCE_DIR, folder, entry->d_name);
+        if (entry->d_name[0] == '.' || stat(path, &info) != 0) {
+            continue;
+        }
+        if (S_ISDIR(info.st_mode)) {
+            char below[512];
+            snprintf(below, sizeof below, "%s/%s", folder, entry->d_name);
+            includes += check_folder(below);
+        } else if (is_source(entry->d_name) &&
+                   CHECK(layer, "%s: the folder %s is not in the table of layers", entry->d_name,
+                         folder)) {
+            includes += check_file(layer, path);
+        }
+    }
+    closedir(directory);
+    return includes;
+}
+
+/* The test must be able to fail: these includes would turn the arrows round. */
+static void check_that_wrong_arrows_are_found(void) {
+    CHECK(!allowed(find_layer("src/mesh"), "raster/tile.h"), "mesh knows no raster");
+    CHECK(!allowed(find_layer("src/raster"), "render/frame/frame.h"), "raster knows no frame");
+    CHECK(!allowed(find_layer("src/shading"), "burnish/mesh.h"), "shading knows no file");
+    CHECK(!allowed(find_layer("src/core"), "mesh/mesh.h"), "core knows nobody");
+    CHECK(!allowed(find_layer("program/render"), "core/srgb.h"), "program: public headers");
+    CHECK(!find_layer("src/gltf"), "an unknown folder is found out");
+    CHECK(allowed(find_layer("src/render/frame"), "raster/tile.h"), "render leads raster");
+    CHECK(!allowed(find_layer("src/simd"), "raster/tile.h"), "simd knows no raster");
+    CHECK(!may_include_templates("/src/raster/tile.c"), "templates are behind the table");
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    static const char *const ROOTS[] = {"src",   "program",   "bindings",
+                                        "bench", "importers", "hardware/arduino/src"};
+    for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
+        CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
+    }
+    RUN(check_that_wrong_arrows_are_found());
+    return test_end("layers");
+}

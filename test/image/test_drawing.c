@@ -1,0 +1,540 @@
+/* Drawings against pictures: annotations drawn from their SVG are those of the pixels; areas are
+ * the pixels of their colour, and hatching the dark ones among them; sheets have one layout; sizes
+ * in millimetres; errors and memory. */
+#include <math.h>
+
+#include "burnish/annotate.h"
+#include "burnish/render.h"
+#include "core/srgb.h"
+#include "counting_context.h"
+#include "image/text/strokes.h"
+#include "svg_path.h"
+
+enum { WIDTH = 480, HEIGHT = 360 };
+
+static burnish_error error;
+static svg_path path;
+
+static burnish_mesh *load(const char *name) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    options.measure = 1;
+    CHECK1(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error) == BURNISH_STATUS_OK);
+    return mesh;
+}
+
+static void cut(burnish_mesh *mesh, double x, double y, double z, double offset) {
+    const burnish_clip_plane plane = {{x, y, z}, offset};
+    CHECK(burnish_mesh_clip(mesh, &plane, &error) == BURNISH_STATUS_OK, "%s", error.text);
+}
+
+static burnish_render_options make_options(const burnish_mesh *mesh, int orthographic) {
+    burnish_render_options options = burnish_render_options_default();
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options_set_look(&options, BURNISH_LOOK_DRAWING, NULL);
+    options.width = WIDTH;
+    options.height = HEIGHT;
+    framing.aspect = (double)WIDTH / HEIGHT;
+    framing.orthographic = orthographic;
+    CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK);
+    return options;
+}
+
+/* ---- Reading an SVG ---- */
+
+/* The number or colour of an attribute within a tag. */
+static const char *attribute(const char *tag, const char *name) {
+    char wanted[40];
+    snprintf(wanted, sizeof wanted, " %s=\"", name);
+    const char *end = strchr(tag, '>'), *found = strstr(tag, wanted);
+    return found && found < end ? found + strlen(wanted) : NULL;
+}
+
+static void read_color(const char *text, uint8_t color[3]) {
+    unsigned value = 0;
+    CHECK1(text && sscanf(text, "#%6x", &value) == 1);
+    for (int k = 0; k < 3; ++k) {
+        color[k] = (uint8_t)(value >> (16 - 8 * k));
+    }
+}
+
+/* Draws the groups of lines that an SVG has from `text` on. */
+static void draw_groups(const char *text, const burnish_image *image) {
+    static burnish_stroke strokes[1 << 15];
+    const burnish_pixels pixels = burnish_image_pixels(image);
+    for (const char *group = text; (group = strstr(group, "<g ")) != NULL; ++group) {
+        const char *end = strstr(group, "</g>"), *opacity = attribute(group, "opacity");
+        uint8_t color[3];
+        size_t count = 0;
+        read_color(attribute(group, "stroke"), color);
+        for (const char *tag = group; (tag = strstr(tag, "<path")) != NULL && tag < end; ++tag) {
+            const double width = strtod(attribute(tag, "stroke-width"), NULL);
+            svg_read_path(attribute(tag, "d"), &path);
+            for (size_t i = 0; i < path.count; ++i) {
+                for (size_t k = path.starts[i]; k + 1 < path.starts[i + 1]; ++k) {
+                    const double *p = path.points[k];
+                    strokes[count++] = (burnish_stroke){(float)p[0], (float)p[1], (float)p[2],
+                                                        (float)p[3], (float)(width / 2)};
+                }
+            }
+        }
+        const burnish_ink ink = burnish_ink_of(color, opacity ? strtof(opacity, NULL) : 1);
+        burnish_memory memory = burnish_memory_of(NULL, &error);
+        CHECK(burnish_strokes_draw(&pixels, strokes, count, &ink, NULL, &memory) ==
+                  BURNISH_STATUS_OK,
+              "%s", error.text);
+    }
+}
+
+static void fill_white(burnish_image *image) {
+    memset(image->pixels, 255, (size_t)image->width * (size_t)image->height * 3);
+}
+
+/* How many pixels differ by more than so many codes. */
+static size_t count_differences(const burnish_image *a, const burnish_image *b, int codes) {
+    size_t found = 0;
+    for (size_t i = 0; i < (size_t)a->width * (size_t)a->height * 3; ++i) {
+        found += abs(a->pixels[i] - b->pixels[i]) > codes;
+    }
+    return found;
+}
+
+static char *svg_of(const burnish_drawing *drawing, double dots_per_inch) {
+    char *text = NULL;
+    size_t size = 0;
+    CHECK1(burnish_drawing_svg(drawing, NULL, NULL, dots_per_inch, &text, &size, &error) ==
+           BURNISH_STATUS_OK);
+    return text;
+}
+
+/* ---- Annotations ---- */
+
+/* The SVG's groups, drawn as strokes, give the picture that burnish_annotate draws. */
+static void test_annotations(int orthographic) {
+    static float depth[WIDTH * HEIGHT];
+    static const char *const labels[] = {"6.434", "3.15", "4", "X", "Y", "Z", "grid 0.5"};
+    burnish_mesh *mesh = load(":teapot");
+    burnish_render_options options = make_options(mesh, orthographic);
+    burnish_annotations annotations = burnish_annotations_default();
+    burnish_framing framing = burnish_framing_default();
+    burnish_image expected = {0}, drawn = {0};
+    burnish_drawing *drawing;
+    burnish_target target = burnish_target_default();
+    burnish_renderer *renderer;
+    size_t left_out[2] = {9, 8};
+    target.depth = depth;
+    target.depth_stride = WIDTH * sizeof *depth;
+    annotations.kinds = BURNISH_ANNOTATION_ALL;
+    framing.aspect = (double)WIDTH / HEIGHT;
+    framing.orthographic = orthographic;
+    CHECK1(burnish_annotate_inset(mesh, &annotations, &framing, WIDTH, HEIGHT, framing.inset,
+                                  &error) == BURNISH_STATUS_OK &&
+           burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
+           BURNISH_STATUS_OK);
+    CHECK1(burnish_image_create(&expected, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK &&
+           burnish_image_create(&drawn, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
+    fill_white(&expected);
+    fill_white(&drawn);
+    const burnish_pixels pixels = burnish_image_pixels(&expected);
+    CHECK1(burnish_annotate(mesh, &annotations, &options.camera, &pixels, depth,
+                            target.depth_stride, &left_out[0], &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, depth,
+                                    target.depth_stride, &left_out[1],
+                                    &error) == BURNISH_STATUS_OK);
+    char *text = svg_of(drawing, 0);
+    draw_groups(text, &drawn);
+    CHECK1(left_out[0] == left_out[1]);
+    /* coordinates have two decimals: an edge of full contrast moves by 1 or 2 codes, of sRGB's
+     * darkest ones by more */
+    const size_t differences = count_differences(&expected, &drawn, 8);
+    CHECK(differences < 20, "%zu values differ", differences);
+    fill_white(&drawn);
+    CHECK1(count_differences(&expected, &drawn, 8) > 10000);
+    for (size_t i = 0; i < sizeof labels / sizeof *labels; ++i) {
+        char label[40];
+        snprintf(label, sizeof label, "aria-label=\"%s\"", labels[i]);
+        CHECK(strstr(text, label), "no %s", label);
+    }
+    CHECK1((strstr(text, "aria-label=\"1\"") != NULL) == orthographic); /* the scale bar */
+    burnish_release(NULL, text);
+    burnish_drawing_destroy(drawing);
+    burnish_renderer_destroy(renderer);
+    burnish_image_destroy(&expected);
+    burnish_image_destroy(&drawn);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Areas ---- */
+
+/* Whether a point is inside the path, whose lines may be open, by the even-odd rule. */
+static int is_inside(double x, double y) {
+    int inside = 0;
+    for (size_t i = 0; i < path.count; ++i) {
+        const size_t end = path.starts[i + 1];
+        for (size_t k = path.starts[i]; k < end; ++k) {
+            const double *a = path.points[k];
+            const double *b = path.points[k + 1 < end ? k + 1 : path.starts[i]];
+            if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) {
+                inside = !inside;
+            }
+        }
+    }
+    return inside;
+}
+
+/* The area of the path, whose holes run the other way. */
+static double area_of_path(void) {
+    double sum = 0;
+    for (size_t i = 0; i < path.count; ++i) {
+        for (size_t k = path.starts[i]; k + 1 < path.starts[i + 1]; ++k) {
+            const double *a = path.points[k], *b = path.points[k + 1];
+            sum += a[0] * b[1] - a[1] * b[0];
+        }
+    }
+    return sum / 2;
+}
+
+static const uint8_t *pixel_at(const burnish_image *image, int x, int y) {
+    return image->pixels + 3 * ((size_t)y * (size_t)image->width + (size_t)x);
+}
+
+/* What a pixel of the picture shows: 0 background, 1 surface, 2 and 3 the cuts 0 and 1. */
+typedef struct truth {
+    uint8_t kinds[WIDTH * HEIGHT];
+    double count[4];
+} truth;
+
+/* Kinds by a picture whose surfaces are grey: caps are tinted, so red and blue differ; which cut a
+ * cap is of, by its normal, that of `planes`. */
+static void find_truth(const burnish_mesh *mesh, const burnish_render_options *options,
+                       const double planes[2][3], burnish_image *image, truth *t) {
+    static float normals[WIDTH * HEIGHT][3];
+    burnish_renderer *renderer;
+    burnish_target target = burnish_target_default();
+    burnish_render_options plain = *options;
+    plain.edges = 0;
+    plain.samples = 1;
+    CHECK1(burnish_image_create(image, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
+    target.pixels = burnish_image_pixels(image);
+    target.normals = normals[0];
+    target.normal_stride = WIDTH * sizeof *normals;
+    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw_into(renderer, mesh, &plain, &target, NULL, &error) ==
+           BURNISH_STATUS_OK);
+    memset(t, 0, sizeof *t);
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        const uint8_t *p = image->pixels + 3 * (size_t)i;
+        const int shows = memcmp(p, options->background, 3) != 0;
+        const float *n = normals[i];
+        double cosine[2];
+        for (int k = 0; k < 2; ++k) {
+            cosine[k] = (double)n[0] * planes[k][0] + (double)n[1] * planes[k][1] +
+                        (double)n[2] * planes[k][2];
+        }
+        t->kinds[i] = (uint8_t)(!shows ? 0 : p[0] == p[2] ? 1 : cosine[0] > 0.999 ? 2 : 3);
+        ++t->count[t->kinds[i]];
+    }
+    burnish_renderer_destroy(renderer);
+}
+
+/* The path is the pixels of one kind, but for pixels along their border. */
+static void check_area(const truth *t, int kind) {
+    size_t wrong = 0, border = 0;
+    for (int y = 1; y < HEIGHT - 1; ++y) {
+        for (int x = 1; x < WIDTH - 1; ++x) {
+            const int i = y * WIDTH + x, is = t->kinds[i] == kind;
+            int near = 0;
+            for (int k = 0; k < 9; ++k) {
+                near |= (t->kinds[i + (k / 3 - 1) * WIDTH + k % 3 - 1] == kind) != is;
+            }
+            border += (size_t)near;
+            wrong += !near && is_inside(x + 0.5, y + 0.5) != is;
+        }
+    }
+    const double off = area_of_path() - t->count[kind];
+    CHECK(wrong == 0, "kind %d: %zu pixels away from borders", kind, wrong);
+    CHECK(fabs(off) < 0.06 * (double)border, "kind %d: %g of %g", kind, off, t->count[kind]);
+}
+
+/* Hatching lies on dark pixels, and there is as much of it as there is room for: a line every
+ * 14 / sqrt(2) pixels. */
+static void check_hatching(const burnish_image *image, const truth *t, int kind) {
+    double length = 0;
+    size_t pale = 0, looked = 0;
+    for (size_t i = 0; i < path.count; ++i) {
+        const double *a = path.points[path.starts[i]], *b = path.points[path.starts[i] + 1];
+        const double dx = b[0] - a[0], dy = b[1] - a[1];
+        CHECK(path.starts[i + 1] - path.starts[i] == 2 && fabs(fabs(dx) - fabs(dy)) < 0.03 &&
+                  dx * dy * (kind == 2 ? -1 : 1) >= 0,
+              "line %zu: %g, %g", i, dx, dy);
+        length += sqrt(dx * dx + dy * dy);
+        for (double at = 0.25; at < 0.8; at += 0.25) {
+            const int x = (int)(a[0] + at * dx), y = (int)(a[1] + at * dy);
+            const int is_kind = fabs(dx) > 6 && t->kinds[y * WIDTH + x] == kind;
+            looked += (size_t)is_kind;
+            pale += is_kind && pixel_at(image, x, y)[1] > 160;
+        }
+    }
+    const double expected = t->count[kind] / (14 / sqrt(2));
+    CHECK(pale == 0 && looked > 20, "%zu of %zu pale", pale, looked);
+    CHECK(fabs(length / expected - 1) < 0.03, "length %g, expected %g", length, expected);
+}
+
+/* A torus, cut twice, grey on white: three areas, two of them hatched. */
+static void test_areas(int orthographic) {
+    static const double planes[2][3] = {{0, 0, 1}, {1, 0, 0}};
+    static truth t;
+    burnish_mesh *mesh = load(":torus");
+    burnish_material grey = *burnish_mesh_material(mesh, 0);
+    burnish_renderer *renderer;
+    burnish_drawing *drawing;
+    burnish_image image = {0}, edged = {0};
+    cut(mesh, 0, 0, 1, 0.1);
+    cut(mesh, 1, 0, 0, 0.2);
+    for (int k = 0; k < 3; ++k) {
+        grey.ambient[k] = 0.8F;
+    }
+    CHECK1(burnish_mesh_set_material(mesh, 0, &grey, &error) == BURNISH_STATUS_OK);
+    const burnish_render_options options = make_options(mesh, orthographic);
+    find_truth(mesh, &options, planes, &image, &t);
+    CHECK(t.count[1] > 5000 && t.count[2] > 2000 && t.count[3] > 2000, "%g %g %g", t.count[1],
+          t.count[2], t.count[3]);
+    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &edged, NULL, &error) ==
+           BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) == BURNISH_STATUS_OK);
+    char *text = svg_of(drawing, 0);
+    int areas[4] = {0}, hatched = 0, kind = 0;
+    const char *end = strstr(text, "<g ");
+    for (const char *tag = text; (tag = strstr(tag, "<path")) != NULL && tag < end; ++tag) {
+        svg_read_path(attribute(tag, "d"), &path);
+        if (attribute(tag, "stroke")) { /* of the area before */
+            check_hatching(&image, &t, kind);
+            ++hatched;
+            continue;
+        }
+        uint8_t color[3];
+        read_color(attribute(tag, "fill"), color);
+        kind = color[0] == color[2];
+        for (int i = 0; i < WIDTH * HEIGHT && kind == 0; ++i) { /* the cut that it has pixels of */
+            const int is_cut = t.kinds[i] > 1 && is_inside(i % WIDTH + 0.5, (int)(i / WIDTH) + 0.5);
+            kind = is_cut ? t.kinds[i] : 0;
+        }
+        ++areas[kind];
+        check_area(&t, kind);
+        CHECK1(strstr(tag, "evenodd") && color[1] < 255);
+        if (kind == 1) {
+            CHECK1(abs(color[0] - burnish_linear_to_srgb(0.8F)) <= 1);
+        }
+    }
+    CHECK(areas[1] == 1 && areas[2] == 1 && areas[3] == 1 && hatched == 2, "%d %d %d, %d", areas[1],
+          areas[2], areas[3], hatched);
+    burnish_release(NULL, text);
+    burnish_drawing_destroy(drawing);
+    burnish_renderer_destroy(renderer);
+    burnish_image_destroy(&image);
+    burnish_image_destroy(&edged);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Sheets, sizes ---- */
+
+/* Cells stand where the sheet of images has them, and labels are drawn there with the same
+ * strokes. */
+static void test_sheet(void) {
+    enum { CELLS = 5, COLUMNS = 2, W = 120, H = 90 };
+    static const uint8_t white[3] = {255, 255, 255}, ink[3] = {20, 30, 40};
+    static const char *const labels[CELLS] = {"front", "a \"long\" label that is cut somewhere",
+                                              "<&>", "", "iso"};
+    burnish_image images[CELLS] = {{0}}, sheet = {0}, drawn = {0};
+    burnish_drawing *drawings[CELLS], *drawn_sheet = NULL, *other = NULL;
+    burnish_sheet_cell cells[CELLS];
+    for (int i = 0; i < CELLS; ++i) {
+        CHECK1(burnish_image_create(&images[i], W, H, 3, &error) == BURNISH_STATUS_OK);
+        memset(images[i].pixels, 100 + i, W * H * 3);
+        CHECK1(burnish_drawing_create(NULL, W, H, &drawings[i], &error) == BURNISH_STATUS_OK);
+        cells[i] = (burnish_sheet_cell){.image = &images[i], .label = labels[i]};
+    }
+    CHECK1(burnish_image_sheet(&sheet, cells, CELLS, COLUMNS, white, ink, &error) ==
+           BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_sheet(cells, drawings, CELLS, COLUMNS, ink, &drawn_sheet, &error) ==
+           BURNISH_STATUS_OK);
+    char *text = svg_of(drawn_sheet, 254);
+    char head[160];
+    snprintf(head, sizeof head, "width=\"%gmm\" height=\"%gmm\" viewBox=\"0 0 %d %d\"",
+             sheet.width / 10.0, sheet.height / 10.0, sheet.width, sheet.height);
+    CHECK(strstr(text, head), "%s is not in %.200s", head, text);
+    CHECK1(burnish_image_create(&drawn, sheet.width, sheet.height, 3, &error) == BURNISH_STATUS_OK);
+    fill_white(&drawn);
+    draw_groups(text, &drawn);
+    const char *tag = strstr(text, "<svg x=");
+    for (int i = 0; i < CELLS && CHECK1(tag); ++i, tag = strstr(tag + 1, "<svg x=")) {
+        const int x = atoi(attribute(tag, "x")), y = atoi(attribute(tag, "y"));
+        CHECK1(atoi(attribute(tag, "width")) == W && atoi(attribute(tag, "height")) == H);
+        burnish_image_destroy(&images[i]);
+        for (int row = 0; row < H; ++row) { /* the same pixels, for the comparison */
+            memset(drawn.pixels + 3 * ((size_t)(y + row) * (size_t)drawn.width + (size_t)x),
+                   100 + i, 3 * W);
+        }
+    }
+    CHECK(count_differences(&sheet, &drawn, 8) < 20, "%zu values differ",
+          count_differences(&sheet, &drawn, 8));
+    CHECK1(strstr(text, "aria-label=\"a &quot;long&quot; label that is cut somewhere\"") &&
+           strstr(text, "aria-label=\"&lt;&amp;&gt;\""));
+    burnish_release(NULL, text);
+    burnish_drawing_destroy(drawn_sheet);
+
+    CHECK1(burnish_drawing_create(NULL, W, H + 1, &other, &error) == BURNISH_STATUS_OK);
+    images[0] = (burnish_image){.width = W, .height = H, .channels = 3};
+    cells[0].image = &images[0];
+    CHECK1(burnish_drawing_sheet(cells, &other, 1, 1, ink, &drawn_sheet, &error) ==
+               BURNISH_STATUS_ARGUMENT &&
+           !drawn_sheet);
+    burnish_drawing_destroy(other);
+    for (int i = 0; i < CELLS; ++i) {
+        burnish_drawing_destroy(drawings[i]);
+    }
+    burnish_image_destroy(&sheet);
+    burnish_image_destroy(&drawn);
+}
+
+/* A font of squares, one per byte, whose lower and upper sides outlines leave out. */
+static int32_t set_squares(void *user_data, const char *text, size_t length, int height,
+                           burnish_take_outline *take, void *context) {
+    (void)user_data, (void)text;
+    const int32_t side = height * 256;
+    for (size_t i = 0; i < length && take; ++i) {
+        const int32_t x = (int32_t)i * (side + 768);
+        const int32_t corners[4][2] = {{x, 0}, {x + side, 0}, {x + side, side}, {x, side}};
+        for (int k = 0; k < 4; ++k) {
+            take(context, k == 0 ? BURNISH_OUTLINE_MOVE : BURNISH_OUTLINE_LINE, corners[k]);
+        }
+        take(context, BURNISH_OUTLINE_MOVE, corners[0]);
+    }
+    return (int32_t)length * (side + 768);
+}
+
+/* A font's letters are areas: the dark pixels of the sheet of images. */
+static void test_font(void) {
+    enum { W = 120, H = 90 };
+    static const uint8_t white[3] = {255, 255, 255}, ink[3] = {0, 0, 0};
+    const burnish_font font = {set_squares, NULL};
+    burnish_image image = {0}, sheet = {0};
+    burnish_drawing *drawing, *drawn = NULL;
+    size_t wrong = 0, dark = 0;
+    CHECK1(burnish_image_create(&image, W, H, 3, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_create(NULL, W, H, &drawing, &error) == BURNISH_STATUS_OK);
+    fill_white(&image);
+    const burnish_sheet_cell cell = {&image, "abc", &font};
+    CHECK1(burnish_image_sheet(&sheet, &cell, 1, 1, white, ink, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_sheet(&cell, &drawing, 1, 1, ink, &drawn, &error) == BURNISH_STATUS_OK);
+    char *text = svg_of(drawn, 0);
+    const char *label = strstr(text, "<path aria-label=\"abc\" fill=\"#000000\" d=\"");
+    if (CHECK1(label)) {
+        svg_read_path(strstr(label, " d=\"") + 4, &path);
+        for (int i = 0; i < sheet.width * sheet.height; ++i) {
+            const int is_dark = sheet.pixels[3 * (size_t)i] < 128;
+            const double x = i % sheet.width + 0.5, y = (int)(i / sheet.width) + 0.5;
+            dark += (size_t)is_dark;
+            wrong += is_inside(x, y) != is_dark;
+        }
+    }
+    CHECK(wrong == 0 && dark >= 3 * 9 * 9, "%zu wrong of %zu", wrong, dark);
+    burnish_release(NULL, text);
+    burnish_drawing_destroy(drawing);
+    burnish_drawing_destroy(drawn);
+    burnish_image_destroy(&image);
+    burnish_image_destroy(&sheet);
+}
+
+static void test_arguments(void) {
+    burnish_drawing *drawing = NULL;
+    char *text = NULL;
+    size_t size;
+    CHECK1(burnish_drawing_create(NULL, 0, 9, &drawing, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_drawing_create(NULL, 9, BURNISH_IMAGE_MAX_SIZE + 1, &drawing, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_drawing_svg(NULL, NULL, NULL, 0, &text, &size, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_drawing_create(NULL, 1000, 700, &drawing, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_svg(drawing, NULL, NULL, 0.5, &text, &size, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    text = svg_of(drawing, 300);
+    CHECK1(strstr(text, "width=\"84.6667mm\" height=\"59.2667mm\" viewBox=\"0 0 1000 700\""));
+    burnish_release(NULL, text);
+    text = svg_of(drawing, 0);
+    CHECK1(strstr(text, "width=\"1000\" height=\"700\""));
+    burnish_release(NULL, text);
+    burnish_drawing_destroy(drawing);
+    burnish_drawing_destroy(NULL);
+}
+
+/* ---- Memory ---- */
+
+/* Every allocation fails once; what was taken is given back. */
+static void test_memory(void) {
+    burnish_mesh *mesh = load(":torus");
+    burnish_annotations annotations = burnish_annotations_default();
+    long failures = 0;
+    cut(mesh, 0, 0, 1, 0.1);
+    burnish_render_options options = make_options(mesh, 0);
+    options.width = 64;
+    options.height = 48;
+    options.threads = 1;
+    annotations.kinds = BURNISH_ANNOTATION_DIMENSIONS;
+    for (burnish_status status = BURNISH_STATUS_MEMORY; status != BURNISH_STATUS_OK; ++failures) {
+        counts counted;
+        burnish_context *context = make_context(&counted);
+        burnish_renderer *renderer = NULL;
+        burnish_drawing *drawing = NULL;
+        burnish_target target = burnish_target_default();
+        static float depth[64 * 48];
+        char *text = NULL;
+        size_t size;
+        target.depth = depth;
+        target.depth_stride = 64 * sizeof *depth;
+        CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+        CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
+               BURNISH_STATUS_OK);
+        atomic_store(&counted.left, failures);
+        annotations.context = context;
+        status = burnish_drawing_create(context, 64, 48, &drawing, &error);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_renderer_trace(renderer, mesh, &options, drawing, &error);
+        }
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, NULL, 0,
+                                              NULL, &error);
+        }
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_drawing_svg(drawing, "t", NULL, 0, &text, &size, &error);
+        }
+        CHECK(status == BURNISH_STATUS_OK || status == BURNISH_STATUS_MEMORY, "%s", error.text);
+        burnish_release(context, text);
+        burnish_drawing_destroy(drawing);
+        burnish_renderer_destroy(renderer);
+        burnish_context_destroy(context);
+        CHECK(atomic_load(&counted.live) == 0, "failure %ld: %ld left", failures,
+              atomic_load(&counted.live));
+    }
+    CHECK(failures > 20, "%ld", failures);
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_annotations(0));
+    RUN(test_annotations(1));
+    RUN(test_areas(0));
+    RUN(test_areas(1));
+    RUN(test_sheet());
+    RUN(test_font());
+    RUN(test_arguments());
+    RUN(test_memory());
+    return test_end("drawing");
+}

@@ -1,0 +1,275 @@
+/* Strokes: coverage against distances in double precision, ink against the area of lines, every
+ * format, clipping, threads, memory that runs out. */
+#include <math.h>
+
+#include "core/srgb.h"
+#include "counting_context.h"
+#include "image/text/strokes.h"
+
+enum { WIDTH = 61, HEIGHT = 47 };
+
+static uint32_t seed = 1;
+
+static float random_float(float low, float high) {
+    seed = seed * 1664525u + 1013904223u;
+    return low + (high - low) * (float)(seed >> 8) / 16777216.0f;
+}
+
+static burnish_pixels floats_of(float *light, int width, int height) {
+    return (burnish_pixels){width, height, BURNISH_PIXELS_RGBA_FLOAT, (size_t)width * 16,
+                            (uint8_t *)light};
+}
+
+static burnish_status draw(const burnish_pixels *pixels, const burnish_stroke *strokes,
+                           size_t count, float opacity) {
+    static const uint8_t color[3] = {200, 100, 30};
+    const burnish_ink ink = burnish_ink_of(color, opacity);
+    burnish_memory memory = burnish_memory_of(NULL, NULL);
+    return burnish_strokes_draw(pixels, strokes, count, &ink, NULL, &memory);
+}
+
+static double distance_to(const burnish_stroke *s, double x, double y) {
+    const double ex = (double)s->x1 - s->x0, ey = (double)s->y1 - s->y0;
+    const double length2 = ex * ex + ey * ey;
+    double t = length2 > 0 ? ((x - s->x0) * ex + (y - s->y0) * ey) / length2 : 0;
+    t = fmin(fmax(t, 0), 1);
+    return hypot(x - s->x0 - t * ex, y - s->y0 - t * ey);
+}
+
+/* Random strokes, some far outside, drawn over nothing: alpha is the largest coverage. */
+static void test_coverage(float reach) {
+    enum { COUNT = 12 };
+    static float light[WIDTH * HEIGHT * 4];
+    burnish_stroke strokes[COUNT];
+    for (int i = 0; i < COUNT; ++i) {
+        const float far = i % 3 == 0 ? reach : 40;
+        strokes[i] = (burnish_stroke){random_float(-far, far), random_float(-far, far),
+                                      random_float(-far, far), random_float(-far, far),
+                                      random_float(0.1f, 3)};
+    }
+    memset(light, 0, sizeof light);
+    const burnish_pixels pixels = floats_of(light, WIDTH, HEIGHT);
+    CHECK1(draw(&pixels, strokes, COUNT, 1) == BURNISH_STATUS_OK);
+    /* An end is a float, and a stroke far away is cut: its direction turns by a few ulp. */
+    const double tolerance = 3e-5 + (double)reach * 1e-6;
+    for (int y = 0; y < HEIGHT; ++y) {
+        for (int x = 0; x < WIDTH; ++x) {
+            double expected = 0;
+            for (int i = 0; i < COUNT; ++i) {
+                const double radius = (double)strokes[i].radius;
+                const double share = 0.5 + radius - distance_to(&strokes[i], x + 0.5, y + 0.5);
+                expected = fmax(expected, fmin(share, fmin(1, 2 * radius)));
+            }
+            const double got = (double)light[(y * WIDTH + x) * 4 + 3];
+            CHECK(fabs(got - expected) <= tolerance, "reach %g, %d, %d: %g, expected %g",
+                  (double)reach, x, y, got, expected);
+        }
+    }
+}
+
+/* The ink of a line is length times width, and that of its two round ends a disc's, at any angle.
+ */
+static void test_area(void) {
+    enum { SIZE = 128 };
+    static float light[SIZE * SIZE * 4];
+    const burnish_pixels pixels = floats_of(light, SIZE, SIZE);
+    for (int width = 1; width <= 24; width += width < 8 ? 1 : 8) {
+        for (int angle = 0; angle < 180; angle += 13) {
+            const double w = width / 4.0, turn = angle * 3.14159265358979 / 180, half = 45;
+            const float dx = (float)(half * cos(turn)), dy = (float)(half * sin(turn));
+            const burnish_stroke stroke = {64.2f - dx, 63.7f - dy, 64.2f + dx, 63.7f + dy,
+                                           (float)(w / 2)};
+            memset(light, 0, sizeof light);
+            draw(&pixels, &stroke, 1, 1);
+            double sum = 0;
+            for (int i = 0; i < SIZE * SIZE; ++i) {
+                sum += (double)light[4 * i + 3];
+            }
+            const double body = 2 * half * w;
+            CHECK(sum > body * 0.985 && sum < body * 1.015 + 3.1416 * (w + 1) * (w + 1) / 4,
+                  "width %g, angle %d: ink %g, expected %g and ends", w, angle, sum, body);
+        }
+    }
+}
+
+/* Lines that cross, meet or are drawn twice are no darker than one. */
+static void test_joints(void) {
+    static float once[WIDTH * HEIGHT * 4], twice[WIDTH * HEIGHT * 4];
+    const burnish_pixels a = floats_of(once, WIDTH, HEIGHT), b = floats_of(twice, WIDTH, HEIGHT);
+    const burnish_stroke whole = {5.25f, 8, 50.25f, 8, 0.6f};
+    const burnish_stroke parts[] = {{5.25f, 8, 27, 8, 0.6f}, {50.25f, 8, 27, 8, 0.6f}, whole};
+    memset(once, 0, sizeof once);
+    memset(twice, 0, sizeof twice);
+    draw(&a, &whole, 1, 0.5f);
+    draw(&b, parts, 3, 0.5f);
+    float most = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        CHECK(fabsf(once[4 * i + 3] - twice[4 * i + 3]) < 1e-6f, "pixel %d: %g and %g", i,
+              (double)once[4 * i + 3], (double)twice[4 * i + 3]);
+        most = once[4 * i + 3] > most ? once[4 * i + 3] : most;
+    }
+    CHECK(most > 0.29f && most <= 0.5f, "opacity bounds coverage: %g", (double)most);
+}
+
+/* Bytes are the floats' light over the same ground, BGRA is RGBA turned round, what lies between
+ * rows stays. */
+static void test_formats(void) {
+    enum { STRIDE = WIDTH * 4 + 5 };
+    static uint8_t bytes[BURNISH_PIXELS_COUNT][STRIDE * HEIGHT];
+    static float light[WIDTH * HEIGHT * 4];
+    const burnish_stroke strokes[] = {{3, 4, 50, 40, 1.3f}, {55, 2, 9, 44, 0.4f}};
+    for (int format = 0; format < BURNISH_PIXELS_RGBA_FLOAT; ++format) {
+        memset(bytes[format], 255, sizeof bytes[format]);
+        const burnish_pixels pixels = {WIDTH, HEIGHT, (burnish_pixel_format)format, STRIDE,
+                                       bytes[format]};
+        CHECK1(draw(&pixels, strokes, 2, 0.7f) == BURNISH_STATUS_OK);
+    }
+    for (int i = 0; i < WIDTH * HEIGHT * 4; ++i) {
+        light[i] = 1;
+    }
+    const burnish_pixels floats = floats_of(light, WIDTH, HEIGHT);
+    CHECK1(draw(&floats, strokes, 2, 0.7f) == BURNISH_STATUS_OK);
+    for (int y = 0; y < HEIGHT; ++y) {
+        for (int x = 0; x < WIDTH; ++x) {
+            const uint8_t *rgb = bytes[BURNISH_PIXELS_RGB8] + y * STRIDE + 3 * x;
+            const uint8_t *rgba = bytes[BURNISH_PIXELS_RGBA8] + y * STRIDE + 4 * x;
+            const uint8_t *bgra = bytes[BURNISH_PIXELS_BGRA8] + y * STRIDE + 4 * x;
+            const float *linear = light + (y * WIDTH + x) * 4;
+            CHECK1(memcmp(rgb, rgba, 3) == 0 && rgba[3] == 255 && bgra[3] == 255);
+            CHECK1(bgra[0] == rgba[2] && bgra[1] == rgba[1] && bgra[2] == rgba[0]);
+            for (int k = 0; k < 3; ++k) {
+                CHECK(rgb[k] == burnish_linear_to_srgb(linear[k]), "%d, %d: %d", x, y, rgb[k]);
+            }
+        }
+        for (int x = 4 * WIDTH; x < STRIDE; ++x) {
+            CHECK1(bytes[BURNISH_PIXELS_RGBA8][y * STRIDE + x] == 255);
+        }
+    }
+}
+
+/* What a small picture shows is the crop of a large one. */
+static void test_clipping(void) {
+    static float large[90 * 90 * 4], small[20 * 20 * 4];
+    const burnish_pixels a = floats_of(large, 90, 90), b = floats_of(small, 20, 20);
+    for (int i = 0; i < 40; ++i) {
+        const burnish_stroke stroke = {random_float(-20, 110), random_float(-20, 110),
+                                       random_float(-20, 110), random_float(-20, 110), 1.1f};
+        burnish_stroke moved = stroke;
+        moved.x0 -= 32;
+        moved.y0 -= 32;
+        moved.x1 -= 32;
+        moved.y1 -= 32;
+        memset(large, 0, sizeof large);
+        memset(small, 0, sizeof small);
+        draw(&a, &stroke, 1, 1);
+        draw(&b, &moved, 1, 1);
+        for (int y = 0; y < 20; ++y) {
+            for (int x = 0; x < 20; ++x) {
+                CHECK1(fabsf(large[((y + 32) * 90 + x + 32) * 4 + 3] -
+                             small[(y * 20 + x) * 4 + 3]) < 1e-4f);
+            }
+        }
+    }
+}
+
+static void test_extremes(void) {
+    const float values[] = {(float)NAN, (float)INFINITY, -(float)INFINITY, 3e38f, -3e38f, 1e30f};
+    static float light[WIDTH * HEIGHT * 4];
+    const burnish_pixels pixels = floats_of(light, WIDTH, HEIGHT);
+    for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            float ends[4] = {-10, -10, -10, -20};
+            ends[k] = values[i];
+            const burnish_stroke stroke = {ends[0], ends[1], ends[2], ends[3], 1};
+            CHECK1(draw(&pixels, &stroke, 1, 1) == BURNISH_STATUS_OK);
+        }
+    }
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        CHECK(light[4 * i + 3] == 0, "ink at pixel %d", i);
+    }
+    const burnish_stroke across = {-9e8f, 20.5f, 1e9f, 20.5f, 0.5f};
+    CHECK1(draw(&pixels, &across, 1, 1) == BURNISH_STATUS_OK);
+    CHECK(light[(20 * WIDTH + 30) * 4 + 3] > 0.99f, "a line through the picture, %g",
+          (double)light[(20 * WIDTH + 30) * 4 + 3]);
+    const float radii[] = {0, -1, (float)NAN, 1025};
+    for (size_t i = 0; i < sizeof radii / sizeof *radii; ++i) {
+        const burnish_stroke stroke = {1, 1, 2, 2, radii[i]};
+        CHECK1(draw(&pixels, &stroke, 1, 1) == BURNISH_STATUS_ARGUMENT);
+    }
+}
+
+/* More strokes in bands than are listed at a time, by any number of threads: the same bytes. */
+static void test_bands(void) {
+    enum { TALL = BURNISH_IMAGE_MAX_SIZE, THIN = 3, COUNT = 1100 };
+    static uint8_t pictures[2][TALL][THIN][3];
+    static burnish_stroke strokes[COUNT];
+    const uint8_t black[3] = {0, 0, 0};
+    const burnish_ink ink = burnish_ink_of(black, 1);
+    strokes[0] = (burnish_stroke){0.5f, 16000.5f, 0.5f, 16100.5f, 0.5f};
+    for (int i = 1; i < COUNT; ++i) { /* touch the last column */
+        strokes[i] = (burnish_stroke){3, 0, 3, TALL, 0.5f};
+    }
+    for (int t = 0; t < 2; ++t) {
+        const burnish_pixels view = {THIN, TALL, BURNISH_PIXELS_RGB8, THIN * 3, **pictures[t]};
+        burnish_tasks tasks;
+        burnish_memory memory = burnish_memory_of(NULL, NULL);
+        burnish_tasks_begin(&tasks, NULL, t ? 7 : 1);
+        memset(pictures[t], 255, sizeof pictures[t]);
+        CHECK1(burnish_strokes_draw(&view, strokes, COUNT, &ink, &tasks, &memory) ==
+               BURNISH_STATUS_OK);
+    }
+    CHECK1(memcmp(pictures[0], pictures[1], sizeof pictures[0]) == 0);
+    for (int y = 0; y < TALL; ++y) {
+        const int inside = y >= 16000 && y <= 16100;
+        CHECK(pictures[0][y][0][0] == (inside ? 0 : 255), "row %d: %d", y, pictures[0][y][0][0]);
+        CHECK(pictures[0][y][1][0] == 255, "row %d: %d", y, pictures[0][y][1][0]);
+        CHECK(pictures[0][y][2][0] == 188, "row %d: %d", y, pictures[0][y][2][0]); /* half */
+    }
+}
+
+/* Every allocation fails once, and every question whether to go on is answered by no. */
+static void test_refusals(void) {
+    static uint8_t bytes[WIDTH * HEIGHT * 3];
+    const burnish_pixels pixels = {WIDTH, HEIGHT, BURNISH_PIXELS_RGB8, WIDTH * 3, bytes};
+    const burnish_stroke stroke = {1, 1, 50, 40, 1};
+    const uint8_t black[3] = {0, 0, 0};
+    const burnish_ink ink = burnish_ink_of(black, 1);
+    counts c;
+    burnish_context *context = make_context(&c);
+    const long before = c.live;
+    int failures = 0, cancelled = 0;
+    for (int mode = 0; mode < 2; ++mode) {
+        for (int i = 0;; ++i) {
+            burnish_tasks tasks;
+            burnish_memory memory = burnish_memory_of(context, NULL);
+            burnish_tasks_begin(&tasks, context, 1);
+            c.left = mode == 0 ? i : -1;
+            c.questions = mode == 1 ? i : -1;
+            const burnish_status status =
+                burnish_strokes_draw(&pixels, &stroke, 1, &ink, &tasks, &memory);
+            CHECK(c.live == before, "%ld blocks are left", (long)c.live - before);
+            if (status == BURNISH_STATUS_OK) {
+                break;
+            }
+            failures += status == BURNISH_STATUS_MEMORY;
+            cancelled += status == BURNISH_STATUS_CANCELLED;
+        }
+    }
+    CHECK(failures == 3 && cancelled >= 3, "%d failures, %d cancelled", failures, cancelled);
+    c.left = c.questions = -1;
+    burnish_context_destroy(context);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_coverage(100));
+    RUN(test_coverage(1e6f));
+    RUN(test_area());
+    RUN(test_joints());
+    RUN(test_formats());
+    RUN(test_clipping());
+    RUN(test_extremes());
+    RUN(test_bands());
+    RUN(test_refusals());
+    return test_end("strokes");
+}

@@ -1,0 +1,188 @@
+#!/bin/sh
+# burnish-import-assimp over the files of Debian's assimp-testmodels, whole and damaged.
+# Usage: import_assimp.sh PROGRAM FOLDER        (the importer lies beside the program)
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../cli/lib.sh"
+models=/usr/share/assimp/models
+[ -d $models ] || {
+    echo "import_assimp: no $models; scripts/install-deps importers"
+    exit 77
+}
+unset BURNISH_IMPORTERS
+
+# holds FILE TRIANGLES UP: what info and render say of it.
+holds() {
+    run info "$models/$1" --json
+    check "$1: $(json triangles) triangles, not $2: $(cat "$err")" [ "$(json triangles)" = "$2" ]
+    run render "$models/$1" --size=100 --json --quiet -o p.png
+    check "$1: up is $(json up), not $3" [ "$(json up)" = "$3" ]
+    check "$1: something is seen" [ "$(json covered_pixels)" -gt 100 -a "$(json blank)" = false ]
+    run render "$models/$1" --size=100 --sandbox --quiet -o q.png
+    check "$1: the same in a sandbox: $(cat "$err")" cmp -s p.png q.png
+    rm -f p.png q.png
+}
+holds FBX/box.fbx 12 +Y
+holds FBX/spider.fbx 1368 +Y
+holds Collada/duck.zae 4212 +Y
+holds 3DS/fels.3ds 768 +Y
+holds BLEND/HUMAN.blend 8560 +Z
+holds DXF/wuson.dxf 3732 -Z
+holds AMF/test2.amf 4 +Z
+holds AMF/test1.amf 4 +Z # colours of vertices that are wholly transparent are none
+holds BLEND/BlenderDefault_250.blend 12 +Z
+holds Collada/cube_UTF16LE.dae 12 +Y
+
+# Colours of materials and vertices, and a texture that the archive holds.
+hash() { # FLAGS
+    run render "$@" --size=64 --json --quiet -o p.png
+    rm -f p.png
+    json hash
+}
+check "a texture in the file is drawn" [ "$(hash $models/Collada/duck.zae)" != "$(hash $models/Collada/duck.zae --no-textures)" ]
+check "materials have colours" [ "$(hash $models/FBX/cubes_with_names.fbx)" != "$(hash $models/FBX/cubes_with_names.fbx --color=1,1,1)" ]
+
+check "coordinates that the file leaves to be made" \
+    [ "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo)" != "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --no-textures)" ]
+run render $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --size=32 -o p.png
+check "no warning of them: $(cat "$err")" [ ! -s "$err" ]
+run info $models/X3D/HelloWorld.x3d
+check "of a list of names the first: $(cat "$err")" sh -c "! grep -q '\"http' '$err'"
+# libassimp's grey of what has no colour has an alpha of 0.6, which DXF does not know
+inside="$models/DXF/wuson.dxf --views=left --camera-zoom-factor=12"
+# shellcheck disable=SC2086
+check "DXF is opaque" [ "$(hash $inside --background-color=1,0,0)" = "$(hash $inside --background-color=0,0,1)" -a -n "$(json hash)" ]
+rm -f p.png
+
+# What libassimp makes up where a file says nothing is burnish's grey; what a file says is drawn.
+printf 'v 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\n' >grey.obj
+printf '0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0\n0\nENDSEC\n0\nEOF\n' >grey.dxf
+check "DXF without colours" [ "$(hash grey.dxf)" = "$(hash grey.obj --up=-Z)" ]
+holds Q3D/earth.q3o 2937 +Z
+vertex() {
+    printf '<vertex><coordinates><x>%s</x><y>%s</y><z>0</z></coordinates><color><r>%s</r><g>%s</g><b>%s</b></color></vertex>' "$@"
+}
+{
+    printf '<?xml version="1.0"?><amf unit="millimeter"><object id="0"><mesh><vertices>'
+    vertex 0 0 1 0 0 && vertex 1 0 0 1 0 && vertex 0 1 0 0 1
+    printf '</vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>'
+} >colors.amf
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red
+property uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header
+0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n' >colors.ply
+check "colours of vertices are those of the file" [ "$(hash colors.amf)" = "$(hash colors.ply --up=+Z)" ]
+nff() { # COLOUR UP
+    printf 'v\nfrom 0 -5 0\nat 0 0 0\nup %s\nangle 40\nhither 1\nresolution 9 9\n' "$2"
+    printf 'f %s 1 0 0 0 0\np 3\n0 0 0\n1 0 0\n0 1 0\n' "$1"
+}
+nff '1 0 0' '0 1 0' >red.nff
+nff '0 1 0' '0 0 1' >green.nff
+check "materials of NFF" [ "$(hash red.nff --up=+Y)" != "$(hash green.nff --up=+Y)" ]
+hash green.nff >/dev/null
+check "NFF says what is up: $(json up)" [ "$(json up)" = +Z ]
+hash red.nff >/dev/null
+check "it may be Y: $(json up)" [ "$(json up)" = +Y ]
+glowing() { # EMISSIVE: a .x with a black texture
+    printf 'xof 0303txt 0032\nMesh m {\n 3;\n 0;0;0;,\n 1;0;0;,\n 0;1;0;;\n 1;\n 3;0,2,1;;\n MeshTextureCoords {\n 3;\n 0;0;,\n 0;1;,\n 1;0;;\n }\n'
+    printf 'MeshMaterialList {\n 1;\n 1;\n 0;;\n Material a {\n 1;1;1;1;;\n 0;\n 0;0;0;;\n %s;;\n TextureFilename { "black.png"; }\n }\n }\n}\n' "$1"
+}
+python3 -c "
+import struct, sys, zlib
+def chunk(name, data):
+    return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
+sys.stdout.buffer.write(b'\\x89PNG\\r\\n\\x1a\\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', 1, 1, 8, 2, 0, 0, 0)) +
+                        chunk(b'IDAT', zlib.compress(bytes(4))) + chunk(b'IEND', b''))" >black.png
+glowing '0;0;0' >dark.x
+glowing '1;1;1' >bright.x
+check "light of a material goes through its texture" [ "$(hash dark.x)" = "$(hash bright.x)" ]
+check "it is there without: $(hash bright.x --no-textures)" [ "$(hash dark.x --no-textures)" != "$(hash bright.x --no-textures)" ]
+rm -f grey.* colors.* red.nff green.nff dark.x bright.x black.png
+
+# AMF: all volumes, instances where they are, colours of what is nearest; what is damaged.
+tetrahedron='<triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle><triangle><v1>0</v1><v2>1</v2><v3>3</v3></triangle>'
+slope='<triangle><v1>0</v1><v2>3</v2><v3>2</v3></triangle><triangle><v1>1</v1><v2>2</v2><v3>3</v3>%s</triangle>'
+amf() { # FILE MORE-OF-THE-OBJECT COLOUR-OF-A-TRIANGLE REST
+    {
+        printf '<?xml version="1.0"?>\n<amf unit="inch"><material id="7"><color><r>1</r><g>0</g><b>0</b></color></material>'
+        printf '<object id="3">%s<mesh><vertices>' "$2"
+        for at in '0 0 0' '1 0 0' '0 1 0' '0 0 1'; do
+            # shellcheck disable=SC2086
+            printf '<vertex><coordinates><x>%s</x><y>%s</y><z> %s\n</z></coordinates></vertex>' $at
+        done
+        # shellcheck disable=SC2059
+        printf "</vertices><volume materialid=\"7\">$tetrahedron</volume><volume>$slope</volume></mesh></object>%s</amf>\n" "$3" "$4"
+    } >"$1"
+}
+amf all.amf '' '' ''
+run info all.amf --json
+check "AMF: all volumes: $(json triangles), $(json volume)" [ "$(json triangles)" = 4 -a "$(json closed)" = true ]
+amf red.amf '' '' '<constellation id="4"><instance objectid="3"></instance></constellation>'
+check "an instance that is nowhere else" [ "$(hash red.amf)" = "$(hash all.amf)" ]
+amf blue.amf '<color><r>0</r><g>0</g><b>1</b></color>' '' ''
+amf green.amf '<color><r>0</r><g>0</g><b>1</b></color>' '<color><r>0</r><g>1</g><b>0</b></color>' ''
+check "the nearest colour counts" [ "$(hash blue.amf)" != "$(hash all.amf)" -a "$(hash blue.amf)" != "$(hash green.amf)" ]
+amf turned.amf '' '' '<constellation id="4"><instance objectid="3"><deltax>5</deltax><rz>90</rz></instance><instance objectid="3"><deltay>2</deltay></instance></constellation>'
+run info turned.amf --json
+check "instances are turned and moved: $(json triangles), $(json min), $(json max)" [ "$(json triangles) $(json min) $(json max)" = "8 0,0,0 5,3,1" ]
+amf nested.amf '' '' '<constellation id="4"><instance objectid="5"><deltaz>1</deltaz></instance></constellation><constellation id="5"><instance objectid="3"><mirrorx>1</mirrorx></instance></constellation>'
+run info nested.amf --json
+check "in one another: $(json triangles), $(json min), $(json max), $(json volume)" [ "$(json triangles) $(json min) $(json max)" = "4 -1,0,1 0,1,2" -a "$(json flipped_triangles)" = 0 -a "$(json volume | cut -c1-4)" = 0.16 ]
+amf loop.amf '' '' '<constellation id="4"><instance objectid="5"/></constellation><constellation id="5"><instance objectid="6"/></constellation><constellation id="6"><instance objectid="5"/></constellation>'
+expect 5 "burnish: loop.amf: burnish-import-assimp: constellations hold each other more than 32 deep, or more than 33554432 triangles; simplify the file" info loop.amf
+iconv -f UTF-8 -t UTF-16 all.amf >wide.amf
+check "UTF-16" [ "$(hash wide.amf)" = "$(hash all.amf)" ]
+sed 's/<v3>3/<v3>4/' all.amf >far.amf
+expect 4 "burnish: far.amf: burnish-import-assimp: line 6: a triangle names a vertex that is not there; repair the file" info far.amf
+sed 's/<x>1/<x>nan/' all.amf >nan.amf
+expect 4 "burnish: nan.amf: burnish-import-assimp: line 3: what should be a number is none; repair the file" info nan.amf
+head -c 700 all.amf >cut.amf
+run info cut.amf
+check "cut: $(cat "$err")" grep -q '^burnish: cut.amf: burnish-import-assimp: line [0-9]*: the XML is not well formed (' "$err"
+sed '1s/$/<!DOCTYPE amf>/' all.amf >type.amf
+expect 4 "burnish: type.amf: burnish-import-assimp: line 1: a document type (DOCTYPE), which is not read; repair the file" info type.amf
+rm -f ./*.amf p.png
+
+# Packed, and damaged so.
+gzip -c $models/FBX/box.fbx >BOX.FBX.GZ
+check "gzip" [ "$(hash BOX.FBX.GZ)" = "$(hash $models/FBX/box.fbx)" ]
+check "gzip in a sandbox" [ "$(hash BOX.FBX.GZ --sandbox)" = "$(hash $models/FBX/box.fbx)" ]
+head -c 2000 BOX.FBX.GZ >cut.fbx.gz
+expect 4 "burnish: cut.fbx.gz: burnish-import-assimp: gzip: byte 2000: the gzip file is truncated" info cut.fbx.gz
+head -c 70000000 /dev/zero | gzip >large.fbx.gz
+expect 5 "burnish: large.fbx.gz: burnish-import-assimp: gzip: its $(wc -c <large.fbx.gz) bytes unpack to more than 67108864; unpack it first if that is right" info large.fbx.gz
+run batch . -d out
+check "a folder's: $(cat "$err")" [ -s out/BOX.FBX.png ]
+
+# An archive of one file, as AMF often is, whatever the file is called; a bomb; and one that ends early.
+zipped() { # NAME PART: NAME holds the file PART
+    python3 -c 'import sys, zipfile; zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED).write(sys.argv[2])' "$1" "$2"
+}
+cp $models/AMF/test2.amf box.amf
+cp $models/AMF/test2.amf model.xml
+zipped zip.amf box.amf
+zipped other.amf model.xml
+check "AMF in an archive: $(cat "$err")" [ "$(hash zip.amf)" = "$(hash $models/AMF/test2.amf)" ]
+check "in one of another name" [ "$(hash other.amf)" = "$(hash $models/AMF/test2.amf)" ]
+check "through standard input" [ "$("$burnish" render - --input-format=amf --size=64 --json --quiet -o p.png <zip.amf | grep '"hash"')" = \
+    "$("$burnish" render zip.amf --size=64 --json --quiet -o p.png | grep '"hash"')" ]
+head -c 300 zip.amf >cut.amf
+expect 4 "burnish: cut.amf: burnish-import-assimp: zip: the archive has no end; the file is truncated" info cut.amf
+{ cat box.amf && head -c 70000000 /dev/zero; } >bomb.xml
+zipped bomb.amf bomb.xml
+expect 5 "burnish: bomb.amf: burnish-import-assimp: zip: bomb.xml: the archive's $(wc -c <bomb.amf) bytes unpack to more than 67108864; export it flat, or as glTF" info bomb.amf
+rm -f ./*.amf ./*.xml p.png
+rm -rf BOX.FBX.GZ cut.fbx.gz large.fbx.gz out
+
+expect 4 "burnish: $models/MDL/MDL (HL1)/man.mdl: burnish-import-assimp: Missing file inputT.mdl; parts in files beside it are not read: convert it whole" \
+    info "$models/MDL/MDL (HL1)/man.mdl"
+
+# By hand: a stream is a file like others.
+"$(dirname "$burnish")/burnish-import-assimp" fbx <$models/FBX/spider.fbx >a.bms
+check "a saved stream" [ "$(hash a.bms)" = "$(hash $models/FBX/spider.fbx)" ]
+rm -f a.bms
+
+# What is damaged ends as one line and an exit code, or is drawn: whatever libassimp does with it.
+python3 "$here/damage.py" "$burnish" $models "${IMPORT_DAMAGED:-150}" >"$out" 2>&1
+check "damaged files: $(tail -n 3 "$out")" [ $? = 0 ]
+tail -n 1 "$out" # what became of them
+nothing_left "import_assimp"
+finish

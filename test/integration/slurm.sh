@@ -1,0 +1,110 @@
+#!/bin/sh
+# A Slurm of this test's own, one machine, and what docs/scale.md says to type: the pictures and the report are those of one run.
+# Usage: slurm.sh PROGRAM FOLDER SOURCES [BURNISH_MPI]
+for tool in munged slurmctld slurmd sbatch srun; do
+    PATH=$PATH:/usr/sbin command -v $tool >/dev/null || { echo "slurm: $tool is missing (Debian: slurm-wlm, munge)"; exit 77; }
+done
+PATH=$PATH:/usr/sbin
+here=$(cd "$(dirname "$0")" && pwd)
+sources=$(realpath "$3")
+mpi=${4:+$(realpath "$4")}
+. "$here/../cli/lib.sh"
+
+# Sockets have short names, and munge wants folders that nobody else writes to.
+home=$(mktemp -d /tmp/slurm.XXXXXX)
+chmod 755 "$home"
+mkdir "$home/state" "$home/spool"
+end() {
+    for name in slurmd slurmctld munged; do
+        daemon=$(cat "$home/$name.pid" 2>/dev/null) || continue
+        kill "$daemon" 2>/dev/null && await ended "$daemon"
+    done
+    rm -rf "$home"
+}
+trap end EXIT
+trap 'exit 1' HUP INT TERM
+dd if=/dev/urandom of="$home/key" bs=128 count=1 2>/dev/null
+chmod 600 "$home/key"
+
+# 64 processors are said, so that tasks run side by side whatever machine this is.
+node=$(uname -n | cut -d. -f1)
+configure() {
+    cat >"$home/slurm.conf" <<END
+ClusterName=burnish
+SlurmctldHost=$node(127.0.0.1)
+SlurmctldPort=$1
+SlurmdPort=$(($1 + 1))
+SlurmUser=$(id -un)
+SlurmdUser=$(id -un)
+AuthInfo=socket=$home/munge
+StateSaveLocation=$home/state
+SlurmdSpoolDir=$home/spool
+SlurmctldPidFile=$home/slurmctld.pid
+SlurmdPidFile=$home/slurmd.pid
+SlurmctldLogFile=$home/slurmctld.log
+SlurmdLogFile=$home/slurmd.log
+ProctrackType=proctrack/pgid
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SlurmdParameters=config_overrides
+SchedulerParameters=sched_min_interval=1,batch_sched_delay=0
+ReturnToService=2
+NodeName=$node NodeAddr=127.0.0.1 CPUs=64 State=UNKNOWN
+PartitionName=all Nodes=ALL Default=YES State=UP MaxTime=INFINITE
+END
+}
+export SLURM_CONF="$home/slurm.conf"
+is_idle() { [ "$(sinfo -h -o %T 2>/dev/null)" = idle ]; }
+begin() {
+    munged --key-file="$home/key" --socket="$home/munge" --pid-file="$home/munged.pid" \
+        --log-file="$home/munged.log" --seed-file="$home/seed" || return
+    for port in $((20000 + $$ % 20000)) $((20000 + ($$ + 7000) % 20000)); do
+        configure $port
+        slurmctld -c && slurmd -N "$node" || continue
+        ! await is_idle || return 0
+    done
+    return 1
+}
+if ! begin >"$home/begin.log" 2>&1; then
+    echo "slurm: it does not start here: $(tail -n 2 "$home"/*.log)"
+    exit 77
+fi
+
+mkdir parts parts/deep programs
+for i in 1 2 3 4 5 6 7 8 9 10 11 12; do
+    printf 'v 0 0 0\nv %d 0 1\nv 0 2 %d\nv 1 1 5\nf 1 2 3\nf 1 3 4\n' $i $i >parts/deep/$i.obj
+done
+printf 'v 0 0\n' >parts/bad.obj
+ln -s "$burnish" programs/burnish
+[ -z "$mpi" ] || ln -s "$mpi" programs/burnish-mpi
+export PATH="$scratch/programs:$PATH" BURNISH="$burnish" # what lies beside burnish-mpi may be older
+burnish batch parts -r -d thumbs --size=32 --index --quiet --no-seconds 2>/dev/null
+mv thumbs reference
+
+# The commands of the page, with pictures that are smaller and fewer tasks.
+page="$sources/docs/scale.md"
+cp "$sources/docs/examples/batch-array.sh" .
+sed -n '/^job=\$(sbatch/,/^```/p' "$page" | grep -v '```' |
+    sed -e 's/--size=256/--size=32 --no-seconds/' -e 's/ 100 parts/ 9 parts/' -e 's/sbatch --dep/sbatch --wait --dep/' >commands
+check "the page has an array" [ "$(grep -c 'sbatch' commands)" = 2 ]
+sed -i 's/^#SBATCH --array=1-100/#SBATCH --array=1-9/' batch-array.sh
+timeout 60 sh -e commands >"$out" 2>&1
+check "an array: exit code $?, $(cat "$out")" [ $? = 11 ]
+check "an array: $(diff -r thumbs reference 2>&1 | head -n 3; cat slurm-*.out | head -n 5)" diff -r thumbs reference
+check "an array: nine tasks and the last" [ "$(ls slurm-*.out | wc -l)" = 10 ]
+check "an array: tasks keep to their processors" grep -q -- '-j "$SLURM_CPUS_PER_TASK"' batch-array.sh
+rm -rf thumbs slurm-*.out
+
+if [ -n "$mpi" ]; then
+    sed -n '/^srun .*burnish-mpi/p' "$page" | sed -e 's/ -n 64/ -n 4/' -e 's/-d thumbs/-d thumbs --size=32 --no-seconds/' >commands
+    check "the page has srun" [ "$(wc -l <commands)" = 1 ]
+    timeout 60 sh -e commands >"$out" 2>&1
+    check "srun: exit code $?, $(cat "$out")" [ $? = 11 ]
+    check "srun: $(diff -r thumbs reference 2>&1 | head -n 3; cat "$out")" diff -r thumbs reference
+    rm -rf thumbs
+    timeout 60 srun --mpi=none -n 3 burnish-mpi batch parts -r -d thumbs >"$out" 2>&1
+    check "tasks that can't find each other: $(cat "$out")" [ "$(grep -c '^burnish-mpi: srun starts it without PMIx: use srun --mpi=pmix, or mpirun$' "$out")" = 1 ]
+    check "nor draw anything" [ ! -e thumbs ]
+fi
+finish

@@ -1,0 +1,348 @@
+/* What small inputs become: refused before memory is taken for it, as one rule has it for all
+ * readers, on any number of threads; and what plain files hold is drawn. */
+#include <stdarg.h>
+
+#include "image/decode/decode.h"
+#include "mesh/read/budget.h"
+#include "support.h"
+
+#define GLTF_HEAD "{'asset':{'version':'2.0'},"
+
+/* Bytes under construction. All zero: none. */
+typedef struct byte_list {
+    uint8_t *bytes;
+    size_t size, capacity;
+} byte_list;
+
+static void put(byte_list *list, const void *bytes, size_t size) {
+    while (list->size + size > list->capacity) {
+        list->capacity = list->capacity ? 2 * list->capacity : 1 << 16;
+        list->bytes = realloc(list->bytes, list->capacity);
+        if (!list->bytes) {
+            abort();
+        }
+    }
+    memcpy(list->bytes + list->size, bytes, size);
+    list->size += size;
+}
+
+/* Text with ' for ", so that it can be read in C. */
+__attribute__((format(printf, 2, 3))) static void put_json(byte_list *list, const char *format,
+                                                           ...) {
+    char text[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    for (char *c = text; *c; ++c) {
+        put(list, *c == '\'' ? "\"" : c, 1);
+    }
+}
+
+static void put_word(byte_list *list, uint32_t word, int big_endian) {
+    for (int i = 0; i < 4; ++i) {
+        const uint8_t byte = (uint8_t)(word >> 8 * (big_endian ? 3 - i : i));
+        put(list, &byte, 1);
+    }
+}
+
+/* ---- A context that knows how much it gave ---- */
+
+typedef struct peak_memory {
+    size_t now, most;
+} peak_memory;
+
+enum { HEAD = 64 };
+
+static void *take(void *user_data, size_t size, size_t alignment) {
+    peak_memory *memory = user_data;
+    uint8_t *bytes = aligned_alloc(alignment < HEAD ? HEAD : alignment, size + HEAD);
+    if (bytes) {
+        memcpy(bytes, &size, sizeof size);
+        memory->now += size;
+        memory->most = memory->now > memory->most ? memory->now : memory->most;
+    }
+    return bytes ? bytes + HEAD : NULL;
+}
+
+static void give_back(void *user_data, void *items) {
+    peak_memory *memory = user_data;
+    uint8_t *bytes = (uint8_t *)items - HEAD;
+    size_t size;
+    memcpy(&size, bytes, sizeof size);
+    memory->now -= size;
+    free(bytes);
+}
+
+static burnish_context *make_peak(peak_memory *memory) {
+    burnish_context_options options = burnish_context_options_default();
+    burnish_context *context = NULL;
+    *memory = (peak_memory){0};
+    options.allocator = (burnish_allocator){take, give_back, memory};
+    CHECK1(burnish_context_create(&options, &context, NULL) == BURNISH_STATUS_OK);
+    return context;
+}
+
+/* ---- Files ---- */
+
+/* Loads on one thread; *most: the largest sum of memory at any time. */
+static burnish_status load(const byte_list *file, const char *name, burnish_load_options options,
+                           size_t *most, size_t *triangles, burnish_error *error) {
+    peak_memory memory;
+    burnish_context *context = make_peak(&memory);
+    burnish_mesh *mesh;
+    options.context = context;
+    options.threads = 1;
+    *error = (burnish_error){0};
+    const burnish_status status =
+        burnish_mesh_load_memory(file->bytes, file->size, name, &options, &mesh, error);
+    *triangles = status == BURNISH_STATUS_OK ? burnish_mesh_get_view(mesh)->triangle_count : 0;
+    burnish_mesh_destroy(mesh);
+    *most = memory.most;
+    burnish_context_destroy(context);
+    CHECK(memory.now == 0, "%s: %zu bytes lost", name, memory.now);
+    return status;
+}
+
+/* A GLB of which primitives of a mode share some points. */
+static byte_list make_shared(int mode, int points, int times) {
+    byte_list json = {0}, list = {0};
+    const uint32_t binary = 12 * (uint32_t)points;
+    put_json(&json,
+             GLTF_HEAD "'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'buffers':[{"
+                       "'byteLength':%u}],'bufferViews':[{'buffer':0,'byteLength':%u}],",
+             binary, binary);
+    put_json(&json,
+             "'accessors':[{'bufferView':0,'componentType':5126,'count':%d,'type':'VEC3'}],"
+             "'meshes':[{'primitives':[",
+             points);
+    for (int i = 0; i < times; ++i) {
+        put_json(&json, "%s{'mode':%d,'attributes':{'POSITION':0}}", i ? "," : "", mode);
+    }
+    put_json(&json, "]}]}");
+    while (json.size % 4) {
+        put(&json, " ", 1);
+    }
+    put(&list, "glTF\2\0\0\0", 8);
+    put_word(&list, 28 + (uint32_t)json.size + binary, 0);
+    put_word(&list, (uint32_t)json.size, 0);
+    put(&list, "JSON", 4);
+    put(&list, json.bytes, json.size);
+    put_word(&list, binary, 0);
+    put(&list, "BIN", 4);
+    for (int i = 0; i < 3 * points; ++i) {
+        const float value = (float)(i * 7919 % 1000);
+        uint32_t word;
+        memcpy(&word, &value, 4);
+        put_word(&list, word, 0);
+    }
+    free(json.bytes);
+    return list;
+}
+
+/* Points and lines count as what they are drawn as; a limit of triangles takes the place of the
+ * rule. */
+static void test_solids(void) {
+    enum { POINTS = 900, MUCH = 16 << 20 };
+    static const struct {
+        int mode, times;
+        burnish_status status;
+        const char *kind;
+    } cases[] = {{0, 450, BURNISH_STATUS_LIMIT, "points: 900 * 450 * (6 + 8)"},
+                 {3, 250, BURNISH_STATUS_LIMIT, "lines: 899 * 250 * 24"},
+                 {4, 4500, BURNISH_STATUS_LIMIT, "triangles: 900 * 4500 * (1 + 1 / 3)"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_error error;
+        size_t most, triangles;
+        byte_list list = make_shared(cases[i].mode, POINTS, cases[i].times);
+        const burnish_status status = load(&list, "a.glb", options, &most, &triangles, &error);
+        CHECK(status == cases[i].status && strstr(error.text, "become more than 5242880 vertices "),
+              "%s: %d %s", cases[i].kind, (int)status, error.text);
+        CHECK(most < MUCH, "%s: %zu bytes", cases[i].kind, most);
+        free(list.bytes);
+    }
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error;
+    size_t most, triangles;
+    byte_list list = make_shared(3, POINTS, 250);
+    options.max_triangles = 12 * 250 * POINTS;
+    CHECK(load(&list, "a.glb", options, &most, &triangles, &error) == BURNISH_STATUS_OK &&
+              triangles > 2000000,
+          "%zu triangles, %s", triangles, error.text);
+    free(list.bytes);
+}
+
+/* One face, or strip, of so many corners is refused while its corners are counted. */
+static void test_faces(void) {
+    enum { CORNERS = 6000000, MUCH = 200 << 20 };
+    static const char *const heads[] = {
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n6000000",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty char x\nproperty char y\n"
+        "property char z\nelement face 1\nproperty list uint uchar vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n6000000"};
+    static const char *const names[] = {"a.obj", "a.off", "a.ply"};
+    static const int firsts[] = {1, 0, 0};
+    for (size_t i = 0; i < 3; ++i) {
+        byte_list list = {0};
+        put(&list, heads[i], strlen(heads[i]));
+        for (int k = 0; k < CORNERS; ++k) {
+            const char corner[3] = {' ', (char)('0' + firsts[i] + k % 3), 0};
+            put(&list, corner, 2);
+        }
+        put(&list, "\n", 1);
+        burnish_load_options options = burnish_load_options_default();
+        char line[200];
+        burnish_mesh_data data;
+        burnish_error error;
+        /* as if gzip had held it: the bytes that count are few */
+        const burnish_reader_input input = {.bytes = list.bytes,
+                                            .size = list.size,
+                                            .packed_size = 40000,
+                                            .name = names[i],
+                                            .options = &options};
+        peak_memory memory;
+        burnish_context *context = make_peak(&memory);
+        data = burnish_mesh_data_begin(context, NULL, &error);
+        burnish_reader reader = {.input = &input, .mesh = &data, .error = &error};
+        burnish_format format = BURNISH_FORMAT_AUTO;
+        CHECK(burnish_read(&reader, &format) == BURNISH_STATUS_LIMIT, "%s", names[i]);
+        snprintf(line, sizeof line,
+                 "%s: its 40000 bytes become more than 5242880 vertices and triangles; set "
+                 "max-triangles to draw them, or unpack the file first",
+                 names[i]);
+        CHECK_TEXT(error.text, line);
+        burnish_mesh_data_destroy(&data);
+        CHECK(memory.most < MUCH, "%s: %zu bytes", names[i], memory.most);
+        burnish_context_destroy(context);
+        free(list.bytes);
+    }
+}
+
+/* ---- Companions ---- */
+
+typedef struct self_folder {
+    byte_list *file;
+    size_t asked, now, most;
+} self_folder;
+
+static burnish_status give_self(void *user_data, const char *name, uint64_t max_bytes,
+                                const void **bytes, size_t *size, burnish_error *error) {
+    self_folder *folder = user_data;
+    (void)name, (void)max_bytes, (void)error;
+    ++folder->asked;
+    folder->now += folder->file->size;
+    folder->most = folder->now > folder->most ? folder->now : folder->most;
+    *bytes = folder->file->bytes;
+    *size = folder->file->size;
+    return BURNISH_STATUS_OK;
+}
+
+static void release_self(void *user_data, const void *bytes, size_t size) {
+    (void)bytes;
+    ((self_folder *)user_data)->now -= size;
+}
+
+/* A file that is its own buffers, by names that mean the same file. */
+static byte_list make_self(int buffers, size_t size) {
+    static const char *const aliases[] = {"", "./", ".//./"};
+    byte_list list = {0};
+    put_json(&list, GLTF_HEAD "'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'buffers':[");
+    for (int i = 0; i < buffers; ++i) {
+        put_json(&list, "%s{'byteLength':36,'uri':'%sself.gltf'}", i ? "," : "", aliases[i % 3]);
+    }
+    put_json(&list, "],'bufferViews':[");
+    for (int i = 0; i < buffers; ++i) {
+        put_json(&list, "%s{'buffer':%d,'byteLength':36}", i ? "," : "", i);
+    }
+    put_json(&list, "],'accessors':[");
+    for (int i = 0; i < buffers; ++i) {
+        put_json(&list, "%s{'bufferView':%d,'componentType':5126,'count':3,'type':'VEC3'}",
+                 i ? "," : "", i);
+    }
+    put_json(&list, "],'meshes':[{'primitives':[");
+    for (int i = 0; i < buffers; ++i) {
+        put_json(&list, "%s{'attributes':{'POSITION':%d}}", i ? "," : "", i);
+    }
+    put_json(&list, "]}]}");
+    while (list.size < size) {
+        put(&list, " ", 1);
+    }
+    return list;
+}
+
+static void test_self(void) {
+    enum { BUFFERS = 700, SIZE = 1 << 20, TIMES = 64 };
+    byte_list list = make_self(BUFFERS, SIZE);
+    self_folder folder = {.file = &list};
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error;
+    size_t most, triangles;
+    options.companions = (burnish_file_loader){give_self, release_self, &folder};
+    CHECK1(load(&list, "self.gltf", options, &most, &triangles, &error) == BURNISH_STATUS_LIMIT);
+    CHECK(strstr(error.text, "self.gltf too often; let buffers share it"), "%s", error.text);
+    /* once as a file, and again as often as TIMES the input and that file allow */
+    CHECK(folder.asked == 1 + 2 * TIMES + 1 && folder.now == 0, "%zu", folder.asked);
+    free(list.bytes);
+}
+
+static void test_keys(void) {
+    static const char *const same[] = {"a/b.png", "./a/b.png", "a//b.png", "A/./B.png", "a\\b.PNG"};
+    static const char *const other[] = {"a/b.pn", "ab.png", "a/bpng", "b/a.png", "", "a"};
+    for (size_t i = 0; i < sizeof same / sizeof *same; ++i) {
+        CHECK(burnish_companion_key(same[i]) == burnish_companion_key(same[0]), "%s", same[i]);
+    }
+    for (size_t i = 0; i < sizeof other / sizeof *other; ++i) {
+        CHECK(burnish_companion_key(other[i]) != burnish_companion_key(same[0]), "%s", other[i]);
+    }
+}
+
+/* ---- Pictures ---- */
+
+/* A PNG of 2^31 - 1 columns is refused before anything is allocated for a row of them. */
+static void test_sides(void) {
+    static const uint32_t sides[][2] = {
+        {0x7FFFFFFF, 1}, {1, 0x7FFFFFFF}, {16385, 1}, {400000000, 9}};
+    enum { SMALL = 1 << 16 };
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; ++i) {
+        byte_list png = {0};
+        put(&png, "\211PNG\r\n\032\n\0\0\0\rIHDR", 16);
+        put_word(&png, sides[i][0], 1);
+        put_word(&png, sides[i][1], 1);
+        put(&png, "\020\006\0\0\0....", 9); /* 16 bits, RGBA; sums come later */
+        put(&png, "\0\0\0\0IDAT....\0\0\0\0IEND....", 24);
+        peak_memory memory;
+        burnish_context *context = make_peak(&memory);
+        burnish_error error = {0};
+        burnish_memory from = burnish_memory_of(context, &error);
+        const burnish_encoded encoded = {.bytes = png.bytes,
+                                         .size = png.size,
+                                         .name = "x",
+                                         .max_side = 16384,
+                                         .max_pixels = 1 << 25};
+        burnish_image image;
+        char line[100];
+        const size_t before = memory.now;
+        memory.most = before;
+        CHECK(burnish_decode(&encoded, &from, &image) == BURNISH_STATUS_LIMIT, "%s", error.text);
+        snprintf(line, sizeof line, "x: %u x %u pixels; pictures of up to 16384 x 16384 are read",
+                 sides[i][0], sides[i][1]);
+        CHECK_TEXT(error.text, line);
+        CHECK(memory.now == before && memory.most - before < SMALL, "%zu bytes",
+              memory.most - before);
+        burnish_context_destroy(context);
+        free(png.bytes);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_solids());
+    RUN(test_faces());
+    RUN(test_self());
+    RUN(test_keys());
+#if BURNISH_HAS_PNG
+    RUN(test_sides());
+#endif
+    return test_end("budget");
+}

@@ -1,0 +1,586 @@
+/* Polygons cut into triangles; the readers of OBJ and MTL on well-formed files. */
+#include <math.h>
+
+#include "mesh/read/io/chunks.h"
+#include "reader_input.h"
+
+/* ---- polygons ---- */
+
+static void check_cut(const char *name, const float *positions, size_t count) {
+    uint32_t corners[BURNISH_POLYGON_CORNERS];
+    uint16_t cut[3 * (BURNISH_POLYGON_CORNERS - 2)];
+    double area = 0, sum = 0, absolute = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const float *p = positions + 3 * i, *q = positions + 3 * ((i + 1) % count);
+        corners[i] = (uint32_t)i;
+        area += 0.5 * ((double)p[0] * q[1] - (double)p[1] * q[0]);
+    }
+    burnish_polygon_cut(positions, corners, count, cut);
+    for (size_t i = 0; i < count - 2; ++i) {
+        double part = triangle_area(positions + 3 * cut[3 * i], positions + 3 * cut[3 * i + 1],
+                                    positions + 3 * cut[3 * i + 2]);
+        sum += part;
+        absolute += fabs(part);
+    }
+    CHECK(fabs(absolute - fabs(area)) <= 1e-9 * fabs(area) && fabs(sum - area) <= 1e-9 * fabs(area),
+          "%s: area %.12g, triangles %.12g, without sign %.12g", name, area, sum, absolute);
+}
+
+static void test_polygons(void) {
+    static const float arrow[] = {0, 0, 0, 2, -2, 0, 1, 0, 0, 2, 2, 0};
+    static const float ell[] = {0, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0};
+    static const float in_line[] = {0, 0, 0, 1, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0};
+    static const float keyhole[] = {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0, 0, 0, 0,
+                                    1, 1, 0, 1, 3, 0, 3, 3, 0, 3, 1, 0, 1, 1, 0};
+    float comb[3 * BURNISH_POLYGON_CORNERS], star[3 * BURNISH_POLYGON_CORNERS];
+    check_cut("arrow", arrow, 4);
+    check_cut("ell", ell, 6);
+    check_cut("three in line", in_line, 5);
+    check_cut("keyhole", keyhole, 10);
+    for (size_t i = 0; i < BURNISH_POLYGON_CORNERS; ++i) {
+        double angle = 2 * 3.14159265358979 * (double)i / BURNISH_POLYGON_CORNERS;
+        double radius = i % 2 ? 1 : 0.25;
+        float *s = star + 3 * i, *c = comb + 3 * i;
+        s[0] = (float)(radius * cos(angle));
+        s[1] = (float)(radius * sin(angle));
+        s[2] = 0;
+        c[0] = (float)i;
+        c[1] = i % 2 ? 10 : 1;
+        c[2] = 0;
+    }
+    comb[1] = comb[3 * BURNISH_POLYGON_CORNERS - 2] = -1;
+    check_cut("star", star, BURNISH_POLYGON_CORNERS);
+    check_cut("comb", comb, BURNISH_POLYGON_CORNERS);
+    for (size_t i = 0; i < sizeof arrow / sizeof *arrow / 3; ++i) { /* every first corner */
+        float turned[12];
+        for (size_t k = 0; k < 12; ++k) {
+            turned[k] = arrow[(k + 3 * i) % 12];
+        }
+        check_cut("turned arrow", turned, 4);
+    }
+}
+
+static int separated(const float *a, const float *b, const float *c, const float *d) {
+    return (triangle_area(a, b, c) > 0) == (triangle_area(a, b, d) > 0) ||
+           (triangle_area(c, d, a) > 0) == (triangle_area(c, d, b) > 0);
+}
+
+/* Random points joined in a ring and untangled: whenever two edges cross, the way between them is
+ * turned round, which shortens the ring, so that it ends as a simple polygon. */
+static void untangle(float *positions, size_t count) {
+    for (int crossed = 1; crossed;) {
+        crossed = 0;
+        for (size_t i = 0; i + 2 < count; ++i) {
+            for (size_t k = i + 2; k < count - (i == 0); ++k) {
+                float *a = positions + 3 * i, *c = positions + 3 * k;
+                if (separated(a, a + 3, c, positions + 3 * ((k + 1) % count))) {
+                    continue;
+                }
+                crossed = 1;
+                for (size_t lower = i + 1, upper = k; lower < upper; ++lower, --upper) {
+                    for (size_t axis = 0; axis < 2; ++axis) {
+                        float swap = positions[3 * lower + axis];
+                        positions[3 * lower + axis] = positions[3 * upper + axis];
+                        positions[3 * upper + axis] = swap;
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void test_random_polygons(void) {
+    uint64_t state = test_seed(11);
+    for (int round = 0; round < 1000; ++round) {
+        float positions[3 * 40] = {0};
+        size_t count = 4 + test_random64(&state) % 37;
+        for (size_t i = 0; i < count; ++i) { /* 20 bits: areas are exact in double */
+            positions[3 * i] = (float)(test_random64(&state) >> 44);
+            positions[3 * i + 1] = (float)(test_random64(&state) >> 44);
+        }
+        untangle(positions, count);
+        check_cut("random polygon", positions, count);
+    }
+}
+
+/* ---- OBJ ---- */
+
+static void test_obj(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_text(
+              BURNISH_FORMAT_OBJ,
+              "\xEF\xBB\xBF# a square\r\no thing\r\ng a b\r\ns off\r\nv 0 0 0\r\nv 1 0 0 1.0\r\n"
+              "v 1 1 -2.5e-1 \\\r\n  # the rest\r\nv 0 \\\n 1 0\r\nvt 0 0\rvn 0 0 1\n"
+              "vn nan 0 0\nfoo bar\n\n  f 1/1/1 2/1/1 -2//-2 4/1 # end\nf -4/ -3// 3",
+              &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.streams[BURNISH_POSITION].count == 4 && s.streams[BURNISH_NORMAL].count == 2 &&
+           s.triangle_count == 3);
+    CHECK1(position_is(&s, 1, 1, 0, 0) && position_is(&s, 2, 1, 1, -0.25f) &&
+           position_is(&s, 3, 0, 1, 0));
+    CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
+           triangle_is(&s, 2, 0, 1, 2));
+    static const uint32_t normals[9] = {
+        0, 0, 0, 0, 0, BURNISH_NONE, BURNISH_NONE, BURNISH_NONE, BURNISH_NONE};
+    CHECK1(s.streams[BURNISH_NORMAL].corners &&
+           memcmp(s.streams[BURNISH_NORMAL].corners, normals, sizeof normals) == 0);
+    CHECK1(burnish_normals(&s)[2] == 1 && burnish_normals(&s)[3] == 0);
+    CHECK1(!burnish_colors(&s) && !s.triangle_materials && s.material_count == 1);
+    if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "mesh.obj:14: \"foo\" is not a statement of OBJ and was ignored");
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Curves and surfaces make one line, with what they are made of; so do statements of others. */
+static void test_obj_other_statements(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nvp 1 2\ncstype bezier\ndeg 1 1\n"
+                    "surf 0 1 0 1 1 2 3 1\nparm u 0 1\nend\ncurv 0 1 1 2\nend\nmg 1 2\nlod 3\n"
+                    "q 1\n#MRGB 1\nMRGB 2\n\"\xFF 3\n",
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "mesh.obj:8: curves and surfaces (\"surf\") are not drawn; "
+                                  "export them as faces (and 1 more like it)");
+        CHECK_TEXT(
+            s.warnings[1],
+            "mesh.obj:15: \"q\" is not a statement of OBJ and was ignored (and 2 more like it)");
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Faces before their vertices; texture coordinates, of which some are not there. */
+static void test_obj_forward(void) {
+    static const uint32_t texcoords[12] = {0, 1, BURNISH_NONE, 1, 0, 1, 1, 1, 1, 0, 0, 0};
+    static const float values[4] = {0, 0.25f, 0.5f, 1};
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "f 1/1 2/2 3/9\nf 1/2/1 4/1/1 3/2/1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 .25\n"
+                    "vt .5 1 2\nf -3/-1 2/2 3/-1\nf -3/-2 2/1 3/1\nv 0 1 0\nvn 0 0 1\n",
+                    &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.triangle_count == 4 && triangle_is(&s, 1, 0, 3, 2) && triangle_is(&s, 2, 0, 1, 2));
+    const burnish_stream *read = &s.streams[BURNISH_TEXCOORD];
+    CHECK1(read->count == 2 && memcmp(read->items, values, sizeof values) == 0);
+    CHECK1(read->corners && memcmp(read->corners, texcoords, sizeof texcoords) == 0);
+    CHECK1(s.streams[BURNISH_NORMAL].corners[3] == 0 &&
+           s.streams[BURNISH_NORMAL].corners[0] == BURNISH_NONE);
+    burnish_mesh_data_destroy(&s);
+}
+
+static void test_obj_colors(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    static const uint8_t expected[] = {255, 255, 255, 255, 255, 128, 0,   255,
+                                       0,   255, 51,  255, 255, 255, 255, 255};
+    CHECK(
+        read_text(BURNISH_FORMAT_OBJ,
+                  "v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 -1 2 .2\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nf 1 2\n",
+                  &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), expected, sizeof expected) == 0);
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0],
+                   "mesh.obj:6: lines and points are not drawn beside faces (and 1 more like it)");
+        CHECK_TEXT(s.warnings[1], "mesh.obj:8: a face with fewer than 3 corners was ignored");
+    }
+    CHECK1(!s.streams[BURNISH_NORMAL].corners && s.triangle_count == 1);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Concave faces keep their area, huge ones become fans. */
+static void test_obj_polygons(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(read_text(BURNISH_FORMAT_OBJ,
+                    "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\nf 1 2 3 4\nf 2 3 4 1\n", &s,
+                    &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    double area = 0;
+    for (size_t t = 0; t < s.triangle_count; ++t) {
+        const uint32_t *c = s.streams[BURNISH_POSITION].corners + 3 * t;
+        double part =
+            triangle_area(burnish_positions(&s) + 3 * c[0], burnish_positions(&s) + 3 * c[1],
+                          burnish_positions(&s) + 3 * c[2]);
+        CHECK(part > 0, "triangle %zu: %g", t, part);
+        area += part;
+    }
+    CHECK(s.triangle_count == 4 && area == 4, "%zu triangles, area %g", s.triangle_count, area);
+    burnish_mesh_data_destroy(&s);
+
+    enum { CORNERS = 1000 };
+    static char text[CORNERS * 40];
+    size_t length = 0;
+    for (int i = 0; i < CORNERS; ++i) {
+        length += (size_t)snprintf(text + length, sizeof text - length, "v %d %d 0\n", i, i * i);
+    }
+    length += (size_t)snprintf(text + length, sizeof text - length, "f");
+    for (int i = 1; i <= CORNERS; ++i) {
+        length += (size_t)snprintf(text + length, sizeof text - length, " %d", i);
+    }
+    CHECK(read_text(BURNISH_FORMAT_OBJ, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK1(s.triangle_count == CORNERS - 2 &&
+           triangle_is(&s, CORNERS - 3, 0, CORNERS - 2, CORNERS - 1));
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- MTL ---- */
+
+static const char *library_text;
+
+static burnish_status open_library(void *user_data, const char *file, uint64_t max_bytes,
+                                   const void **bytes, size_t *size, burnish_error *error) {
+    (void)user_data;
+    if (strcmp(file, "my parts/a b.mtl") != 0 || max_bytes == 0) {
+        return burnish_fail(error, BURNISH_STATUS_READ, "%s: No such file", file);
+    }
+    *size = strlen(library_text);
+    *bytes = library_text;
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_with_library(const char *text, const char *library, burnish_mesh_data *s,
+                                        burnish_error *e) {
+    burnish_load_options options = burnish_load_options_default();
+    library_text = library;
+    return run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, open_library, s, e);
+}
+
+static void test_mtl(void) {
+    static const char library[] =
+        "# parts\nnewmtl red paint\nKd 0.8 0.1 0\nKa 1 1 1\nKs .5\nNs 30\nillum 2\nmap_Kd x.png\n"
+        "Tr 0\nnewmtl dull\nKa 0.2 0.3 0.4\nKd 1 1 1\nKs 0 0 0\nNs 0\nnewmtl matt\nKs 1 1 1\n"
+        "illum 1\nNs 100000\nnewmtl bare\nKs xyz 1 2 3\nnewmtl dull\nKd 0 0 0\n";
+    burnish_mtl mtl = {0};
+    burnish_error e = {0};
+    burnish_material grey = burnish_material_default();
+    CHECK(read_mtl(library, &mtl, NULL, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    if (CHECK1(mtl.count == 5)) {
+        const burnish_material *red = &mtl.entries[0].material, *dull = &mtl.entries[1].material;
+        const burnish_material *matt = &mtl.entries[2].material, *bare = &mtl.entries[3].material;
+        CHECK_TEXT(mtl.entries[0].name, "red paint");
+        CHECK1(color_is(red->diffuse, 0.8f, 0.1f, 0) && color_is(red->ambient, 0.8f, 0.1f, 0));
+        CHECK1(color_is(red->specular, .5f, .5f, .5f) && red->exponent == 30);
+        CHECK1(red->has_diffuse);
+        CHECK1(color_is(dull->ambient, 0.2f, 0.3f, 0.4f) && dull->exponent == 1);
+        CHECK1(color_is(matt->specular, 0, 0, 0) && matt->exponent == 65536);
+        CHECK1(!matt->has_diffuse);
+        CHECK1(memcmp(matt->diffuse, grey.diffuse, sizeof grey.diffuse) == 0);
+        CHECK1(memcmp(bare, &grey, sizeof grey) == 0);
+    }
+    burnish_mtl_destroy(NULL, &mtl);
+    CHECK1(mtl.entries == NULL && mtl.count == 0);
+}
+
+static void test_obj_materials(void) {
+    static const char library[] =
+        "newmtl a\nKd 1 0 0\nNs 0.5\nnewmtl b\nKd 0 1 0\nnewmtl a\nKd 1 1 1\n";
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(
+        read_with_library("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl b\nusemtl a\n"
+                          "f 1 2 3 4\nusemtl b\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl none\nf 1 2 3\n"
+                          "mtllib my parts\\a b.mtl\nmtllib my parts\\a b.mtl\n",
+                          library, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    static const uint16_t expected[] = {0, 1, 1, 2, 1, 0};
+    CHECK1(s.triangle_count == 6 && s.material_count == 3);
+    CHECK1(s.triangle_materials && memcmp(s.triangle_materials, expected, sizeof expected) == 0);
+    CHECK1(!s.materials[0].has_diffuse && color_is(s.materials[1].diffuse, 1, 0, 0) &&
+           color_is(s.materials[2].diffuse, 0, 1, 0));
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0],
+                   "my parts/a b.mtl:3: Ns 0.5 is not in [1, 65536] and was taken as 1");
+        CHECK_TEXT(s.warnings[1],
+                   "mesh.obj: material \"none\" is in no material library; it is burnish's grey");
+    }
+    burnish_mesh_data_destroy(&s);
+
+    CHECK(
+        read_with_library("mtllib my parts/a b.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                          library, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    CHECK1(s.material_count == 1 && !s.triangle_materials &&
+           color_is(s.materials[0].diffuse, 0, 1, 0));
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Warnings of one kind are one line, and stop after 16 lines, however many there would be. */
+static void test_many_warnings(void) {
+    char library[512] = "newmtl a\n", mesh[512] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    burnish_mesh_data s;
+    burnish_error e;
+    for (int i = 0; i < 20; ++i) {
+        strcat(library, "Ns 0.5\nKd spectral x\n");
+        snprintf(mesh + strlen(mesh), 32, "mtllib no %d\n", i);
+    }
+    CHECK(read_with_library("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                            library, &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "my parts/a b.mtl:3: Kd spectral is not supported and was "
+                                  "ignored (and 19 more like it)");
+        CHECK_TEXT(s.warnings[1], "my parts/a b.mtl:2: Ns 0.5 is not in [1, 65536] and was taken "
+                                  "as 1 (and 19 more like it)");
+    }
+    burnish_mesh_data_destroy(&s);
+    CHECK(read_with_library(mesh, library, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK(s.warning_count == 16, "%zu", s.warning_count);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* The first error of the file is told; a fault of a library is none. */
+static void test_first_error(void) {
+    static const struct {
+        const char *mesh, *error;
+    } cases[] = {{"v 0 0 0\nv 0\nmtllib my parts/a b.mtl\n",
+                  "mesh.obj:2: vertex has 1 number; write v x y z or v x y z r g b"},
+                 {"mtllib none.mtl\nv 0 0 0\nf 1 1 9 x\n",
+                  "mesh.obj:3: face corner \"x\" is not an index; write v, v/t, v//n or v/t/n"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        burnish_error e;
+        CHECK1(read_with_library(cases[i].mesh, "newmtl a\nKd red\n", &s, &e) ==
+               BURNISH_STATUS_FORMAT);
+        CHECK_TEXT(e.text, cases[i].error);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+static void test_missing_libraries(void) {
+    static const char mesh[] = "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    static const struct {
+        const char *line, *warning;
+    } cases[] = {
+        {"mtllib x.mtl", "mesh.obj:1: material library \"x.mtl\" was not read (x.mtl: No such "
+                         "file); its materials are burnish's grey"},
+        {"mtllib ../x.mtl", "mesh.obj:1: material library \"../x.mtl\" was not read (it lies "
+                            "outside the folder of the file); its materials are burnish's grey"},
+        {"mtllib /etc/passwd", "mesh.obj:1: material library \"/etc/passwd\" was not read (it lies "
+                               "outside the folder of the file); its materials are burnish's grey"},
+        {"mtllib a\\..\\x", "mesh.obj:1: material library \"a\\..\\x\" was not read (it lies "
+                            "outside the folder of the file); its materials are burnish's grey"},
+        {"mtllib C:\\x", "mesh.obj:1: material library \"C:\\x\" was not read (it lies "
+                         "outside the folder of the file); its materials are burnish's grey"},
+        {"# none", "mesh.obj: usemtl without mtllib: its materials are burnish's grey"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char text[256];
+        burnish_mesh_data s;
+        burnish_error e;
+        snprintf(text, sizeof text, "%s\n%s", cases[i].line, mesh);
+        CHECK(read_with_library(text, "", &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        if (CHECK(s.warning_count == 1, "%s: %zu", cases[i].line, s.warning_count)) {
+            CHECK_TEXT(s.warnings[0], cases[i].warning);
+        }
+        CHECK1(s.material_count == 1 && !s.materials[0].has_diffuse);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Asked for under whatever name, a file is opened once; no more than 64 files are. */
+static size_t libraries_opened;
+
+static burnish_status count_library(void *user_data, const char *file, uint64_t max_bytes,
+                                    const void **bytes, size_t *size, burnish_error *error) {
+    (void)user_data;
+    (void)file, (void)max_bytes, (void)error;
+    ++libraries_opened;
+    *size = 9;
+    *bytes = "newmtl a\n";
+    return BURNISH_STATUS_OK;
+}
+
+static void check_libraries(const char *lines, size_t opened, const char *warning) {
+    static char text[4096];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_data s;
+    burnish_error e;
+    snprintf(text, sizeof text, "%susemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", lines);
+    libraries_opened = 0;
+    CHECK(run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, count_library, &s, &e) ==
+              BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK(libraries_opened == opened, "%zu of %zu: %s", libraries_opened, opened, lines);
+    if (CHECK(s.warning_count == (warning != NULL), "%zu", s.warning_count) && warning) {
+        CHECK_TEXT(s.warnings[0], warning);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+static void test_library_names(void) {
+    char many[1024] = "";
+    check_libraries("mtllib x.mtl\nmtllib ./x.mtl\nmtllib .\\x.mtl\nmtllib .//./x.mtl\n", 1, NULL);
+    check_libraries("mtllib p/x.mtl\nmtllib p//x.mtl\nmtllib p/./x.mtl\nmtllib p\\x.mtl\n", 1,
+                    NULL);
+    check_libraries("mtllib x\nmtllib y\nmtllib x/y\nmtllib xy\nmtllib .x\nmtllib x./y\n", 6, NULL);
+    for (int i = 0; i < 66; ++i) {
+        snprintf(many + strlen(many), sizeof many - strlen(many), "mtllib %d\n", i);
+    }
+    check_libraries(many, 64,
+                    "mesh.obj:65: only the first 64 material libraries are read; merge them");
+}
+
+/* A million names on one line: comparing each with all bytes of the line would take hours. */
+static void test_library_line(void) {
+    enum { NAMES = 1000000 };
+    static char text[2 * NAMES + 100];
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh_data s;
+    burnish_error e;
+    strcpy(text, "mtllib ");
+    for (size_t i = 0; i < NAMES; ++i) {
+        memcpy(text + 7 + 2 * i, "a ", 2);
+    }
+    strcpy(text + 7 + 2 * NAMES, "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    libraries_opened = 0;
+    CHECK(run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, count_library, &s, &e) ==
+              BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK(libraries_opened == 1, "%zu", libraries_opened);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Opacity: d counts before Tr, and what would be invisible is opaque, with one line. */
+static void test_opacity(void) {
+    static const struct {
+        const char *statements;
+        float transparency;
+        int warnings;
+    } cases[] = {
+        {"", 0, 0},
+        {"d 0.25\n", 0.75f, 0},
+        {"Tr 0.25\n", 0.25f, 0},
+        {"d 1\nTr 1\n", 0, 0}, /* of older exporters */
+        {"Tr 1\nd 1\n", 0, 0},
+        {"d 0.75\nTr 0.5\n", 0.25f, 0},
+        {"d -halo 0.5\n", 0.5f, 1},
+        {"d 0\n", 0, 1},
+        {"Tr 1\n", 0, 1},
+        {"d 0\nTr 0\n", 0, 1},
+        {"d -3\n", 0, 1},
+        {"d 7\nTr 0.5\n", 0, 0},
+        {"d nonsense\n", 0, 0},
+        {"d\nTr 0.5\n", 0.5f, 0},
+        {"d -halo\n", 0, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char library[80];
+        burnish_mesh_data s;
+        burnish_error e;
+        snprintf(library, sizeof library, "newmtl a\n%snewmtl b\nd 0.5\n", cases[i].statements);
+        CHECK(read_with_library("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\n"
+                                "f 1 2 3\n",
+                                library, &s, &e) == BURNISH_STATUS_OK,
+              "%s", e.text);
+        CHECK(s.material_count == 1 && s.materials[0].transparency == cases[i].transparency,
+              "%s: %g", cases[i].statements, (double)s.materials[0].transparency);
+        CHECK(s.warning_count == (size_t)cases[i].warnings, "%s: %zu", cases[i].statements,
+              s.warning_count);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Vertex alpha of PLY: kept; 0 everywhere is opaque. */
+static void test_ply_alpha(void) {
+    for (int i = 0; i < 4; ++i) {
+        static const char *const rows[] = {
+            "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 0\n",
+            "0 0 0 1 2 3 0\n1 0 0 1 2 3 0\n0 1 0 1 2 3 0\n",
+            "0 0 0 .1 .2 .3 1\n1 0 0 .1 .2 .3 .5\n0 1 0 .1 .2 .3 0\n",
+            "0 0 0 .1 .2 .3 0\n1 0 0 .1 .2 .3 0\n0 1 0 .1 .2 .3 0\n"};
+        static const uint8_t alphas[][3] = {
+            {255, 254, 0}, {255, 255, 255}, {255, 128, 0}, {255, 255, 255}};
+        const char *type = i < 2 ? "uchar" : "float";
+        char text[400];
+        burnish_mesh_data s;
+        burnish_error e;
+        snprintf(text, sizeof text,
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nproperty %s red\nproperty %s green\nproperty %s blue\n"
+                 "property %s alpha\nelement face 1\n"
+                 "property list uchar int vertex_indices\nend_header\n%s3 0 1 2\n",
+                 type, type, type, type, rows[i]);
+        CHECK(read_text(BURNISH_FORMAT_PLY, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        const uint8_t *rgba = burnish_colors(&s);
+        for (int k = 0; rgba && k < 3; ++k) {
+            CHECK(rgba[4 * k + 3] == alphas[i][k], "%d, %d: %d", i, k, rgba[4 * k + 3]);
+        }
+        CHECK(rgba && s.warning_count == (size_t)(i % 2), "%d: %zu", i, s.warning_count);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* What materials have and pictures do not: one line for the file, of materials in use only. */
+static void test_undrawn(void) {
+    static const char library[] =
+        "newmtl a\nmap_Kd -s 1 1 1 mars.png\nmap_Ks other.png\nd 0.5\nnewmtl b\nbump moon b.png\n"
+        "Tr 0\nnewmtl c\nmap_Kd mars.png\nTr 0.1\nnewmtl unused\nmap_Kd x.png\n";
+    burnish_mesh_data s;
+    burnish_error e;
+    CHECK(
+        read_with_library("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+                          "usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n",
+                          library, &s, &e) == BURNISH_STATUS_OK,
+        "%s", e.text);
+    if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0],
+                   "mesh.obj: texture \"my parts/mars.png\" is left out: mars.png: No "
+                   "such file (and 2 more like it)");
+    }
+    burnish_mesh_data_destroy(&s);
+    CHECK1(read_text(BURNISH_FORMAT_PLY,
+                     "ply\nformat ascii 1.0\ncomment TextureFile moon.png\nelement vertex 3\n"
+                     "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                     "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+                     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                     "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n",
+                     &s, &e) == BURNISH_STATUS_OK);
+    if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
+        CHECK_TEXT(s.warnings[0], "mesh.ply:3: texture \"moon.png\" is left out: vertices have no "
+                                  "s and t, faces no texcoord");
+    }
+    burnish_mesh_data_destroy(&s);
+    for (int faces = 0; faces < 2; ++faces) { /* of an element without rows nothing is lost */
+        char text[400];
+        snprintf(text, sizeof text, /* the strip's triangle has none */
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nelement tristrips 1\nproperty list uchar int vertex_indices\n"
+                 "element face %d\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+                 "property uchar green\nproperty uchar blue\nend_header\n"
+                 "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n%s",
+                 faces, faces ? "3 0 1 2 9 8 7\n" : "");
+        CHECK(read_text(BURNISH_FORMAT_PLY, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        if (CHECK(s.warning_count == (size_t)faces, "%zu", s.warning_count) && faces) {
+            CHECK_TEXT(s.warnings[0], "mesh.ply: colours of faces are not drawn");
+        }
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_polygons());
+    RUN(test_random_polygons());
+    RUN(test_obj());
+    RUN(test_obj_forward());
+    RUN(test_obj_other_statements());
+    RUN(test_obj_colors());
+    RUN(test_obj_polygons());
+    RUN(test_mtl());
+    RUN(test_obj_materials());
+    RUN(test_many_warnings());
+    RUN(test_first_error());
+    RUN(test_missing_libraries());
+    RUN(test_library_names());
+    RUN(test_library_line());
+    RUN(test_undrawn());
+    RUN(test_opacity());
+    RUN(test_ply_alpha());
+    return test_end("obj");
+}

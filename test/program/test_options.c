@@ -1,0 +1,250 @@
+/* The command line's parser and values, without running the program: both forms of a flag, hints,
+ * strict numbers, and that the table of flags agrees with the library's own defaults. */
+#include "../program/render/flags.c"
+#include "../program/render/manual.c"
+#include "../program/render/values.c"
+#include "decimal_comma.h"
+
+/* The table names it; nothing here runs it. */
+burnish_status render_work(void *settings, cli_call *call, burnish_error *error) {
+    (void)settings, (void)call, (void)error;
+    return BURNISH_STATUS_OK;
+}
+
+typedef struct parsed {
+    burnish_status status;
+    render_settings settings;
+    cli_call call;
+    burnish_error error;
+} parsed;
+
+/* Parses words between '|'. */
+static parsed parse(const char *line) {
+    parsed result = {.settings = {0}};
+    static char copy[1024]; /* the settings point into it */
+    char *argv[32];
+    int argc = 0;
+    snprintf(copy, sizeof copy, "%s", line);
+    for (char *word = strtok(copy, "|"); word && argc < 32; word = strtok(NULL, "|")) {
+        argv[argc++] = word;
+    }
+    result.status = cli_defaults(&render_command, &result.settings, &result.error);
+    CHECK(result.status == BURNISH_STATUS_OK, "%s", result.error.text);
+    result.status =
+        cli_parse(&render_command, argc, argv, &result.settings, &result.call, &result.error);
+    return result;
+}
+
+static void test_defaults(void) {
+    parsed p = parse("x.obj");
+    burnish_render_options render = burnish_render_options_default();
+    burnish_load_options load = burnish_load_options_default();
+    burnish_framing fit = burnish_framing_default();
+    const render_settings *s = &p.settings;
+    CHECK1(s->size[0] == render.width && s->size[1] == render.height);
+    CHECK1(s->samples == render.samples && s->threads == render.threads);
+    CHECK1(s->lobes.count == 1 && s->lobes.items[0].kind == render.lobe.kind &&
+           s->lobes.items[0].fit == render.lobe.fit &&
+           s->lobes.items[0].order == render.lobe.order);
+    CHECK1(s->equation == (int)render.specular_model && s->viewer == render.local_viewer);
+    CHECK(render.background[0] == 255 && render.background[1] == 255 && render.background[2] == 255,
+          "the help says that the background is white");
+    CHECK1(s->load.format == (int)load.format && s->load.tessellation == load.tessellation);
+    CHECK1(!s->crease.given && load.crease_angle == BURNISH_CREASE_AUTO);
+    CHECK1(s->load.max_triangles == load.max_triangles &&
+           s->load.max_input_bytes == load.max_input_bytes);
+    CHECK1(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
+    CHECK1(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
+    CHECK1(!s->json && !s->quiet && !s->fail_on_blank && s->projection == PROJECTION_AUTO &&
+           s->material == 0);
+}
+
+static void test_forms(void) {
+    CHECK1(parse("x|--samples=8").settings.samples == 8);
+    CHECK1(parse("--samples|8|x").settings.samples == 8);
+    CHECK(parse("x|--samples=8|--samples|16").settings.samples == 16, "the last counts");
+    parsed p = parse("-o|out.png|x.obj");
+    CHECK_TEXT(p.settings.output, "out.png");
+    CHECK_TEXT(p.call.operands[0], "x.obj");
+    CHECK_TEXT(parse("-oout.png|x.obj").settings.output, "out.png");
+    CHECK_TEXT(parse("--output|-|x.obj").settings.output, "-");
+    CHECK_TEXT(parse("--output=--json|x").settings.output, "--json");
+    CHECK_TEXT(parse("--output=a=b|x").settings.output, "a=b");
+    p = parse("--json|--|--quiet");
+    CHECK1(p.settings.json && !p.settings.quiet);
+    CHECK_TEXT(p.call.operands[0], "--quiet");
+    CHECK_TEXT(p.settings.json, "-");
+    CHECK_TEXT(parse("-|--json").call.operands[0], "-");
+    CHECK_TEXT(parse("x|--json=a.json").settings.json, "a.json");
+    CHECK_TEXT(parse("--json|x").call.operands[0], "x");
+    p = parse("x|--camera-azimuth-angle|-30|--camera-position|-1,-2,-3");
+    CHECK(p.settings.azimuth.value == -30 && p.settings.position.values[2] == -3,
+          "a negative number is a value, not a flag");
+    p = parse("x|--size=64|--resolution=300,200");
+    CHECK1(p.settings.size[0] == 300 && p.settings.size[1] == 200);
+    p = parse("x|--resolution=300x200|--size=64");
+    CHECK1(p.settings.size[0] == 64 && p.settings.size[1] == 64);
+    CHECK1(parse("x|--help|--nonsense").call.help == 1);
+    CHECK1(parse("x|-h").call.help == 1 && !parse("x|-h").call.topic);
+    CHECK_TEXT(parse("x|--help=camera").call.topic, "camera");
+}
+
+static void expect_error(const char *line, const char *text) {
+    parsed p = parse(line);
+    CHECK(p.status == BURNISH_STATUS_ARGUMENT, "%s: accepted", line);
+    if (p.status != BURNISH_STATUS_OK) {
+        CHECK_TEXT(p.error.text, text);
+    }
+}
+
+static void test_errors(void) {
+    expect_error("--sampels=4", "--sampels: unknown flag; did you mean --samples?");
+    expect_error("--sample=4", "--sample: unknown flag; did you mean --samples?");
+    expect_error("--view-angle=4", "--view-angle: unknown flag; did you mean --camera-view-angle?");
+    expect_error("--colour=red", "--colour: unknown flag; did you mean --color?");
+    expect_error("--treads|2", "--treads: unknown flag; did you mean --threads?");
+    expect_error("--qzx", "--qzx: unknown flag; \"burnish render --help\" lists the flags");
+    expect_error("--zise=3", "--zise: unknown flag; did you mean --size?");
+    expect_error("--bg-color=red", "--bg-color: unknown flag; did you mean --background-color?");
+    expect_error("--fov", "--fov: unknown flag; did you mean --camera-view-angle?");
+    expect_error("--up-axis=+Z", "--up-axis: unknown flag; did you mean --up?");
+    expect_error("--transparent", "--transparent: unknown flag; did you mean --no-background?");
+    expect_error("--width=3", "--width: unknown flag; did you mean --resolution?");
+    expect_error("--height=3", "--height: unknown flag; did you mean --resolution?");
+    expect_error("-z", "-z: unknown flag; \"burnish render --help\" lists the flags");
+    expect_error("--samples=3", "--samples: \"3\" is not one of 1, 4, 8, 16");
+    expect_error("--samples=", "--samples: \"\" is not one of 1, 4, 8, 16");
+    expect_error("--samples", "--samples: a value is missing: --samples=N");
+    expect_error("-o", "--output: a value is missing: --output=FILE");
+    expect_error("-o|--json", "--output: a value is missing before --json: --output=FILE");
+    expect_error("-o=x", "-o: write -o FILE or --output=FILE, not -o=FILE");
+    expect_error("--timing=yes", "--timing: takes no value; write --timing alone");
+    expect_error("--size=0", "--size: \"0\" is not a whole number from 1 to 16384");
+    expect_error("--size=1e3", "--size: \"1e3\" is not a whole number from 1 to 16384");
+    expect_error("--margin=0.6", "--margin: \"0.6\" is not a number from 0 to 0.45");
+    expect_error("--color=beige",
+                 "--color: \"beige\" is not a colour: #rgb, #rrggbb, r,g,b from 0 to "
+                 "1, or a name");
+    expect_error("--lobe=energy:2,", "--lobe: \"\" is not a lobe; use FIT:ORDER with FIT taylor, "
+                                     "energy, levelQ (0 < Q < 1), shift7, shift3, projected, "
+                                     "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 "
+                                     "or 32, or lyon:ORDER, power, schlick, gaussian, gx");
+    expect_error("--views=front,,top",
+                 "--views: \"\" is not one of front, right, top, iso, back, left, bottom");
+    expect_error("--size=\x1b[2J", "--size: \"?[2J\" is not a whole number from 1 to 16384");
+}
+
+static void test_numbers(void) {
+    static const char *const good[] = {"0",   "-0",   "+1.5", ".5",     "5.",
+                                       "1e3", "1E-3", "1e+2", "123456", "-12.25"};
+    static const char *const bad[] = {"",    ".",   "-",     "+",     "e5",  "1e",  "1e+",
+                                      "nan", "inf", "0x1",   " 1",    "1 ",  "1,5", "1..2",
+                                      "--1", "1f",  "1e999", "1_000", "\t1", "1\n"};
+    double value;
+    for (size_t i = 0; i < sizeof good / sizeof *good; ++i) {
+        CHECK(cli_read_real(good[i], strlen(good[i]), &value) && value == strtod(good[i], NULL),
+              "%s", good[i]);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        CHECK(!cli_read_real(bad[i], strlen(bad[i]), &value), "\"%s\" accepted", bad[i]);
+    }
+    CHECK1(parse("x|--max-input-bytes=3K").settings.load.max_input_bytes == 3072);
+    CHECK1(parse("x|--max-input-bytes=2G").settings.load.max_input_bytes == (uint64_t)2 << 30);
+    CHECK1(parse("x|--max-input-bytes=99999999999G").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--max-input-bytes=G").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--max-input-bytes=").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--max-triangles=2147483648").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--threads=1025").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--camera-view-angle=180").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--camera-direction=0,0,0").status == BURNISH_STATUS_ARGUMENT);
+    CHECK1(parse("x|--camera-position=1,2,3,4").status == BURNISH_STATUS_ARGUMENT);
+}
+
+static void test_colors(void) {
+    float c[3];
+    CHECK1(cli_read_color("#fa0", 4, c) && c[0] == 1 && c[1] == 170 / 255.0F && c[2] == 0);
+    CHECK1(cli_read_color("#FF8000", 7, c) && c[0] == 1 && c[1] == 128 / 255.0F && c[2] == 0);
+    CHECK1(cli_read_color("0.25,.5,1", 9, c) && c[0] == 0.25F && c[1] == 0.5F && c[2] == 1);
+    CHECK1(cli_read_color("white", 5, c) && c[0] == 1 && c[1] == 1 && c[2] == 1);
+    static const char *const bad[] = {"",        "#",     "#12",    "#12345", "#ggg",   "1,1",
+                                      "1,1,1,1", "2,0,0", "-1,0,0", "whit",   "whites", "#1234567"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        CHECK(!cli_read_color(bad[i], strlen(bad[i]), c), "\"%s\" accepted", bad[i]);
+    }
+    for (int k = 0; k < 256; ++k) {
+        CHECK(cli_color_code((float)k / 255.0F) == k, "code %d", k);
+    }
+    parsed p = parse("x|--no-background|--background-color=#123456");
+    CHECK(!p.settings.background.transparent && p.settings.background.given, "the later counts");
+    CHECK1(parse("x|--background-color=#123456|--no-background").settings.background.transparent);
+    CHECK1(parse("x|--background-color=none").settings.background.transparent);
+}
+
+static void test_lights(void) {
+    parsed p = parse("x|--light=directional:-1,2.5,3:0.5:#f00|--light|world-point:1,2,3");
+    const burnish_light *lights = p.settings.lights.items;
+    CHECK1(p.status == BURNISH_STATUS_OK && p.settings.lights.count == 2);
+    CHECK1(lights[0].kind == BURNISH_LIGHT_DIRECTIONAL && lights[0].follows_camera == 1);
+    CHECK1(lights[0].vector[0] == -1 && lights[0].vector[1] == 2.5 && lights[0].vector[2] == 3);
+    CHECK1(lights[0].color[0] == 0.5F && lights[0].color[1] == 0 && lights[0].color[2] == 0);
+    CHECK1(lights[1].kind == BURNISH_LIGHT_POINT && lights[1].follows_camera == 0);
+    CHECK1(lights[1].color[0] == 1 && lights[1].color[2] == 1);
+    p = parse("x|--light=point:1,2,3|--light=none");
+    CHECK1(p.settings.lights.given && p.settings.lights.count == 0);
+    static const char *const bad[] = {"x|--light=sun:1,2,3",        "x|--light=point",
+                                      "x|--light=point:",           "x|--light=point:1,2",
+                                      "x|--light=point:1,2,3:",     "x|--light=point:1,2,3:-1",
+                                      "x|--light=point:1,2,3:1:",   "x|--light=point:1,2,3:1:red:",
+                                      "x|--light=directional:0,0,0"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        CHECK(parse(bad[i]).status == BURNISH_STATUS_ARGUMENT, "%s accepted", bad[i]);
+    }
+    p = parse("x|--ambient=0.5");
+    CHECK1(p.settings.ambient.linear[0] == 0.5F && p.settings.ambient.linear[2] == 0.5F);
+    CHECK1(parse("x|--ambient=white").settings.ambient.linear[1] == 1);
+}
+
+/* What every row of the table must have for the help screen and the man page. */
+static void test_table(void) {
+    const cli_command *command = &render_command;
+    CHECK1(command->flags[0].group && command->flags[0].help);
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        const cli_flag *flag = &command->flags[i];
+        CHECK(flag->handler && flag->manual && strlen(flag->manual) > 10, "--%s", flag->name);
+        CHECK(strlen(flag->name) < CLI_NAME_MAX, "--%s", flag->name);
+        CHECK(flag->help && *flag->help, "--%s has no row on the help screen", flag->name);
+        CHECK(!flag->group == !flag->topic, "--%s: a group has a topic", flag->name);
+        for (size_t k = 0; k < i; ++k) {
+            CHECK(strcmp(flag->name, command->flags[k].name) != 0, "--%s twice", flag->name);
+            CHECK(!flag->letter || flag->letter != command->flags[k].letter, "-%c twice",
+                  flag->letter);
+        }
+    }
+    for (size_t i = 0; render_preset_words[i].name; ++i) {
+        CHECK1(render_preset_words[i].value == (int)i + 1);
+        CHECK_TEXT(render_preset_words[i].name, render_presets[i].name);
+    }
+}
+
+/* A locale with a decimal comma changes nothing. */
+static void test_decimal_comma(void) {
+    double value;
+    if (test_decimal_comma_begin()) {
+        CHECK1(cli_read_real("1.5", 3, &value) && value == 1.5);
+        CHECK1(!cli_read_real("1,5", 3, &value));
+        test_decimal_comma_end();
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_defaults());
+    RUN(test_forms());
+    RUN(test_errors());
+    RUN(test_numbers());
+    RUN(test_decimal_comma());
+    RUN(test_colors());
+    RUN(test_lights());
+    RUN(test_table());
+    return test_end("options");
+}

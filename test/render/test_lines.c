@@ -1,0 +1,688 @@
+/* Lines against analytic pictures: which edges of boxes show and where hidden parts end, the circle
+ * that a sphere's silhouette is, ink against length times width, SVG against the lines; edges of
+ * meshes against their facts; bits, memory, cancelling. */
+#include <math.h>
+
+#include "burnish/kernels.h"
+#include "burnish/render.h"
+#include "core/srgb.h"
+#include "counting_context.h"
+#include "mesh/edges.h"
+#include "mesh_arrays.h"
+#include "render/lines/lines.h"
+#include "shapes.h"
+#include "svg_path.h"
+
+enum { SIZE = 400 };
+
+static burnish_error error;
+
+static burnish_mesh *mesh_of(const shape *s) {
+    burnish_mesh *mesh = NULL;
+    burnish_load_options load = burnish_load_options_default();
+    load.measure = 1;
+    const burnish_mesh_description arrays =
+        describe_arrays(s->points, NULL, NULL, s->point_count, s->corners, s->triangle_count);
+    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+static burnish_render_options make_options(const double position[3], double height, int edges) {
+    burnish_render_options options = burnish_render_options_default();
+    CHECK1(burnish_render_options_set_look(&options, BURNISH_LOOK_DRAWING, &error) ==
+           BURNISH_STATUS_OK);
+    memcpy(options.camera.position, position, sizeof options.camera.position);
+    options.camera.orthographic_height = height;
+    options.camera.view_up[1] = 0;
+    options.camera.view_up[2] = 1;
+    options.width = options.height = SIZE;
+    options.edges = edges;
+    options.threads = 1;
+    return options;
+}
+
+/* Draws and leaves the renderer, whose lines the test looks at. */
+static const burnish_lines *draw(burnish_mesh *mesh, const burnish_render_options *options,
+                                 burnish_renderer **renderer, burnish_image *image) {
+    CHECK1(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_create(NULL, renderer, &error) == BURNISH_STATUS_OK);
+    CHECK(burnish_renderer_draw(*renderer, mesh, options, image, NULL, &error) == BURNISH_STATUS_OK,
+          "%s", error.text);
+    return burnish_renderer_get_lines(*renderer);
+}
+
+/* ---- A camera of the test's own ---- */
+
+typedef struct screen {
+    double x, y;
+} screen;
+
+static void cross(const double a[3], const double b[3], double c[3]) {
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static screen project(const burnish_render_options *options, const double p[3]) {
+    const burnish_camera *camera = &options->camera;
+    double forward[3], right[3], up[3], v[3];
+    for (int k = 0; k < 3; ++k) {
+        forward[k] = camera->focal_point[k] - camera->position[k];
+        v[k] = p[k] - camera->position[k];
+    }
+    cross(forward, camera->view_up, right);
+    cross(right, forward, up);
+    const double f = sqrt(dot(forward, forward)), r = sqrt(dot(right, right)),
+                 u = sqrt(dot(up, up)), distance = dot(v, forward) / f;
+    const double height = camera->orthographic_height > 0
+                              ? camera->orthographic_height
+                              : 2 * distance * tan(camera->view_angle * acos(-1) / 360);
+    const double pixels = options->height / height;
+    return (screen){options->width / 2.0 + dot(v, right) / r * pixels,
+                    options->height / 2.0 - dot(v, up) / u * pixels};
+}
+
+/* How far a point is from a segment. */
+static double distance_to(screen a, screen b, double x, double y) {
+    const double ex = b.x - a.x, ey = b.y - a.y, square = ex * ex + ey * ey;
+    double t = square > 0 ? ((x - a.x) * ex + (y - a.y) * ey) / square : 0;
+    t = fmin(fmax(t, 0), 1);
+    return hypot(x - a.x - t * ex, y - a.y - t * ey);
+}
+
+/* How much of a segment lines lie on, to 1/8 pixel. */
+static double covered(const burnish_lines *lines, screen a, screen b) {
+    const double length = hypot(b.x - a.x, b.y - a.y);
+    const int steps = (int)(8 * length) + 1;
+    int count = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double t = (i + 0.5) / steps, x = a.x + t * (b.x - a.x), y = a.y + t * (b.y - a.y);
+        int found = 0;
+        for (size_t l = 0; l < lines->line_count && !found; ++l) {
+            for (size_t k = lines->starts[l]; k + 1 < lines->starts[l + 1] && !found; ++k) {
+                const float *p = lines->points + 2 * k;
+                const screen from = {(double)p[0], (double)p[1]}, to = {(double)p[2], (double)p[3]};
+                found = distance_to(from, to, x, y) < 0.1;
+            }
+        }
+        count += found;
+    }
+    return length * count / steps;
+}
+
+static double length_of_lines(const burnish_lines *lines) {
+    double length = 0;
+    for (size_t l = 0; l < lines->line_count; ++l) {
+        for (size_t k = lines->starts[l]; k + 1 < lines->starts[l + 1]; ++k) {
+            const float *p = lines->points + 2 * k;
+            length += hypot((double)p[2] - (double)p[0], (double)p[3] - (double)p[1]);
+        }
+    }
+    return length;
+}
+
+/* ---- Boxes ---- */
+
+/* End `end` of edge `edge` of the box from low to high. */
+static void box_corner(const double low[3], const double high[3], int edge, int end, double p[3]) {
+    const int axis = edge / 4, a = (axis + 1) % 3, b = (axis + 2) % 3;
+    p[axis] = end ? high[axis] : low[axis];
+    p[a] = edge & 1 ? high[a] : low[a];
+    p[b] = edge & 2 ? high[b] : low[b];
+}
+
+/* 9 edges of a cube show, in their whole length and at their place; 3 leave no ink. The same of a
+ * taller box that was cut: what is inside of it hides behind the cap. */
+static void test_cube(double height, int is_cut) {
+    static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {6, -9, 5};
+    shape s = {.point_count = 0};
+    add_box(&s, low, (double[3]){1, 1, is_cut ? 3 : 1});
+    burnish_mesh *mesh = mesh_of(&s);
+    burnish_render_options options = make_options(position, height, BURNISH_EDGES_FEATURES);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    if (is_cut) {
+        const burnish_clip_plane plane = {{0, 0, 1}, 1};
+        CHECK1(burnish_mesh_clip(mesh, &plane, &error) == BURNISH_STATUS_OK);
+    }
+    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    int seen = 0, hidden = 0;
+    double sum = 0;
+    for (int edge = 0; edge < 12; ++edge) {
+        double p[2][3], outside = 0, middle[3];
+        for (int end = 0; end < 2; ++end) {
+            box_corner(low, high, edge, end, p[end]);
+        }
+        /* Seen where one of the edge's faces is: the eye is beyond the plane of a face. */
+        for (int k = 0; k < 3; ++k) {
+            const double far = height > 0 ? 1e9 : 1; /* parallel: from far away */
+            middle[k] = (p[0][k] + p[1][k]) / 2;
+            outside = fmax(outside, middle[k] != 0 ? position[k] * far / middle[k] - 1 : 0);
+        }
+        const screen a = project(&options, p[0]), b = project(&options, p[1]);
+        const double length = hypot(b.x - a.x, b.y - a.y), on = covered(lines, a, b);
+        if (outside > 0) {
+            CHECK(on > length - (is_cut ? 1 : 0.5), "edge %d: %g of %g pixels", edge, on, length);
+            sum += length;
+            ++seen;
+        } else {
+            CHECK(on < 2, "hidden edge %d: %g of %g pixels", edge, on, length);
+            const int x = (int)((a.x + b.x) / 2), y = (int)((a.y + b.y) / 2);
+            CHECK(is_cut || image.pixels[3 * (y * SIZE + x)] == 255, "ink on hidden edge %d", edge);
+            ++hidden;
+        }
+    }
+    CHECK(seen == 9 && hidden == 3, "%d and %d", seen, hidden);
+    CHECK(fabs(length_of_lines(lines) - sum) < 1, "%g pixels of lines, expected %g",
+          length_of_lines(lines), sum);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Of a plate's upper edge, seen along y, a box before it hides the part between its sides. */
+static void test_hidden_part(void) {
+    static const double back[2][3] = {{-2, 1, -1}, {2, 1.5, 1}};
+    static const double front[2][3] = {{-0.53, -1, -1.5}, {0.71, 0, 1.5}};
+    static const double position[3] = {0, -10, 0};
+    shape s = {.point_count = 0};
+    add_box(&s, back[0], back[1]);
+    add_box(&s, front[0], front[1]);
+    burnish_mesh *mesh = mesh_of(&s);
+    burnish_render_options options = make_options(position, 5, BURNISH_EDGES_FEATURES);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    for (int side = 0; side < 2; ++side) {
+        const double x = front[side][0];
+        for (int step = -1; step <= 1; step += 2) { /* two pixels before the end and beyond it */
+            const double at[3] = {x + step * 2 * 5.0 / SIZE, 1, 1};
+            const double further[3] = {x + step * 3 * 5.0 / SIZE, 1, 1};
+            const double on = covered(lines, project(&options, at), project(&options, further));
+            const int is_seen = step == (side ? 1 : -1);
+            CHECK(is_seen ? on > 0.9 : on < 0.1, "side %d, %d: %g", side, step, on);
+        }
+    }
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* A box on a plate, seen from above, is one grey without its edges; they are drawn, and its outline
+ * is wider than an edge without a step. */
+static void test_step(void) {
+    static const double plate[2][3] = {{-2, -2, -1}, {2, 2, 0}},
+                        boss[2][3] = {{-1, -1, 0}, {1, 1, 1}};
+    static const double position[3] = {0, 0, 10};
+    shape s = {.point_count = 0};
+    add_box(&s, plate[0], plate[1]);
+    add_box(&s, boss[0], boss[1]);
+    burnish_mesh *mesh = mesh_of(&s);
+    burnish_render_options options = make_options(position, 5, BURNISH_EDGES_FEATURES);
+    options.camera.view_up[1] = 1;
+    options.camera.view_up[2] = 0;
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    CHECK(fabs(length_of_lines(lines) - (16 + 8) * SIZE / 5.0) < 2, "%g pixels",
+          length_of_lines(lines));
+    for (size_t i = 0; i < lines->line_count; ++i) {
+        CHECK(lines->widths[i] == options.edge_width, "line %zu is %g wide", i,
+              (double)lines->widths[i]);
+    }
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- A sphere, a grid ---- */
+
+static burnish_mesh *load(const char *name, int tessellation) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    options.tessellation = tessellation;
+    options.measure = 1;
+    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    return mesh;
+}
+
+/* In perspective the silhouette of a sphere at distance d has the radius of tan(asin(r / d)). */
+static void test_sphere(void) {
+    static const double position[3] = {3, -5, 1};
+    burnish_mesh *mesh = load(":sphere", 96);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const double r = ((double)view->bounds_max[0] - (double)view->bounds_min[0]) / 2;
+    burnish_render_options options = make_options(position, 0, BURNISH_EDGES_FEATURES);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    for (int k = 0; k < 3; ++k) {
+        options.camera.position[k] *= r;
+    }
+    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    const double d = sqrt(35.0) * r;
+    const double radius =
+        tan(asin(r / d)) / tan(options.camera.view_angle * acos(-1) / 360) * SIZE / 2;
+    for (size_t i = 0; i < lines->point_count; ++i) {
+        const double at = hypot((double)lines->points[2 * i] - SIZE / 2.0,
+                                (double)lines->points[2 * i + 1] - SIZE / 2.0);
+        CHECK(fabs(at - radius) < 0.35, "point %zu: %g from the middle, expected %g", i, at,
+              radius);
+    }
+    CHECK(fabs(length_of_lines(lines) / (2 * acos(-1) * radius) - 1) < 0.02,
+          "a circle of %g pixels, expected %g", length_of_lines(lines), 2 * acos(-1) * radius);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+static shape *make_grid(int n) {
+    shape *s = calloc(1, sizeof *s);
+    for (int y = 0; y <= n; ++y) {
+        for (int x = 0; x <= n; ++x) {
+            add_point(s, x - n / 2.0, y - n / 2.0, 0);
+        }
+    }
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            const uint32_t a = (uint32_t)(y * (n + 1) + x), w = (uint32_t)n + 1;
+            add_quad(s, a, a + 1, a + w + 1, a + w);
+        }
+    }
+    return s;
+}
+
+/* n x n squares have 2 n (n + 1) sides and n^2 diagonals; only the border is a feature. */
+/* Edges of which none is a line, in a renderer that had none: no array exists. */
+static void test_no_lines(void) {
+    static const double position[3] = {0, 0, 10};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_render_options options = make_options(position, 3, BURNISH_EDGES_MATERIALS);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    burnish_mesh *mesh = NULL;
+    options.camera.view_up[1] = 1;
+    options.camera.view_up[2] = 0;
+    CHECK1(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK1(draw(mesh, &options, &renderer, &image)->line_count == 0);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+static void test_grid(void) {
+    enum { N = 6 };
+    static const double position[3] = {0, 0, 10};
+    shape *s = make_grid(N);
+    burnish_mesh *mesh = mesh_of(s);
+    burnish_render_options options = make_options(position, N + 1, BURNISH_EDGES_ALL);
+    options.camera.view_up[1] = 1;
+    options.camera.view_up[2] = 0;
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    const double pixel = SIZE / (N + 1.0);
+    double expected = (2 * N * (N + 1) + N * N * sqrt(2)) * pixel;
+    /* at two corners no diagonal ends: the line goes on */
+    CHECK(lines->line_count == 2 * N * (N + 1) + N * N - 2, "%zu lines", lines->line_count);
+    CHECK(fabs(length_of_lines(lines) - expected) < 0.01 * expected, "%g pixels, expected %g",
+          length_of_lines(lines), expected);
+    options.edges = BURNISH_EDGES_BOUNDARIES;
+    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
+           BURNISH_STATUS_OK);
+    CHECK(fabs(length_of_lines(lines) - 4 * N * pixel) < 1, "%g pixels of boundary",
+          length_of_lines(lines));
+    options.edges = BURNISH_EDGES_CREASES | BURNISH_EDGES_MATERIALS;
+    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
+           BURNISH_STATUS_OK);
+    CHECK(lines->line_count == 0, "%zu lines on a plane", lines->line_count);
+    options.edges = 0;
+    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
+               BURNISH_STATUS_OK &&
+           lines->line_count == 0);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+    free(s);
+}
+
+/* Along an axis and in parallel projection AXIS_VIEWS are features, elsewhere nothing. */
+static void test_axis_views(void) {
+    static const double along[3] = {0, -9, 0}, aslant[3] = {1, -9, 0};
+    shape s = {.point_count = 0};
+    add_box(&s, (double[]){-1, -1, -1}, (double[]){1, 1, 1});
+    burnish_mesh *mesh = mesh_of(&s);
+    for (int i = 0; i < 3; ++i) {
+        burnish_render_options options =
+            make_options(i == 1 ? aslant : along, i == 2 ? 0 : 4, BURNISH_EDGES_AXIS_VIEWS);
+        burnish_renderer *renderer;
+        burnish_image image = {0};
+        const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+        CHECK(fabs(length_of_lines(lines) - (i == 0 ? 4 * SIZE / 2.0 : 0)) < 0.5,
+              "view %d: %g pixels", i, length_of_lines(lines));
+        CHECK1(i > 0 || (lines->widths[0] < options.edge_width && lines->opacity < 1));
+        burnish_image_destroy(&image);
+        burnish_renderer_destroy(renderer);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Noise ---- */
+
+/* Which of some lines of two points stay; those below 20 pixels with a loose end go. */
+static void test_loose(void) {
+    static const struct {
+        float x0, y0, x1, y1;
+        int is_rim, stays;
+    } rows[] = {
+        {10, 10, 15, 10, 0, 0}, /* alone */
+        {50, 10, 75, 10, 0, 1}, /* alone, but long */
+        {10, 30, 13, 30, 1, 1}, /* at a rim */
+        {40, 40, 48, 40, 0, 1},    {48, 40, 48, 47, 0, 1},
+        {48, 47, 40.5f, 47, 0, 1}, {40.5f, 47, 40, 40, 0, 1},    /* a ring */
+        {10, 60, 19, 60, 0, 0},    {19.5f, 60.5f, 26, 60, 0, 0}, /* 15 pixels */
+        {60, 60, 72, 60, 0, 1},    {72, 60.9f, 84, 61, 0, 1},    /* 24 pixels */
+        {10, 80, 35, 80, 0, 1},    {36, 80, 38, 82, 0, 1},       /* at a long one */
+        {60, 80, 66, 80, 0, 0},    {72, 80, 78, 80, 0, 0},
+        {84, 80, 90, 80, 0, 0}, /* too far apart */
+    };
+    enum { COUNT = sizeof rows / sizeof *rows };
+    float points[4 * COUNT], widths[COUNT];
+    uint32_t starts[COUNT + 1];
+    uint8_t is_rim[COUNT];
+    for (size_t i = 0; i < COUNT; ++i) {
+        memcpy(points + 4 * i, &rows[i].x0, 4 * sizeof *points);
+        widths[i] = (float)i;
+        starts[i] = (uint32_t)(2 * i);
+        is_rim[i] = (uint8_t)rows[i].is_rim;
+    }
+    starts[COUNT] = 2 * COUNT;
+    burnish_line_art art = {.points = points, .starts = starts, .widths = widths, .is_rim = is_rim};
+    art.lines = (burnish_lines){.width = 100,
+                                .height = 100,
+                                .line_count = COUNT,
+                                .starts = starts,
+                                .points = points,
+                                .point_count = 2 * COUNT,
+                                .widths = widths};
+    burnish_memory memory = burnish_memory_of(NULL, &error);
+    burnish_line_art_drop_loose(&art, 20, &memory);
+    size_t at = 0;
+    for (size_t i = 0; i < COUNT; ++i) {
+        const int stays = at < art.lines.line_count && widths[at] == (float)i;
+        CHECK(stays == rows[i].stays, "line %zu", i);
+        if (stays) {
+            CHECK1(memcmp(points + 2 * starts[at], &rows[i].x0, 4 * sizeof *points) == 0);
+            ++at;
+        }
+    }
+    CHECK1(at == art.lines.line_count && art.lines.point_count == 2 * at && starts[at] == 2 * at);
+}
+
+/* ---- Ink ---- */
+
+/* Of the cube's picture in linear light the missing light is the ink: length times width. */
+static void test_ink(void) {
+    static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {6, -9, 5};
+    static float light[SIZE * SIZE * 4];
+    shape s = {.point_count = 0};
+    add_box(&s, low, high);
+    burnish_mesh *mesh = mesh_of(&s);
+    burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
+    burnish_renderer *renderer;
+    burnish_target target = burnish_target_default();
+    target.pixels =
+        (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT, SIZE * 16, (uint8_t *)light};
+    burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error);
+    memset(options.edge_color, 0, sizeof options.edge_color);
+    options.edge_width = 3;
+    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
+           BURNISH_STATUS_OK);
+    const burnish_lines *lines = burnish_renderer_get_lines(renderer);
+    double ink = 0, expected = 0;
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        ink += 1 - (double)light[4 * i];
+    }
+    for (size_t i = 0; i < lines->line_count; ++i) {
+        const burnish_lines one = {
+            .line_count = 1, .starts = lines->starts + i, .points = lines->points};
+        expected += length_of_lines(&one) * (double)lines->widths[i];
+    }
+    CHECK(fabs(ink / expected - 1) < 0.03, "ink %g, expected %g", ink, expected);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- SVG ---- */
+
+/* Every line's points come back. */
+static void test_svg(void) {
+    static const double position[3] = {6, -9, 5};
+    static svg_path read;
+    burnish_mesh *mesh = load(":teapot", 8);
+    burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
+    burnish_framing framing = burnish_framing_default();
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    char *text = NULL;
+    size_t size = 0, found = 0;
+    CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK);
+    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    burnish_drawing *drawing = NULL;
+    CHECK1(burnish_drawing_create(NULL, SIZE, SIZE, &drawing, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_svg(drawing, "a<b>&\"c\n", options.background, 0, &text, &size,
+                               &error) == BURNISH_STATUS_OK);
+    CHECK1(strlen(text) == size && strstr(text, "<title>a&lt;b&gt;&amp;&quot;c </title>") &&
+           strstr(text, "width=\"400\" height=\"400\" viewBox=\"0 0 400 400\"") &&
+           strstr(text, "fill=\"#ffffff\""));
+    for (const char *path = text; (path = strstr(path, " d=\"")) != NULL; ++path) {
+        const char *width = path;
+        while (strncmp(width, "width=\"", 7) != 0) {
+            --width;
+        }
+        const double wide = strtod(width + 7, NULL);
+        svg_read_path(path + 4, &read);
+        const double(*points)[2] = (const double(*)[2])read.points;
+        const size_t count = read.starts[read.count];
+        size_t at = 0;
+        for (size_t l = 0; l < lines->line_count; ++l) {
+            if (fabs((double)lines->widths[l] - wide) > 0.006) {
+                continue;
+            }
+            ++found;
+            for (size_t k = lines->starts[l]; k < lines->starts[l + 1]; ++k) {
+                const float *p = lines->points + 2 * k;
+                if (at < count && fabs(points[at][0] - (double)p[0]) < 0.0052 &&
+                    fabs(points[at][1] - (double)p[1]) < 0.0052) {
+                    ++at;
+                } else { /* equal to the one before */
+                    CHECK(at > 0 && fabs(points[at - 1][0] - (double)p[0]) < 0.0052 &&
+                              fabs(points[at - 1][1] - (double)p[1]) < 0.0052,
+                          "line %zu, point %zu: %g, %g", l, k, (double)p[0], (double)p[1]);
+                }
+            }
+        }
+        CHECK(at == count, "%zu points of %zu", at, count);
+    }
+    CHECK(found == lines->line_count && found > 10, "%zu of %zu lines", found, lines->line_count);
+    burnish_release(NULL, text);
+    burnish_drawing_destroy(drawing);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* ---- Edges of meshes ---- */
+
+/* As many edges, and as many open ones, as facts count. */
+static void test_edges(burnish_mesh *mesh) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
+    burnish_memory memory = burnish_memory_of(NULL, &error);
+    burnish_edges edges;
+    CHECK1(burnish_edges_find(view, NULL, &memory, &edges) == BURNISH_STATUS_OK);
+    size_t open = 0;
+    for (size_t i = 0; i < edges.count; ++i) {
+        const burnish_edge *edge = &edges.items[i];
+        open += edge->triangles[1] == BURNISH_EDGE_OPEN;
+        for (int t = 0; t < 2 && edge->triangles[t] != BURNISH_EDGE_OPEN; ++t) {
+            int at[2] = {-1, -1};
+            for (int k = 0; k < 3; ++k) {
+                const float *p = view->positions + 3 * view->indices[3 * edge->triangles[t] + k];
+                for (int e = 0; e < 2; ++e) {
+                    const float *q = view->positions + 3 * edge->ends[e];
+                    at[e] = memcmp(p, q, 3 * sizeof *p) == 0 ? k : at[e];
+                }
+            }
+            const int along = (at[0] + 1) % 3 == at[1];
+            CHECK1(at[0] >= 0 && at[1] >= 0);
+            CHECK1(along == (t == 0 || (edge->flags & BURNISH_EDGE_ALIKE) != 0));
+        }
+    }
+    CHECK(edges.count == facts->edge_count && open == facts->open_edge_count,
+          "%zu edges, %zu open; expected %zu and %zu", edges.count, open, facts->edge_count,
+          facts->open_edge_count);
+    burnish_release(NULL, edges.items);
+    burnish_mesh_destroy(mesh);
+}
+
+static burnish_mesh *random_mesh(void) {
+    static float positions[60][3];
+    static uint32_t corners[150][3];
+    burnish_mesh *mesh = NULL;
+    burnish_load_options options = burnish_load_options_default();
+    uint32_t seed = 7;
+    options.measure = 1;
+    for (int i = 0; i < 180; ++i) {
+        seed = seed * 1664525u + 1013904223u;
+        positions[i / 3][i % 3] = (float)(seed >> 8);
+    }
+    for (int i = 0; i < 150; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            seed = seed * 1664525u + 1013904223u;
+            corners[i][k] = (seed >> 16) % 20 * 3 + (uint32_t)k; /* three that differ */
+        }
+    }
+    const burnish_mesh_description arrays =
+        describe_arrays(positions[0], NULL, NULL, 60, corners[0], 150);
+    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK);
+    return mesh;
+}
+
+/* ---- Bits, memory, cancelling ---- */
+
+static uint64_t hash_of(const burnish_mesh *mesh, const burnish_render_options *options) {
+    burnish_image image;
+    CHECK(burnish_render(mesh, options, &image, NULL, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    const uint64_t hash = burnish_image_hash(&image);
+    burnish_image_destroy(&image);
+    return hash;
+}
+
+static void test_bits(void) {
+    burnish_mesh *mesh = load(":knot", 12);
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = burnish_render_options_default();
+    burnish_render_options_set_look(&options, BURNISH_LOOK_TECHNICAL, &error);
+    burnish_camera_frame(mesh, &framing, &options.camera, &error);
+    options.width = options.height = 200;
+    options.edges |= BURNISH_EDGES_ALL;
+    options.threads = 1;
+    const uint64_t expected = hash_of(mesh, &options);
+    for (int threads = 2; threads <= 7; threads += 5) {
+        options.threads = threads;
+        CHECK(hash_of(mesh, &options) == expected, "%d threads", threads);
+    }
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        options.kernels = burnish_kernels_for((burnish_isa)isa);
+        CHECK(!options.kernels || hash_of(mesh, &options) == expected, "%s",
+              burnish_isa_name((burnish_isa)isa));
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* Every allocation fails once, every question is answered by no; the renderer then draws as if
+ * nothing had been. */
+static void test_shortage(void) {
+    burnish_mesh *mesh = load(":teapot", 4);
+    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = burnish_render_options_default();
+    counts c;
+    burnish_context *context = make_context(&c);
+    options.edges = BURNISH_EDGES_FEATURES;
+    options.width = options.height = 64;
+    options.threads = 1;
+    burnish_camera_frame(mesh, &framing, &options.camera, &error);
+    const uint64_t expected = hash_of(mesh, &options);
+    for (int mode = 0; mode < 2; ++mode) {
+        int refused = 0;
+        burnish_status status = BURNISH_STATUS_MEMORY;
+        for (int i = 0; status != BURNISH_STATUS_OK; ++i) {
+            burnish_renderer *renderer;
+            burnish_image image = {0};
+            c.left = c.questions = -1;
+            CHECK1(burnish_renderer_create(context, &renderer, &error) == BURNISH_STATUS_OK);
+            c.left = mode == 0 ? i : -1;
+            c.questions = mode == 1 ? i : -1;
+            status = burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error);
+            refused += status == (mode == 0 ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_CANCELLED);
+            c.left = c.questions = -1;
+            CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
+                   BURNISH_STATUS_OK);
+            CHECK(burnish_image_hash(&image) == expected, "mode %d, %d", mode, i);
+            burnish_image_destroy(&image);
+            burnish_renderer_destroy(renderer);
+        }
+        CHECK(refused >= (mode == 0 ? 30 : 10), "mode %d: %d times", mode, refused);
+    }
+    CHECK(c.live == 1 || c.live == 0, "%ld blocks are left", (long)c.live);
+    burnish_context_destroy(context);
+    burnish_mesh_destroy(mesh);
+}
+
+static void test_refusals(void) {
+    static const double position[3] = {0, -10, 0};
+    burnish_mesh *mesh = load(":sphere", 4);
+    burnish_image image;
+    for (int i = 0; i < 6; ++i) {
+        burnish_render_options options = make_options(position, 3, BURNISH_EDGES_FEATURES);
+        options.edges = i == 0 ? -1 : i == 1 ? 64 : options.edges;
+        options.edge_width = i == 2 ? 0 : i == 3 ? NAN : i == 4 ? 101 : options.edge_width;
+        options.edge_opacity = i == 5 ? 1.5f : 1;
+        CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&
+                  strncmp(error.text, "edges: ", 7) == 0,
+              "case %d: %s", i, error.text);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_cube(0, 0));
+    RUN(test_cube(4, 0));
+    RUN(test_cube(0, 1));
+    RUN(test_cube(4, 1));
+    RUN(test_hidden_part());
+    RUN(test_step());
+    RUN(test_sphere());
+    RUN(test_grid());
+    RUN(test_no_lines());
+    RUN(test_axis_views());
+    RUN(test_loose());
+    RUN(test_ink());
+    RUN(test_svg());
+    RUN(test_edges(load(":teapot", 4)));
+    RUN(test_edges(load(":knot", 6)));
+    RUN(test_edges(random_mesh()));
+    RUN(test_bits());
+    RUN(test_shortage());
+    RUN(test_refusals());
+    return test_end("lines");
+}

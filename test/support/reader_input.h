@@ -1,0 +1,205 @@
+/* For tests of the readers: runs one over a copy of the bytes that ends where they end, so that the
+ * address sanitizer sees every read beyond. */
+#ifndef BURNISH_TEST_READER_INPUT_H
+#define BURNISH_TEST_READER_INPUT_H
+
+#include "core/srgb.h"
+#include "mesh/read/obj/obj_materials.h"
+#include "mesh/read/reader.h"
+#include "support.h"
+
+typedef burnish_status load_function(void *user_data, const char *name, uint64_t max_bytes,
+                                     const void **bytes, size_t *size, burnish_error *error);
+
+/* Texture coordinates too, whatever the options say. */
+static inline burnish_status run_reader_threads(burnish_format format, const void *bytes,
+                                                size_t size, const burnish_load_options *options,
+                                                load_function *load_companion, burnish_tasks *tasks,
+                                                burnish_mesh_data *mesh, burnish_error *error) {
+    burnish_load_options all = *options;
+    char name[16];
+    uint8_t *copy = malloc(size > 0 ? size : 1);
+    if (!copy) {
+        abort();
+    }
+    memcpy(copy, bytes, size);
+    snprintf(name, sizeof name, "mesh.%s", burnish_format_get_info(format)->name);
+    all.keep_texture_coordinates = 1;
+    burnish_reader_input input = {.bytes = copy,
+                                  .size = size,
+                                  .name = name,
+                                  .options = &all,
+                                  .companions = {load_companion, NULL, NULL}};
+    *error = (burnish_error){0};
+    *mesh = burnish_mesh_data_begin(NULL, tasks, error);
+    burnish_reader reader = {.input = &input, .mesh = mesh, .error = error};
+    burnish_status status = burnish_read(&reader, &format);
+    free(copy);
+    return status;
+}
+
+static inline burnish_status run_reader(burnish_format format, const void *bytes, size_t size,
+                                        const burnish_load_options *options,
+                                        load_function *load_companion, burnish_mesh_data *mesh,
+                                        burnish_error *error) {
+    return run_reader_threads(format, bytes, size, options, load_companion, NULL, mesh, error);
+}
+
+static inline burnish_status read_text(burnish_format format, const char *text,
+                                       burnish_mesh_data *mesh, burnish_error *error) {
+    burnish_load_options options = burnish_load_options_default();
+    return run_reader(format, text, strlen(text), &options, NULL, mesh, error);
+}
+
+/* warning: receives the first one, 300 bytes; NULL: not wanted. */
+static inline burnish_status read_mtl(const char *text, burnish_mtl *library, char *warning,
+                                      burnish_error *error) {
+    const burnish_reader_input input = {
+        .bytes = (const uint8_t *)text, .size = strlen(text), .name = "a.mtl"};
+    burnish_mesh_data mesh = burnish_mesh_data_begin(NULL, NULL, error);
+    burnish_reader reader = {.input = &input, .mesh = &mesh, .error = error};
+    burnish_status status = burnish_read_mtl(&reader, library);
+    if (warning) {
+        snprintf(warning, 300, "%s", mesh.warning_count > 0 ? mesh.warnings[0] : "");
+    }
+    burnish_mesh_data_destroy(&mesh);
+    return status;
+}
+
+/* Whether position i is x, y, z, and the corners of triangle i are positions a, b, c. */
+static inline int position_is(const burnish_mesh_data *s, size_t i, float x, float y, float z) {
+    return i < s->streams[BURNISH_POSITION].count && burnish_positions(s)[3 * i] == x &&
+           burnish_positions(s)[3 * i + 1] == y && burnish_positions(s)[3 * i + 2] == z;
+}
+
+static inline int triangle_is(const burnish_mesh_data *s, size_t i, uint32_t a, uint32_t b,
+                              uint32_t c) {
+    return i < s->triangle_count && s->streams[BURNISH_POSITION].corners[3 * i] == a &&
+           s->streams[BURNISH_POSITION].corners[3 * i + 1] == b &&
+           s->streams[BURNISH_POSITION].corners[3 * i + 2] == c;
+}
+
+/* Whether a linear colour is that of sRGB values. */
+static inline int color_is(const float color[3], float r, float g, float b) {
+    return color[0] == burnish_srgb_value_to_linear(r) &&
+           color[1] == burnish_srgb_value_to_linear(g) &&
+           color[2] == burnish_srgb_value_to_linear(b);
+}
+
+/* The signed area of a triangle in x and y. */
+static inline double triangle_area(const float *p, const float *q, const float *r) {
+    return 0.5 * (((double)q[0] - p[0]) * ((double)r[1] - p[1]) -
+                  ((double)q[1] - p[1]) * ((double)r[0] - p[0]));
+}
+
+/* Cuts a simple polygon in the plane: all triangles turn the same way, and areas add up. */
+
+/* Bytes under construction. */
+typedef struct byte_list {
+    uint8_t bytes[8192];
+    size_t size;
+} byte_list;
+
+static inline void put(byte_list *list, const void *bytes, size_t size) {
+    if (size > sizeof list->bytes - list->size) {
+        abort();
+    }
+    memcpy(list->bytes + list->size, bytes, size);
+    list->size += size;
+}
+static inline void put_text(byte_list *list, const char *text) {
+    put(list, text, strlen(text));
+}
+
+/* The low `size` bytes of bits in either order. */
+static inline void put_bits(byte_list *list, uint64_t bits, size_t size, int big_endian) {
+    for (size_t i = 0; i < size; ++i) {
+        uint8_t byte = (uint8_t)(bits >> 8 * (big_endian ? size - 1 - i : i));
+        put(list, &byte, 1);
+    }
+}
+static inline void put_float(byte_list *list, float value, int big_endian) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put_bits(list, bits, 4, big_endian);
+}
+
+/* A binary STL of `count` facets; facet i has corners (i,0,0) (i+1,0,0) (i,1,0.5). */
+static inline void put_stl(byte_list *list, const char *header, uint32_t count) {
+    uint8_t head[80] = {0};
+    memcpy(head, header, strlen(header));
+    put(list, head, sizeof head);
+    put_bits(list, count, 4, 0);
+    for (uint32_t i = 0; i < count; ++i) {
+        const float values[12] = {0, 0, 1, (float)i, 0, 0, (float)i + 1, 0, 0, (float)i, 1, 0.5f};
+        for (int k = 0; k < 12; ++k) {
+            put_float(list, values[k], 0);
+        }
+        put_bits(list, 0x3EEF, 2, 0); /* no colour: bit 15 is not set */
+    }
+}
+
+/* A square and a triangle with normals and colours in one of the three encodings: 0 ASCII, 1
+ * little, 2 big endian. Unknown properties and elements stand between. */
+static inline void put_ply(byte_list *list, int encoding) {
+    static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    static const float xyz[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 2, -1.25f}};
+    static const unsigned faces[2][5] = {{4, 0, 1, 2, 3}, {3, 3, 2, 4}};
+    char line[128];
+    put_text(list, "ply\nformat ");
+    put_text(list, names[encoding]);
+    put_text(list, " 1.0\ncomment made by hand\nobj_info none\nelement camera 1\n"
+                   "property double view\nproperty list uchar short tags\nelement vertex 5\n"
+                   "property float x\nproperty float y\nproperty float z\nproperty short quality\n"
+                   "property float nx\nproperty float ny\nproperty float nz\n"
+                   "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                   "property uchar alpha\nelement nothing 4000000000\nelement face 2\n"
+                   "property uchar flags\nproperty list uchar int vertex_indices\nend_header\n");
+    if (encoding == 0) {
+        put_text(list, "0.5 2 -7 9\n");
+    } else {
+        put_bits(list, 0x3FE0000000000000u, 8, encoding == 2);
+        put_bits(list, 2, 1, 0);
+        put_bits(list, (uint16_t)-7, 2, encoding == 2);
+        put_bits(list, 9, 2, encoding == 2);
+    }
+    for (unsigned i = 0; i < 5; ++i) {
+        if (encoding == 0) {
+            snprintf(line, sizeof line, "%g %g %g %d 0 0 1 %u %u %u %u\n", (double)xyz[i][0],
+                     (double)xyz[i][1], (double)xyz[i][2], -3, 10 * i, 20 * i, 30 * i, 255 - i);
+            put_text(list, line);
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            put_float(list, xyz[i][k], encoding == 2);
+        }
+        put_bits(list, (uint16_t)-3, 2, encoding == 2);
+        for (int k = 0; k < 3; ++k) {
+            put_float(list, k == 2 ? 1 : 0, encoding == 2);
+        }
+        const unsigned rgba[4] = {10 * i, 20 * i, 30 * i, 255 - i};
+        for (int k = 0; k < 4; ++k) {
+            put_bits(list, rgba[k], 1, 0);
+        }
+    }
+    for (int f = 0; f < 2; ++f) {
+        if (encoding == 0) {
+            put_text(list, "7");
+        } else {
+            put_bits(list, 7, 1, 0);
+        }
+        for (unsigned k = 0; k <= faces[f][0]; ++k) {
+            if (encoding == 0) {
+                snprintf(line, sizeof line, " %u", faces[f][k]);
+                put_text(list, line);
+            } else {
+                put_bits(list, faces[f][k], k == 0 ? 1 : 4, encoding == 2);
+            }
+        }
+        if (encoding == 0) {
+            put_text(list, "\n");
+        }
+    }
+}
+
+#endif
