@@ -66,7 +66,29 @@ static const struct layer {
     {"bindings/wasm", "cli lobe core/error.h core/pool.h image/decode mesh/read/io/beside.h "
                       "burnish wasi"},
     {"hardware/arduino/src", "burnish"},
-    {"hardware/arduino/src/burnish", ""}, /* beside them, when packed: the integer headers */
+    {"hardware/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
+    {"hardware/arduino/examples/Highlight", ""},
+    {"hardware/arduino/examples/OledBall", ""},
+    {"hardware/arduino/examples/TftRing", ""},
+    {"hardware/arduino/pico", "hardware pico"}, /* of the SDK */
+    {"hardware/arduino/test", ""},
+    {"hardware/arduino/test/core", ""},
+    {"hardware/arduino/test/libraries/Adafruit_GFX", ""},
+    {"hardware/arduino/test/libraries/Adafruit_ST7735", ""},
+    {"hardware/arduino/test/pico", "hardware pico"},
+    {"hardware/arduino/test/pico/hardware", "pico"},
+    {"hardware/arduino/test/pico/pico", ""},
+    {"hardware/firmware", "OledBall TftRing burnish/arrays_q15.h burnish/lobe_q15.h "
+                          "burnish/shade_q15.h"},
+    {"hardware/firmware/avr", ""},
+    {"hardware/firmware/host", "burnish/image.h"},
+    {"hardware/firmware/m0", ""},
+    {"hardware/firmware/m4", ""},
+    {"hardware/firmware/rv32", ""},
+    {"hardware/rtl/demo", "burnish/image.h burnish/mesh.h burnish/render.h burnish/shade_q15.h"},
+    {"hardware/rtl/demo/test", "../../test burnish/shade_q15.h"},
+    {"hardware/rtl/test", "burnish/image.h burnish/lobe.h burnish/lobe_q15.h burnish/mesh.h "
+                          "burnish/shade_q15.h"},
     {"bindings/python", "cli lobe burnish"},
 };
 
@@ -181,13 +203,14 @@ static void check_that_wrong_arrows_are_found(void) {
     CHECK(!find_layer("src/gltf"), "an unknown folder is found out");
     CHECK(allowed(find_layer("src/render/frame"), "raster/tile.h"), "render leads raster");
     CHECK(!allowed(find_layer("src/simd"), "raster/tile.h"), "simd knows no raster");
+    CHECK(!allowed(find_layer("hardware/firmware"), "burnish/core.h"), "integer headers only");
     CHECK(!may_include_templates("/src/raster/tile.c"), "templates are behind the table");
 }
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     static const char *const ROOTS[] = {"src",   "program",   "bindings",
-                                        "bench", "importers", "hardware/arduino/src"};
+                                        "bench", "importers", "hardware"};
     for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
         CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }
