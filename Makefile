@@ -42,14 +42,14 @@ formats: ## fill docs/formats.md: what is drawn of the glTF files below FORMATS_
 	@./scripts/need-folder $(foreach folder,$(FORMATS_FILES),FORMATS_FILES "$(folder)")
 	@$(DEPS) build
 	@$(MAKE) --no-print-directory build
-	@./scripts/formats-table $(BUILD)/burnish $(DOCS)/formats.md $(FORMATS_FILES)
+	@python3 scripts/tables formats $(BUILD)/burnish $(DOCS)/formats.md $(FORMATS_FILES)
 
 gallery: short-docs ## render the pictures of README.md and docs/gallery.md again, and build/gallery/index.html with 40 shapes (minutes)
 	@$(DEPS) build demo
 	@$(if $(SHORT),,$(DEPS) gallery)
 	@$(MAKE) --no-print-directory build
 	@./scripts/demo $(BUILD)/burnish $(DOCS)/images 1280,720 480,334
-	@./scripts/gallery $(BUILD)/burnish $(if $(SHORT),build/short,build)/gallery $(DOCS)/gallery $(if $(SHORT),short)
+	@python3 scripts/tables gallery $(BUILD)/burnish $(if $(SHORT),build/short,build)/gallery $(DOCS)/gallery $(if $(SHORT),short)
 
 # ---- Tests: one label each (test/CMakeLists.txt) ----
 
@@ -65,7 +65,7 @@ importers: short-docs ## build burnish-import-assimp (FBX, COLLADA ...), -draco 
 	@$(DEPS) build test importers
 	@cmake --preset release -DBURNISH_IMPORT_ASSIMP=ON -DBURNISH_IMPORT_DRACO=ON -DBURNISH_IMPORT_OCCT=ON >/dev/null
 	@$(MAKE) --no-print-directory ctest-release CTEST='-L importers'
-	@./scripts/importers-table build/release $(DOCS)/importers.md
+	@python3 scripts/tables importers build/release $(DOCS)/importers.md
 
 mpi: ## build burnish-mpi, batches on many machines, and test it with ranks that die, sleep and hang
 	@$(DEPS) build test mpi
@@ -199,13 +199,13 @@ abi: ## rewrite test/golden/abi.txt after a deliberate change of the binary inte
 figures: short-docs ## draw the figures and fill the tables of docs/theory.md again
 	@$(DEPS) build figures
 	@$(MAKE) --no-print-directory build
-	@./scripts/figures $(BUILD)/burnish $(DOCS)/figures
-	@./scripts/theory-tables $(BUILD)/burnish $(DOCS)/theory.md
+	@python3 scripts/tables figures $(BUILD)/burnish $(DOCS)/figures
+	@python3 scripts/tables theory $(BUILD)/burnish $(DOCS)/theory.md
 
 mcu: short-docs ## run the firmware in simulators, check every pixel, count cycles (minutes); rewrites docs/firmware.md
 	@$(DEPS) mcu mcu-float
 	@$(MAKE) --no-print-directory program-prove_q15 program-firmware_sheet
-	@./scripts/firmware-tables build/release $(DOCS)/firmware.md $(DOCS)/images $(if $(SHORT),short)
+	@python3 scripts/tables firmware build/release $(DOCS)/firmware.md $(DOCS)/images $(if $(SHORT),short)
 
 .PHONY: arduino
 arduino: ## build the library for Arduino, PlatformIO and the Pico into build/arduino and build/burnish-arduino-VERSION.zip; compile and run its examples
@@ -217,8 +217,8 @@ arduino: ## build the library for Arduino, PlatformIO and the Pico into build/ar
 operations: short-docs ## count the operations of W, W_0.5 and Schlick's lobe in machine code and circuits; fills docs/theory.md
 	@$(DEPS) build mcu rtl
 	@$(MAKE) --no-print-directory build
-	@./scripts/operation-counts build/operations $(DOCS)/images/operations.csv
-	@./scripts/theory-tables $(BUILD)/burnish $(DOCS)/theory.md
+	@python3 scripts/tables operations build/operations $(DOCS)/images/operations.csv
+	@python3 scripts/tables theory $(BUILD)/burnish $(DOCS)/theory.md
 
 cross: short-docs ## the golden hashes on musl, aarch64, armhf, i386, riscv64, s390x, Windows (minutes); fills docs/portability.md
 	@$(DEPS) build $(if $(SHORT),systems-short,systems)
@@ -271,8 +271,8 @@ docs: ## make the documentation into build/docs: guides, manual, the reference o
 rtl: short-docs build ## synthesise the Verilog and its opponents; fills docs/hardware.md's tables and picture (minutes)
 	@$(DEPS) rtl figures
 	@BURNISH_LIBRARY=$(CURDIR)/$(BUILD)/libburnish.a PICTURE=$(CURDIR)/$(DOCS)/images/rtl-teapot.png ./hardware/rtl/test/run $(BUILD)/rtl short errors picture
-	@./scripts/rtl-table $(BUILD)/rtl/table $(DOCS)/hardware.md $(BUILD)/rtl/errors.txt $(if $(SHORT),short)
-	@./scripts/rtl-figure $(BUILD)/burnish $(if $(SHORT),docs,$(DOCS))/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
+	@python3 scripts/tables rtl $(BUILD)/rtl/table $(DOCS)/hardware.md $(BUILD)/rtl/errors.txt $(if $(SHORT),short)
+	@python3 scripts/tables rtl-area $(BUILD)/burnish $(if $(SHORT),docs,$(DOCS))/images/rtl-area.csv $(DOCS)/images/rtl-area.svg
 
 rtl-prove: ## every input of every unit and netlist against the C core, and the proofs (an hour)
 	@$(DEPS) rtl
@@ -302,9 +302,7 @@ bench: short-docs ## time kernels, frames and whole processes (medians); rewrite
 	@$(DEPS) build demo bench
 	@$(MAKE) --no-print-directory program-all CMAKE_FLAGS=-DBURNISH_BENCH=ON
 	@./bench/run build/release $(if $(SHORT),--quick)
-	@./scripts/performance build/release/kernels.csv >build/release/performance.md
-	@sed -n '/^## Scale/,$$p' docs/performance.md >>build/release/performance.md
-	@mv build/release/performance.md $(DOCS)/performance.md
+	@python3 scripts/tables performance build/release/kernels.csv $(DOCS)/performance.md
 
 .PHONY: bench-q15
 bench-q15: short-docs ## time the integer arrays beside the kernels in floating point (seconds); fills docs/fixed-point.md
@@ -312,11 +310,11 @@ bench-q15: short-docs ## time the integer arrays beside the kernels in floating 
 	@$(MAKE) --no-print-directory program-bench_q15
 	@rm -rf build/q15 && mkdir -p build/q15
 	@./build/release/bench_q15 build/q15 $(if $(SHORT),quick)
-	@./scripts/fill-tables build/q15 $(DOCS)/fixed-point.md
+	@python3 scripts/tables fill build/q15 $(DOCS)/fixed-point.md
 
 bench-scale: short-docs ## time and memory up to MOST=100000000 triangles and 16384x16384 pixels; rewrites their tables
 	@$(MAKE) --no-print-directory program-all CMAKE_FLAGS=-DBURNISH_BENCH=ON
-	@./scripts/scale-tables build/release/bench_scale build/release/burnish build/release $(DOCS)/performance.md $(MOST)
+	@python3 scripts/tables scale build/release/bench_scale build/release/burnish build/release $(DOCS)/performance.md $(MOST)
 
 bench-peers: short-docs ## time frames and whole processes against other renderers (minutes); fills docs/frames.md. MESHES=FOLDER: frames of its files; PARTS=FOLDER: processes
 	@./scripts/need-folder MESHES "$(MESHES)" PARTS "$(PARTS)"
@@ -324,7 +322,7 @@ bench-peers: short-docs ## time frames and whole processes against other rendere
 	@$(if $(SHORT),,$(DEPS) peers || echo "bench-peers: going on with the peers that are installed")
 	@$(MAKE) --no-print-directory program-bench_peers_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
 	@./bench/peers/run build/release $(ROUNDS)
-	@$(if $(MESHES),,./scripts/frames-tables $(if $(PARTS),--parts "$(PARTS)") build/release $(DOCS)/frames.md)
+	@$(if $(MESHES),,python3 scripts/tables frames $(if $(PARTS),--parts "$(PARTS)") build/release $(DOCS)/frames.md)
 
 bench-load: short-docs ## time loading meshes beside other libraries; fills docs/loading.md. FILES=FOLDER: its files, printed only
 	@./scripts/need-folder FILES "$(FILES)"
@@ -333,28 +331,28 @@ bench-load: short-docs ## time loading meshes beside other libraries; fills docs
 	@$(MAKE) --no-print-directory program-bench_load_programs CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
 	@mkdir -p build/load
 	@./bench/load/run build/release/bench/load build/load/torus $(if $(SHORT),1 40)
-	$(if $(FILES),,@./scripts/fill-tables build/load $(DOCS)/loading.md)
+	$(if $(FILES),,@python3 scripts/tables fill build/load $(DOCS)/loading.md)
 
 .PHONY: bench-serve
 bench-serve: short-docs ## time pictures one after another, by requests to serve-stdio and by a process each; fills docs/serve.md
 	@$(MAKE) --no-print-directory program-bench_serve CMAKE_FLAGS=-DBURNISH_BENCH=ON
 	@mkdir -p build/serve/tables
 	@build/release/bench_serve build/release/burnish build/serve $(if $(SHORT),10) >build/serve/tables/latency
-	@./scripts/fill-tables build/serve/tables $(DOCS)/serve.md
+	@python3 scripts/tables fill build/serve/tables $(DOCS)/serve.md
 
 .PHONY: bench-batch
 bench-batch: short-docs ## processor time of a picture of burnish batch, in the plain and the default look; fills docs/batch.md
 	@$(MAKE) --no-print-directory program-bench_batch CMAKE_FLAGS=-DBURNISH_BENCH=ON
 	@mkdir -p build/batch/tables
 	@build/release/bench_batch build/release/burnish build/batch $(if $(SHORT),1) >build/batch/tables/rate
-	@./scripts/fill-tables build/batch/tables $(DOCS)/batch.md
+	@python3 scripts/tables fill build/batch/tables $(DOCS)/batch.md
 
 .PHONY: bench-shaders
 bench-shaders: short-docs ## time highlights in a full-screen pass on this machine's OpenGL ES; fills docs/shaders.md
 	@$(DEPS) shaders
 	@$(MAKE) --no-print-directory program-bench_shaders CMAKE_FLAGS=-DBURNISH_BENCH_PEERS=ON
 	@$(MAKE) --no-print-directory program-half_table
-	@./scripts/shader-tables build/release/bench/shaders/bench_shaders build/release/test/half_table build/release $(DOCS)/shaders.md $(if $(SHORT),3)
+	@python3 scripts/tables shaders build/release/bench/shaders/bench_shaders build/release/test/half_table $(DOCS)/shaders.md $(if $(SHORT),3)
 
 install: ## install program, libraries, headers and man page (DESTDIR, PREFIX), building nothing else
 	@$(DEPS) build

@@ -160,9 +160,9 @@ check "by the ending: gp" grep -q 'set terminal svg' script.gp
 check "an output that can't be written is kept as it was" sh -c "chmod 400 kept.csv; '$burnish' lobe plot curves --lobes=foo -o kept.csv; cmp kept.csv again.csv"
 rm -f kept.csv again.csv script.gp
 
-"$root/scripts/figures" "$burnish" one >/dev/null 2>&1 || [ "$has_gnuplot" = 0 ] || fail "scripts/figures fails"
+python3 "$root/scripts/tables" figures "$burnish" one >/dev/null 2>&1 || [ "$has_gnuplot" = 0 ] || fail "scripts/tables figures fails"
 if [ "$has_gnuplot" = 1 ]; then
-    "$root/scripts/figures" "$burnish" two >/dev/null 2>&1
+    python3 "$root/scripts/tables" figures "$burnish" two >/dev/null 2>&1
     check "two runs differ" diff -r one two
     for file in "$root"/docs/figures/*; do
         name=$(basename "$file")
@@ -201,10 +201,10 @@ nothing_left "figures"
 
 # ---- The page --------------------------------------------------------------------------------------
 
-check "docs/theory.md: $("$root/scripts/theory-tables" "$burnish" "$root/docs/theory.md" --check 2>&1 | head -5 | tr '\n' ' ')" \
-    "$root/scripts/theory-tables" "$burnish" "$root/docs/theory.md" --check
+check "docs/theory.md: $(python3 "$root/scripts/tables" theory "$burnish" "$root/docs/theory.md" --check 2>&1 | head -5 | tr '\n' ' ')" \
+    python3 "$root/scripts/tables" theory "$burnish" "$root/docs/theory.md" --check
 sed 's/0\.0916/0.0915/' "$root/docs/theory.md" >stale.md
-check "a changed number is not noticed" sh -c "! '$root/scripts/theory-tables' '$burnish' stale.md --check"
+check "a changed number is not noticed" sh -c "! python3 '$root/scripts/tables' theory '$burnish' stale.md --check"
 rm stale.md
 # What its text says in round numbers.
 about() {

@@ -5,7 +5,7 @@ set -eu
 source=$1
 scratch=$2
 list=$source/docs/images/operations.csv
-"$source/scripts/operation-counts" "$scratch" "$scratch/again.csv"
+python3 "$source/scripts/tables" operations "$scratch" "$scratch/again.csv"
 awk -F, '
     /^#/ || $1 == "lobe" { next }
     { ++rows }

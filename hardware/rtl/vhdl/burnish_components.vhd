@@ -1,4 +1,4 @@
--- burnish_components: the modules of rtl/ for VHDL, as scripts/rtl-ports reads them from the Verilog.
+-- burnish_components: the modules of rtl/ for VHDL, as scripts/tables rtl-ports reads them from the Verilog.
 --
 -- Compile it with the Verilog in a tool that takes both languages.
 --

@@ -1,4 +1,4 @@
-// wave: the run of burnish_stream that scripts/rtl-wave draws: nine words, a pause, an output that stalls twice.
+// wave: the run of burnish_stream that scripts/tables rtl-wave draws: nine words, a pause, an output that stalls twice.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
