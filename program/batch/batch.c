@@ -14,6 +14,8 @@
 #include "cli/output.h"
 #include "cli/platform.h"
 #include "cli/run.h"
+#include "render/check.h"
+#include "render/flags.h"
 #include "sandbox/sandbox.h"
 
 static cli_work work;
@@ -145,7 +147,7 @@ static const cli_flag flags[] = {
      .default_text = "60",
      .manual = "An input that takes longer, by the clock, has failed. 0: without end.",
      .handler = cli_flag_real,
-     TARGET(render.max_seconds)},
+     TARGET(render.job.max_seconds)},
     {.name = "max-memory",
      .common = 1,
      .value = "N",
@@ -156,7 +158,7 @@ static const cli_flag flags[] = {
      .manual = "An input that needs more memory has failed. All together need at most this times "
                "*--jobs*. _N_ may end in *K*, *M* or *G*.",
      .handler = cli_flag_bytes,
-     TARGET(render.max_memory)},
+     TARGET(render.job.max_memory)},
     {.name = "no-sandbox",
      .help = "workers may open files",
      .manual = "Each input is read and drawn in a process of its own, and where the program was "
@@ -200,7 +202,7 @@ static const cli_flag flags[] = {
      .high = BURNISH_IMAGE_MAX_SIZE,
      .manual = "Width and height of each picture in pixels.",
      .handler = cli_flag_size,
-     TARGET(render.size)},
+     TARGET(render.picture.size)},
     {.name = "size",
      .common = 1,
      .help = "a square: --resolution=N,N",
@@ -209,7 +211,7 @@ static const cli_flag flags[] = {
      .high = BURNISH_IMAGE_MAX_SIZE,
      .manual = "The same as *--resolution=*_N_*,*_N_.",
      .handler = cli_flag_square,
-     TARGET(render.size)},
+     TARGET(render.picture.size)},
 };
 
 static const cli_example examples[] = {
@@ -366,7 +368,7 @@ static char *choose_report(const batch_settings *settings) {
 /* What no input can change, told once. */
 static burnish_status check(batch *b, burnish_error *error) {
     render_settings settings = b->settings->render;
-    settings.input = ":sphere";
+    settings.input.name = ":sphere";
     if (*b->settings->output_dir == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--output-dir: the name is empty");
     }
@@ -379,13 +381,15 @@ static burnish_status check(batch *b, burnish_error *error) {
                         "--shard: a part has no --index and no --sheet; the same command without "
                         "--shard, when all parts are done, makes them");
     }
-    settings.output = b->settings->output;
-    settings.views.count =
-        strstr(settings.output, "{view}") && settings.views.count > 1 ? 1 : settings.views.count;
+    settings.output.path = b->settings->output;
+    settings.picture.views.count =
+        strstr(settings.output.path, "{view}") && settings.picture.views.count > 1
+            ? 1
+            : settings.picture.views.count;
     burnish_status status = render_finish(&settings, error);
     if (status == BURNISH_STATUS_OK && b->settings->sheet &&
-        (settings.format == PICTURE_EXR || settings.format == PICTURE_NPY ||
-         settings.format == PICTURE_SVG)) {
+        (settings.output.format == PICTURE_EXR || settings.output.format == PICTURE_NPY ||
+         settings.output.format == PICTURE_SVG)) {
         status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
                           "--sheet: needs pictures in PNG, JPEG or WebP; see --output");
     }
@@ -425,7 +429,7 @@ static void tell_end(const batch *b, double seconds) {
     if (b->is_stopped) {
         fprintf(stderr, "burnish: stopped: %zu of %zu are done; the same command goes on\n",
                 b->done, b->list.count);
-    } else if (!b->settings->render.quiet && isatty(STDERR_FILENO)) {
+    } else if (!b->settings->render.job.quiet && isatty(STDERR_FILENO)) {
         fprintf(stderr, "burnish: %zu drawn in %.1f s (%.0f per second), %zu unchanged\n", drawn,
                 seconds, (double)drawn / (seconds > 0 ? seconds : 1), b->kept);
     }
@@ -502,7 +506,7 @@ static void release(batch *b) {
 }
 
 burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_error *error) {
-    settings->render.sandbox = sandbox_is_built() && !settings->no_sandbox;
+    settings->render.job.sandbox = sandbox_is_built() && !settings->no_sandbox;
     batch b = {.settings = settings,
                .options = list_options(call),
                .report = settings->has_no_report ? NULL : choose_report(settings)};

@@ -19,14 +19,14 @@ burnish_status render_many(const render_settings *settings, cli_call *call, burn
 #else
 
 static burnish_status check(const render_settings *settings, burnish_error *error) {
-    const char *alone = settings->planes.count > 0 ? "plane"
-                        : settings->turntable      ? "turntable"
-                        : settings->reference      ? "reference"
-                        : settings->timing         ? "timing"
-                        : settings->rows.count > 0 ? "rows"
-                        : settings->runners > 0    ? "runners"
-                        : settings->runner         ? "runner"
-                                                   : NULL;
+    const char *alone = settings->output.planes.count > 0  ? "plane"
+                        : settings->output.turntable       ? "turntable"
+                        : settings->output.reference       ? "reference"
+                        : settings->job.timing             ? "timing"
+                        : settings->picture.rows.count > 0 ? "rows"
+                        : settings->job.runners > 0        ? "runners"
+                        : settings->job.runner             ? "runner"
+                                                           : NULL;
     return alone ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--%s: is of one picture; draw one INPUT, without --output-dir", alone)
                  : BURNISH_STATUS_OK;
@@ -57,14 +57,14 @@ static size_t folder_size(const char *text) {
 
 burnish_status render_many(const render_settings *settings, cli_call *call, burnish_error *error) {
     batch_settings many = {.render = *settings,
-                           .output = settings->output,
-                           .output_dir = settings->output_dir,
-                           .files_from = settings->files_from,
-                           .recursive = settings->recursive,
-                           .report = settings->json,
-                           .jobs = settings->threads,
+                           .output = settings->output.path,
+                           .output_dir = settings->output.folder,
+                           .files_from = settings->job.files_from,
+                           .recursive = settings->job.recursive,
+                           .report = settings->output.json,
+                           .jobs = settings->job.threads,
                            .force = 1,
-                           .has_no_report = !settings->json,
+                           .has_no_report = !settings->output.json,
                            .no_sandbox = is_unlocked(call)};
     char standard[64], *folder = NULL;
     burnish_status status = check(settings, error);
@@ -73,9 +73,9 @@ burnish_status render_many(const render_settings *settings, cli_call *call, burn
     }
     if (!many.output) {
         snprintf(standard, sizeof standard, "{folder}{model}.%s",
-                 picture_ending(settings->format == PICTURE_AUTO
+                 picture_ending(settings->output.format == PICTURE_AUTO
                                     ? PICTURE_PNG
-                                    : (picture_format)settings->format));
+                                    : (picture_format)settings->output.format));
         many.output = standard;
     } else if (!many.output_dir) { /* a template names its folder itself */
         const size_t size = folder_size(many.output);
@@ -84,9 +84,9 @@ burnish_status render_many(const render_settings *settings, cli_call *call, burn
         many.output += size;
     }
     many.output_dir = many.output_dir ? many.output_dir : ".";
-    many.render.overwrite |= settings->output || settings->output_dir;
-    many.render.output = NULL;
-    many.render.json = NULL;
+    many.render.output.overwrite |= settings->output.path || settings->output.folder;
+    many.render.output.path = NULL;
+    many.render.output.json = NULL;
     status = batch_draw(&many, call, error);
     free(folder);
     return status;

@@ -14,7 +14,7 @@ const char *batch_base_name(const char *path) {
 }
 
 const char *batch_view_name(const batch *b, const batch_item *item) {
-    return render_view_name(b->settings->render.views.items[item->view]);
+    return render_view_name(b->settings->render.picture.views.items[item->view]);
 }
 
 enum { NAME_MAX_BYTES = 4000 };
@@ -199,7 +199,7 @@ static void drop_repeated(batch *b, batch_item **sorted) {
 
 /* An item per view, where the template has {view}. */
 static burnish_status split_views(batch *b, burnish_error *error) {
-    const size_t views = b->settings->render.views.count, count = b->list.count;
+    const size_t views = b->settings->render.picture.views.count, count = b->list.count;
     if (!strstr(b->settings->output, "{view}")) {
         return BURNISH_STATUS_OK;
     }

@@ -77,7 +77,7 @@ int batch_take_order(const batch *b, int channel, batch_order *order) {
     if (!channel_read(channel, &h, sizeof h)) {
         return 0;
     }
-    if (h.drawer != b->drawer || h.view >= (int32_t)b->settings->render.views.count) {
+    if (h.drawer != b->drawer || h.view >= (int32_t)b->settings->render.picture.views.count) {
         fprintf(stderr,
                 "burnish: --runner: burnish %s here is another version, or has other flags, "
                 "than the batch; install the same everywhere\n",

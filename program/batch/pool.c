@@ -398,7 +398,7 @@ static burnish_status begin(pool *p, burnish_error *error) {
 
 burnish_status batch_run(batch *b, burnish_error *error) {
     pool p = {.b = b, .start = cli_seconds_now()};
-    p.is_terminal = !b->settings->render.quiet && isatty(STDERR_FILENO);
+    p.is_terminal = !b->settings->render.job.quiet && isatty(STDERR_FILENO);
     burnish_status status = begin(&p, error);
     struct pollfd *ready = calloc(p.count + 1, sizeof *ready);
     if (status == BURNISH_STATUS_OK) {

@@ -28,7 +28,9 @@
 #include "cli/output.h"
 #include "cli/write.h"
 #include "import/import.h"
+#include "render/check.h"
 #include "render/output/report.h"
+#include "render/render.h"
 #include "sandbox/channel.h"
 #include "sandbox/sandbox.h"
 
@@ -187,7 +189,7 @@ static void tell(void *context, const render_result *result) {
 __attribute__((noreturn)) static void draw(const runner *r, render_settings *settings) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
     int code = 0;
-    burnish_status status = cli_limit_memory(settings->max_memory, &error);
+    burnish_status status = cli_limit_memory(settings->job.max_memory, &error);
     if (status == BURNISH_STATUS_OK) {
         status = render_run(settings, &code, &error);
     }
@@ -228,33 +230,33 @@ static burnish_status run_plainly(const runner *r, render_settings *settings, in
 static burnish_status run_worker(const runner *r, render_settings *settings, files *seen, int *code,
                                  int *is_late, burnish_error *line) {
     burnish_error error = {BURNISH_STATUS_OK, ""}, ended = {BURNISH_STATUS_OK, ""};
-    const sandbox_plan plan = {.input = settings->input,
-                               .format = settings->load.format,
-                               .outputs = {settings->output},
+    const sandbox_plan plan = {.input = settings->input.name,
+                               .format = settings->input.load.format,
+                               .outputs = {render_output_path(&settings->output)},
                                .output_count = 1,
-                               .max_input_bytes = settings->load.max_input_bytes,
-                               .max_memory = settings->max_memory,
+                               .max_input_bytes = settings->input.load.max_input_bytes,
+                               .max_memory = settings->job.max_memory,
                                .see_file = see_file,
                                .context = seen,
                                .ended = &ended};
     memset(r->shared, 0, sizeof *r->shared);
-    cli_limit_child_seconds(settings->max_seconds.value);
-    cli_set_child_memory(settings->max_memory);
-    burnish_status status = settings->sandbox ? sandbox_begin(&plan, code, &error)
-                                              : run_plainly(r, settings, code, &ended, &error);
+    cli_limit_child_seconds(settings->job.max_seconds.value);
+    cli_set_child_memory(settings->job.max_memory);
+    burnish_status status = settings->job.sandbox ? sandbox_begin(&plan, code, &error)
+                                                  : run_plainly(r, settings, code, &ended, &error);
     if (status == BURNISH_STATUS_OK && *code < 0) {
         draw(r, settings);
     }
     cli_limit_child_seconds(0);
     *is_late =
-        status == BURNISH_STATUS_OK && settings->max_seconds.value > 0 && cli_child_was_late();
+        status == BURNISH_STATUS_OK && settings->job.max_seconds.value > 0 && cli_child_was_late();
     if (*is_late) {
         status = cli_fail(&error, BURNISH_STATUS_LIMIT,
                           "%.300s: not done after %g seconds (--max-seconds): raise the limit or "
                           "simplify the mesh",
-                          settings->input, settings->max_seconds.value);
+                          settings->input.name, settings->job.max_seconds.value);
     } else if (status == BURNISH_STATUS_OK && ended.text[0]) {
-        status = cli_fail(&error, ended.status, "%.150s: %.300s", settings->input, ended.text);
+        status = cli_fail(&error, ended.status, "%.150s: %.300s", settings->input.name, ended.text);
     }
     if (status != BURNISH_STATUS_OK) {
         *code = burnish_status_exit_code(status);
@@ -307,10 +309,11 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     add_hash(object, "hash", hash, &failed);
     add_hash(object, "picture", f->picture, &failed);
     cli_json_add(object, "format",
-                 cJSON_CreateString(
-                     has_format ? import_format_word(item->input, b->settings->render.load.format,
-                                                     (burnish_format)f->format, ending)
-                                : ""),
+                 cJSON_CreateString(has_format
+                                        ? import_format_word(item->input,
+                                                             b->settings->render.input.load.format,
+                                                             (burnish_format)f->format, ending)
+                                        : ""),
                  &failed);
     cli_json_add(object, "triangles", cli_json_count((size_t)f->triangles), &failed);
     cli_json_add(object, "vertices", cli_json_count((size_t)f->vertices), &failed);
@@ -336,16 +339,16 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
 static void set_item(const batch *b, const batch_order *order, render_settings *settings) {
     const batch_item *item = &order->item;
     *settings = b->settings->render;
-    settings->input = item->input;
-    settings->output = item->output;
-    settings->overwrite |= order->is_ours;
-    settings->is_default_output = 1; /* what has the name may be a texture */
+    settings->input.name = item->input;
+    settings->output.path = item->output;
+    settings->output.overwrite |= order->is_ours;
+    settings->output.is_derived = 1; /* what has the name may be a texture */
     if (item->view >= 0) {
-        settings->views.items[0] = settings->views.items[item->view];
-        settings->views.count = 1;
+        settings->picture.views.items[0] = settings->picture.views.items[item->view];
+        settings->picture.views.count = 1;
     }
-    settings->quiet = 1;
-    settings->threads = 1;
+    settings->job.quiet = 1;
+    settings->job.threads = 1;
 }
 
 /* The line, to be freed; *answer gets what stands before it. */
@@ -368,8 +371,8 @@ static char *run_item(const runner *r, const batch_order *order, batch_answer *a
         return strdup(order->past);
     }
     set_item(r->b, order, &settings);
-    settings.tell = tell;
-    settings.tell_context = r->shared;
+    settings.job.on_result = tell;
+    settings.job.user_data = r->shared;
     r->shared->is_drawn = 0;
     if (status == BURNISH_STATUS_OK && !batch_make_folders(item->output)) {
         status = cli_fail(&error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s",

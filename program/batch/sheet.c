@@ -143,7 +143,7 @@ __attribute__((noreturn)) static void be_decoder(sheet *s) {
     burnish_processor_count(); /* reads files, once */
     const char *wall = "descriptors";
     int code = dup2(s->channel, 3) == 3 ? 0 : errno;
-    if (code == 0 && s->b->settings->render.sandbox) {
+    if (code == 0 && s->b->settings->render.job.sandbox) {
         code = sandbox_lock(4, 0, &wall);
     }
     if (code != 0) {
@@ -225,7 +225,7 @@ static burnish_status take_sheet(const sheet *s, const char *path, burnish_error
 
 /* The largest cells with which the sheet is not larger than a picture may be. */
 static burnish_status lay_out(sheet *s, burnish_error *error) {
-    const int *size = s->b->settings->render.size;
+    const int *size = s->b->settings->render.picture.size;
     const int longest = size[0] > size[1] ? size[0] : size[1];
     for (int side = longest < CELL_MAX ? longest : CELL_MAX;;
          side -= side > 4 * CELL_MIN ? 16 : 4) {

@@ -10,6 +10,7 @@
 #include "cli/platform.h"
 #include "cli/run.h"
 #include "picture/panels.h"
+#include "render/check.h"
 
 static cli_work work;
 
@@ -186,7 +187,7 @@ const cli_command compare_command = {
 
 static burnish_status check_operands(const compare_settings *settings, const cli_call *call,
                                      burnish_error *error) {
-    const size_t lobes = settings->render.lobes.count;
+    const size_t lobes = settings->render.shading.lobes.count;
     if (call->operand_count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "compare: no A and B; try \"burnish compare before.png after.png\" or "
@@ -204,10 +205,10 @@ static burnish_status check_operands(const compare_settings *settings, const cli
                         "input",
                         lobes);
     }
-    if (settings->render.views.count > 1) {
+    if (settings->render.picture.views.count > 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--views: %zu views; two pictures of one view are compared",
-                        settings->render.views.count);
+                        settings->render.picture.views.count);
     }
     if (call->operand_count == 2 && strcmp(call->operands[0], "-") == 0 &&
         strcmp(call->operands[1], "-") == 0) {
@@ -273,7 +274,7 @@ static burnish_status write_panels(const comparison *c, burnish_error *error) {
         .labels = {c->sides[0].label, c->sides[1].label},
         .numbers = &c->verdict.numbers,
         .flip_map = c->flip_map};
-    const picture_options options = {.threads = settings->render.threads};
+    const picture_options options = {.threads = settings->render.job.threads};
     return picture_write_panels(&panels, settings->output, (picture_format)settings->format,
                                 &options, error);
 }
@@ -283,7 +284,7 @@ static burnish_status measure(comparison *c, burnish_error *error) {
     const burnish_image *images[2] = {compare_image(&c->sides[0]), compare_image(&c->sides[1])};
     const burnish_pixels a = burnish_image_pixels(images[0]), b = burnish_image_pixels(images[1]);
     burnish_comparison numbers;
-    options.threads = c->settings->render.threads;
+    options.threads = c->settings->render.job.threads;
     options.tolerance = c->settings->rule.tolerance;
     options.coverage[0] = c->sides[0].coverage;
     options.coverage[1] = c->sides[1].coverage;

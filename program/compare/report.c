@@ -100,7 +100,7 @@ static void add_side(cJSON *root, const comparison *c, int i, int *failed) {
                                           burnish_mesh_get_view(side->result.mesh)->origin, failed),
                      failed);
         cli_json_add(object, "up",
-                     cJSON_CreateString(render_up_name(side->result.mesh, &side->settings)),
+                     cJSON_CreateString(render_up_name(side->result.mesh, &side->settings.camera)),
                      failed);
         cli_json_add(object, "facts", facts_object(side, failed), failed);
         cli_json_add(object, "warnings",

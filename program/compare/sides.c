@@ -8,6 +8,7 @@
 #include "import/import.h"
 #include "picture/read_png.h"
 #include "render/camera.h"
+#include "render/options.h"
 #include "render/origin.h"
 #include "render/up.h"
 
@@ -36,7 +37,8 @@ static int is_picture(const char *path) {
 
 /* first: the mesh whose space it shares; NULL: none */
 static burnish_load_options load_options(const compare_side *side, const burnish_mesh *first) {
-    burnish_load_options options = render_load_options(&side->settings);
+    burnish_load_options options =
+        render_load_options(&side->settings.input, side->settings.job.threads);
     options.measure = 1;
     options.origin = first ? burnish_mesh_get_view(first)->origin : NULL;
     return options;
@@ -48,7 +50,7 @@ static burnish_status take_mesh(compare_side *side, burnish_status loaded, burni
         render_result_warn(&side->result, 1, "%s", burnish_mesh_warning(side->owned, i));
     }
     return loaded == BURNISH_STATUS_OK
-               ? render_adjust_materials(&side->settings, side->owned, error)
+               ? render_adjust_materials(&side->settings.shading, side->owned, error)
                : loaded;
 }
 
@@ -87,7 +89,7 @@ static burnish_status read_side(compare_side *side, const burnish_mesh *first,
 static burnish_status choose_size(comparison *c, burnish_error *error) {
     const int *given = c->settings->size;
     int size[2];
-    memcpy(size, given[0] ? given : c->settings->render.size, sizeof size);
+    memcpy(size, given[0] ? given : c->settings->render.picture.size, sizeof size);
     for (int i = 0; i < 2; ++i) {
         const burnish_image *picture = &c->sides[i].picture;
         if (!picture->pixels) {
@@ -102,7 +104,7 @@ static burnish_status choose_size(comparison *c, burnish_error *error) {
         size[1] = picture->height;
     }
     for (int i = 0; i < 2; ++i) {
-        memcpy(c->sides[i].settings.size, size, sizeof size); /* which framing asks for */
+        memcpy(c->sides[i].settings.picture.size, size, sizeof size); /* which framing asks for */
         c->sides[i].options.width = size[0];
         c->sides[i].options.height = size[1];
     }
@@ -152,8 +154,9 @@ static burnish_status join(const burnish_mesh *const meshes[2], burnish_mesh **j
 
 static burnish_status aim(comparison *c, burnish_error *error) {
     const burnish_mesh *meshes[2] = {c->sides[0].result.mesh, c->sides[1].result.mesh};
-    const render_view view =
-        c->settings->render.views.count > 0 ? c->settings->render.views.items[0] : VIEW_FREE;
+    const render_view view = c->settings->render.picture.views.count > 0
+                                 ? c->settings->render.picture.views.items[0]
+                                 : VIEW_FREE;
     burnish_camera camera;
     render_room room = {0};
     burnish_mesh *joined = NULL;
@@ -220,11 +223,12 @@ static void describe(comparison *c, int i) {
     compare_side *side = &c->sides[i];
     char lobe[32];
     side->settings = c->settings->render;
-    side->settings.input = side->input;
-    side->settings.lobes.count = 1;
-    side->settings.lobes.items[0] = c->settings->render.lobes.items[c->lobes ? i : 0];
+    side->settings.input.name = side->input;
+    side->settings.shading.lobes.count = 1;
+    side->settings.shading.lobes.items[0] =
+        c->settings->render.shading.lobes.items[c->lobes ? i : 0];
     side->options = render_make_options(&side->settings);
-    side->cell.lobe = side->settings.lobes.items[0];
+    side->cell.lobe = side->settings.shading.lobes.items[0];
     side->result.settings = &side->settings;
     side->result.options = &side->options;
     side->result.cells = &side->cell;
@@ -245,11 +249,11 @@ static void choose_up(comparison *c) {
     if (!mesh) {
         return;
     }
-    settings.stands_otherwise =
-        settings.up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
-    const render_up up = render_up_in_use(mesh, &settings, direction);
+    settings.camera.stands_otherwise =
+        settings.camera.up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
+    const render_up up = render_up_in_use(mesh, &settings.camera, direction);
     for (int i = 0; i < 2; ++i) {
-        c->sides[i].settings.up = (int)up;
+        c->sides[i].settings.camera.up = (int)up;
     }
 }
 
@@ -275,10 +279,11 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
         compare_side *side = &c->sides[i];
         if (side->result.mesh) {
             const char *warning;
-            render_subtract_origin(&side->settings, &side->options,
+            render_subtract_origin(&side->settings.camera, &side->settings.input.clip,
+                                   &side->options,
                                    burnish_mesh_get_view(side->result.mesh)->origin);
-            status = render_add_own_lights(&side->settings, side->result.mesh, &side->options,
-                                           &warning, error);
+            status = render_add_own_lights(&side->settings.shading.lights, side->result.mesh,
+                                           &side->options, &warning, error);
         }
     }
     if (status == BURNISH_STATUS_OK &&

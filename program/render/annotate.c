@@ -12,7 +12,7 @@ burnish_status render_draw(const render_result *result, burnish_renderer *render
                            burnish_error *error) {
     const unsigned hidden = BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID;
     *depth = NULL;
-    if (!(result->settings->annotations & hidden)) {
+    if (!(result->settings->picture.annotations & hidden)) {
         return burnish_renderer_draw(renderer, result->mesh, options, &cell->image, &cell->report,
                                      error);
     }
@@ -49,7 +49,7 @@ static burnish_annotations make_annotations(const render_result *result,
 burnish_status render_annotate(render_result *result, const burnish_render_options *options,
                                render_cell *cell, const float *depth, burnish_error *error) {
     const render_settings *settings = result->settings;
-    if (!settings->annotations) {
+    if (!settings->picture.annotations) {
         return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_pixels(&cell->image);
@@ -63,14 +63,15 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
         render_result_warn(result, 1,
                            "%.300s: --annotate: scale: a perspective has no scale, so %s has no "
                            "bar; give --camera-orthographic, or leave it out",
-                           settings->input, result->cell_count > 1 ? cell->label : "the picture");
+                           settings->input.name,
+                           result->cell_count > 1 ? cell->label : "the picture");
     }
     if (status == BURNISH_STATUS_OK && left_out > 0) {
         render_result_warn(result, 1,
                            "%.300s: %s has no room for %zu of the annotations; make it larger, or "
                            "show more of it",
-                           settings->input, result->cell_count > 1 ? cell->label : "the picture",
-                           left_out);
+                           settings->input.name,
+                           result->cell_count > 1 ? cell->label : "the picture", left_out);
     }
     return status;
 }
@@ -102,15 +103,15 @@ static burnish_status write_svg(const render_result *result, const burnish_drawi
                                 picture_file *file, burnish_error *error) {
     const render_settings *settings = result->settings;
     const burnish_render_options *options = result->options;
-    const char *slash = strrchr(settings->input, '/');
+    const char *slash = strrchr(settings->input.name, '/');
     char title[256], *text = NULL;
-    snprintf(title, sizeof title, "%s", slash ? slash + 1 : settings->input);
+    snprintf(title, sizeof title, "%s", slash ? slash + 1 : settings->input.name);
     for (char *c = title; *c; ++c) {
         *c = (signed char)*c < 0 ? '?' : *c; /* names may hold bytes that are not UTF-8 */
     }
     const burnish_status status =
         burnish_drawing_svg(drawing, title, options->transparent ? NULL : options->background,
-                            settings->dots_per_inch.value, &text, &file->size, error);
+                            settings->output.dots_per_inch.value, &text, &file->size, error);
     file->bytes = (uint8_t *)text;
     file->release = release_svg;
     return status;

@@ -45,9 +45,9 @@ static double dot(const double a[3], const double b[3]) {
 }
 
 /* That of --up, or the one nearest to the mesh's own up axis, or guessed. */
-static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings *settings) {
-    if (settings->up != UP_FORMAT && settings->up != UP_AUTO) {
-        return &frames[settings->up];
+static const frame *frame_in_use(const burnish_mesh *mesh, const render_camera_settings *camera) {
+    if (camera->up != UP_FORMAT && camera->up != UP_AUTO) {
+        return &frames[camera->up];
     }
     const float *axis = burnish_mesh_get_view(mesh)->up_axis;
     const double up[3] = {axis[0], axis[1], axis[2]};
@@ -55,21 +55,21 @@ static const frame *frame_in_use(const burnish_mesh *mesh, const render_settings
     for (int i = UP_POSITIVE_X; i <= UP_NEGATIVE_Z; ++i) {
         nearest = dot(frames[i].up, up) > dot(frames[nearest].up, up) ? i : nearest;
     }
-    if (settings->up == UP_AUTO && settings->stands_otherwise) {
+    if (camera->up == UP_AUTO && camera->stands_otherwise) {
         nearest = nearest == UP_POSITIVE_Y ? UP_POSITIVE_Z : UP_POSITIVE_Y;
     }
     return &frames[nearest];
 }
 
-render_up render_up_in_use(const burnish_mesh *mesh, const render_settings *settings,
+render_up render_up_in_use(const burnish_mesh *mesh, const render_camera_settings *camera,
                            double direction[3]) {
-    const frame *axes = frame_in_use(mesh, settings);
+    const frame *axes = frame_in_use(mesh, camera);
     memcpy(direction, axes->up, sizeof axes->up);
     return (render_up)(axes - frames);
 }
 
-const char *render_up_name(const burnish_mesh *mesh, const render_settings *settings) {
-    return frame_in_use(mesh, settings)->name;
+const char *render_up_name(const burnish_mesh *mesh, const render_camera_settings *camera) {
+    return frame_in_use(mesh, camera)->name;
 }
 
 static void combine(const frame *axes, const double weights[3], double scale, double result[3]) {
@@ -103,14 +103,14 @@ static void usual_upward(const frame *axes, const double direction[3], double up
     }
 }
 
-static burnish_status choose_upward(const frame *axes, const render_settings *settings,
+static burnish_status choose_upward(const frame *axes, const render_camera_settings *camera,
                                     const double direction[3], double upward[3],
                                     burnish_error *error) {
-    if (!settings->view_up.given) {
+    if (!camera->view_up.given) {
         usual_upward(axes, direction, upward);
         return BURNISH_STATUS_OK;
     }
-    memcpy(upward, settings->view_up.values, sizeof settings->view_up.values);
+    memcpy(upward, camera->view_up.values, sizeof camera->view_up.values);
     if (parallel(direction, upward)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--camera-view-up: it is parallel to the direction of view; give "
@@ -121,28 +121,29 @@ static burnish_status choose_upward(const frame *axes, const render_settings *se
 
 /* What the camera flags and a view ask of framing. */
 static int is_parallel(const render_settings *settings, render_view view) {
-    return settings->projection == PROJECTION_PARALLEL || settings->same_scale ||
-           settings->orthographic_height.given ||
-           (settings->projection == PROJECTION_AUTO && view != VIEW_FREE);
+    return settings->camera.projection == PROJECTION_PARALLEL || settings->camera.same_scale ||
+           settings->camera.orthographic_height.given ||
+           (settings->camera.projection == PROJECTION_AUTO && view != VIEW_FREE);
 }
 
 static burnish_framing fit_options(const render_settings *settings, render_view view,
                                    const render_room *room) {
     burnish_framing options = burnish_framing_default();
-    options.view_angle = settings->view_angle.value;
-    options.aspect = (double)settings->size[0] / settings->size[1];
-    options.margin = settings->margin.value;
+    options.view_angle = settings->camera.view_angle.value;
+    options.aspect = (double)settings->picture.size[0] / settings->picture.size[1];
+    options.margin = settings->camera.margin.value;
     options.orthographic = is_parallel(settings, view);
-    options.orthographic_height =
-        settings->orthographic_height.given ? settings->orthographic_height.value : room->height;
+    options.orthographic_height = settings->camera.orthographic_height.given
+                                      ? settings->camera.orthographic_height.value
+                                      : room->height;
     return options;
 }
 
 burnish_annotations render_make_annotations(const burnish_mesh *mesh,
                                             const render_settings *settings) {
     burnish_annotations annotations = burnish_annotations_default();
-    annotations.kinds = settings->annotations;
-    memcpy(annotations.up, frame_in_use(mesh, settings)->up, sizeof annotations.up);
+    annotations.kinds = settings->picture.annotations;
+    memcpy(annotations.up, frame_in_use(mesh, &settings->camera)->up, sizeof annotations.up);
     return annotations;
 }
 
@@ -152,8 +153,8 @@ static const double ground_inset[4] = {0.08, 0.08, 0.1, 0};
 #define KEY_SHADOW_INSET 0.16
 
 static void add_ground_inset(const render_settings *settings, double inset[4]) {
-    for (int k = 0; k < 4 && settings->ground; ++k) {
-        const double room = k == 1 && settings->shadow ? KEY_SHADOW_INSET : ground_inset[k];
+    for (int k = 0; k < 4 && settings->shading.ground; ++k) {
+        const double room = k == 1 && settings->shading.shadow ? KEY_SHADOW_INSET : ground_inset[k];
         inset[k] = inset[k] > room ? inset[k] : room;
     }
 }
@@ -164,10 +165,10 @@ static burnish_status frame_with_room(const burnish_mesh *mesh, const render_set
                                       burnish_camera *camera, burnish_error *error) {
     burnish_framing framing = *options;
     burnish_status status = BURNISH_STATUS_OK;
-    if (!room->is_given && settings->annotations) {
+    if (!room->is_given && settings->picture.annotations) {
         const burnish_annotations annotations = render_make_annotations(mesh, settings);
-        status = burnish_annotate_inset(mesh, &annotations, options, settings->size[0],
-                                        settings->size[1], room->inset, error);
+        status = burnish_annotate_inset(mesh, &annotations, options, settings->picture.size[0],
+                                        settings->picture.size[1], room->inset, error);
     }
     if (!room->is_given) {
         add_ground_inset(settings, room->inset);
@@ -194,16 +195,16 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     double focal[3], direction[3], upward[3];
     for (int k = 0; k < 3; ++k) {
-        focal[k] = settings->focal_point.given
-                       ? settings->focal_point.values[k]
+        focal[k] = settings->camera.focal_point.given
+                       ? settings->camera.focal_point.values[k]
                        : ((double)view->bounds_min[k] + view->bounds_max[k]) / 2;
     }
-    subtract(focal, settings->position.values, direction);
+    subtract(focal, settings->camera.position.values, direction);
     if (dot(direction, direction) == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--camera-position: it is the focal point; move one of them");
     }
-    burnish_status status = choose_upward(axes, settings, direction, upward, error);
+    burnish_status status = choose_upward(axes, &settings->camera, direction, upward, error);
     if (status == BURNISH_STATUS_OK && options->orthographic) {
         render_room none = {.is_given = 1};
         status = fit_along(mesh, settings, *options, direction, upward, &none, camera, error);
@@ -211,10 +212,10 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    memcpy(camera->position, settings->position.values, sizeof camera->position);
+    memcpy(camera->position, settings->camera.position.values, sizeof camera->position);
     memcpy(camera->focal_point, focal, sizeof camera->focal_point);
     memcpy(camera->view_up, upward, sizeof camera->view_up);
-    camera->view_angle = settings->view_angle.value;
+    camera->view_angle = settings->camera.view_angle.value;
     return BURNISH_STATUS_OK;
 }
 
@@ -232,15 +233,15 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
         return fit_along(mesh, settings, options, direction, upward, room, camera, error);
     }
     memcpy(options.up, axes->up, sizeof options.up);
-    options.azimuth = settings->azimuth.value;
-    options.elevation = settings->elevation.value;
-    if (settings->direction.given) {
-        memcpy(options.direction, settings->direction.values, sizeof options.direction);
-        if (!settings->view_up.given && parallel(options.direction, options.up)) {
+    options.azimuth = settings->camera.azimuth.value;
+    options.elevation = settings->camera.elevation.value;
+    if (settings->camera.direction.given) {
+        memcpy(options.direction, settings->camera.direction.values, sizeof options.direction);
+        if (!settings->camera.view_up.given && parallel(options.direction, options.up)) {
             usual_upward(axes, options.direction, options.up);
         }
     }
-    if (!settings->view_up.given) {
+    if (!settings->camera.view_up.given) {
         return frame_with_room(mesh, settings, &options, room, camera, error);
     }
     status = burnish_camera_frame(mesh, &options, camera, error);
@@ -249,7 +250,7 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
     }
     /* A rolled picture has other extents: frame again along the direction just found. */
     subtract(camera->focal_point, camera->position, direction);
-    status = choose_upward(axes, settings, direction, upward, error);
+    status = choose_upward(axes, &settings->camera, direction, upward, error);
     return status == BURNISH_STATUS_OK
                ? fit_along(mesh, settings, options, direction, upward, room, camera, error)
                : status;
@@ -259,7 +260,7 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
 static burnish_status own_camera(const burnish_mesh *mesh, const render_settings *settings,
                                  burnish_camera *camera, burnish_error *error) {
     const size_t count = burnish_mesh_camera_count(mesh);
-    const char *wanted = settings->own_camera;
+    const char *wanted = settings->camera.own;
     double number;
     const int is_number = cli_read_real(wanted, strlen(wanted), &number);
     for (size_t i = 0; i < count; ++i) {
@@ -279,31 +280,31 @@ static burnish_status own_camera(const burnish_mesh *mesh, const render_settings
                     wanted, count, count - 1);
 }
 
-void render_upward(const burnish_mesh *mesh, const render_settings *settings, double up[3]) {
-    memcpy(up, frame_in_use(mesh, settings)->up, 3 * sizeof *up);
+void render_upward(const burnish_mesh *mesh, const render_camera_settings *camera, double up[3]) {
+    memcpy(up, frame_in_use(mesh, camera)->up, 3 * sizeof *up);
 }
 
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error) {
-    const frame *axes = frame_in_use(mesh, settings);
+    const frame *axes = frame_in_use(mesh, &settings->camera);
     const burnish_framing options = fit_options(settings, view, room);
-    *camera = (burnish_camera){.view_angle = settings->view_angle.value};
+    *camera = (burnish_camera){.view_angle = settings->camera.view_angle.value};
     burnish_status status =
-        settings->own_camera && view == VIEW_FREE ? own_camera(mesh, settings, camera, error)
-        : settings->position.given
+        settings->camera.own && view == VIEW_FREE ? own_camera(mesh, settings, camera, error)
+        : settings->camera.position.given
             ? explicit_camera(mesh, settings, axes, &options, camera, error)
             : framed_camera(mesh, settings, view, axes, options, room, camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (settings->focal_point.given && !settings->position.given) {
+    if (settings->camera.focal_point.given && !settings->camera.position.given) {
         for (int k = 0; k < 3; ++k) {
-            camera->position[k] += settings->focal_point.values[k] - camera->focal_point[k];
-            camera->focal_point[k] = settings->focal_point.values[k];
+            camera->position[k] += settings->camera.focal_point.values[k] - camera->focal_point[k];
+            camera->focal_point[k] = settings->camera.focal_point.values[k];
         }
     }
-    double zoom = settings->zoom.value;
+    double zoom = settings->camera.zoom.value;
     if (camera->orthographic_height > 0) {
         camera->orthographic_height /= zoom;
     } else if (zoom != 1) {

@@ -21,16 +21,16 @@ burnish_annotations render_make_annotations(const burnish_mesh *mesh,
                                             const render_settings *settings);
 
 /* The up axis in use, a unit vector. */
-void render_upward(const burnish_mesh *mesh, const render_settings *settings, double up[3]);
+void render_upward(const burnish_mesh *mesh, const render_camera_settings *camera, double up[3]);
 
 /* "front", "right" ...; "view" for VIEW_FREE. */
 const char *render_view_name(render_view view);
 
 /* The up axis in use, never UP_AUTO, and its direction, along one of the coordinates' axes. */
-render_up render_up_in_use(const burnish_mesh *mesh, const render_settings *settings,
+render_up render_up_in_use(const burnish_mesh *mesh, const render_camera_settings *camera,
                            double direction[3]);
 
 /* The up axis in use, as --up names it. */
-const char *render_up_name(const burnish_mesh *mesh, const render_settings *settings);
+const char *render_up_name(const burnish_mesh *mesh, const render_camera_settings *camera);
 
 #endif

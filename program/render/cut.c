@@ -5,7 +5,7 @@
 /* Why a cut is not filled. */
 static void warn_open(render_result *result, const burnish_mesh *mesh) {
     const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
-    const char *input = result->settings->input;
+    const char *input = result->settings->input.name;
     if (!facts) {
         render_result_warn(result, 1, "%.300s: cut but not filled: %s have no inside", input,
                            burnish_mesh_get_info(mesh)->line_count > 0 ? "lines" : "points");
@@ -25,7 +25,7 @@ static void warn_open(render_result *result, const burnish_mesh *mesh) {
 }
 
 burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_error *error) {
-    const render_clip *clip = &result->settings->clip;
+    const render_clip *clip = &result->settings->input.clip;
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < clip->count && status == BURNISH_STATUS_OK; ++i) {
@@ -39,7 +39,7 @@ burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_err
         if (status == BURNISH_STATUS_OK && view->cut_count == before) {
             render_result_warn(result, 1,
                                "%.300s: nothing of the mesh is beyond the plane %g,%g,%g,%g",
-                               result->settings->input, plane->normal[0], plane->normal[1],
+                               result->settings->input.name, plane->normal[0], plane->normal[1],
                                plane->normal[2], render_file_offset(plane, view->origin));
         }
     }

@@ -1,7 +1,8 @@
 /* What the man page says of `burnish render` beside its flags. */
 #include <stdio.h>
 
-#include "render/settings.h"
+#include "render/manual.h"
+#include "render/values.h"
 
 static void each_material(cli_take_term *take) {
     for (size_t i = 0; render_preset_words[i].name; ++i) {

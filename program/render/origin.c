@@ -16,12 +16,12 @@ double render_file_offset(const burnish_clip_plane *plane, const double origin[3
     return plane->offset + along(plane, origin);
 }
 
-void render_subtract_origin(render_settings *settings, burnish_render_options *options,
-                            const double origin[3]) {
-    subtract(settings->position.values, origin);
-    subtract(settings->focal_point.values, origin);
-    for (int i = 0; i < settings->clip.count; ++i) {
-        settings->clip.items[i].offset -= along(&settings->clip.items[i], origin);
+void render_subtract_origin(render_camera_settings *camera, render_clip *clip,
+                            burnish_render_options *options, const double origin[3]) {
+    subtract(camera->position.values, origin);
+    subtract(camera->focal_point.values, origin);
+    for (int i = 0; i < clip->count; ++i) {
+        clip->items[i].offset -= along(&clip->items[i], origin);
     }
     for (int i = 0; i < options->light_count; ++i) {
         burnish_light *light = &options->lights[i];
@@ -31,12 +31,12 @@ void render_subtract_origin(render_settings *settings, burnish_render_options *o
     }
 }
 
-burnish_status render_add_own_lights(const render_settings *settings, const burnish_mesh *mesh,
+burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,
                                      burnish_render_options *options, const char **warning,
                                      burnish_error *error) {
     const size_t count = burnish_mesh_light_count(mesh);
     *warning = NULL;
-    if (!settings->lights.of_file) {
+    if (!lights->of_file) {
         return BURNISH_STATUS_OK;
     }
     if (count == 0) {

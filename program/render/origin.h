@@ -4,14 +4,14 @@
 
 #include "render/settings.h"
 
-/* Subtracts an origin: from the camera and the planes of the settings, from the options' lights. */
-void render_subtract_origin(render_settings *settings, burnish_render_options *options,
-                            const double origin[3]);
+/* Subtracts an origin from the camera, the planes and the options' lights. */
+void render_subtract_origin(render_camera_settings *camera, render_clip *clip,
+                            burnish_render_options *options, const double origin[3]);
 
-/* Adds the mesh's own lights to the options', where the settings ask for them, in coordinates of
- * the mesh. *warning: what is drawn otherwise than the file says, NULL for nothing. Errors:
- * ARGUMENT, a mesh without lights, or too many. */
-burnish_status render_add_own_lights(const render_settings *settings, const burnish_mesh *mesh,
+/* Adds the mesh's own lights to the options' if `lights` asks for them, in coordinates of the mesh.
+ * *warning: what is drawn differently from the file, or NULL. Errors: ARGUMENT, a mesh without
+ * lights, or too many. */
+burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,
                                      burnish_render_options *options, const char **warning,
                                      burnish_error *error);
 

@@ -9,7 +9,8 @@
 #include "picture/read_png.h"
 
 static picture_rule rule_of(const render_settings *settings) {
-    return (picture_rule){.threshold = settings->reference_threshold, .metric = PICTURE_SSIM};
+    return (picture_rule){.threshold = settings->output.reference_threshold,
+                          .metric = PICTURE_SSIM};
 }
 
 /* Whether two names stand for one file; standard input and output for none. */
@@ -19,26 +20,29 @@ static int is_same(const char *a, const char *b) {
 }
 
 burnish_status render_check_reference(const render_settings *settings, burnish_error *error) {
-    const char *reference = settings->reference, *difference = settings->reference_difference;
-    const char *alone = settings->reference_threshold.given ? "reference-threshold"
-                        : difference                        ? "reference-difference"
-                                                            : NULL;
+    const char *reference = settings->output.reference,
+               *difference = settings->output.reference_difference;
+    const char *alone = settings->output.reference_threshold.given ? "reference-threshold"
+                        : difference                               ? "reference-difference"
+                                                                   : NULL;
     if (!reference && alone) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: there is nothing to compare with; name it with --reference=FILE",
                         alone);
     }
-    if (reference && (settings->format == PICTURE_EXR || settings->format == PICTURE_NPY)) {
+    if (reference &&
+        (settings->output.format == PICTURE_EXR || settings->output.format == PICTURE_NPY)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--reference: --output=%.200s holds planes; name a picture",
-                        settings->output);
+                        render_output_path(&settings->output));
     }
-    if (is_same(reference, settings->output)) {
+    if (is_same(reference, render_output_path(&settings->output))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--output: \"%.200s\" is the reference; name another file",
-                        settings->output);
+                        render_output_path(&settings->output));
     }
-    const char *others[] = {settings->input, settings->output, reference, settings->json};
+    const char *others[] = {settings->input.name, render_output_path(&settings->output), reference,
+                            settings->output.json};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         if (is_same(difference, others[i])) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -55,8 +59,8 @@ burnish_status render_check_reference(const render_settings *settings, burnish_e
 
 burnish_status render_read_reference(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
-    return settings->reference
-               ? picture_read_png(settings->reference, settings->load.max_input_bytes,
+    return settings->output.reference
+               ? picture_read_png(settings->output.reference, settings->input.load.max_input_bytes,
                                   &result->reference.image, error)
                : BURNISH_STATUS_OK;
 }
@@ -67,13 +71,14 @@ static burnish_status write_difference(const render_result *result,
     const picture_panels panels = {.pictures = {&result->reference.image, result->picture},
                                    .labels = {"the reference", "the picture"},
                                    .numbers = numbers};
-    const picture_options options = {.threads = settings->threads};
+    const picture_options options = {.threads = settings->job.threads};
     picture_format format;
-    burnish_status status = picture_choose("reference-difference", settings->reference_difference,
-                                           PICTURE_STILL, PICTURE_AUTO, &format, error);
+    burnish_status status =
+        picture_choose("reference-difference", settings->output.reference_difference, PICTURE_STILL,
+                       PICTURE_AUTO, &format, error);
     return status == BURNISH_STATUS_OK
-               ? picture_write_panels(&panels, settings->reference_difference, format, &options,
-                                      error)
+               ? picture_write_panels(&panels, settings->output.reference_difference, format,
+                                      &options, error)
                : status;
 }
 
@@ -81,21 +86,21 @@ burnish_status render_judge(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
     const burnish_image *reference = &result->reference.image, *picture = result->picture;
     burnish_comparison numbers;
-    if (!settings->reference || reference->width != picture->width ||
+    if (!settings->output.reference || reference->width != picture->width ||
         reference->height != picture->height) {
         return BURNISH_STATUS_OK;
     }
     const picture_rule rule = rule_of(settings);
     const burnish_pixels a = burnish_image_pixels(reference), b = burnish_image_pixels(picture);
     burnish_compare_options options = burnish_compare_options_default();
-    options.threads = settings->threads;
+    options.threads = settings->job.threads;
     burnish_status status = burnish_pixels_compare(&a, &b, &options, &numbers, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     result->reference.verdict = picture_judge(&rule, &numbers);
-    return settings->reference_difference ? write_difference(result, &numbers, error)
-                                          : BURNISH_STATUS_OK;
+    return settings->output.reference_difference ? write_difference(result, &numbers, error)
+                                                 : BURNISH_STATUS_OK;
 }
 
 void render_add_reference(cJSON *root, const render_result *result, int *failed) {
@@ -106,7 +111,7 @@ void render_add_reference(cJSON *root, const render_result *result, int *failed)
         return;
     }
     cJSON *object = cJSON_CreateObject();
-    cli_json_add(object, "input", cli_json_text(result->settings->reference), failed);
+    cli_json_add(object, "input", cli_json_text(result->settings->output.reference), failed);
     cli_json_add(object, "width", cJSON_CreateNumber(image->width), failed);
     cli_json_add(object, "height", cJSON_CreateNumber(image->height), failed);
     if (verdict->numbers.pixels > 0) {
@@ -129,14 +134,16 @@ int render_report_difference(const render_result *result) {
     if (n->pixels == 0) {
         cli_fail(&line, BURNISH_STATUS_OK,
                  "%.300s: the picture has %d x %d pixels, the reference %d x %d",
-                 settings->reference, result->picture->width, result->picture->height,
+                 settings->output.reference, result->picture->width, result->picture->height,
                  reference->width, reference->height);
     } else {
         cli_fail(&line, BURNISH_STATUS_OK,
                  "%.300s: the picture differs: error %.3g, allowed %.3g; %llu of %llu pixels in "
                  "%d, %d to %d, %d, SSIM %.4f, FLIP %.4f",
-                 settings->reference, verdict->error,
-                 settings->reference_threshold.given ? settings->reference_threshold.value : 0.0,
+                 settings->output.reference, verdict->error,
+                 settings->output.reference_threshold.given
+                     ? settings->output.reference_threshold.value
+                     : 0.0,
                  (unsigned long long)n->different_pixels, (unsigned long long)n->pixels,
                  n->bounds[0], n->bounds[1], n->bounds[2], n->bounds[3], n->ssim, n->flip);
     }

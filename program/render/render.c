@@ -15,12 +15,15 @@
 #include "font/utf8.h"
 #include "render/annotate.h"
 #include "render/camera.h"
+#include "render/check.h"
 #include "render/many.h"
+#include "render/options.h"
 #include "render/origin.h"
 #include "render/output/bands.h"
 #include "render/output/report.h"
 #include "render/output/turntable.h"
 #include "render/reference.h"
+#include "render/render.h"
 #include "render/settings.h"
 #include "render/up.h"
 #include "sandbox/sandbox.h"
@@ -40,11 +43,11 @@ static size_t empty_cells(size_t count, size_t columns) {
  * three cells; else near a square, one column more where that leaves fewer cells empty. */
 static int choose_columns(const render_settings *settings, size_t count) {
     size_t columns = 1;
-    if (settings->columns > 0) {
-        return settings->columns < (int)count ? settings->columns : (int)count;
+    if (settings->picture.columns > 0) {
+        return settings->picture.columns < (int)count ? settings->picture.columns : (int)count;
     }
-    if (settings->views.count > 1 && settings->lobes.count > 1) {
-        return (int)settings->lobes.count;
+    if (settings->picture.views.count > 1 && settings->shading.lobes.count > 1) {
+        return (int)settings->shading.lobes.count;
     }
     if (count <= 3) {
         return (int)count;
@@ -68,22 +71,23 @@ static void copy_item(const char *list, size_t index, char *text, size_t size) {
 
 static void label_cell(const render_settings *settings, size_t index, render_cell *cell) {
     char lobe[32];
-    if (settings->labels) {
-        copy_item(settings->labels, index, cell->label, sizeof cell->label);
+    if (settings->picture.labels) {
+        copy_item(settings->picture.labels, index, cell->label, sizeof cell->label);
         return;
     }
     burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
     const char *view = render_view_name(cell->view);
-    if (settings->views.count > 0 && settings->lobes.count > 1) {
+    if (settings->picture.views.count > 0 && settings->shading.lobes.count > 1) {
         snprintf(cell->label, sizeof cell->label, "%s, %s", view, lobe);
     } else {
-        snprintf(cell->label, sizeof cell->label, "%s", settings->lobes.count > 1 ? lobe : view);
+        snprintf(cell->label, sizeof cell->label, "%s",
+                 settings->shading.lobes.count > 1 ? lobe : view);
     }
 }
 
 /* The one line of a run that --fail-on-blank ends. */
 static void report_blank(const render_result *result) {
-    const char *input = result->settings->input;
+    const char *input = result->settings->input.name;
     size_t unseen = 0; /* cells where the camera is not to blame */
     burnish_error error;
     for (size_t i = 0; i < result->cell_count; ++i) {
@@ -120,12 +124,13 @@ static void describe_cells(render_result *result) {
     const render_settings *settings = result->settings;
     for (size_t i = 0; i < result->cell_count; ++i) {
         render_cell *cell = &result->cells[i];
-        size_t view = i / settings->lobes.count;
-        cell->view = settings->views.count > 0 ? settings->views.items[view] : VIEW_FREE;
-        cell->lobe = settings->lobes.items[i % settings->lobes.count];
+        size_t view = i / settings->shading.lobes.count;
+        cell->view =
+            settings->picture.views.count > 0 ? settings->picture.views.items[view] : VIEW_FREE;
+        cell->lobe = settings->shading.lobes.items[i % settings->shading.lobes.count];
         cell->image.width = result->options->width;
-        cell->image.height =
-            settings->rows.count > 0 ? settings->rows.count : result->options->height;
+        cell->image.height = settings->picture.rows.count > 0 ? settings->picture.rows.count
+                                                              : result->options->height;
         cell->image.channels = result->options->transparent ? 4 : 3;
         label_cell(settings, i, cell);
     }
@@ -145,7 +150,7 @@ static void widen(render_room *shared, const render_room *room, double height) {
 /* The cameras of all cells. */
 static burnish_status aim_cells(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
-    const int is_shared = settings->same_scale || settings->orthographic_height.given;
+    const int is_shared = settings->camera.same_scale || settings->camera.orthographic_height.given;
     burnish_status status = BURNISH_STATUS_OK;
     render_room shared = {.is_given = 0};
     for (int pass = is_shared ? AIM_ROOM : AIM_CAMERA; pass < AIM_PASSES; ++pass) {
@@ -153,9 +158,9 @@ static burnish_status aim_cells(render_result *result, burnish_error *error) {
         for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
             burnish_camera *camera = &result->cells[i].camera;
             render_room room = shared;
-            status = (settings->turntable ? render_turntable_camera : render_camera)(
+            status = (settings->output.turntable ? render_turntable_camera : render_camera)(
                 result->mesh, settings, result->cells[i].view, &room, camera, error);
-            widen(&widest, &room, camera->orthographic_height * settings->zoom.value);
+            widen(&widest, &room, camera->orthographic_height * settings->camera.zoom.value);
         }
         if (pass == AIM_ROOM) {
             widest.height = 0;
@@ -170,11 +175,11 @@ static burnish_status aim_cells(render_result *result, burnish_error *error) {
 static burnish_status draw_planes(render_result *result, burnish_renderer *renderer,
                                   const burnish_render_options *options, burnish_error *error) {
     const render_settings *settings = result->settings;
-    unsigned kinds = settings->format == PICTURE_EXR   ? (1U << PLANE_KINDS) - 1
-                     : settings->format == PICTURE_NPY ? 1U << PLANE_COLOR
-                                                       : 0;
-    for (size_t i = 0; i < settings->planes.count; ++i) {
-        kinds |= 1U << settings->planes.items[i].kind;
+    unsigned kinds = settings->output.format == PICTURE_EXR   ? (1U << PLANE_KINDS) - 1
+                     : settings->output.format == PICTURE_NPY ? 1U << PLANE_COLOR
+                                                              : 0;
+    for (size_t i = 0; i < settings->output.planes.count; ++i) {
+        kinds |= 1U << settings->output.planes.items[i].kind;
     }
     return kinds == 0
                ? BURNISH_STATUS_OK
@@ -184,7 +189,7 @@ static burnish_status draw_planes(render_result *result, burnish_renderer *rende
 static burnish_status draw_cells(render_result *result, burnish_renderer *renderer,
                                  burnish_render_options *options, burnish_error *error) {
     const render_settings *settings = result->settings;
-    int progress = result->cell_count > 1 && !settings->quiet && isatty(STDERR_FILENO);
+    int progress = result->cell_count > 1 && !settings->job.quiet && isatty(STDERR_FILENO);
     burnish_status status = aim_cells(result, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         render_cell *cell = &result->cells[i];
@@ -218,7 +223,7 @@ typedef struct sheet_cells {
 static void list_cells(const render_result *result, sheet_cells *cells) {
     for (size_t i = 0; i < result->cell_count; ++i) {
         cells->items[i].image = &result->cells[i].image;
-        cells->items[i].label = result->settings->no_labels ? NULL : result->cells[i].label;
+        cells->items[i].label = result->settings->picture.no_labels ? NULL : result->cells[i].label;
         cells->items[i].font = font_setter(result->font);
     }
 }
@@ -226,16 +231,16 @@ static void list_cells(const render_result *result, sheet_cells *cells) {
 /* Opens a font where --font asks for it, or a label has letters beyond ASCII: then all labels are
  * in one font. */
 static burnish_status open_font(render_result *result, burnish_error *error) {
-    const char *foreign = NULL, *file = result->settings->font;
+    const char *foreign = NULL, *file = result->settings->picture.font;
     for (size_t i = 0; i < result->cell_count && !foreign; ++i) {
         for (const char *c = result->cells[i].label; *c && !foreign; ++c) {
             foreign = (unsigned char)*c >= 0x80 ? c : NULL;
         }
     }
-    if (result->cell_count < 2 || result->settings->no_labels || (!foreign && !file)) {
+    if (result->cell_count < 2 || result->settings->picture.no_labels || (!foreign && !file)) {
         return BURNISH_STATUS_OK;
     }
-    if (!file && (!font_is_available || result->settings->opens_no_font)) {
+    if (!file && (!font_is_available || result->settings->picture.opens_no_font)) {
         render_result_warn(result, 1, "--labels: %s; letters beyond ASCII are drawn as ?",
                            font_is_available ? "no font may be opened here"
                                              : "this program was built without HarfBuzz, FriBidi "
@@ -289,19 +294,19 @@ static burnish_status report(void *context, burnish_error *error) {
     double now = cli_seconds_now();
     result->seconds.write = now - result->encoded;
     result->seconds.total = now - result->start;
-    if (result->settings->tell) {
-        result->settings->tell(result->settings->tell_context, result);
+    if (result->settings->job.on_result) {
+        result->settings->job.on_result(result->settings->job.user_data, result);
     }
-    return result->settings->json ? render_write_json(result, error) : BURNISH_STATUS_OK;
+    return result->settings->output.json ? render_write_json(result, error) : BURNISH_STATUS_OK;
 }
 
 static burnish_status write_planes(const render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
     burnish_status status = BURNISH_STATUS_OK;
-    for (size_t i = 0; i < settings->planes.count && status == BURNISH_STATUS_OK; ++i) {
-        const render_plane *plane = &settings->planes.items[i];
+    for (size_t i = 0; i < settings->output.planes.count && status == BURNISH_STATUS_OK; ++i) {
+        const render_plane *plane = &settings->output.planes.items[i];
         picture_file file;
-        status = render_encode_plane(&result->planes, plane, settings->threads, &file, error);
+        status = render_encode_plane(&result->planes, plane, settings->job.threads, &file, error);
         if (status == BURNISH_STATUS_OK) {
             status = cli_file_write(plane->path, file.bytes, file.size, error);
         }
@@ -312,7 +317,7 @@ static burnish_status write_planes(const render_result *result, burnish_error *e
 
 static burnish_status encode(render_result *result, picture_file *file, burnish_error *error) {
     const render_settings *settings = result->settings;
-    const picture_format format = (picture_format)settings->format;
+    const picture_format format = (picture_format)settings->output.format;
     if (format == PICTURE_EXR || format == PICTURE_NPY) {
         return render_encode_planes(&result->planes, format, file, error);
     }
@@ -324,9 +329,9 @@ static burnish_status encode(render_result *result, picture_file *file, burnish_
         return render_encode_drawing(result, cells.items, ink, file, error);
     }
     const burnish_pixels pixels = burnish_image_pixels(result->picture);
-    const picture_options options = {.threads = settings->threads,
-                                     .quality = settings->quality,
-                                     .dots_per_inch = settings->dots_per_inch.value};
+    const picture_options options = {.threads = settings->job.threads,
+                                     .quality = settings->output.quality,
+                                     .dots_per_inch = settings->output.dots_per_inch.value};
     return picture_encode(format, &pixels, &options, file, error);
 }
 
@@ -344,8 +349,8 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
         result->encoded = cli_seconds_now();
         result->seconds.encode = result->encoded - start;
         result->written = 1;
-        status = cli_file_write_then(result->settings->output, file.bytes, file.size, report,
-                                     result, error);
+        status = cli_file_write_then(render_output_path(&result->settings->output), file.bytes,
+                                     file.size, report, result, error);
     }
     picture_release(&file);
     return status;
@@ -359,14 +364,14 @@ static burnish_status make_bands(render_result *result, burnish_renderer *render
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    return (result->settings->runner ? render_serve_bands : render_write_bands)(&bands, error);
+    return (result->settings->job.runner ? render_serve_bands : render_write_bands)(&bands, error);
 }
 
 /* Draws, composes and writes; leaves in result what there is to report. */
 static burnish_status make_picture(render_result *result, burnish_renderer *renderer,
                                    burnish_render_options *options, burnish_image *sheet,
                                    burnish_error *error) {
-    if (render_is_shared(result->settings) && !result->settings->turntable) {
+    if (render_is_shared(&result->settings->job) && !result->settings->output.turntable) {
         return make_bands(result, renderer, options, error);
     }
     burnish_status status = draw_cells(result, renderer, options, error);
@@ -375,28 +380,28 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
     if (status == BURNISH_STATUS_OK && result->cell_count > 1) {
         status = compose(result, sheet, error);
         result->picture = sheet;
-        result->hash =
-            status == BURNISH_STATUS_OK && (result->settings->json || result->settings->tell)
-                ? burnish_image_hash(sheet)
-                : 0;
+        result->hash = status == BURNISH_STATUS_OK &&
+                               (result->settings->output.json || result->settings->job.on_result)
+                           ? burnish_image_hash(sheet)
+                           : 0;
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (result->blank_cells > 0 && result->settings->fail_on_blank) {
+    if (result->blank_cells > 0 && result->settings->output.fail_on_blank) {
         return report(result, error);
     }
     const render_turntable turntable = {result, renderer, options, draw_frame, report};
-    return result->settings->runner      ? render_serve_turntable(&turntable, error)
-           : result->settings->turntable ? render_write_turntable(&turntable, error)
-                                         : write_picture(result, error);
+    return result->settings->job.runner         ? render_serve_turntable(&turntable, error)
+           : result->settings->output.turntable ? render_write_turntable(&turntable, error)
+                                                : write_picture(result, error);
 }
 
 /* Loads the mesh, prints its warnings and settles which way is up. */
 static burnish_status load(render_result *result, render_settings *settings,
                            burnish_render_options *options, burnish_error *error) {
     burnish_mesh *mesh = NULL;
-    burnish_status status = render_load(settings, &mesh, error);
+    burnish_status status = render_load(&settings->input, settings->job.threads, &mesh, error);
     result->mesh = mesh;
     result->seconds.load = cli_seconds_now() - result->start;
     if (status != BURNISH_STATUS_OK) {
@@ -408,8 +413,9 @@ static burnish_status load(render_result *result, render_settings *settings,
         render_result_warn(result, 1, "%s", burnish_mesh_warning(mesh, i));
     }
     const char *warning;
-    render_subtract_origin(settings, options, burnish_mesh_get_view(mesh)->origin);
-    status = render_add_own_lights(settings, mesh, options, &warning, error);
+    render_subtract_origin(&settings->camera, &settings->input.clip, options,
+                           burnish_mesh_get_view(mesh)->origin);
+    status = render_add_own_lights(&settings->shading.lights, mesh, options, &warning, error);
     if (status == BURNISH_STATUS_OK && warning) {
         render_result_warn(result, 1, "%s", warning);
     }
@@ -419,9 +425,9 @@ static burnish_status load(render_result *result, render_settings *settings,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    settings->stands_otherwise =
-        settings->up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
-    return render_adjust_materials(settings, mesh, error);
+    settings->camera.stands_otherwise =
+        settings->camera.up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
+    return render_adjust_materials(&settings->shading, mesh, error);
 }
 
 static burnish_status render(render_result *result, render_settings *settings,
@@ -449,7 +455,7 @@ static burnish_status render(render_result *result, render_settings *settings,
     if (status == BURNISH_STATUS_OK) {
         status = make_picture(result, renderer, options, &sheet, error);
     }
-    if (status == BURNISH_STATUS_OK && settings->timing) {
+    if (status == BURNISH_STATUS_OK && settings->job.timing) {
         render_print_timing(&result->seconds);
     }
     burnish_renderer_destroy(renderer);
@@ -476,30 +482,30 @@ static void release(render_result *result) {
 /* The limits that the system keeps, and the sandbox: *code is the exit code where its worker has
  * done all there is to do, else -1. */
 static burnish_status begin(const render_settings *settings, int *code, burnish_error *error) {
-    sandbox_plan plan = {.input = settings->input,
-                         .format = settings->load.format,
-                         .outputs = {settings->output},
-                         .max_input_bytes = settings->load.max_input_bytes,
-                         .max_memory = settings->max_memory};
+    sandbox_plan plan = {.input = settings->input.name,
+                         .format = settings->input.load.format,
+                         .outputs = {render_output_path(&settings->output)},
+                         .max_input_bytes = settings->input.load.max_input_bytes,
+                         .max_memory = settings->job.max_memory};
     _Static_assert(2 + RENDER_PLANES_MAX <= SANDBOX_OUTPUTS_MAX, "picture, report and planes");
     *code = -1;
-    burnish_status status = cli_limit_memory(settings->max_memory, error);
+    burnish_status status = cli_limit_memory(settings->job.max_memory, error);
     if (status == BURNISH_STATUS_OK) {
-        status = cli_limit_seconds(settings->max_seconds.value, error);
+        status = cli_limit_seconds(settings->job.max_seconds.value, error);
     }
-    if (status != BURNISH_STATUS_OK || !settings->sandbox) {
+    if (status != BURNISH_STATUS_OK || !settings->job.sandbox) {
         return status;
     }
-    if (settings->reference) {
+    if (settings->output.reference) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--sandbox: no other picture is read in it; leave out --reference");
     }
     plan.output_count = 1;
-    if (settings->json) {
-        plan.outputs[plan.output_count++] = settings->json;
+    if (settings->output.json) {
+        plan.outputs[plan.output_count++] = settings->output.json;
     }
-    for (size_t i = 0; i < settings->planes.count; ++i) {
-        plan.outputs[plan.output_count++] = settings->planes.items[i].path;
+    for (size_t i = 0; i < settings->output.planes.count; ++i) {
+        plan.outputs[plan.output_count++] = settings->output.planes.items[i].path;
     }
     return sandbox_begin(&plan, code, error);
 }
@@ -511,15 +517,15 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     result.start = cli_seconds_now();
     burnish_render_options options = render_make_options(settings);
     result.options = &options;
-    result.cell_count =
-        (settings->views.count > 0 ? settings->views.count : 1) * settings->lobes.count;
+    result.cell_count = (settings->picture.views.count > 0 ? settings->picture.views.count : 1) *
+                        settings->shading.lobes.count;
     result.columns = choose_columns(settings, result.cell_count);
     result.cells = calloc(result.cell_count, sizeof *result.cells);
     burnish_status status = result.cells
                                 ? render(&result, settings, &options, error)
                                 : cli_fail(error, BURNISH_STATUS_MEMORY,
                                            "out of memory for %zu pictures", result.cell_count);
-    if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->fail_on_blank) {
+    if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->output.fail_on_blank) {
         report_blank(&result);
         *exit_code = CLI_EXIT_BLANK;
     } else if (status == BURNISH_STATUS_OK && render_report_difference(&result)) {
@@ -553,7 +559,7 @@ static burnish_status refuse_output_operand(const render_settings *settings, con
     for (size_t i = 0; i < call->argument_count; ++i) {
         last = call->arguments[i].flag ? last : call->arguments[i].text;
     }
-    if (call->operand_count < 2 || settings->output || settings->output_dir || !last ||
+    if (call->operand_count < 2 || settings->output.path || settings->output.folder || !last ||
         !picture_is_name(last)) {
         return BURNISH_STATUS_OK;
     }
@@ -565,7 +571,7 @@ static burnish_status refuse_output_operand(const render_settings *settings, con
 
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     render_settings *settings = from;
-    const int has_list = settings->files_from != NULL;
+    const int has_list = settings->job.files_from != NULL;
     burnish_status status;
     if (call->operand_count == 0 && !has_list) {
         return cli_fail(
@@ -576,8 +582,8 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (call->operand_count > 1 || settings->output_dir || settings->recursive || has_list ||
-        is_template(settings->output)) {
+    if (call->operand_count > 1 || settings->output.folder || settings->job.recursive || has_list ||
+        is_template(settings->output.path)) {
         return render_many(settings, call, error);
     }
     if (is_folder(call->operands[0])) {
@@ -585,7 +591,7 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
                         "%.300s: is a folder; --output-dir=FOLDER draws all meshes of it",
                         call->operands[0]);
     }
-    settings->input = call->operands[0];
+    settings->input.name = call->operands[0];
     int code = -1;
     status = render_finish(settings, error);
     if (status == BURNISH_STATUS_OK) {

@@ -1,11 +1,12 @@
-/* Flags that were given and change nothing: each is an error, so that nobody waits for its effect.
- * What a flag needs may come from others, so this is asked when all are known. */
+/* Flags that were given and change nothing are errors: nobody waits for their effect. */
+#include "render/useless.h"
+
 #include <string.h>
 
 #include "cli/commands.h"
-#include "render/settings.h"
+#include "render/options.h"
 
-int render_is_given(const render_settings *settings, const char *flag) {
+static int is_given(const render_settings *settings, const char *flag) {
     return cli_is_given(&render_command, settings, flag);
 }
 
@@ -25,7 +26,7 @@ static const char *find_given(const render_settings *settings, const char *flags
             memcpy(name, flags, length);
             name[length] = 0;
         }
-        if (length < size && render_is_given(settings, name)) {
+        if (length < size && is_given(settings, name)) {
             return name;
         }
     }
@@ -41,13 +42,13 @@ static int has_lines(const render_settings *settings, int is_parallel) {
 /* Whether some picture is a perspective, and whether some is parallel: a camera of the input's own
  * may be either. */
 static int is_perspective(const render_settings *settings) {
-    return settings->own_camera || settings->projection == PROJECTION_PERSPECTIVE ||
-           (settings->projection == PROJECTION_AUTO && settings->views.count == 0 &&
-            !settings->orthographic_height.given && !settings->same_scale);
+    return settings->camera.own || settings->camera.projection == PROJECTION_PERSPECTIVE ||
+           (settings->camera.projection == PROJECTION_AUTO && settings->picture.views.count == 0 &&
+            !settings->camera.orthographic_height.given && !settings->camera.same_scale);
 }
 
 static int is_parallel(const render_settings *settings) {
-    return settings->own_camera || !is_perspective(settings);
+    return settings->camera.own || !is_perspective(settings);
 }
 
 /* Flags that change nothing of what an SVG has; --ambient, --color and --material change areas. */
@@ -55,9 +56,10 @@ static burnish_status check_svg(const render_settings *settings, burnish_error *
     static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
                                   "viewer,samples,quality";
     char name[32];
-    const char *flag = settings->occlusion.given && settings->occlusion.directions != 0
-                           ? "occlusion"
-                           : find_given(settings, unshown, name, sizeof name);
+    const char *flag =
+        settings->shading.occlusion.given && settings->shading.occlusion.directions != 0
+            ? "occlusion"
+            : find_given(settings, unshown, name, sizeof name);
     return flag ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
                            "--%s: an SVG holds lines and areas of one colour, which it does not "
                            "change; leave it out, or end the name in .png",
@@ -66,10 +68,10 @@ static burnish_status check_svg(const render_settings *settings, burnish_error *
 }
 
 burnish_status render_check_useless(const render_settings *settings, burnish_error *error) {
-    const int is_sheet = settings->views.count > 1 || settings->lobes.count > 1;
-    const int is_framed = !settings->own_camera && !settings->position.given;
+    const int is_sheet = settings->picture.views.count > 1 || settings->shading.lobes.count > 1;
+    const int is_framed = !settings->camera.own && !settings->camera.position.given;
     const need needs[] = {
-        {"frames,fps", settings->turntable != NULL,
+        {"frames,fps", settings->output.turntable != NULL,
          "only a turntable has frames; write one with --turntable=FILE, or leave it out"},
         {"columns,labels,no-labels,font", is_sheet,
          "only a sheet has them; ask for several --views or lobes, or leave it out"},
@@ -78,8 +80,8 @@ burnish_status render_check_useless(const render_settings *settings, burnish_err
         {"camera-view-angle", is_perspective(settings),
          "a parallel projection has no angle; give --camera-orthographic=no, or leave it out"},
         {"margin",
-         (is_framed || settings->views.count > 0 || is_parallel(settings)) &&
-             !settings->orthographic_height.given,
+         (is_framed || settings->picture.views.count > 0 || is_parallel(settings)) &&
+             !settings->camera.orthographic_height.given,
          "the object is not framed, since the camera's flags say where it is; leave it out"},
     };
     for (size_t i = 0; i < sizeof needs / sizeof *needs; ++i) {
@@ -90,5 +92,5 @@ burnish_status render_check_useless(const render_settings *settings, burnish_err
             return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, needs[i].why);
         }
     }
-    return settings->format == PICTURE_SVG ? check_svg(settings, error) : BURNISH_STATUS_OK;
+    return settings->output.format == PICTURE_SVG ? check_svg(settings, error) : BURNISH_STATUS_OK;
 }

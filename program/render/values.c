@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "render/settings.h"
+#include "render/values.h"
 
 /* Chosen by eye on the teapot under the default rig. */
 const render_preset render_presets[] = {

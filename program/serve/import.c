@@ -90,12 +90,12 @@ void serve_run_importer(const serve_settings *settings, const serve_wish *wish,
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const import_program *importer = import_choose(wish->name, wish->format, ending);
     const int file = importer ? copy_mesh(wish, request_size, SERVE_REQUEST) : -1;
-    cli_set_child_memory(settings->render.max_memory);
+    cli_set_child_memory(settings->render.job.max_memory);
     const burnish_status status =
         file < 0
             ? cli_fail(&error, BURNISH_STATUS_MEMORY, "%.200s: no room for an importer", wish->name)
-            : import_run(importer, wish->name, ending, file, settings->render.load.max_input_bytes,
-                         send_piece, NULL, &error);
+            : import_run(importer, wish->name, ending, file,
+                         settings->render.input.load.max_input_bytes, send_piece, NULL, &error);
     channel_send(SERVE_CHANNEL, MESSAGE_DONE, (uint64_t)status, error.text,
                  status == BURNISH_STATUS_OK ? 0 : strlen(error.text));
     _exit(0);

@@ -1,5 +1,7 @@
 /* `burnish serve-stdio`: its flags. */
 #include "serve/serve.h"
+#include "render/check.h"
+#include "render/flags.h"
 
 #include <string.h>
 #include <unistd.h>
@@ -38,7 +40,7 @@ static const cli_flag flags[] = {
      .high = 1024,
      .manual = "Threads that draw one picture. More make a single request quicker, not many.",
      .handler = cli_flag_integer,
-     TARGET(render.threads)},
+     TARGET(render.job.threads)},
     {.name = "max-request-bytes",
      .common = 1,
      .value = "N",
@@ -60,7 +62,7 @@ static const cli_flag flags[] = {
      .manual = "A request that takes longer, by the clock and from its last byte on, is answered "
                "with code 5. 0: without end.",
      .handler = cli_flag_real,
-     TARGET(render.max_seconds)},
+     TARGET(render.job.max_seconds)},
     {.name = "max-memory",
      .common = 1,
      .value = "N",
@@ -71,7 +73,7 @@ static const cli_flag flags[] = {
      .manual = "A request that needs more memory is answered with code 6. All together need at "
                "most this times *--jobs*. _N_ may end in *K*, *M* or *G*.",
      .handler = cli_flag_bytes,
-     TARGET(render.max_memory)},
+     TARGET(render.job.max_memory)},
     {.name = "no-sandbox",
      .help = "workers may open files",
      .manual = "Each request is parsed and drawn in a process of its own that can open no file, no "
@@ -92,7 +94,7 @@ static const cli_flag flags[] = {
      .high = BURNISH_IMAGE_MAX_SIZE,
      .manual = "Width and height of pictures whose request does not say them.",
      .handler = cli_flag_size,
-     TARGET(render.size)},
+     TARGET(render.picture.size)},
 };
 
 static const cli_example examples[] = {
@@ -177,8 +179,8 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     serve_settings *settings = from;
     (void)call;
     render_settings defaults = settings->render;
-    defaults.input = ":sphere";
-    defaults.output = "-";
+    defaults.input.name = ":sphere";
+    defaults.output.path = "-";
     if (isatty(STDIN_FILENO) || isatty(STDOUT_FILENO)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "serve-stdio: standard %s is a terminal; requests and answers are for "

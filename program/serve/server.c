@@ -214,7 +214,7 @@ static void explain(const server *v, slot *s, int state) {
         code = burnish_status_exit_code(cli_fail(&line, BURNISH_STATUS_LIMIT,
                                                  "not done after %g seconds (--max-seconds): raise "
                                                  "the limit or simplify the mesh",
-                                                 v->settings->render.max_seconds.value));
+                                                 v->settings->render.job.max_seconds.value));
     }
     if (code != 0 || !WIFEXITED(state)) {
         answer_failure(s, code, line.text);
@@ -380,7 +380,7 @@ static void begin_request(server *v) {
 /* All bytes of the request are there. */
 static void end_request(server *v) {
     slot *s = v->filling;
-    const double seconds = v->settings->render.max_seconds.value;
+    const double seconds = v->settings->render.job.max_seconds.value;
     v->filling = NULL;
     v->head_size = 0;
     ++v->requests;

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "cli/output.h"
+#include "render/check.h"
+#include "render/render.h"
 #include "serve/serve.h"
 
 char *serve_failed_line(int code, const char *message, const char *report) {
@@ -213,17 +215,17 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
     if (status == BURNISH_STATUS_OK && call.help) {
         status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--help: is no flag of a request");
     }
-    settings.input = r->name;
-    settings.output = "-";
-    settings.quiet = 1;
-    settings.opens_no_font = 1;
-    settings.load_mesh = load;
-    settings.load_context = r;
-    settings.loads_foreign = 1;
+    settings.input.name = r->name;
+    settings.output.path = "-";
+    settings.job.quiet = 1;
+    settings.picture.opens_no_font = 1;
+    settings.input.load_mesh = load;
+    settings.input.user_data = r;
+    settings.input.loads_foreign = 1;
     if (status == BURNISH_STATUS_OK) {
         status = render_finish(&settings, error);
     }
-    settings.json = "report";
+    settings.output.json = "report";
     return status == BURNISH_STATUS_OK ? render_run(&settings, code, error) : status;
 }
 
@@ -282,7 +284,7 @@ static void warm_up(void) {
 static burnish_status get_ready(const serve_settings *settings, burnish_error *error) {
     burnish_processor_count(); /* reads files, once */
     cli_file_set_writer(keep_output);
-    burnish_status status = cli_limit_memory(settings->render.max_memory, error);
+    burnish_status status = cli_limit_memory(settings->render.job.max_memory, error);
     cli_prepare_memory();
     warm_up();
     if (status == BURNISH_STATUS_OK && !settings->no_sandbox) {

@@ -6,6 +6,8 @@
 
 #include "cli/commands.h"
 #include "render/camera.h"
+#include "render/check.h"
+#include "render/options.h"
 #include "render/origin.h"
 #include "render/output/report.h"
 #include "render/up.h"
@@ -78,10 +80,11 @@ static burnish_status parse_drawing(session_flags flags, render_settings *settin
                                     burnish_error *error) {
     memset(settings, 0, sizeof *settings);
     burnish_status status = parse(&session_draw_command, flags, settings, error);
-    if (status == BURNISH_STATUS_OK && (settings->views.count > 1 || settings->lobes.count > 1)) {
+    if (status == BURNISH_STATUS_OK &&
+        (settings->picture.views.count > 1 || settings->shading.lobes.count > 1)) {
         status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
                           "--%s: one picture at a time; give one of them",
-                          settings->views.count > 1 ? "views" : "lobe");
+                          settings->picture.views.count > 1 ? "views" : "lobe");
     }
     return status == BURNISH_STATUS_OK ? render_check(settings, error) : status;
 }
@@ -137,15 +140,15 @@ int session_offer(session *s, const char *name, const void *bytes, size_t size) 
 static burnish_status begin(session *s, const char *name, session_flags flags,
                             burnish_load_options *options, burnish_error *error) {
     s->name = strdup(name);
-    s->settings.input = s->name;
+    s->settings.input.name = s->name;
     s->result.settings = &s->settings;
     burnish_status status = s->name ? parse(&session_open_command, flags, &s->settings, error)
                                     : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     if (status == BURNISH_STATUS_OK) {
-        status = cli_refuse_foreign(s->settings.load.format, error);
+        status = cli_refuse_foreign(s->settings.input.load.format, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        *options = render_load_options(&s->settings);
+        *options = render_load_options(&s->settings.input, s->settings.job.threads);
         options->context = s->context;
     }
     return status;
@@ -170,7 +173,8 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
         render_result_warn(&s->result, 1, "%s", burnish_mesh_warning(s->mesh, i));
     }
     if (status == BURNISH_STATUS_OK) {
-        render_subtract_origin(&s->settings, &no_lights, burnish_mesh_get_view(s->mesh)->origin);
+        render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &no_lights,
+                               burnish_mesh_get_view(s->mesh)->origin);
         status = render_cut(&s->result, s->mesh, error);
     }
     s->loading_warnings = s->result.warning_count;
@@ -180,7 +184,7 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(s->context, &s->renderer, error);
     }
-    s->stands_otherwise = status == BURNISH_STATUS_OK && s->settings.up == UP_AUTO &&
+    s->stands_otherwise = status == BURNISH_STATUS_OK && s->settings.camera.up == UP_AUTO &&
                           render_stands_otherwise(burnish_mesh_get_view(s->mesh));
     return status;
 }
@@ -220,23 +224,27 @@ static burnish_status set_materials(session *s, burnish_error *error) {
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         status = burnish_mesh_set_material(s->mesh, i, &s->materials[i], error);
     }
-    return status == BURNISH_STATUS_OK ? render_adjust_materials(&s->settings, s->mesh, error)
-                                       : status;
+    return status == BURNISH_STATUS_OK
+               ? render_adjust_materials(&s->settings.shading, s->mesh, error)
+               : status;
 }
 
 static burnish_status draw(session *s, burnish_error *error) {
     burnish_render_options options = render_make_options(&s->settings);
     render_room room = {.is_given = 0};
     render_cell *cell = &s->cell;
-    render_subtract_origin(&s->settings, &options, burnish_mesh_get_view(s->mesh)->origin);
-    cell->view = s->settings.views.count > 0 ? s->settings.views.items[0] : VIEW_FREE;
-    cell->lobe = s->settings.lobes.items[0];
+    render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &options,
+                           burnish_mesh_get_view(s->mesh)->origin);
+    cell->view =
+        s->settings.picture.views.count > 0 ? s->settings.picture.views.items[0] : VIEW_FREE;
+    cell->lobe = s->settings.shading.lobes.items[0];
     s->result.mesh = s->mesh;
     s->result.options = &options;
     s->result.cells = cell;
     s->result.cell_count = 1;
     const char *warning;
-    burnish_status status = render_add_own_lights(&s->settings, s->mesh, &options, &warning, error);
+    burnish_status status =
+        render_add_own_lights(&s->settings.shading.lights, s->mesh, &options, &warning, error);
     if (warning) {
         render_result_warn(&s->result, 1, "%s", warning);
     }
@@ -251,14 +259,14 @@ static burnish_status draw(session *s, burnish_error *error) {
 }
 
 burnish_status session_draw(session *s, session_flags flags, burnish_error *error) {
-    const int up = s->settings.up;
+    const int up = s->settings.camera.up;
     burnish_image_destroy(&s->cell.image);
     s->cell = (render_cell){.hash = 0};
     drop_warnings(&s->result, s->loading_warnings);
     burnish_status status = parse_drawing(flags, &s->settings, error);
-    s->settings.input = s->name;
-    s->settings.up = up; /* the mesh's */
-    s->settings.stands_otherwise = s->stands_otherwise;
+    s->settings.input.name = s->name;
+    s->settings.camera.up = up; /* the mesh's */
+    s->settings.camera.stands_otherwise = s->stands_otherwise;
     if (status == BURNISH_STATUS_OK) {
         status = set_materials(s, error);
     }
@@ -310,11 +318,11 @@ void session_bounds(const session *s, double minimum[3], double maximum[3]) {
 }
 
 int session_up_number(const session *s) {
-    return (int)render_up_in_use(s->mesh, &s->settings, (double[3]){0});
+    return (int)render_up_in_use(s->mesh, &s->settings.camera, (double[3]){0});
 }
 
 const char *session_up(const session *s) {
-    return render_up_name(s->mesh, &s->settings);
+    return render_up_name(s->mesh, &s->settings.camera);
 }
 
 const char *session_warning(const session *s, size_t index) {

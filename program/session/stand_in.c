@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "render/output/report.h"
-#include "render/settings.h"
+#include "render/render.h"
 
 /* The command's own work, which nothing calls. */
 burnish_status render_work(void *settings, cli_call *call, burnish_error *error) {

@@ -1,6 +1,7 @@
 /* What keys, --do and files do to what is shown. */
 #if BURNISH_HAS_VIEW
 
+#include "render/flags.h"
 #include "view/viewer.h"
 
 #include <math.h>
@@ -180,10 +181,10 @@ static void move_section(viewer *v, int step) {
 static void change_look(viewer *v, int step) {
     int count = 0, at = 0;
     for (; render_look_words[count].name; ++count) {
-        at = render_look_words[count].value == v->scene.given.look ? count : at;
+        at = render_look_words[count].value == v->scene.given.shading.look ? count : at;
     }
     const cli_word *next = &render_look_words[(at + step + count) % count];
-    v->scene.given.look = next->value;
+    v->scene.given.shading.look = next->value;
     if (load(v)) {
         viewer_say(v, next->name);
     }
@@ -290,7 +291,7 @@ void viewer_act(viewer *v, const view_action_row *row) {
         change_look(v, row->value);
         break;
     case VIEW_ACTION_WIREFRAME:
-        v->scene.given.wireframe = !v->scene.given.wireframe;
+        v->scene.given.shading.wireframe = !v->scene.given.shading.wireframe;
         break;
     case VIEW_ACTION_RELOAD:
         reload(v, 1);

@@ -1,4 +1,6 @@
 #include "view/scene.h"
+#include "render/flags.h"
+#include "render/options.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -55,10 +57,10 @@ static burnish_status cut(const render_clip *clip, burnish_mesh *mesh, burnish_e
 burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
     render_settings settings = scene->given;
     burnish_mesh *mesh = NULL;
-    settings.input = scene->input;
-    add_section(scene, &settings.clip);
+    settings.input.name = scene->input;
+    add_section(scene, &settings.input.clip);
     burnish_render_options options = render_make_options(&settings);
-    burnish_status status = render_load(&settings, &mesh, error);
+    burnish_status status = render_load(&settings.input, settings.job.threads, &mesh, error);
     const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
     for (int k = 0; k < 3 && view && !scene->section.is_on; ++k) {
         scene->low[k] = view->bounds_min[k] + view->origin[k];
@@ -67,15 +69,16 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
     }
     if (status == BURNISH_STATUS_OK) {
         const char *warning;
-        render_subtract_origin(&settings, &options, view->origin);
-        status = render_add_own_lights(&settings, mesh, &options, &warning, error);
+        render_subtract_origin(&settings.camera, &settings.input.clip, &options, view->origin);
+        status = render_add_own_lights(&settings.shading.lights, mesh, &options, &warning, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = cut(&settings.clip, mesh, error);
+        status = cut(&settings.input.clip, mesh, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        settings.stands_otherwise = settings.up == UP_AUTO && render_stands_otherwise(view);
-        status = render_adjust_materials(&settings, mesh, error);
+        settings.camera.stands_otherwise =
+            settings.camera.up == UP_AUTO && render_stands_otherwise(view);
+        status = render_adjust_materials(&settings.shading, mesh, error);
     }
     if (status != BURNISH_STATUS_OK) {
         burnish_mesh_destroy(mesh);
@@ -90,7 +93,7 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
 
 burnish_status view_scene_set_exponent(view_scene *scene, double exponent, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
-    scene->given.exponent = (cli_real){1, exponent};
+    scene->given.shading.exponent = (cli_real){1, exponent};
     for (size_t i = 0; i < burnish_mesh_material_count(scene->mesh); ++i) {
         burnish_material material = *burnish_mesh_material(scene->mesh, i);
         material.exponent = (float)exponent;
@@ -108,7 +111,7 @@ double view_scene_exponent(const view_scene *scene) {
 /* ---- Camera ---- */
 
 void view_scene_up(const view_scene *scene, double up[3]) {
-    render_upward(scene->mesh, &scene->settings, up);
+    render_upward(scene->mesh, &scene->settings.camera, up);
 }
 
 double view_scene_radius(const view_scene *scene) {
@@ -123,7 +126,8 @@ double view_scene_radius(const view_scene *scene) {
 burnish_status view_scene_aim(view_scene *scene, render_view view, burnish_error *error) {
     render_room room = {0};
     burnish_camera camera;
-    memcpy(scene->settings.size, scene->given.size, sizeof scene->settings.size);
+    memcpy(scene->settings.picture.size, scene->given.picture.size,
+           sizeof scene->settings.picture.size);
     const burnish_status status =
         render_camera(scene->mesh, &scene->settings, view, &room, &camera, error);
     if (status == BURNISH_STATUS_OK) {
@@ -157,7 +161,7 @@ burnish_status view_scene_draw(view_scene *scene, const burnish_lobe_spec *lobe,
     options.lobe = *lobe;
     options.camera = scene->camera;
     options.counts = BURNISH_COUNTS_NONE;
-    if (scene->given.wireframe) {
+    if (scene->given.shading.wireframe) {
         options.edges = (options.edges & BURNISH_EDGES_FEATURES) | BURNISH_EDGES_ALL;
     }
     view_scene_up(scene, options.up);
@@ -215,14 +219,15 @@ void view_scene_print(const view_scene *scene, const burnish_lobe_spec *lobe) {
     burnish_lobe_spec_name(lobe, name, sizeof name);
     printf("burnish render ");
     print_quoted(scene->input);
-    printf(" --resolution=%d,%d --lobe=%s", scene->given.size[0], scene->given.size[1], name);
+    printf(" --resolution=%d,%d --lobe=%s", scene->given.picture.size[0],
+           scene->given.picture.size[1], name);
     for (const cli_word *word = render_look_words; word->name; ++word) {
-        if (word->value == scene->given.look && word->value != BURNISH_LOOK_STUDIO) {
+        if (word->value == scene->given.shading.look && word->value != BURNISH_LOOK_STUDIO) {
             printf(" --look=%s", word->name);
         }
     }
-    if (scene->given.exponent.given) {
-        print_real("exponent", scene->given.exponent.value);
+    if (scene->given.shading.exponent.given) {
+        print_real("exponent", scene->given.shading.exponent.value);
     }
     add_section(scene, &clip);
     if (clip.count > 0) {
@@ -230,7 +235,7 @@ void view_scene_print(const view_scene *scene, const burnish_lobe_spec *lobe) {
         const double *n = clip.items[0].normal;
         printf(" --clip=%g,%g,%g,%s", n[0], n[1], n[2], cli_shortest(clip.items[0].offset, text));
     }
-    printf("%s", scene->given.wireframe ? " --wireframe" : "");
+    printf("%s", scene->given.shading.wireframe ? " --wireframe" : "");
     print_camera(scene);
     putchar('\n');
     fflush(stdout);

@@ -1,5 +1,6 @@
 /* `burnish view`: flags and the manual. */
 #include "view/view.h"
+#include "render/check.h"
 
 #include <string.h>
 
@@ -25,7 +26,7 @@ static const cli_flag flags[] = {
      .high = BURNISH_IMAGE_MAX_SIZE,
      .manual = "Width and height of the window at the start, in pixels.",
      .handler = cli_flag_size,
-     TARGET(render.size)},
+     TARGET(render.picture.size)},
     {.name = "output",
      .aliases = "out,screenshot",
      .common = 1,
@@ -133,15 +134,15 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "view: no INPUT; try \"burnish view :teapot\" or \"burnish view --help\"");
     }
-    settings->render.input = call->operands[0];
+    settings->render.input.name = call->operands[0];
     if (strcmp(call->operands[0], "-") == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "view: standard input can't be read again, as cuts and changes need; name "
                         "a file");
     }
-    if (settings->render.views.count > 1 || settings->render.lobes.count > 2) {
+    if (settings->render.picture.views.count > 1 || settings->render.shading.lobes.count > 2) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        settings->render.views.count > 1
+                        settings->render.picture.views.count > 1
                             ? "--views: the window begins with one view; give one"
                             : "--lobe: the window shows one lobe or two; give at most two");
     }

@@ -114,8 +114,8 @@ static burnish_status resize(viewer *v, burnish_error *error) {
         v->repaint = 1;
         return BURNISH_STATUS_OK;
     }
-    v->width = v->scene.given.size[0] = surface->w;
-    v->height = v->scene.given.size[1] = surface->h;
+    v->width = v->scene.given.picture.size[0] = surface->w;
+    v->height = v->scene.given.picture.size[1] = surface->h;
     for (int i = 0; i < 3; ++i) {
         free(v->pixels[i]);
         v->pixels[i] = calloc((size_t)v->width * (size_t)v->height, 4);
@@ -336,7 +336,7 @@ static burnish_status open_window(viewer *v, burnish_error *error) {
                         "display",
                         failed ? v->sdl.SDL_GetError() : "there is no display");
     }
-    const int *size = v->scene.given.size;
+    const int *size = v->scene.given.picture.size;
     v->window = v->sdl.SDL_CreateWindow("burnish", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
                                         size[0], size[1], SDL_WINDOW_RESIZABLE);
     if (!v->window) {
@@ -369,16 +369,17 @@ burnish_status view_window(const view_settings *settings, burnish_error *error) 
                 .moving = VIEW_PLAIN,
                 .divider = 0.5,
                 .actions = settings->actions,
-                .lobes = {settings->render.lobes.items[0]}};
-    const render_view first =
-        settings->render.views.count > 0 ? settings->render.views.items[0] : VIEW_FREE;
+                .lobes = {settings->render.shading.lobes.items[0]}};
+    const render_view first = settings->render.picture.views.count > 0
+                                  ? settings->render.picture.views.items[0]
+                                  : VIEW_FREE;
     v.scene = (view_scene){.given = settings->render,
-                           .input = settings->render.input,
+                           .input = settings->render.input.name,
                            .interrupted = is_awaited,
                            .user_data = &v};
-    v.scene.given.same_scale = 0;
-    if (settings->render.lobes.count > 1) {
-        v.lobes[1] = settings->render.lobes.items[1];
+    v.scene.given.camera.same_scale = 0;
+    if (settings->render.shading.lobes.count > 1) {
+        v.lobes[1] = settings->render.shading.lobes.items[1];
         v.split = 1;
     } else {
         burnish_lobe_spec_parse("power", &v.lobes[1], NULL);

@@ -20,7 +20,7 @@ typedef struct parsed {
 
 /* Parses words between '|'. */
 static parsed parse(const char *line) {
-    parsed result = {.settings = {0}};
+    parsed result = {.status = BURNISH_STATUS_OK};
     static char copy[1024]; /* the settings point into it */
     char *argv[32];
     int argc = 0;
@@ -41,49 +41,51 @@ static void test_defaults(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_framing fit = burnish_framing_default();
     const render_settings *s = &p.settings;
-    CHECK1(s->size[0] == render.width && s->size[1] == render.height);
-    CHECK1(s->samples == render.samples && s->threads == render.threads);
-    CHECK1(s->lobes.count == 1 && s->lobes.items[0].kind == render.lobe.kind &&
-           s->lobes.items[0].fit == render.lobe.fit &&
-           s->lobes.items[0].order == render.lobe.order);
-    CHECK1(s->equation == (int)render.specular_model && s->viewer == render.local_viewer);
+    CHECK1(s->picture.size[0] == render.width && s->picture.size[1] == render.height);
+    CHECK1(s->picture.samples == render.samples && s->job.threads == render.threads);
+    CHECK1(s->shading.lobes.count == 1 && s->shading.lobes.items[0].kind == render.lobe.kind &&
+           s->shading.lobes.items[0].fit == render.lobe.fit &&
+           s->shading.lobes.items[0].order == render.lobe.order);
+    CHECK1(s->shading.equation == (int)render.specular_model &&
+           s->shading.viewer == render.local_viewer);
     CHECK(render.background[0] == 255 && render.background[1] == 255 && render.background[2] == 255,
           "the help says that the background is white");
-    CHECK1(s->load.format == (int)load.format && s->load.tessellation == load.tessellation);
-    CHECK1(!s->crease.given && load.crease_angle == BURNISH_CREASE_AUTO);
-    CHECK1(s->load.max_triangles == load.max_triangles &&
-           s->load.max_input_bytes == load.max_input_bytes);
-    CHECK1(s->view_angle.value == fit.view_angle && s->margin.value == fit.margin);
-    CHECK1(s->azimuth.value == fit.azimuth && s->elevation.value == fit.elevation);
-    CHECK1(!s->json && !s->quiet && !s->fail_on_blank && s->projection == PROJECTION_AUTO &&
-           s->material == 0);
+    CHECK1(s->input.load.format == (int)load.format &&
+           s->input.load.tessellation == load.tessellation);
+    CHECK1(!s->input.crease.given && load.crease_angle == BURNISH_CREASE_AUTO);
+    CHECK1(s->input.load.max_triangles == load.max_triangles &&
+           s->input.load.max_input_bytes == load.max_input_bytes);
+    CHECK1(s->camera.view_angle.value == fit.view_angle && s->camera.margin.value == fit.margin);
+    CHECK1(s->camera.azimuth.value == fit.azimuth && s->camera.elevation.value == fit.elevation);
+    CHECK1(!s->output.json && !s->job.quiet && !s->output.fail_on_blank &&
+           s->camera.projection == PROJECTION_AUTO && s->shading.material == 0);
 }
 
 static void test_forms(void) {
-    CHECK1(parse("x|--samples=8").settings.samples == 8);
-    CHECK1(parse("--samples|8|x").settings.samples == 8);
-    CHECK(parse("x|--samples=8|--samples|16").settings.samples == 16, "the last counts");
+    CHECK1(parse("x|--samples=8").settings.picture.samples == 8);
+    CHECK1(parse("--samples|8|x").settings.picture.samples == 8);
+    CHECK(parse("x|--samples=8|--samples|16").settings.picture.samples == 16, "the last counts");
     parsed p = parse("-o|out.png|x.obj");
-    CHECK_TEXT(p.settings.output, "out.png");
+    CHECK_TEXT(p.settings.output.path, "out.png");
     CHECK_TEXT(p.call.operands[0], "x.obj");
-    CHECK_TEXT(parse("-oout.png|x.obj").settings.output, "out.png");
-    CHECK_TEXT(parse("--output|-|x.obj").settings.output, "-");
-    CHECK_TEXT(parse("--output=--json|x").settings.output, "--json");
-    CHECK_TEXT(parse("--output=a=b|x").settings.output, "a=b");
+    CHECK_TEXT(parse("-oout.png|x.obj").settings.output.path, "out.png");
+    CHECK_TEXT(parse("--output|-|x.obj").settings.output.path, "-");
+    CHECK_TEXT(parse("--output=--json|x").settings.output.path, "--json");
+    CHECK_TEXT(parse("--output=a=b|x").settings.output.path, "a=b");
     p = parse("--json|--|--quiet");
-    CHECK1(p.settings.json && !p.settings.quiet);
+    CHECK1(p.settings.output.json && !p.settings.job.quiet);
     CHECK_TEXT(p.call.operands[0], "--quiet");
-    CHECK_TEXT(p.settings.json, "-");
+    CHECK_TEXT(p.settings.output.json, "-");
     CHECK_TEXT(parse("-|--json").call.operands[0], "-");
-    CHECK_TEXT(parse("x|--json=a.json").settings.json, "a.json");
+    CHECK_TEXT(parse("x|--json=a.json").settings.output.json, "a.json");
     CHECK_TEXT(parse("--json|x").call.operands[0], "x");
     p = parse("x|--camera-azimuth-angle|-30|--camera-position|-1,-2,-3");
-    CHECK(p.settings.azimuth.value == -30 && p.settings.position.values[2] == -3,
+    CHECK(p.settings.camera.azimuth.value == -30 && p.settings.camera.position.values[2] == -3,
           "a negative number is a value, not a flag");
     p = parse("x|--size=64|--resolution=300,200");
-    CHECK1(p.settings.size[0] == 300 && p.settings.size[1] == 200);
+    CHECK1(p.settings.picture.size[0] == 300 && p.settings.picture.size[1] == 200);
     p = parse("x|--resolution=300x200|--size=64");
-    CHECK1(p.settings.size[0] == 64 && p.settings.size[1] == 64);
+    CHECK1(p.settings.picture.size[0] == 64 && p.settings.picture.size[1] == 64);
     CHECK1(parse("x|--help|--nonsense").call.help == 1);
     CHECK1(parse("x|-h").call.help == 1 && !parse("x|-h").call.topic);
     CHECK_TEXT(parse("x|--help=camera").call.topic, "camera");
@@ -148,8 +150,9 @@ static void test_numbers(void) {
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         CHECK(!cli_read_real(bad[i], strlen(bad[i]), &value), "\"%s\" accepted", bad[i]);
     }
-    CHECK1(parse("x|--max-input-bytes=3K").settings.load.max_input_bytes == 3072);
-    CHECK1(parse("x|--max-input-bytes=2G").settings.load.max_input_bytes == (uint64_t)2 << 30);
+    CHECK1(parse("x|--max-input-bytes=3K").settings.input.load.max_input_bytes == 3072);
+    CHECK1(parse("x|--max-input-bytes=2G").settings.input.load.max_input_bytes == (uint64_t)2
+                                                                                      << 30);
     CHECK1(parse("x|--max-input-bytes=99999999999G").status == BURNISH_STATUS_ARGUMENT);
     CHECK1(parse("x|--max-input-bytes=G").status == BURNISH_STATUS_ARGUMENT);
     CHECK1(parse("x|--max-input-bytes=").status == BURNISH_STATUS_ARGUMENT);
@@ -175,22 +178,24 @@ static void test_colors(void) {
         CHECK(cli_color_code((float)k / 255.0F) == k, "code %d", k);
     }
     parsed p = parse("x|--no-background|--background-color=#123456");
-    CHECK(!p.settings.background.transparent && p.settings.background.given, "the later counts");
-    CHECK1(parse("x|--background-color=#123456|--no-background").settings.background.transparent);
-    CHECK1(parse("x|--background-color=none").settings.background.transparent);
+    CHECK(!p.settings.picture.background.transparent && p.settings.picture.background.given,
+          "the later counts");
+    CHECK1(parse("x|--background-color=#123456|--no-background")
+               .settings.picture.background.transparent);
+    CHECK1(parse("x|--background-color=none").settings.picture.background.transparent);
 }
 
 static void test_lights(void) {
     parsed p = parse("x|--light=directional:-1,2.5,3:0.5:#f00|--light|world-point:1,2,3");
-    const burnish_light *lights = p.settings.lights.items;
-    CHECK1(p.status == BURNISH_STATUS_OK && p.settings.lights.count == 2);
+    const burnish_light *lights = p.settings.shading.lights.items;
+    CHECK1(p.status == BURNISH_STATUS_OK && p.settings.shading.lights.count == 2);
     CHECK1(lights[0].kind == BURNISH_LIGHT_DIRECTIONAL && lights[0].follows_camera == 1);
     CHECK1(lights[0].vector[0] == -1 && lights[0].vector[1] == 2.5 && lights[0].vector[2] == 3);
     CHECK1(lights[0].color[0] == 0.5F && lights[0].color[1] == 0 && lights[0].color[2] == 0);
     CHECK1(lights[1].kind == BURNISH_LIGHT_POINT && lights[1].follows_camera == 0);
     CHECK1(lights[1].color[0] == 1 && lights[1].color[2] == 1);
     p = parse("x|--light=point:1,2,3|--light=none");
-    CHECK1(p.settings.lights.given && p.settings.lights.count == 0);
+    CHECK1(p.settings.shading.lights.given && p.settings.shading.lights.count == 0);
     static const char *const bad[] = {"x|--light=sun:1,2,3",        "x|--light=point",
                                       "x|--light=point:",           "x|--light=point:1,2",
                                       "x|--light=point:1,2,3:",     "x|--light=point:1,2,3:-1",
@@ -200,8 +205,9 @@ static void test_lights(void) {
         CHECK(parse(bad[i]).status == BURNISH_STATUS_ARGUMENT, "%s accepted", bad[i]);
     }
     p = parse("x|--ambient=0.5");
-    CHECK1(p.settings.ambient.linear[0] == 0.5F && p.settings.ambient.linear[2] == 0.5F);
-    CHECK1(parse("x|--ambient=white").settings.ambient.linear[1] == 1);
+    CHECK1(p.settings.shading.ambient.linear[0] == 0.5F &&
+           p.settings.shading.ambient.linear[2] == 0.5F);
+    CHECK1(parse("x|--ambient=white").settings.shading.ambient.linear[1] == 1);
 }
 
 /* What every row of the table must have for the help screen and the man page. */

@@ -66,7 +66,7 @@ static burnish_status begin(stream *s, burnish_error *error) {
 static render_pieces_plan plan_pieces(stream *s) {
     const render_result *result = s->bands->result;
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
-    return (render_pieces_plan){.runners = result->settings->runners,
+    return (render_pieces_plan){.runners = result->settings->job.runners,
                                 .count = s->count,
                                 .triangles = view->triangle_count,
                                 .vertices = view->vertex_count,
@@ -124,8 +124,8 @@ burnish_status render_write_bands(const render_bands *bands, burnish_error *erro
     const render_settings *settings = bands->result->settings;
     stream s = {.bands = bands};
     burnish_png_options png = burnish_png_options_default();
-    png.threads = settings->threads;
-    png.dots_per_inch = settings->dots_per_inch.value;
+    png.threads = settings->job.threads;
+    png.dots_per_inch = settings->output.dots_per_inch.value;
     burnish_status status = begin(&s, error);
     if (status == BURNISH_STATUS_OK) {
         const burnish_pixels pixels = band_pixels(&s, 0);

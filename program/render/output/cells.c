@@ -6,9 +6,10 @@
 #include "render/output/report.h"
 
 void render_warn_about_cell(render_result *result, const render_cell *cell) {
-    const char *input = result->settings->input;
+    const char *input = result->settings->input.name;
     const char *picture = result->cell_count > 1 ? cell->label : "the picture";
-    const int is_told = !result->settings->fail_on_blank && result->settings->rows.count == 0;
+    const int is_told =
+        !result->settings->output.fail_on_blank && result->settings->picture.rows.count == 0;
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
         burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
@@ -43,7 +44,7 @@ void render_aim_options(const render_result *result, burnish_render_options *opt
                         const render_cell *cell) {
     options->lobe = cell->lobe;
     options->camera = cell->camera;
-    render_upward(result->mesh, result->settings, options->up);
+    render_upward(result->mesh, &result->settings->camera, options->up);
 }
 
 burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
@@ -60,24 +61,26 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
                                 burnish_render_options *options, render_cell *cell,
                                 burnish_error *error) {
     float *depth = NULL;
-    options->counts = result->settings->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
+    options->counts = result->settings->output.json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
     burnish_status status = render_draw_pixels(result, renderer, options, cell, &depth, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (result->settings->json) {
+    if (result->settings->output.json) {
         cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
     }
-    if (result->settings->json || result->settings->tell || result->settings->fail_on_blank) {
+    if (result->settings->output.json || result->settings->job.on_result ||
+        result->settings->output.fail_on_blank) {
         cell->has_one_color = render_has_one_color(&cell->image);
     }
     render_warn_about_cell(result, cell);
     status = render_annotate(result, options, cell, depth, error);
-    if (status == BURNISH_STATUS_OK && result->settings->format == PICTURE_SVG) {
+    if (status == BURNISH_STATUS_OK && result->settings->output.format == PICTURE_SVG) {
         status = render_trace(result, renderer, options, cell, depth, error);
     }
     free(depth);
-    if ((result->settings->json || result->settings->tell) && status == BURNISH_STATUS_OK) {
+    if ((result->settings->output.json || result->settings->job.on_result) &&
+        status == BURNISH_STATUS_OK) {
         cell->hash = burnish_image_hash(&cell->image);
     }
     return status;

@@ -1,5 +1,6 @@
 /* What `burnish render` tells: JSON, times, warnings. */
 #include "render/output/report.h"
+#include "render/flags.h"
 
 #include <cjson/cJSON.h>
 #include <errno.h>
@@ -24,7 +25,7 @@ void render_result_warn(render_result *result, int printed, const char *format, 
     vsnprintf(line.text, sizeof line.text, format, arguments);
     va_end(arguments);
     cli_clean(line.text);
-    if (printed && !result->settings->quiet) {
+    if (printed && !result->settings->job.quiet) {
         cli_warn(line.text);
     }
     char **grown = realloc(result->warnings, (result->warning_count + 1) * sizeof *grown);
@@ -153,21 +154,24 @@ static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
 
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     char ending[IMPORT_ENDING_SIZE];
-    const char *format = import_format_word(result->settings->input, result->settings->load.format,
-                                            burnish_mesh_get_info(result->mesh)->format, ending);
+    const char *format =
+        import_format_word(result->settings->input.name, result->settings->input.load.format,
+                           burnish_mesh_get_info(result->mesh)->format, ending);
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
     cJSON *box = cJSON_CreateObject();
     float low[3], high[3];
     burnish_mesh_get_bounds(result->mesh, low, high);
-    cli_json_add(root, "input", cli_json_text(result->settings->input), failed);
+    cli_json_add(root, "input", cli_json_text(result->settings->input.name), failed);
     cli_json_add(root, "format", cJSON_CreateString(format), failed);
     cli_json_add(root, "output",
-                 result->written ? cli_json_text(result->settings->output) : cJSON_CreateNull(),
+                 result->written ? cli_json_text(render_output_path(&result->settings->output))
+                                 : cJSON_CreateNull(),
                  failed);
     cli_json_add(root, "width", cJSON_CreateNumber(result->picture->width), failed);
     cli_json_add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
-    if (result->settings->rows.count > 0) {
-        const int rows[2] = {result->settings->rows.first, result->settings->rows.count};
+    if (result->settings->picture.rows.count > 0) {
+        const int rows[2] = {result->settings->picture.rows.first,
+                             result->settings->picture.rows.count};
         cli_json_add(root, "rows", cli_json_integers(2, rows), failed);
     }
     cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
@@ -187,12 +191,13 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(result->mesh)->unit), failed);
     cli_json_add(root, "origin", cli_json_reals(3, view->origin), failed);
     add_cuts(root, view, failed);
-    cli_json_add(root, "up", cJSON_CreateString(render_up_name(result->mesh, result->settings)),
+    cli_json_add(root, "up",
+                 cJSON_CreateString(render_up_name(result->mesh, &result->settings->camera)),
                  failed);
     cli_json_add(root, "up_source",
-                 cJSON_CreateString(result->settings->up == UP_AUTO     ? "auto"
-                                    : result->settings->up == UP_FORMAT ? "format"
-                                                                        : "flag"),
+                 cJSON_CreateString(result->settings->camera.up == UP_AUTO     ? "auto"
+                                    : result->settings->camera.up == UP_FORMAT ? "format"
+                                                                               : "flag"),
                  failed);
 }
 
@@ -204,7 +209,7 @@ static const char *word_of(const cli_word *words, int value) {
 }
 
 static void add_planes(cJSON *root, const render_result *result, int *failed) {
-    const render_planes *planes = &result->settings->planes;
+    const render_planes *planes = &result->settings->output.planes;
     cJSON *array = cJSON_CreateArray();
     for (size_t i = 0; i < planes->count; ++i) {
         const render_plane *plane = &planes->items[i];
@@ -235,9 +240,10 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
         failed);
     cli_json_add(root, "viewer", cJSON_CreateString(options->local_viewer ? "local" : "distant"),
                  failed);
-    cli_json_add(root, "look",
-                 cJSON_CreateString(word_of(render_look_words, (int)result->settings->look)),
-                 failed);
+    cli_json_add(
+        root, "look",
+        cJSON_CreateString(word_of(render_look_words, (int)result->settings->shading.look)),
+        failed);
     cli_json_add(root, "occlusion",
                  cJSON_CreateNumber(result->cells[0].report.occlusion_directions), failed);
     cli_json_add(root, "shadow", cJSON_CreateBool(result->cells[0].report.shadow), failed);
@@ -278,11 +284,11 @@ static burnish_status print_json(FILE *stream, const render_result *result, burn
         }
         add_picture(root, result, &result->cells[0], &failed);
     }
-    if (result->settings->turntable) {
-        cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->frames), &failed);
-        cli_json_add(root, "fps", cJSON_CreateNumber(result->settings->fps), &failed);
+    if (result->settings->output.turntable) {
+        cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->output.frames), &failed);
+        cli_json_add(root, "fps", cJSON_CreateNumber(result->settings->output.fps), &failed);
     }
-    if (result->settings->planes.count > 0) {
+    if (result->settings->output.planes.count > 0) {
         add_planes(root, result, &failed);
     }
     add_run(root, result, &failed);
@@ -294,7 +300,7 @@ burnish_status render_write_json(const render_result *result, burnish_error *err
     burnish_status status = cli_output_begin(&output, error);
     if (status == BURNISH_STATUS_OK) {
         status = print_json(output.stream, result, error);
-        status = cli_output_end(&output, result->settings->json, status, error);
+        status = cli_output_end(&output, result->settings->output.json, status, error);
     }
     return status;
 }

@@ -54,8 +54,8 @@ static void rotate(double v[3], const double axis[3], double sine, double cosine
 static void find_pivot(const burnish_mesh *mesh, const render_settings *settings, double pivot[3]) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     for (int k = 0; k < 3; ++k) {
-        pivot[k] = settings->focal_point.given
-                       ? settings->focal_point.values[k]
+        pivot[k] = settings->camera.focal_point.given
+                       ? settings->camera.focal_point.values[k]
                        : ((double)view->bounds_min[k] + view->bounds_max[k]) / 2;
     }
 }
@@ -64,8 +64,8 @@ static void find_pivot(const burnish_mesh *mesh, const render_settings *settings
 static void orbit(const burnish_mesh *mesh, const render_settings *settings, int frame,
                   burnish_camera *camera) {
     double sine, cosine, axis[3], pivot[3];
-    turn(frame, settings->frames, &sine, &cosine);
-    render_up_in_use(mesh, settings, axis);
+    turn(frame, settings->output.frames, &sine, &cosine);
+    render_up_in_use(mesh, &settings->camera, axis);
     find_pivot(mesh, settings, pivot);
     for (int k = 0; k < 3; ++k) {
         camera->position[k] -= pivot[k];
@@ -196,7 +196,7 @@ burnish_status render_turntable_camera(const burnish_mesh *mesh, const render_se
     double axis[3], pivot[3];
     burnish_mesh *all = NULL;
     render_settings same = *settings;
-    same.up = render_up_in_use(mesh, settings, axis);
+    same.camera.up = render_up_in_use(mesh, &settings->camera, axis);
     find_pivot(mesh, settings, pivot);
     burnish_status status = sweep(mesh, axis, pivot, &all, error);
     if (status == BURNISH_STATUS_OK) {
@@ -238,7 +238,7 @@ static burnish_status next_frame(void *context, int frame, const uint8_t **bytes
                                  burnish_error *error) {
     stream *s = context;
     render_result *result = s->turntable->result;
-    const int is_frame = frame < result->settings->frames;
+    const int is_frame = frame < result->settings->output.frames;
     burnish_status status = BURNISH_STATUS_OK;
     if (is_frame) {
         status =
@@ -258,7 +258,7 @@ static burnish_status next_frame(void *context, int frame, const uint8_t **bytes
 /* A palette from frames all round. */
 static burnish_status choose_palette(stream *s, picture_palette *palette, burnish_error *error) {
     const render_turntable *t = s->turntable;
-    const int count = t->result->settings->frames;
+    const int count = t->result->settings->output.frames;
     const int sampled = count < SAMPLED ? count : SAMPLED;
     picture_histogram *histogram = picture_histogram_create();
     burnish_status status = histogram ? BURNISH_STATUS_OK
@@ -280,8 +280,8 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
 static render_pieces_plan plan_pieces(stream *s) {
     const render_result *result = s->turntable->result;
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
-    return (render_pieces_plan){.runners = result->settings->runners,
-                                .count = result->settings->frames,
+    return (render_pieces_plan){.runners = result->settings->job.runners,
+                                .count = result->settings->output.frames,
                                 .triangles = view->triangle_count,
                                 .vertices = view->vertex_count,
                                 .image = &result->cells[0].image,
@@ -301,28 +301,29 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     const burnish_image *image = &result->cells[0].image;
     picture_palette palette;
     stream s = {.turntable = turntable, .first = result->cells[0].camera};
-    const picture_animation_options options = {.format = (picture_format)settings->format,
+    const picture_animation_options options = {.format = (picture_format)settings->output.format,
                                                .width = image->width,
                                                .height = image->height,
                                                .channels = image->channels,
-                                               .frames = settings->frames,
-                                               .fps = settings->fps,
-                                               .quality = settings->quality,
-                                               .threads = settings->threads,
+                                               .frames = settings->output.frames,
+                                               .fps = settings->output.fps,
+                                               .quality = settings->output.quality,
+                                               .threads = settings->job.threads,
                                                .palette = &palette};
-    burnish_status status =
-        settings->format == PICTURE_GIF ? choose_palette(&s, &palette, error) : BURNISH_STATUS_OK;
+    burnish_status status = settings->output.format == PICTURE_GIF
+                                ? choose_palette(&s, &palette, error)
+                                : BURNISH_STATUS_OK;
     if (status == BURNISH_STATUS_OK) {
         status = picture_animation_create(&options, &s.animation, error);
     }
-    if (status == BURNISH_STATUS_OK && settings->runners > 0) {
+    if (status == BURNISH_STATUS_OK && settings->job.runners > 0) {
         const render_pieces_plan plan = plan_pieces(&s);
         status = render_pieces_create(&plan, &s.pieces, error);
     }
     if (status == BURNISH_STATUS_OK) {
         const render_stream file = {.result = result,
                                     .noun = "frame",
-                                    .count = settings->frames,
+                                    .count = settings->output.frames,
                                     .next = next_frame,
                                     .context = &s,
                                     .ready = turntable->ready};

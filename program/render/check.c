@@ -1,0 +1,389 @@
+#include "render/check.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "cli/platform.h"
+#include "font/utf8.h"
+#include "picture/animation.h"
+#include "render/reference.h"
+#include "render/useless.h"
+
+static int is_standard(const char *path) {
+    return strcmp(path, "-") == 0;
+}
+
+/* The name of the picture when none is given: the input's, in the current folder, with the ending
+ * of --output-format. */
+static burnish_status derive_output(render_settings *settings, burnish_error *error) {
+    const char *input = settings->input.name;
+    if (is_standard(input)) {
+        settings->output.path = "-";
+        return BURNISH_STATUS_OK;
+    }
+    const char *slash = strrchr(input, '/');
+    const char *base = input[0] == ':' ? input + 1 : slash ? slash + 1 : input;
+    const char *dot = strrchr(base, '.');
+    size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+    char *name = settings->output.derived;
+    const char *ending = picture_ending(settings->output.format == PICTURE_AUTO
+                                            ? PICTURE_PNG
+                                            : (picture_format)settings->output.format);
+    if (length == 0 || length + strlen(ending) + sizeof "." > sizeof settings->output.derived) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "\"%.60s\" gives the picture no name; name it with --output=FILE", input);
+    }
+    snprintf(name, sizeof settings->output.derived, "%.*s.%s", (int)length, base, ending);
+    settings->output.is_derived = 1;
+    return BURNISH_STATUS_OK;
+}
+
+/* The report may replace neither the input nor the picture. */
+static burnish_status check_report(const render_settings *settings, burnish_error *error) {
+    const char *others[] = {settings->input.name, render_output_path(&settings->output)};
+    for (int i = 0; i < 2 && settings->output.json && !is_standard(settings->output.json); ++i) {
+        if (strcmp(settings->output.json, others[i]) == 0 ||
+            cli_same_file(settings->output.json, others[i])) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--json: \"%.200s\" is the %s; name another file",
+                            settings->output.json, i == 0 ? "input" : "picture");
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Whether two names of files are the same, or stand for one file. */
+static int is_same(const char *a, const char *b) {
+    return a && b && !is_standard(a) && !is_standard(b) &&
+           (strcmp(a, b) == 0 || cli_same_file(a, b));
+}
+
+/* Planes go into files that nothing else goes into, and exist of one picture. */
+static burnish_status check_planes(render_settings *settings, burnish_error *error) {
+    const int is_sheet = settings->picture.views.count > 1 || settings->shading.lobes.count > 1;
+    if (is_sheet && (settings->output.planes.count > 0 || settings->output.format == PICTURE_EXR ||
+                     settings->output.format == PICTURE_NPY)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: a sheet has no planes of numbers; draw one view and one lobe",
+                        settings->output.planes.count > 0 ? "plane" : "output");
+    }
+    for (size_t i = 0; i < settings->output.planes.count; ++i) {
+        render_plane *plane = &settings->output.planes.items[i];
+        burnish_status status = picture_choose("plane", plane->path, PICTURE_PLANE, PICTURE_AUTO,
+                                               &plane->format, error);
+        int taken = is_same(plane->path, render_output_path(&settings->output)) ||
+                    is_same(plane->path, settings->output.json) ||
+                    is_same(plane->path, settings->input.name);
+        for (size_t k = 0; k < i; ++k) {
+            taken |= is_same(plane->path, settings->output.planes.items[k].path);
+        }
+        if (status == BURNISH_STATUS_OK && taken) {
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "--plane: \"%.200s\" is another file of this run; name another one",
+                              plane->path);
+        }
+        if (status == BURNISH_STATUS_OK && plane->kind == PLANE_COLOR &&
+            plane->format == PICTURE_PNG) {
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "--plane: linear colour goes into NPY or EXR; the PNG in sRGB is "
+                              "--output's");
+        }
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static int is_svg(const render_settings *settings) {
+    const char *dot = strrchr(render_output_path(&settings->output), '.');
+    return settings->output.format == PICTURE_SVG ||
+           (settings->output.format == PICTURE_AUTO && dot && strcasecmp(dot, ".svg") == 0);
+}
+
+/* An SVG holds the lines and flat areas of a drawing. */
+static burnish_status choose_svg(render_settings *settings, burnish_error *error) {
+    if (settings->shading.look != BURNISH_LOOK_DRAWING) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\": an SVG holds lines, no shading; draw them with "
+                        "--look=drawing, or end the name in .png",
+                        render_output_path(&settings->output));
+    }
+    if (settings->picture.rows.count > 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--rows: an SVG holds the lines of all rows; leave it out, or end the name "
+                        "in .png");
+    }
+    settings->output.format = PICTURE_SVG;
+    return BURNISH_STATUS_OK;
+}
+
+/* The output's format, and flags that ask of it what it can't hold. */
+static burnish_status choose_format(render_settings *settings, burnish_error *error) {
+    picture_format format;
+    if (!settings->output.turntable && is_svg(settings)) {
+        return choose_svg(settings, error);
+    }
+    burnish_status status = picture_choose(
+        settings->output.turntable ? "turntable" : "output", render_output_path(&settings->output),
+        settings->output.turntable ? PICTURE_ANIMATION : PICTURE_STILL | PICTURE_LINES,
+        (picture_format)settings->output.format, &format, error);
+    settings->output.format = format;
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (settings->picture.background.transparent &&
+        (format == PICTURE_JPEG || format == PICTURE_Y4M)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--no-background: %s has no alpha; write PNG or WebP",
+                        format == PICTURE_JPEG ? "JPEG" : "Y4M");
+    }
+    if (format == PICTURE_GIF && settings->output.fps > PICTURE_GIF_FPS_MAX) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--fps: a GIF has at most %d frames per second; write PNG, WebP or Y4M",
+                        PICTURE_GIF_FPS_MAX);
+    }
+    if (settings->output.quality > 0 && format != PICTURE_JPEG && format != PICTURE_WEBP) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--quality: only JPEG and WebP lose any; leave it out");
+    }
+    if (settings->output.dots_per_inch.given &&
+        (settings->output.turntable || (format != PICTURE_PNG && format != PICTURE_JPEG))) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--dpi: only PNG, JPEG and SVG hold it; leave it out");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* 1 for a PNG that says in its first chunks that burnish wrote it. */
+static int is_own_picture(const char *path) {
+    static const char mark[] = "tEXtSoftware\0burnish";
+    char head[128];
+    struct stat status;
+    FILE *file = stat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
+    if (!file) {
+        return 0;
+    }
+    const size_t size = fread(head, 1, sizeof head, file);
+    int found = 0;
+    fclose(file);
+    for (size_t i = 0; i + sizeof mark - 1 <= size && !found; ++i) {
+        found = memcmp(head + i, mark, sizeof mark - 1) == 0;
+    }
+    return found && memcmp(head, "\x89PNG", 4) == 0;
+}
+
+static burnish_status check_output(render_settings *settings, burnish_error *error) {
+    if (is_standard(render_output_path(&settings->output))) {
+        if (settings->output.json && is_standard(settings->output.json)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--json: standard output already carries the picture; name a "
+                            "file with --output=FILE or --json=FILE");
+        }
+        if (isatty(STDOUT_FILENO)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--output: standard output is a terminal, which can't show a "
+                            "picture; redirect it, or name a file with --output=FILE");
+        }
+        return choose_format(settings, error);
+    }
+    if (cli_same_file(settings->input.name, render_output_path(&settings->output))) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\" is the input; name another file",
+                        render_output_path(&settings->output));
+    }
+    /* What happens to have the picture's name may be a texture of the mesh. */
+    if (settings->output.is_derived && !settings->output.overwrite &&
+        cli_name_exists(render_output_path(&settings->output)) &&
+        !is_own_picture(render_output_path(&settings->output))) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "%.200s: exists and is no picture by burnish; replace it with --overwrite, "
+                        "or name the picture with --output=FILE",
+                        render_output_path(&settings->output));
+    }
+    return choose_format(settings, error);
+}
+
+/* A scale is one of a parallel projection, and there is one. */
+static burnish_status check_scale_flags(const render_settings *settings, burnish_error *error) {
+    const int parallel = settings->picture.views.count > 0
+                             ? settings->camera.projection != PROJECTION_PERSPECTIVE
+                             : settings->camera.projection == PROJECTION_PARALLEL;
+    const char *scale = settings->camera.orthographic_height.given ? "camera-orthographic-height"
+                        : settings->camera.same_scale              ? "same-scale"
+                                                                   : NULL;
+    if (scale && settings->camera.projection == PROJECTION_PERSPECTIVE) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: a perspective has no scale; leave out --camera-orthographic=no",
+                        scale);
+    }
+    if (settings->picture.annotations == BURNISH_ANNOTATION_SCALE && !scale && !parallel &&
+        !settings->camera.own) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--annotate: scale: a perspective has no scale; give --camera-orthographic, "
+            "or leave it out");
+    }
+    if (settings->camera.orthographic_height.given && settings->camera.zoom.value != 1) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--camera-zoom-factor: --camera-orthographic-height already says how large "
+                        "the object is; leave one out");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_camera_flags(const render_settings *settings, burnish_error *error) {
+    const char *turn = settings->camera.azimuth.value != 0     ? "camera-azimuth-angle"
+                       : settings->camera.elevation.value != 0 ? "camera-elevation-angle"
+                                                               : NULL;
+    const char *aim = settings->camera.direction.given ? "camera-direction" : turn;
+    const char *extra = NULL, *fixed = NULL;
+    if (settings->camera.position.given && aim) {
+        extra = aim;
+        fixed = "camera-position";
+    } else if (settings->picture.views.count > 0) {
+        extra = settings->camera.position.given  ? "camera-position"
+                : settings->camera.view_up.given ? "camera-view-up"
+                                                 : aim;
+        fixed = "views";
+    }
+    if (!extra) {
+        return check_scale_flags(settings, error);
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--%s: --%s already says where the camera looks from; leave one out", extra,
+                    fixed);
+}
+
+static burnish_status check_labels(const render_settings *settings, burnish_error *error) {
+    size_t views = settings->picture.views.count > 0 ? settings->picture.views.count : 1, texts = 1;
+    size_t cells = views * settings->shading.lobes.count;
+    for (const char *c = settings->picture.labels; c && *c; ++c) {
+        texts += *c == ',';
+    }
+    const size_t length = settings->picture.labels ? strlen(settings->picture.labels) : 0;
+    const size_t valid = length > 0 ? utf8_valid_length(settings->picture.labels, length) : 0;
+    if (valid < length) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--labels: byte %zu, 0x%02x, is not UTF-8; give the texts in UTF-8",
+                        valid + 1, (unsigned)(unsigned char)settings->picture.labels[valid]);
+    }
+    if (!settings->picture.labels || texts == cells) {
+        return BURNISH_STATUS_OK;
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--labels: %zu texts for %zu cells; give one text per cell, between "
+                    "commas",
+                    texts, cells);
+}
+
+/* A turntable takes the place of the picture. */
+static burnish_status check_turntable(render_settings *settings, burnish_error *error) {
+    const char *extra = settings->output.path               ? "output"
+                        : settings->output.planes.count > 0 ? "plane"
+                        : settings->picture.annotations     ? "annotate"
+                        : settings->output.reference        ? "reference"
+                        : settings->picture.views.count > 1 ? "views"
+                        : settings->shading.lobes.count > 1 ? "lobe"
+                                                            : NULL;
+    if (extra) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            settings->output.path
+                ? "--%s: --turntable already names a file; leave one out"
+                : "--%s: a turntable shows one view and one lobe and nothing besides; leave it out",
+            extra);
+    }
+    settings->output.path = settings->output.turntable;
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status render_check(render_settings *settings, burnish_error *error) {
+    const burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
+    return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
+}
+
+/* Rows are those of one picture that nothing is drawn over. */
+static burnish_status check_rows(const render_settings *settings, burnish_error *error) {
+    const char *extra = settings->output.turntable          ? "turntable"
+                        : settings->picture.annotations     ? "annotate"
+                        : settings->picture.views.count > 1 ? "views"
+                        : settings->shading.lobes.count > 1 ? "lobe"
+                                                            : NULL;
+    if (settings->picture.rows.first > settings->picture.size[1] - settings->picture.rows.count) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--rows: the picture has no row %d; its %d are counted from 0",
+                        settings->picture.rows.first + settings->picture.rows.count - 1,
+                        settings->picture.size[1]);
+    }
+    return extra ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: not with --rows, which are of one picture; leave one out", extra)
+                 : BURNISH_STATUS_OK;
+}
+
+/* Others draw frames of a turntable, or bands of a picture, of which nothing but its file is made:
+ * nobody holds all of it. */
+static burnish_status check_runners(const render_settings *settings, burnish_error *error) {
+    const char *flag = settings->job.runner ? "runner" : "runners";
+    const char *extra = settings->output.turntable          ? NULL
+                        : settings->picture.rows.count > 0  ? "rows"
+                        : settings->output.planes.count > 0 ? "plane"
+                        : settings->picture.annotations     ? "annotate"
+                        : settings->output.reference        ? "reference"
+                        : settings->picture.views.count > 1 ? "views"
+                        : settings->shading.lobes.count > 1 ? "lobe"
+                        : settings->output.json             ? "json"
+                        : settings->output.fail_on_blank    ? "fail-on-blank"
+                                                            : NULL;
+    if (settings->job.sandbox) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: others draw without --sandbox; leave one out", flag);
+    }
+    return extra ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: not of a picture that others draw parts of; leave it out", extra)
+                 : BURNISH_STATUS_OK;
+}
+
+int render_is_shared(const render_job_settings *job) {
+    return job->runner || job->runners > 0;
+}
+
+burnish_status render_finish(render_settings *settings, burnish_error *error) {
+    burnish_status status = render_check(settings, error);
+    if (status == BURNISH_STATUS_OK && render_is_shared(&settings->job)) {
+        status = check_runners(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->picture.rows.count > 0) {
+        status = check_rows(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_labels(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->output.turntable) {
+        status = check_turntable(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && !settings->output.path) {
+        status = derive_output(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_output(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK && render_is_shared(&settings->job) &&
+        !settings->output.turntable && settings->output.format != PICTURE_PNG) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--output: others draw parts of a PNG or of a --turntable; end the name "
+                          "in .png");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_check_useless(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_planes(settings, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_check_reference(settings, error);
+    }
+    return status == BURNISH_STATUS_OK ? check_report(settings, error) : status;
+}

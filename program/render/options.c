@@ -1,0 +1,124 @@
+#include "render/options.h"
+
+#include <string.h>
+
+#include "render/values.h"
+#include "sandbox/sandbox.h"
+
+burnish_load_options render_load_options(const render_input_settings *input, int threads) {
+    burnish_load_options options = cli_load_options(&input->load);
+    if (input->crease.given) {
+        options.crease_angle = input->crease.value;
+    }
+    options.threads = threads;
+    options.measure = input->clip.count > 0; /* whether it is a solid, to be filled */
+    return options;
+}
+
+burnish_status render_load(const render_input_settings *input, int threads, burnish_mesh **mesh,
+                           burnish_error *error) {
+    const burnish_load_options options = render_load_options(input, threads);
+    if (!input->load_mesh) {
+        return sandbox_load(input->name, &options, mesh, error);
+    }
+    const burnish_status status =
+        input->loads_foreign ? BURNISH_STATUS_OK : cli_refuse_foreign(input->load.format, error);
+    return status == BURNISH_STATUS_OK
+               ? input->load_mesh(input->user_data, input->name, &options, mesh, error)
+               : status;
+}
+
+/* One material as the flags want it. */
+static burnish_material adjusted_material(const render_shading_settings *shading,
+                                          burnish_material material) {
+    if (shading->color.given) {
+        for (int k = 0; k < 3; ++k) {
+            material.diffuse[k] = burnish_srgb_decode(shading->color.srgb[k]);
+            material.ambient[k] = material.diffuse[k];
+        }
+        material.has_diffuse = 1;
+    }
+    if (shading->material > 0) {
+        const render_preset *preset = &render_presets[shading->material - 1];
+        for (int k = 0; k < 3; ++k) {
+            float tint = 1 + preset->tint * (material.diffuse[k] - 1);
+            material.specular[k] = preset->specular * tint;
+            material.diffuse[k] *= preset->diffuse;
+            material.ambient[k] *= preset->diffuse;
+        }
+        material.exponent = preset->exponent;
+    }
+    if (shading->specular.given) {
+        for (int k = 0; k < 3; ++k) {
+            material.specular[k] = (float)shading->specular.value;
+        }
+    }
+    if (shading->exponent.given) {
+        material.exponent = (float)shading->exponent.value;
+    }
+    if (shading->opacity.given) {
+        material.transparency = 1 - (float)shading->opacity.value * (1 - material.transparency);
+    }
+    return material;
+}
+
+burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
+                                       burnish_error *error) {
+    const size_t count = burnish_mesh_material_count(mesh);
+    burnish_status status = burnish_look_set_materials((burnish_look)shading->look, mesh, error);
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        burnish_material material = adjusted_material(shading, *burnish_mesh_material(mesh, i));
+        status = burnish_mesh_set_material(mesh, i, &material, error);
+    }
+    return status;
+}
+
+burnish_render_options render_make_options(const render_settings *settings) {
+    const render_shading_settings *shading = &settings->shading;
+    const render_picture_settings *picture = &settings->picture;
+    burnish_render_options options = burnish_render_options_default();
+    burnish_render_options_set_look(&options, (burnish_look)shading->look, NULL);
+    options.width = picture->size[0];
+    options.height = picture->size[1];
+    options.first_row = picture->rows.first;
+    options.row_count = picture->rows.count;
+    options.samples = picture->samples;
+    options.max_overdraw = settings->job.max_overdraw.value;
+    options.threads = settings->job.threads;
+    options.kernels = burnish_kernels_for(settings->job.isa);
+    options.specular_model = (burnish_specular_model)shading->equation;
+    options.local_viewer = shading->viewer;
+    options.ignore_colors |= shading->color.given;
+    options.cull_back_faces = picture->cull_back_faces;
+    options.transparent = picture->background.transparent;
+    if (shading->ambient.given) {
+        memcpy(options.ambient_light, shading->ambient.linear, sizeof options.ambient_light);
+    }
+    if (shading->occlusion.given) {
+        options.occlusion = shading->occlusion.directions;
+    }
+    if (shading->edges.given) {
+        options.edges = shading->edges.kinds;
+    }
+    if (shading->wireframe) {
+        options.edges = (options.edges & BURNISH_EDGES_FEATURES) | BURNISH_EDGES_ALL;
+    }
+    if (shading->edge_width.given) {
+        options.edge_width = (float)shading->edge_width.value;
+    }
+    for (int k = 0; k < 3 && shading->edge_color.given; ++k) {
+        options.edge_color[k] = cli_color_code(shading->edge_color.srgb[k]);
+    }
+    options.ground = shading->ground;
+    options.shadow = shading->shadow;
+    if (shading->lights.given) {
+        memcpy(options.lights, shading->lights.items, sizeof options.lights);
+        options.light_count = shading->lights.count;
+    }
+    if (picture->background.given) {
+        for (int k = 0; k < 3; ++k) {
+            options.background[k] = cli_color_code(picture->background.srgb[k]);
+        }
+    }
+    return options;
+}

@@ -1,0 +1,19 @@
+/* Settings as options of the library. */
+#ifndef TOOL_RENDER_OPTIONS_H
+#define TOOL_RENDER_OPTIONS_H
+
+#include "render/settings.h"
+
+/* The options of loading, and a mesh loaded by them. */
+burnish_load_options render_load_options(const render_input_settings *input, int threads);
+burnish_status render_load(const render_input_settings *input, int threads, burnish_mesh **mesh,
+                           burnish_error *error);
+
+/* Changes every material as --color, --material, --specular, --exponent and --opacity say. */
+burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
+                                       burnish_error *error);
+
+/* The options of drawing, without camera and lobe, which each cell sets. */
+burnish_render_options render_make_options(const render_settings *settings);
+
+#endif

@@ -1,0 +1,28 @@
+/* What is drawn, and how it is read. */
+#ifndef TOOL_RENDER_SETTINGS_INPUT_H
+#define TOOL_RENDER_SETTINGS_INPUT_H
+
+#include "cli/input.h"
+
+typedef struct render_clip {
+    burnish_clip_plane items[BURNISH_CUTS_MAX];
+    int count;
+} render_clip;
+
+/* Loads a mesh that the caller has in memory. */
+typedef burnish_status render_load_mesh(void *user_data, const char *input,
+                                        const burnish_load_options *options, burnish_mesh **mesh,
+                                        burnish_error *error);
+
+typedef struct render_input_settings {
+    const char *name;
+    cli_input load;
+    cli_real crease;
+    render_clip clip;
+
+    render_load_mesh *load_mesh; /* NULL: sandbox_load */
+    void *user_data;             /* of load_mesh */
+    int loads_foreign;           /* 1: load_mesh reads the formats of importers */
+} render_input_settings;
+
+#endif

@@ -1,0 +1,27 @@
+/* How a run is carried out: inputs, processes, threads, limits and messages. */
+#ifndef TOOL_RENDER_SETTINGS_JOB_H
+#define TOOL_RENDER_SETTINGS_JOB_H
+
+#include "cli/values.h"
+
+struct render_result;
+
+typedef struct render_job_settings {
+    const char *files_from; /* NULL: inputs are operands alone */
+    int recursive;          /* 1: folders in folders */
+    int threads;            /* 0: all */
+    const char *isa_name;   /* as the flag says */
+    burnish_isa isa;
+    int runners; /* sockets from descriptor 3 on, to processes that draw frames or bands */
+    int runner;  /* 1: this is such a process */
+    int sandbox;
+    cli_real max_overdraw, max_seconds;
+    uint64_t max_memory; /* 0: no limit */
+    int timing, quiet;
+
+    /* Receives the result once the picture is drawn, before the file is in place; NULL: none. */
+    void (*on_result)(void *user_data, const struct render_result *result);
+    void *user_data;
+} render_job_settings;
+
+#endif

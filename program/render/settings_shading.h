@@ -1,0 +1,55 @@
+/* Materials, light and lines. */
+#ifndef TOOL_RENDER_SETTINGS_SHADING_H
+#define TOOL_RENDER_SETTINGS_SHADING_H
+
+#include "burnish/render.h"
+#include "cli/values.h"
+
+/* Longest list of --lobe and of --views. */
+#define RENDER_LIST_MAX 16
+
+typedef struct render_lobes {
+    burnish_lobe_spec items[RENDER_LIST_MAX];
+    size_t count;
+} render_lobes;
+
+typedef struct render_lights {
+    int given;   /* 1: these instead of the default rig */
+    int of_file; /* 1: the input's own too */
+    burnish_light items[BURNISH_LIGHT_MAX];
+    int count;
+} render_lights;
+
+typedef struct render_ambient {
+    int given;
+    float linear[3];
+} render_ambient;
+
+typedef struct render_occlusion {
+    int given;
+    int directions;
+} render_occlusion;
+
+typedef struct render_edges {
+    int given;
+    int kinds; /* a sum of BURNISH_EDGES_... */
+} render_edges;
+
+typedef struct render_shading_settings {
+    int look; /* burnish_look */
+    cli_color color;
+    int material; /* 1 + index into render_presets; 0: the input's own */
+    cli_real specular, exponent, opacity;
+    render_lobes lobes;
+    int equation, viewer;
+    render_lights lights;
+    render_ambient ambient;
+    render_occlusion occlusion;
+    int ground, shadow;
+    render_edges edges;
+    int wireframe;
+    cli_real edge_width;
+    cli_color edge_color;
+} render_shading_settings;
+
+#endif
