@@ -1,10 +1,9 @@
 /* Images in memory: making, copying, hashing. */
 #include <string.h>
-#define XXH_INLINE_ALL /* one function: no library to load for it */
-#include <xxhash.h>
 
 #include "core/memory.h"
 #include "image/pixels.h"
+#include "image/xxh64.h"
 
 static size_t image_size(const burnish_image *image) {
     return (size_t)image->width * (size_t)image->height * (size_t)image->channels;
@@ -90,35 +89,31 @@ void burnish_pixels_swap(const uint8_t *from, uint8_t *to, size_t count) {
 /* A row of BGRA in pieces of this many pixels, in RGBA's order. */
 enum { SWAPPED = 1024 };
 
-static void hash_swapped(XXH64_state_t *state, const uint8_t *row, size_t count) {
+static void hash_swapped(burnish_xxh64 *state, const uint8_t *row, size_t count) {
     uint8_t swapped[4 * SWAPPED];
     for (size_t i = 0; i < count; i += SWAPPED) {
         const size_t part = count - i < SWAPPED ? count - i : SWAPPED;
         burnish_pixels_swap(row + 4 * i, swapped, part);
-        XXH64_update(state, swapped, 4 * part);
+        burnish_xxh64_update(state, swapped, 4 * part);
     }
 }
 
 uint64_t burnish_pixels_hash(const burnish_pixels *pixels) {
+    burnish_xxh64 state = burnish_xxh64_begin();
     if (burnish_pixels_check(pixels, "hash", NULL) != BURNISH_STATUS_OK ||
         pixels->format > BURNISH_PIXELS_BGRA8) { /* 16 bits: their bytes differ with the machine */
-        return XXH64(NULL, 0, 0);
+        return burnish_xxh64_end(&state);
     }
     const size_t row = burnish_pixels_row(pixels);
-    if (pixels->stride == row && pixels->format != BURNISH_PIXELS_BGRA8) {
-        return XXH64(pixels->pixels, row * (size_t)pixels->height, 0);
-    }
-    XXH64_state_t state;
-    XXH64_reset(&state, 0);
     for (int y = 0; y < pixels->height; ++y) {
         const uint8_t *bytes = pixels->pixels + pixels->stride * (size_t)y;
         if (pixels->format == BURNISH_PIXELS_BGRA8) {
             hash_swapped(&state, bytes, (size_t)pixels->width);
         } else {
-            XXH64_update(&state, bytes, row);
+            burnish_xxh64_update(&state, bytes, row);
         }
     }
-    return XXH64_digest(&state);
+    return burnish_xxh64_end(&state);
 }
 
 uint64_t burnish_image_hash(const burnish_image *image) {

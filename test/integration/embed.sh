@@ -1,0 +1,54 @@
+#!/bin/sh
+# The library as a part of another project, without pkg-config and other libraries: docs/examples/picture.c draws the program's pixels.
+#   cmake  by add_subdirectory()
+#   cc     by one command with the files of src/sources.txt
+# Usage: embed.sh cmake|cc BURNISH CC SOURCE_DIR SCRATCH
+set -eu
+burnish=$(realpath "$2")
+cc=$3
+source=$4
+rm -rf "$5"
+mkdir -p "$5"
+cd "$5"
+cat >triangle.stl <<'END'
+solid triangle
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 2 0 0
+vertex 0 1 1
+endloop
+endfacet
+endsolid triangle
+END
+case $1 in
+cmake)
+    cat >CMakeLists.txt <<'END'
+cmake_minimum_required(VERSION 3.16)
+project(user C)
+add_subdirectory(${SOURCE} burnish)
+add_executable(picture ${SOURCE}/docs/examples/picture.c)
+target_link_libraries(picture PRIVATE burnish::burnish)
+END
+    cmake -S . -B build -G Ninja -DSOURCE="$source" -DCMAKE_C_COMPILER="$cc" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=-O1 -DBURNISH_WIDE_VECTORS=OFF \
+        -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON >log
+    cmake --build build >>log || { tail -n 20 log; exit 1; }
+    mv build/picture picture
+    ;;
+cc)
+    (cd "$source/src" && find . -name '*.c' ! -name '*_isal.c' ! -name '*_zlib.c') | sed 's|^\./|src/|' | LC_ALL=C sort >sources.txt
+    diff "$source/src/sources.txt" sources.txt || { echo "embed: src/sources.txt is not the list of files; copy $PWD/sources.txt"; exit 1; }
+    # shellcheck disable=SC2046
+    (cd "$source" && "$cc" -std=c17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -D_GNU_SOURCE -I include -I src $(cat src/sources.txt) \
+        docs/examples/picture.c -o "$OLDPWD/picture" -pthread -lm)
+    ;;
+esac
+if readelf -d picture | grep 'NEEDED' | grep -vE 'lib(c|m|pthread)\.so|ld-linux'; then
+    echo "embed: the program needs other libraries"
+    exit 1
+fi
+for input in triangle.stl :teapot "$source/test/data/cube.obj" "$source/test/data/colors.ply"; do
+    ./picture "$input" own.png
+    "$burnish" render "$input" -o program.png
+    "$burnish" compare own.png program.png >compared || { echo "embed: another picture of $input"; cat compared; exit 1; }
+done
