@@ -224,8 +224,8 @@ def run_commands(waiting, places):
 # ---- Flags, make targets, CMake options, identifiers ----
 
 def check_names():
-    make = "\n".join(FILES["Makefile"])
-    targets = set(re.findall(r"^([a-z][a-z0-9-]*):", make, re.M))
+    make = "\n".join(FILES["Makefile"] + FILES["scripts/job"])
+    targets = set(" ".join(re.findall(r"^([a-z][a-z0-9 -]*)(?::|\) ##)", make, re.M)).split())
     code = "\n".join("\n".join(lines) for path, lines in FILES.items() if path not in PAGES and path != LIST)
     identifiers = set(re.findall(r"\bburnish_\w+|BURNISH_[A-Z0-9_]+", code))
     flags = set().union(*FLAGS.values(), {"--version"})
