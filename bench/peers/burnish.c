@@ -50,8 +50,8 @@ static int open_renderer(void **state, const burnish_peers_job *job, int threads
     made->libm = burnish_peers_libm_batch(made->best);
     made->libm_works = -1;
     snprintf(note, BURNISH_PEERS_NOTE, "burnish, %s kernels, %d thread%s, %zu triangles",
-             burnish_isa_name(burnish_kernels_isa(made->best)), threads, threads == 1 ? "" : "s",
-             burnish_mesh_get_view(job->scene)->triangle_count);
+             burnish_isa_name(burnish_kernels_get_isa(made->best)), threads,
+             threads == 1 ? "" : "s", burnish_mesh_get_view(job->scene)->triangle_count);
     *state = made;
     return 1;
 }

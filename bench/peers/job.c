@@ -105,7 +105,7 @@ static void make_lights(burnish_peers_job *job, burnish_scene_lights lights) {
 /* Ambient, specular and exponent of all materials are the same, the diffuse colour where there is
  * one only; others keep their own. */
 static burnish_status make_materials(burnish_peers_job *job, burnish_error *error) {
-    const size_t count = burnish_mesh_material_count(job->scene);
+    const size_t count = burnish_mesh_get_material_count(job->scene);
     burnish_status status = BURNISH_STATUS_OK;
     burnish_lobe lobe;
     job->ambient = 0.05f;
@@ -115,7 +115,7 @@ static burnish_status make_materials(burnish_peers_job *job, burnish_error *erro
     burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, job->exponent);
     job->zeta = (float)lobe.zeta;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        burnish_material material = *burnish_mesh_material(job->scene, i);
+        burnish_material material = *burnish_mesh_get_material(job->scene, i);
         for (int k = 0; k < 3; ++k) {
             material.ambient[k] = job->ambient;
             material.diffuse[k] = count == 1 ? job->diffuse : material.diffuse[k];

@@ -174,11 +174,12 @@ static int is_colored(const burnish_peers_job *job) {
 }
 
 static int is_textured(const burnish_peers_job *job) {
-    return burnish_mesh_texture_count(job->scene) > 0;
+    return burnish_mesh_get_texture_count(job->scene) > 0;
 }
 
 static int is_grey(const burnish_peers_job *job) {
-    return !is_colored(job) && !is_textured(job) && burnish_mesh_material_count(job->scene) == 1;
+    return !is_colored(job) && !is_textured(job) &&
+           burnish_mesh_get_material_count(job->scene) == 1;
 }
 
 /* Fragment parts come after the common head. */
@@ -348,7 +349,7 @@ static int send_attribute(GLuint attribute, const float *vectors, size_t count,
  * top, as burnish has them. */
 static int send_texture(const burnish_peers_job *job, const unsigned *remap) {
     const burnish_mesh_view *mesh = burnish_mesh_get_view(job->scene);
-    const burnish_texture *texture = burnish_mesh_texture(job->scene, 0);
+    const burnish_texture *texture = burnish_mesh_get_texture(job->scene, 0);
     float *coordinates = calloc(mesh->vertex_count, 3 * sizeof *coordinates);
     GLuint name;
     for (size_t i = 0; coordinates && i < mesh->vertex_count; ++i) {
@@ -400,7 +401,7 @@ static int make_mesh(gl_renderer *gl, int order, const uint32_t *indices, const 
 static int sort_by_material(gl_renderer *gl, uint32_t *indices) {
     const burnish_mesh_view *mesh = burnish_mesh_get_view(gl->job->scene);
     const uint16_t *numbers = mesh->triangle_materials;
-    gl->material_count = burnish_mesh_material_count(gl->job->scene);
+    gl->material_count = burnish_mesh_get_material_count(gl->job->scene);
     gl->ends = calloc(gl->material_count + 1, sizeof *gl->ends);
     if (!gl->ends) {
         return 0;
@@ -456,7 +457,7 @@ static void draw_materials(const gl_renderer *gl) {
     const int grey = is_grey(gl->job);
     for (size_t m = 0; m < gl->material_count; ++m) {
         const size_t first = m ? gl->ends[m - 1] : 0;
-        const float *diffuse = burnish_mesh_material(gl->job->scene, m)->diffuse;
+        const float *diffuse = burnish_mesh_get_material(gl->job->scene, m)->diffuse;
         if (grey) {
             glUniform1f(0, diffuse[0]);
         } else {

@@ -80,7 +80,7 @@ static int get_buffer(PyObject *object, Py_buffer *view, int flags) {
 static PyObject *png(PyObject *object, PyObject *unused) {
     (void)unused;
     const image_object *self = (image_object *)object;
-    const burnish_pixels pixels = burnish_image_pixels(&self->image);
+    const burnish_pixels pixels = burnish_image_get_pixels(&self->image);
     burnish_error error = {0};
     uint8_t *bytes = NULL;
     size_t size = 0;

@@ -109,5 +109,5 @@ double open_number(const session *s, int which) {
 /* Endings of format number `index`, "" for none; NULL past the last. */
 const char *format_endings(int index) {
     const burnish_format_info *info = burnish_format_get_info((burnish_format)index);
-    return info ? info->endings : NULL;
+    return info ? info->extensions : NULL;
 }

@@ -20,7 +20,7 @@ int main(void) {
         fprintf(stderr, "%s\n", error.text);
         return 1;
     }
-    fprintf(stderr, "kernels: %s\n", burnish_isa_name(burnish_kernels_isa(kernels)));
+    fprintf(stderr, "kernels: %s\n", burnish_isa_name(burnish_kernels_get_isa(kernels)));
     printf("P6\n%d %d\n255\n", SIZE, SIZE);
     for (int row = 0; row < SIZE; ++row) {
         static float x[SIZE], y[SIZE], z[SIZE];

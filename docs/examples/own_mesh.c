@@ -51,7 +51,7 @@ static burnish_status load_obj(burnish_mesh **mesh, burnish_error *error) {
     static const char obj[] = "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
     static char mtl[] = "newmtl red\nKd 1 0 0\n";
     burnish_load_options options = burnish_load_options_default();
-    options.companions = (burnish_file_loader){load_from_program, NULL, mtl};
+    options.referenced_files = (burnish_file_loader){load_from_program, NULL, mtl};
     return burnish_mesh_load_memory(obj, sizeof obj - 1, "red.obj", &options, mesh, error);
 }
 
@@ -66,8 +66,9 @@ int main(void) {
     }
     printf("square: %zu vertices, %zu triangles\n", burnish_mesh_get_view(square)->vertex_count,
            burnish_mesh_get_view(square)->triangle_count);
-    printf("red.obj: diffuse %g, %zu warnings\n", (double)burnish_mesh_material(red, 0)->diffuse[0],
-           burnish_mesh_warning_count(red));
+    printf("red.obj: diffuse %g, %zu warnings\n",
+           (double)burnish_mesh_get_material(red, 0)->diffuse[0],
+           burnish_mesh_get_warning_count(red));
     burnish_mesh_destroy(square);
     burnish_mesh_destroy(red);
     return 0;

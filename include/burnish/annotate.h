@@ -1,7 +1,7 @@
 /* burnish/annotate.h: lines and numbers around a drawn mesh: dimensions, scale bar, axes, bounding
  * box, ground grid.
  *
- *     burnish_annotations annotations = burnish_annotations_default();
+ *     burnish_annotate_options annotations = burnish_annotate_options_default();
  *     annotations.kinds = BURNISH_ANNOTATION_DIMENSIONS | BURNISH_ANNOTATION_AXES;
  *     burnish_annotate_inset(mesh, &annotations, &framing, width, height, framing.inset, &error);
  *     burnish_camera_frame(mesh, &framing, &camera, &error);
@@ -28,8 +28,9 @@
 extern "C" {
 #endif
 
-/* What can be drawn; kinds are sums of these. */
-typedef enum burnish_annotation {
+/* What can be drawn. */
+typedef uint32_t burnish_annotation_flags; /* a sum of: */
+enum {
     BURNISH_ANNOTATION_AXES = 1,       /* the directions of X, Y and Z, in a corner */
     BURNISH_ANNOTATION_BOX = 2,        /* edges of the bounding box, dashed behind the object */
     BURNISH_ANNOTATION_DIMENSIONS = 4, /* lengths of the bounding box, outside the object */
@@ -37,23 +38,23 @@ typedef enum burnish_annotation {
                                           perspective, which has no scale */
     BURNISH_ANNOTATION_GRID = 16, /* on the ground: lines 1, 2 or 5 times a power of 10 apart */
     BURNISH_ANNOTATION_ALL = 31
-} burnish_annotation;
+};
 
-/* What to draw, and in front of what. Start from burnish_annotations_default(). */
-typedef struct burnish_annotations {
-    uint32_t cookie;                /* set by burnish_annotations_default() */
+/* What to draw, and in front of what. Start from burnish_annotate_options_default(). */
+typedef struct burnish_annotate_options {
+    uint32_t cookie;                /* set by burnish_annotate_options_default() */
     const burnish_context *context; /* NULL: the default */
-    unsigned kinds;                 /* sum of burnish_annotation */
-    double up[3];                   /* the ground's normal, of any length; the nearest axis counts;
+    burnish_annotation_flags kinds;
+    double up[3];          /* the ground's normal, of any length; the nearest axis counts;
                                        all 0: the mesh's */
-    double text_height;             /* of a capital letter, in pixels, [5, 256]; 0: a 44th of the
+    double text_height;    /* of a capital letter, in pixels, [5, 256]; 0: a 44th of the
                                        smaller side, at least 9 */
-    uint8_t background[3];          /* sRGB: lines and letters stand out from it */
-    int transparent;                /* 1: what is behind is not known: dark ink with a pale rim */
-} burnish_annotations;
+    uint8_t background[3]; /* sRGB: lines and letters stand out from it */
+    int transparent;       /* 1: what is behind is not known: dark ink with a pale rim */
+} burnish_annotate_options;
 
 /* No kinds, white background. */
-BURNISH_API burnish_annotations burnish_annotations_default(void);
+BURNISH_API burnish_annotate_options burnish_annotate_options_default(void);
 
 /* Draws them over a picture of the mesh. No label overlaps another, or the bounding box on the
  * screen, which holds the object. What finds no room is left out.
@@ -65,7 +66,7 @@ BURNISH_API burnish_annotations burnish_annotations_default(void);
  *   left_out  receives how many labels found no room; may be NULL
  * Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_annotate(const burnish_mesh *mesh,
-                                            const burnish_annotations *annotations,
+                                            const burnish_annotate_options *annotations,
                                             const burnish_camera *camera,
                                             const burnish_pixels *pixels, const float *depth,
                                             size_t stride, size_t *left_out, burnish_error *error);
@@ -73,7 +74,7 @@ BURNISH_API burnish_status burnish_annotate(const burnish_mesh *mesh,
 /* The same lines and labels in a drawing, after what it has: a path per width, colour and label.
  * Errors: as burnish_annotate; after MEMORY the drawing can only be destroyed. */
 BURNISH_API burnish_status burnish_annotate_drawing(const burnish_mesh *mesh,
-                                                    const burnish_annotations *annotations,
+                                                    const burnish_annotate_options *annotations,
                                                     const burnish_camera *camera,
                                                     burnish_drawing *drawing, const float *depth,
                                                     size_t stride, size_t *left_out,
@@ -85,7 +86,7 @@ BURNISH_API burnish_status burnish_annotate_drawing(const burnish_mesh *mesh,
  *   inset          receives left, right, bottom, top as burnish_framing has them
  * Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_annotate_inset(const burnish_mesh *mesh,
-                                                  const burnish_annotations *annotations,
+                                                  const burnish_annotate_options *annotations,
                                                   const burnish_framing *framing, int width,
                                                   int height, double inset[4],
                                                   burnish_error *error);

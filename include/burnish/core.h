@@ -170,6 +170,9 @@ typedef enum burnish_isa {
         BURNISH_ISA_COUNT
 } burnish_isa;
 
+/* A set of instruction sets: the sum of 1 << burnish_isa. */
+typedef uint32_t burnish_isa_flags;
+
 /* The environment variable that burnish_isa_choose reads. */
 #define BURNISH_ISA_VARIABLE "BURNISH_ISA"
 
@@ -179,14 +182,13 @@ BURNISH_API const char *burnish_isa_name(burnish_isa isa);
 /* Floats in a vector of that instruction set, 0 for a value outside the list. */
 BURNISH_API int burnish_isa_lanes(burnish_isa isa);
 
-/* The instruction sets that this build has and this processor runs, as a mask of bits
- * 1 << burnish_isa. SCALAR is always there. On x86 one counts only where the operating system saves
+/* The instruction sets that this build has and this processor runs. SCALAR is always one of them. On x86 one counts only where the operating system saves
  * its registers (CPUID together with XCR0). Asks the processor each time, which takes microseconds
  * under a hypervisor: keep the answer. */
-BURNISH_API uint32_t burnish_isa_available(void);
+BURNISH_API burnish_isa_flags burnish_isa_available(void);
 
-/* The fastest instruction set of a mask; SCALAR for an empty one. Depends on nothing else. */
-BURNISH_API burnish_isa burnish_isa_best(uint32_t mask);
+/* The fastest of a set of instruction sets; SCALAR for an empty one. Depends on nothing else. */
+BURNISH_API burnish_isa burnish_isa_best(burnish_isa_flags available);
 
 /* Chooses an instruction set by name.
  *   name  its word; NULL or "auto": what the environment variable BURNISH_ISA names, and where
@@ -216,43 +218,44 @@ BURNISH_API burnish_status burnish_file_write(const char *path, const void *byte
                                               burnish_error *error);
 
 /* Called when all bytes of an output are written, before a regular file takes its name.
- *   context  as passed to burnish_file_write_then
+ *   user_data  as passed to burnish_file_write_checked
  * Returns OK, or an error that gives the output up. */
-typedef burnish_status burnish_file_ready(void *context, burnish_error *error);
+typedef burnish_status burnish_file_check(void *user_data, burnish_error *error);
 
 /* burnish_file_write with a last step that can still fail, such as a report: where it does, no file
  * appears and an existing one is as it was. (What is written directly is written by then.)
- *   ready    not NULL
- *   context  handed to ready
- * Errors: as burnish_file_write, and those of ready. */
-BURNISH_API burnish_status burnish_file_write_then(const char *path, const void *bytes, size_t size,
-                                                   burnish_file_ready *ready, void *context,
-                                                   burnish_error *error);
+ *   check    not NULL
+ *   user_data  handed to check
+ * Errors: as burnish_file_write, and those of check. */
+BURNISH_API burnish_status burnish_file_write_checked(const char *path, const void *bytes,
+                                                      size_t size, burnish_file_check *check,
+                                                      void *user_data, burnish_error *error);
 
 /* Fills buffer with the next bytes of an output.
- *   context  as passed to burnish_file_write_stream
+ *   user_data  as passed to burnish_file_write_stream
  *   buffer   size bytes to fill
  * Returns how many were filled: at most size; 0 ends the output. */
-typedef size_t burnish_file_source(void *context, char *buffer, size_t size);
+typedef size_t burnish_file_source(void *user_data, char *buffer, size_t size);
 
 /* The same for an output that is made while it is written, with no more memory than one buffer.
  *   path     the file; "-" is standard output
  *   source   called until it returns 0; not NULL
- *   context  handed to source
+ *   user_data  handed to source
  *   error    receives the one line of an error; may be NULL
  * Errors: as burnish_file_write. */
 BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
-                                                     void *context, burnish_error *error);
+                                                     void *user_data, burnish_error *error);
 
-/* The same with a last step, as burnish_file_write_then has one. A source that can't go on returns
- * 0 and leaves its error to ready, and no file appears.
- *   context  handed to source and to ready
- *   ready    NULL: none
- * Errors: as burnish_file_write, and those of ready. */
-BURNISH_API burnish_status burnish_file_write_stream_then(const char *path,
-                                                          burnish_file_source *source,
-                                                          void *context, burnish_file_ready *ready,
-                                                          burnish_error *error);
+/* The same with a last step, as burnish_file_write_checked has one. A source that can't go on returns
+ * 0 and leaves its error to check, and no file appears.
+ *   user_data  handed to source and to check
+ *   check    NULL: none
+ * Errors: as burnish_file_write, and those of check. */
+BURNISH_API burnish_status burnish_file_write_stream_checked(const char *path,
+                                                             burnish_file_source *source,
+                                                             void *user_data,
+                                                             burnish_file_check *check,
+                                                             burnish_error *error);
 
 /* Removes the temporaries of calls that are writing at this moment. For a handler of signals that
  * ends the process: async-signal-safe, and those calls fail if they go on. */

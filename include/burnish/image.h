@@ -73,7 +73,7 @@ typedef struct burnish_pixels {
 } burnish_pixels;
 
 /* The view of an image. It lasts as long as the image's pixels. */
-BURNISH_API burnish_pixels burnish_image_pixels(const burnish_image *image);
+BURNISH_API burnish_pixels burnish_image_get_pixels(const burnish_image *image);
 
 /* XXH64 (seed 0) of the pixel bytes in the order RGB or RGBA, without what lies between rows: what
  * `xxhsum -H64` prints for them as a raw file. The same picture has the same hash in RGBA8 and
@@ -84,11 +84,11 @@ BURNISH_API uint64_t burnish_image_hash(const burnish_image *image);
 
 /* How a PNG is made. Start from burnish_png_options_default(). */
 typedef struct burnish_png_options {
-    uint32_t cookie;          /* set by burnish_png_options_default() */
-    burnish_context *context; /* NULL: the default */
-    int threads;              /* at most so many, [0, 1024]; 0: one per processor */
-    double dots_per_inch;     /* [1, 1e6], in the chunk pHYs, rounded to dots per metre; 0: none */
-    int is_data; /* 1: the values are no colours: no chunk sRGB; no 16-bit PNG has it */
+    uint32_t cookie;                /* set by burnish_png_options_default() */
+    const burnish_context *context; /* NULL: the default */
+    int threads;                    /* at most so many, [0, 1024]; 0: one per processor */
+    double dots_per_inch; /* [1, 1e6], in the chunk pHYs, rounded to dots per metre; 0: none */
+    int is_data;          /* 1: the values are no colours: no chunk sRGB; no 16-bit PNG has it */
 } burnish_png_options;
 BURNISH_API burnish_png_options burnish_png_options_default(void);
 
@@ -151,7 +151,8 @@ BURNISH_API void burnish_png_stream_destroy(burnish_png_stream *stream);
 
 /* ---- Comparing ---- */
 
-/* What takes longer than looking at every pixel once; a sum of these. */
+/* What takes longer than looking at every pixel once. */
+typedef uint32_t burnish_metric_flags; /* a sum of: */
 enum {
     BURNISH_METRIC_SSIM = 1,
     BURNISH_METRIC_FLIP = 2,
@@ -160,14 +161,14 @@ enum {
 
 /* How two pictures are compared. Start from burnish_compare_options_default(). */
 typedef struct burnish_compare_options {
-    uint32_t cookie;          /* set by burnish_compare_options_default() */
-    burnish_context *context; /* NULL: the default */
-    int threads;              /* at most so many, [0, 1024]; 0: one per processor. No digit depends
+    uint32_t cookie;                /* set by burnish_compare_options_default() */
+    const burnish_context *context; /* NULL: the default */
+    int threads; /* at most so many, [0, 1024]; 0: one per processor. No digit depends
                                  on it. */
-    int metrics;              /* BURNISH_METRIC_*; the others' results are NaN */
-    int tolerance;            /* 8-bit codes, [0, 255]: a pixel differs where a channel differs by
+    burnish_metric_flags metrics; /* the others' results are NaN */
+    int tolerance;              /* 8-bit codes, [0, 255]: a pixel differs where a channel differs by
                                  more */
-    uint8_t background[3];    /* sRGB, under transparent pixels */
+    uint8_t background[3];      /* sRGB, under transparent pixels */
     const uint8_t *coverage[2]; /* of each picture, for its silhouette: width * height bytes, how
                                    much of a pixel the object covers, 0 to 255. NULL: its alpha; of
                                    a picture without alpha, what differs by more than 4 codes from
@@ -234,7 +235,8 @@ typedef enum burnish_outline_verb {
 } burnish_outline_verb;
 
 /* Takes a step: x, y of each point in 1/256 pixels, y upward. */
-typedef void burnish_take_outline(void *context, burnish_outline_verb verb, const int32_t *points);
+typedef void burnish_outline_sink(void *user_data, burnish_outline_verb verb,
+                                  const int32_t *points);
 
 /* Who sets text that burnish's stroke font has no letters for. Outlines are filled with exact area
  * coverage in integers, so that only the font decides what comes out.
@@ -242,11 +244,11 @@ typedef void burnish_take_outline(void *context, burnish_outline_verb verb, cons
  *              NULL, and returns the advance in 1/256 pixels
  *     text     length bytes
  *     height   of a capital letter, in pixels
- *     context  of take
+ *     take_data  user_data of take
  *   user_data  of set_line */
 typedef struct burnish_font {
     int32_t (*set_line)(void *user_data, const char *text, size_t length, int height,
-                        burnish_take_outline *take, void *context);
+                        burnish_outline_sink *take, void *take_data);
     void *user_data;
 } burnish_font;
 
@@ -312,9 +314,11 @@ BURNISH_API burnish_status burnish_drawing_sheet(const burnish_sheet_cell *cells
  *                  drawing's context
  *   size           receives its bytes, without that 0
  * Errors: ARGUMENT, MEMORY; *text is then NULL. */
-BURNISH_API burnish_status burnish_drawing_svg(const burnish_drawing *drawing, const char *title,
-                                               const uint8_t background[3], double dots_per_inch,
-                                               char **text, size_t *size, burnish_error *error);
+BURNISH_API burnish_status burnish_drawing_encode_svg(const burnish_drawing *drawing,
+                                                      const char *title,
+                                                      const uint8_t background[3],
+                                                      double dots_per_inch, char **text,
+                                                      size_t *size, burnish_error *error);
 
 /* NULL is allowed. */
 BURNISH_API void burnish_drawing_destroy(burnish_drawing *drawing);

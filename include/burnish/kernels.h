@@ -50,7 +50,7 @@ BURNISH_API const burnish_kernels *burnish_kernels_best(void);
 BURNISH_API const burnish_kernels *burnish_kernels_for(burnish_isa isa);
 
 /* The instruction set of these kernels. */
-BURNISH_API burnish_isa burnish_kernels_isa(const burnish_kernels *kernels);
+BURNISH_API burnish_isa burnish_kernels_get_isa(const burnish_kernels *kernels);
 
 /* ---- Lobes ---- */
 

@@ -39,7 +39,7 @@ extern "C" {
 
 /* ---- Formats ---- */
 
-/* The formats of files, X(name, word, endings, x, y, z of the up axis): the one list
+/* The formats of files, X(name, word, extensions, x, y, z of the up axis): the one list
  * of them; burnish_format_info says what the columns are. */
 #define BURNISH_FORMAT_LIST(X)                                                                     \
     X(GLTF, gltf, ".gltf .glb", 0, 1, 0)                                                           \
@@ -55,7 +55,7 @@ typedef enum burnish_format {
     BURNISH_FORMAT_AUTO,    /* in load options: told by the name's ending and the first bytes */
     BURNISH_FORMAT_BUILTIN, /* a built-in object */
     BURNISH_FORMAT_ARRAYS,  /* the caller's arrays */
-#define BURNISH_FORMAT_ENUM(name, word, endings, x, y, z) BURNISH_FORMAT_##name,
+#define BURNISH_FORMAT_ENUM(name, word, extensions, x, y, z) BURNISH_FORMAT_##name,
     BURNISH_FORMAT_LIST(BURNISH_FORMAT_ENUM)
 #undef BURNISH_FORMAT_ENUM
         BURNISH_FORMAT_COUNT
@@ -63,10 +63,11 @@ typedef enum burnish_format {
 
 /* What is known of a format. */
 typedef struct burnish_format_info {
-    const char *name;    /* "stl": one word for flags and reports */
-    const char *endings; /* of file names, lower case, separated by blanks: ".stl"; "" for none */
-    float up_axis[3];    /* unit vector: the direction in which its objects stand */
-    int is_file;         /* 1: bytes can be in it, and load options may name it */
+    const char *name; /* "stl": one word for flags and reports */
+    const char
+        *extensions;  /* of file names, lower case, separated by blanks: ".stl"; "" for none */
+    float up_axis[3]; /* unit vector: the direction in which its objects stand */
+    int is_file;      /* 1: bytes can be in it, and load options may name it */
 } burnish_format_info;
 
 /* The formats of the library that is linked: those below the count. */
@@ -144,7 +145,7 @@ typedef struct burnish_load_options {
                              of another mesh puts both into one space. NULL: 0, 0, 0, but near the
                              middle where that is over 32 times as far away as the mesh is large,
                              and the file's coordinates are more than floats */
-    int no_companions; /* 1: files that the input names are not read, and there is no word of it */
+    int ignore_referenced_files; /* 1: files that the input names are not read, and there is no word of it */
     int strict; /* 1: what would be a warning is an error, FORMAT; 0: what is wrong and does no harm
                    is passed over or mended */
     int threads; /* [0, 1024]: at most so many; 0: one per processor. The mesh does not depend on
@@ -153,15 +154,16 @@ typedef struct burnish_load_options {
                               file that has one; BURNISH_AT_REST: as it stands in the file */
     const char *animation; /* its name, or its number from 0; NULL: the first. Without a time, that
                               of its start */
-    uint64_t max_input_bytes;       /* a larger file is refused with LIMIT */
-    uint64_t max_triangles;         /* more are refused with LIMIT. BURNISH_TRIANGLES_MAX, which is
+    uint64_t max_input_bytes;    /* a larger file is refused with LIMIT */
+    uint64_t max_triangles;      /* more are refused with LIMIT. BURNISH_TRIANGLES_MAX, which is
                                        the largest: as many as vertices and triangles together are 5
                                        for each byte of the input and its companions */
-    uint64_t max_texture_pixels;    /* of all textures together: those beyond are left out, with a
+    uint64_t max_texture_pixels; /* of all textures together: those beyond are left out, with a
                                        warning; BURNISH_TEXTURE_PIXELS_AUTO: 32 for each byte of the
                                        input and its companions, at most 2^28. An input of less than
                                        1 MiB counts as 1 MiB in both */
-    burnish_file_loader companions; /* files that the input names; load NULL: those of the input's
+    burnish_file_loader
+        referenced_files;           /* files that the input names; load NULL: those of the input's
                                        folder, none for standard input and memory */
     burnish_stream_decoder decoder; /* decode NULL: files that need it are refused, FORMAT */
 } burnish_load_options;
@@ -180,7 +182,7 @@ BURNISH_API burnish_status burnish_mesh_load(const char *path, const burnish_loa
                                              burnish_mesh **mesh, burnish_error *error);
 
 /* The same from an open file or pipe, from where it stands to its end: where a process may open no
- * file. Other files that the input names come from options->companions alone.
+ * file. Other files that the input names come from options->referenced_files alone.
  *   descriptor  of POSIX; stays open
  *   name        stands in messages and tells the format by its ending; NULL: "input" */
 BURNISH_API burnish_status burnish_mesh_load_descriptor(int descriptor, const char *name,
@@ -363,23 +365,24 @@ BURNISH_API const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh 
 
 /* Lines about what was passed over (a missing material library, triangles without area ...). The
  * context's log was told each of them. */
-BURNISH_API size_t burnish_mesh_warning_count(const burnish_mesh *mesh);
-BURNISH_API const char *burnish_mesh_warning(const burnish_mesh *mesh, size_t index);
+BURNISH_API size_t burnish_mesh_get_warning_count(const burnish_mesh *mesh);
+BURNISH_API const char *burnish_mesh_get_warning(const burnish_mesh *mesh, size_t index);
 
 /* At least one material exists. An index out of range gives NULL, or ARGUMENT.
  * burnish_mesh_set_material changes the mesh: no other thread may draw, read or change it
  * meanwhile. A renderer that drew the mesh before then draws it with the new material, as a new one
  * would. Errors: ARGUMENT, also for a texture on a mesh without texture coordinates, and for a
  * normal texture on one without tangents; the material is then as it was. */
-BURNISH_API size_t burnish_mesh_material_count(const burnish_mesh *mesh);
-BURNISH_API const burnish_material *burnish_mesh_material(const burnish_mesh *mesh, size_t index);
+BURNISH_API size_t burnish_mesh_get_material_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_material *burnish_mesh_get_material(const burnish_mesh *mesh,
+                                                              size_t index);
 BURNISH_API burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t index,
                                                      const burnish_material *material,
                                                      burnish_error *error);
 
 /* The textures that materials may use. An index out of range gives NULL. */
-BURNISH_API size_t burnish_mesh_texture_count(const burnish_mesh *mesh);
-BURNISH_API const burnish_texture *burnish_mesh_texture(const burnish_mesh *mesh, size_t index);
+BURNISH_API size_t burnish_mesh_get_texture_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t index);
 
 /* ---- Cuts ---- */
 
@@ -421,8 +424,9 @@ typedef struct burnish_named_camera {
 } burnish_named_camera;
 
 /* The cameras of the file, in its order. An index out of range gives NULL. */
-BURNISH_API size_t burnish_mesh_camera_count(const burnish_mesh *mesh);
-BURNISH_API const burnish_named_camera *burnish_mesh_camera(const burnish_mesh *mesh, size_t index);
+BURNISH_API size_t burnish_mesh_get_camera_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_named_camera *burnish_mesh_get_camera(const burnish_mesh *mesh,
+                                                                size_t index);
 
 /* A light that the file has, in coordinates of the mesh, where its nodes put it. As point lights do
  * not fall off here, a file's light of physical units counts with what arrives at the middle of the
@@ -436,8 +440,9 @@ typedef struct burnish_file_light {
 
 /* The lights of the file, the first BURNISH_LIGHT_MAX in its order.
  * An index out of range gives NULL. */
-BURNISH_API size_t burnish_mesh_light_count(const burnish_mesh *mesh);
-BURNISH_API const burnish_file_light *burnish_mesh_light(const burnish_mesh *mesh, size_t index);
+BURNISH_API size_t burnish_mesh_get_light_count(const burnish_mesh *mesh);
+BURNISH_API const burnish_file_light *burnish_mesh_get_light(const burnish_mesh *mesh,
+                                                             size_t index);
 
 /* How burnish_camera_frame chooses a view. Start from burnish_framing_default(). */
 typedef struct burnish_framing {

@@ -68,6 +68,7 @@ typedef enum burnish_counts {
  * counted in the report. */
 #define BURNISH_TRANSPARENT_LAYERS_MAX 256
 /* Edges that are drawn as lines, hidden ones removed. */
+typedef uint32_t burnish_edge_flags; /* a sum of: */
 enum {
     BURNISH_EDGES_SILHOUETTES = 1, /* where the surface turns away, and what is behind it is
                                       further away */
@@ -117,15 +118,15 @@ typedef struct burnish_render_options {
     int shadow; /* 1: the object casts the first light's shadow on itself and the ground; that light
                    must be directional */
     burnish_light lights[BURNISH_LIGHT_MAX];
-    int light_count;       /* [0, BURNISH_LIGHT_MAX] */
-    int edges;             /* a sum of BURNISH_EDGES_...; 0: none */
-    float edge_width;      /* pixels, (0, BURNISH_EDGE_WIDTH_MAX], of outlines: where there is a
+    int light_count;          /* [0, BURNISH_LIGHT_MAX] */
+    burnish_edge_flags edges; /* 0: none */
+    float edge_width;         /* pixels, (0, BURNISH_EDGE_WIDTH_MAX], of outlines: where there is a
                               step in depth. Other lines have 3/5 of it */
-    uint8_t edge_color[3]; /* sRGB */
-    float edge_opacity;    /* [0, 1] */
-    uint8_t background[3]; /* sRGB */
-    int transparent;       /* 1: the image has alpha and no background */
-    int ignore_colors;     /* 1: the mesh's vertex colours are not used */
+    uint8_t edge_color[3];    /* sRGB */
+    float edge_opacity;       /* [0, 1] */
+    uint8_t background[3];    /* sRGB */
+    int transparent;          /* 1: the image has alpha and no background */
+    int ignore_colors;        /* 1: the mesh's vertex colours are not used */
     int cull_back_faces; /* 1: triangles seen from their back are not drawn: a closed surface looks
                             the same and takes less time; otherwise both sides are lit */
     double max_overdraw; /* [1, infinity]: how often large triangles may cover the picture (one of

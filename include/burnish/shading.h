@@ -31,16 +31,16 @@ extern "C" {
 
 /* The specular lobes, as functions of a cosine c and an exponent n. */
 typedef enum burnish_lobe_kind {
-    BURNISH_LOBE_FAMILY,      /* scale max(0, 1 - zeta (1 - c))^m, slope and scale by a fit */
-    BURNISH_LOBE_POWER,       /* c^n: the reference */
-    BURNISH_LOBE_WHOLE_POWER, /* c^n of a whole n by multiplications; kernels.h only, no word */
-    BURNISH_LOBE_SCHLICK,     /* c / (n - n c + c) */
-    BURNISH_LOBE_LYON,        /* taylor from the chord of vectors of nearly unit length */
-    BURNISH_LOBE_GAUSSIAN,    /* exp(-(n + .775) (1 - c)) */
-    BURNISH_LOBE_GX,          /* c^2 / (n/2 + (1 - n/2) c^2) */
-    BURNISH_LOBE_NV2X,        /* max(0, c + k0) / (k2 + k1 c); theory.h only, as are the next */
-    BURNISH_LOBE_KUIJK_BLAKE, /* quadratic in the angle, in two pieces */
-    BURNISH_LOBE_TABLE,       /* the power at c = i / (entries - 1), nearest or linear */
+    BURNISH_LOBE_FAMILY,        /* scale max(0, 1 - zeta (1 - c))^m, slope and scale by a fit */
+    BURNISH_LOBE_POWER,         /* c^n: the reference */
+    BURNISH_LOBE_INTEGER_POWER, /* c^n of a whole n by multiplications; kernels.h only, no word */
+    BURNISH_LOBE_SCHLICK,       /* c / (n - n c + c) */
+    BURNISH_LOBE_LYON,          /* taylor from the chord of vectors of nearly unit length */
+    BURNISH_LOBE_GAUSSIAN,      /* exp(-(n + .775) (1 - c)) */
+    BURNISH_LOBE_GX,            /* c^2 / (n/2 + (1 - n/2) c^2) */
+    BURNISH_LOBE_NV2X,          /* max(0, c + k0) / (k2 + k1 c); theory.h only, as are the next */
+    BURNISH_LOBE_KUIJK_BLAKE,   /* quadratic in the angle, in two pieces */
+    BURNISH_LOBE_TABLE,         /* the power at c = i / (entries - 1), nearest or linear */
     BURNISH_LOBE_KIND_COUNT
 } burnish_lobe_kind;
 

@@ -53,7 +53,7 @@ static file_kind kind_of(const char *name, const char *path) {
     }
     const size_t length = strlen(name);
     for (int i = 0; i < burnish_format_count(); ++i) {
-        const char *ending = burnish_format_get_info((burnish_format)i)->endings;
+        const char *ending = burnish_format_get_info((burnish_format)i)->extensions;
         while (*ending) {
             const size_t size = strcspn(ending, " ");
             for (int is_packed = 0; is_packed < 2; ++is_packed) {

@@ -121,7 +121,7 @@ static burnish_status make_sheet(const sheet *s, picture_file *file, burnish_err
         status = burnish_image_sheet(&whole, cells, s->count, s->columns, paper, ink, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        const burnish_pixels pixels = burnish_image_pixels(&whole);
+        const burnish_pixels pixels = burnish_image_get_pixels(&whole);
         const picture_options options = {.threads = 1};
         status = picture_encode(s->format, &pixels, &options, file, error);
     }

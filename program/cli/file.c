@@ -12,7 +12,7 @@ void cli_file_set_writer(cli_file_writer *writer) {
 typedef struct byte_source {
     const char *next;
     size_t rest;
-    burnish_file_ready *ready; /* or NULL */
+    burnish_file_check *ready; /* or NULL */
     void *context;
 } byte_source;
 
@@ -38,9 +38,9 @@ burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
 }
 
 burnish_status cli_file_write_then(const char *path, const void *bytes, size_t size,
-                                   burnish_file_ready *ready, void *context, burnish_error *error) {
+                                   burnish_file_check *ready, void *context, burnish_error *error) {
     if (!chosen) {
-        return ready ? burnish_file_write_then(path, bytes, size, ready, context, error)
+        return ready ? burnish_file_write_checked(path, bytes, size, ready, context, error)
                      : burnish_file_write(path, bytes, size, error);
     }
     byte_source source = {bytes, size, ready, context};
@@ -48,7 +48,8 @@ burnish_status cli_file_write_then(const char *path, const void *bytes, size_t s
 }
 
 burnish_status cli_file_write_stream_then(const char *path, burnish_file_source *source,
-                                          void *context, burnish_file_ready *ready,
+                                          void *context, burnish_file_check *ready,
                                           burnish_error *error) {
-    return (chosen ? chosen : burnish_file_write_stream_then)(path, source, context, ready, error);
+    return (chosen ? chosen : burnish_file_write_stream_checked)(path, source, context, ready,
+                                                                 error);
 }

@@ -71,7 +71,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
         options.animation_time = input->animation_time.value;
     }
     options.animation = input->animation;
-    options.no_companions = input->no_libraries;
+    options.ignore_referenced_files = input->no_libraries;
     options.point_size = input->point_size.given ? input->point_size.value : 0;
     options.max_triangles = input->max_triangles;
     options.max_input_bytes = input->max_input_bytes;

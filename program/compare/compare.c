@@ -282,7 +282,8 @@ static burnish_status write_panels(const comparison *c, burnish_error *error) {
 static burnish_status measure(comparison *c, burnish_error *error) {
     burnish_compare_options options = burnish_compare_options_default();
     const burnish_image *images[2] = {compare_image(&c->sides[0]), compare_image(&c->sides[1])};
-    const burnish_pixels a = burnish_image_pixels(images[0]), b = burnish_image_pixels(images[1]);
+    const burnish_pixels a = burnish_image_get_pixels(images[0]),
+                         b = burnish_image_get_pixels(images[1]);
     burnish_comparison numbers;
     options.threads = c->settings->render.job.threads;
     options.tolerance = c->settings->rule.tolerance;

@@ -46,8 +46,8 @@ static burnish_load_options load_options(const compare_side *side, const burnish
 
 static burnish_status take_mesh(compare_side *side, burnish_status loaded, burnish_error *error) {
     side->result.mesh = side->owned;
-    for (size_t i = 0; i < burnish_mesh_warning_count(side->owned); ++i) {
-        render_result_warn(&side->result, 1, "%s", burnish_mesh_warning(side->owned, i));
+    for (size_t i = 0; i < burnish_mesh_get_warning_count(side->owned); ++i) {
+        render_result_warn(&side->result, 1, "%s", burnish_mesh_get_warning(side->owned, i));
     }
     return loaded == BURNISH_STATUS_OK
                ? render_adjust_materials(&side->settings.shading, side->owned, error)

@@ -213,7 +213,7 @@ static void reorder_runs(line *made) {
 
 /* From font units to 1/256 pixels. */
 typedef struct pen {
-    burnish_take_outline *take;
+    burnish_outline_sink *take;
     void *context;
     double x, y; /* of the glyph's origin, in font units */
     double scale;
@@ -294,7 +294,7 @@ static double set_run(const face *in, const line *of, const run *which, pen *wit
 }
 
 static int32_t set_line(void *user_data, const char *text, size_t length, int height,
-                        burnish_take_outline *take, void *context) {
+                        burnish_outline_sink *take, void *context) {
     font *from = user_data;
     line *made = malloc(sizeof *made);
     hb_buffer_t *buffer = font_calls.hb_buffer_create();

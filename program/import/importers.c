@@ -61,7 +61,7 @@ const import_program *import_find(const char *name) {
     for (int i = 0; i < burnish_format_count(); ++i) {
         const burnish_format_info *info = burnish_format_get_info((burnish_format)i);
         char own[64];
-        snprintf(own, sizeof own, " %s ", info->endings);
+        snprintf(own, sizeof own, " %s ", info->extensions);
         if (strstr(own, word)) {
             return NULL;
         }
@@ -158,7 +158,7 @@ burnish_status import_build(const import_program *importer, const char *name,
     snprintf(whole, sizeof whole, "%.200s: %s", shown(name), importer->name);
     handed.format = BURNISH_FORMAT_BMS;
     handed.max_input_bytes = UINT64_MAX; /* of the file that was imported */
-    handed.companions = companions;
+    handed.referenced_files = companions;
     return burnish_mesh_load_memory(stream->bytes, stream->size, whole, &handed, mesh, error);
 }
 

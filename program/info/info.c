@@ -155,7 +155,7 @@ static const char *format_name(const report *r, char ending[IMPORT_ENDING_SIZE])
 /* ---- JSON ---- */
 
 static cJSON *warning_at(const void *mesh, size_t i) {
-    return cli_json_text(burnish_mesh_warning(mesh, i));
+    return cli_json_text(burnish_mesh_get_warning(mesh, i));
 }
 
 static void add_sizes(cJSON *root, const report *r, int *failed) {
@@ -220,11 +220,13 @@ static burnish_status print_json(FILE *stream, const report *r, burnish_error *e
                  r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), &failed);
     cli_json_add(root, "points", cli_json_count(info->point_count), &failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), &failed);
-    cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(r->mesh)), &failed);
+    cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
+                 &failed);
     add_sizes(root, r, &failed);
     add_counts(root, r->facts, &failed);
     cli_json_add(root, "warnings",
-                 cli_json_array(burnish_mesh_warning_count(r->mesh), warning_at, r->mesh), &failed);
+                 cli_json_array(burnish_mesh_get_warning_count(r->mesh), warning_at, r->mesh),
+                 &failed);
     return cli_json_print(stream, root, failed, error);
 }
 
@@ -321,7 +323,7 @@ static void print_surface(FILE *stream, const report *r) {
 
 static void print_text(FILE *stream, const report *r) {
     const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
-    const size_t materials = burnish_mesh_material_count(r->mesh);
+    const size_t materials = burnish_mesh_get_material_count(r->mesh);
     const size_t count = r->facts               ? r->facts->triangle_count
                          : info->line_count > 0 ? info->line_count
                                                 : info->point_count;
@@ -377,8 +379,8 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     options.threads = settings->threads;
     options.measure = 1;
     burnish_status status = import_load(call->operands[0], &options, &mesh, error);
-    for (size_t i = 0; i < burnish_mesh_warning_count(mesh) && !settings->quiet; ++i) {
-        cli_warn(burnish_mesh_warning(mesh, i));
+    for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh) && !settings->quiet; ++i) {
+        cli_warn(burnish_mesh_get_warning(mesh, i));
     }
     if (status == BURNISH_STATUS_OK) {
         status = print(settings, call->operands[0], mesh, error);

@@ -119,7 +119,7 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
                           burnish_error *error) {
     int box[4];
     picture_changed(animation, frame, box);
-    burnish_pixels part = burnish_image_pixels(frame);
+    burnish_pixels part = burnish_image_get_pixels(frame);
     part.pixels += part.stride * (size_t)box[1] + (size_t)frame->channels * (size_t)box[0];
     part.width = box[2];
     part.height = box[3];

@@ -222,7 +222,7 @@ burnish_status picture_write_panels(const picture_panels *panels, const char *pa
     picture_file file = {0};
     burnish_status status = picture_compose(panels, &image, error);
     if (status == BURNISH_STATUS_OK) {
-        const burnish_pixels pixels = burnish_image_pixels(&image);
+        const burnish_pixels pixels = burnish_image_get_pixels(&image);
         status = picture_encode(format, &pixels, options, &file, error);
     }
     if (status == BURNISH_STATUS_OK) {

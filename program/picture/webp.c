@@ -87,7 +87,7 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
     WebPConfig config;
     WebPPicture picture;
     const picture_animation_options *o = &animation->options;
-    const burnish_pixels pixels = burnish_image_pixels(frame);
+    const burnish_pixels pixels = burnish_image_get_pixels(frame);
     if (!configure(&config, o->quality, o->threads) || !WebPPictureInit(&picture)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "WebP: another version of libwebp");
     }

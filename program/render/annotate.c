@@ -22,7 +22,7 @@ burnish_status render_draw(const render_result *result, burnish_renderer *render
         return status;
     }
     burnish_target target = burnish_target_default();
-    target.pixels = burnish_image_pixels(&cell->image);
+    target.pixels = burnish_image_get_pixels(&cell->image);
     target.depth_stride = (size_t)options->width * sizeof **depth;
     target.depth = *depth = malloc(target.depth_stride * (size_t)options->height);
     if (!*depth) {
@@ -38,9 +38,9 @@ burnish_status render_draw(const render_result *result, burnish_renderer *render
     return status;
 }
 
-static burnish_annotations make_annotations(const render_result *result,
-                                            const burnish_render_options *options) {
-    burnish_annotations annotations = render_make_annotations(result->mesh, result->settings);
+static burnish_annotate_options make_annotations(const render_result *result,
+                                                 const burnish_render_options *options) {
+    burnish_annotate_options annotations = render_make_annotations(result->mesh, result->settings);
     memcpy(annotations.background, options->background, sizeof annotations.background);
     annotations.transparent = options->transparent;
     return annotations;
@@ -52,8 +52,8 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
     if (!settings->picture.annotations) {
         return BURNISH_STATUS_OK;
     }
-    const burnish_pixels pixels = burnish_image_pixels(&cell->image);
-    const burnish_annotations annotations = make_annotations(result, options);
+    const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);
+    const burnish_annotate_options annotations = make_annotations(result, options);
     size_t left_out = 0;
     const burnish_status status =
         burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, depth,
@@ -81,7 +81,7 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
 burnish_status render_trace(const render_result *result, burnish_renderer *renderer,
                             const burnish_render_options *options, render_cell *cell,
                             const float *depth, burnish_error *error) {
-    const burnish_annotations annotations = make_annotations(result, options);
+    const burnish_annotate_options annotations = make_annotations(result, options);
     burnish_status status =
         burnish_drawing_create(NULL, options->width, options->height, &cell->drawing, error);
     if (status == BURNISH_STATUS_OK) {
@@ -109,9 +109,9 @@ static burnish_status write_svg(const render_result *result, const burnish_drawi
     for (char *c = title; *c; ++c) {
         *c = (signed char)*c < 0 ? '?' : *c; /* names may hold bytes that are not UTF-8 */
     }
-    const burnish_status status =
-        burnish_drawing_svg(drawing, title, options->transparent ? NULL : options->background,
-                            settings->output.dots_per_inch.value, &text, &file->size, error);
+    const burnish_status status = burnish_drawing_encode_svg(
+        drawing, title, options->transparent ? NULL : options->background,
+        settings->output.dots_per_inch.value, &text, &file->size, error);
     file->bytes = (uint8_t *)text;
     file->release = release_svg;
     return status;

@@ -139,9 +139,9 @@ static burnish_framing fit_options(const render_settings *settings, render_view 
     return options;
 }
 
-burnish_annotations render_make_annotations(const burnish_mesh *mesh,
-                                            const render_settings *settings) {
-    burnish_annotations annotations = burnish_annotations_default();
+burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
+                                                 const render_settings *settings) {
+    burnish_annotate_options annotations = burnish_annotate_options_default();
     annotations.kinds = settings->picture.annotations;
     memcpy(annotations.up, frame_in_use(mesh, &settings->camera)->up, sizeof annotations.up);
     return annotations;
@@ -166,7 +166,7 @@ static burnish_status frame_with_room(const burnish_mesh *mesh, const render_set
     burnish_framing framing = *options;
     burnish_status status = BURNISH_STATUS_OK;
     if (!room->is_given && settings->picture.annotations) {
-        const burnish_annotations annotations = render_make_annotations(mesh, settings);
+        const burnish_annotate_options annotations = render_make_annotations(mesh, settings);
         status = burnish_annotate_inset(mesh, &annotations, options, settings->picture.size[0],
                                         settings->picture.size[1], room->inset, error);
     }
@@ -259,12 +259,12 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
 /* One of the input's own cameras. */
 static burnish_status own_camera(const burnish_mesh *mesh, const render_settings *settings,
                                  burnish_camera *camera, burnish_error *error) {
-    const size_t count = burnish_mesh_camera_count(mesh);
+    const size_t count = burnish_mesh_get_camera_count(mesh);
     const char *wanted = settings->camera.own;
     double number;
     const int is_number = cli_read_real(wanted, strlen(wanted), &number);
     for (size_t i = 0; i < count; ++i) {
-        const burnish_named_camera *own = burnish_mesh_camera(mesh, i);
+        const burnish_named_camera *own = burnish_mesh_get_camera(mesh, i);
         if (strcmp(own->name, wanted) == 0 || (is_number && number == (double)i)) {
             *camera = own->camera;
             return BURNISH_STATUS_OK;

@@ -17,8 +17,8 @@ burnish_status render_camera(const burnish_mesh *mesh, const render_settings *se
                              burnish_error *error);
 
 /* What --annotate asks for, but for colours. */
-burnish_annotations render_make_annotations(const burnish_mesh *mesh,
-                                            const render_settings *settings);
+burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
+                                                 const render_settings *settings);
 
 /* The up axis in use, a unit vector. */
 void render_upward(const burnish_mesh *mesh, const render_camera_settings *camera, double up[3]);

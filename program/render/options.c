@@ -64,10 +64,10 @@ static burnish_material adjusted_material(const render_shading_settings *shading
 
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
                                        burnish_error *error) {
-    const size_t count = burnish_mesh_material_count(mesh);
+    const size_t count = burnish_mesh_get_material_count(mesh);
     burnish_status status = burnish_look_set_materials((burnish_look)shading->look, mesh, error);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        burnish_material material = adjusted_material(shading, *burnish_mesh_material(mesh, i));
+        burnish_material material = adjusted_material(shading, *burnish_mesh_get_material(mesh, i));
         status = burnish_mesh_set_material(mesh, i, &material, error);
     }
     return status;

@@ -34,7 +34,7 @@ void render_subtract_origin(render_camera_settings *camera, render_clip *clip,
 burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,
                                      burnish_render_options *options, const char **warning,
                                      burnish_error *error) {
-    const size_t count = burnish_mesh_light_count(mesh);
+    const size_t count = burnish_mesh_get_light_count(mesh);
     *warning = NULL;
     if (!lights->of_file) {
         return BURNISH_STATUS_OK;
@@ -49,7 +49,7 @@ burnish_status render_add_own_lights(const render_lights *lights, const burnish_
                         options->light_count, count, BURNISH_LIGHT_MAX);
     }
     for (size_t i = 0; i < count; ++i) {
-        const burnish_file_light *own = burnish_mesh_light(mesh, i);
+        const burnish_file_light *own = burnish_mesh_get_light(mesh, i);
         options->lights[options->light_count++] = own->light;
         if (own->is_spot) {
             *warning = "--light=file: spot lights shine to all sides, as point lights do";

@@ -91,7 +91,8 @@ burnish_status render_judge(render_result *result, burnish_error *error) {
         return BURNISH_STATUS_OK;
     }
     const picture_rule rule = rule_of(settings);
-    const burnish_pixels a = burnish_image_pixels(reference), b = burnish_image_pixels(picture);
+    const burnish_pixels a = burnish_image_get_pixels(reference),
+                         b = burnish_image_get_pixels(picture);
     burnish_compare_options options = burnish_compare_options_default();
     options.threads = settings->job.threads;
     burnish_status status = burnish_pixels_compare(&a, &b, &options, &numbers, error);

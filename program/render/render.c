@@ -328,7 +328,7 @@ static burnish_status encode(render_result *result, picture_file *file, burnish_
         list_cells(result, &cells);
         return render_encode_drawing(result, cells.items, ink, file, error);
     }
-    const burnish_pixels pixels = burnish_image_pixels(result->picture);
+    const burnish_pixels pixels = burnish_image_get_pixels(result->picture);
     const picture_options options = {.threads = settings->job.threads,
                                      .quality = settings->output.quality,
                                      .dots_per_inch = settings->output.dots_per_inch.value};
@@ -409,8 +409,8 @@ static burnish_status load(render_result *result, render_settings *settings,
     }
     result->seconds.read = burnish_mesh_get_info(mesh)->read_seconds;
     result->seconds.build = burnish_mesh_get_info(mesh)->build_seconds;
-    for (size_t i = 0; i < burnish_mesh_warning_count(mesh); ++i) {
-        render_result_warn(result, 1, "%s", burnish_mesh_warning(mesh, i));
+    for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh); ++i) {
+        render_result_warn(result, 1, "%s", burnish_mesh_get_warning(mesh, i));
     }
     const char *warning;
     render_subtract_origin(&settings->camera, &settings->input.clip, options,

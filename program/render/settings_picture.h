@@ -38,7 +38,7 @@ typedef struct render_picture_settings {
     int samples;
     int cull_back_faces;
     render_background background;
-    unsigned annotations; /* sum of burnish_annotation */
+    burnish_annotation_flags annotations;
 
     render_views views;
     int columns;        /* 0: chosen by the number of cells */

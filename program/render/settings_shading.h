@@ -32,7 +32,7 @@ typedef struct render_occlusion {
 
 typedef struct render_edges {
     int given;
-    int kinds; /* a sum of BURNISH_EDGES_... */
+    burnish_edge_flags kinds;
 } render_edges;
 
 typedef struct render_shading_settings {

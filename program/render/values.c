@@ -294,7 +294,7 @@ burnish_status render_flag_occlusion(const cli_flag *flag, const char *text, voi
 burnish_status render_flag_edges(const cli_flag *flag, const char *text, void *target,
                                  burnish_error *error) {
     render_edges *edges = target;
-    int kinds = text ? 0 : BURNISH_EDGES_FEATURES;
+    burnish_edge_flags kinds = text ? 0 : BURNISH_EDGES_FEATURES;
     while (text) {
         char item[CLI_NAME_MAX];
         int kind = 0;
@@ -303,7 +303,7 @@ burnish_status render_flag_edges(const cli_flag *flag, const char *text, void *t
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
-        kinds |= kind;
+        kinds |= (burnish_edge_flags)kind;
     }
     *edges = (render_edges){1, kinds};
     return BURNISH_STATUS_OK;

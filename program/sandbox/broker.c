@@ -110,7 +110,8 @@ static void write_output(broker *b, const char *path) {
         return;
     }
     b->depth += 1;
-    burnish_status status = burnish_file_write_stream_then(path, take_data, &o, let_finish, &error);
+    burnish_status status =
+        burnish_file_write_stream_checked(path, take_data, &o, let_finish, &error);
     b->depth -= 1;
     while (take_data(&o, unread, sizeof unread) > 0) { /* of an output that can't be written */
     }

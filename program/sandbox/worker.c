@@ -36,7 +36,7 @@ static int send_status(burnish_status status, const burnish_error *error) {
 }
 
 static burnish_status write_by_broker(const char *path, burnish_file_source *source, void *context,
-                                      burnish_file_ready *ready, burnish_error *error) {
+                                      burnish_file_check *ready, burnish_error *error) {
     static char buffer[MESSAGE_DATA_MAX];
     message head;
     size_t size;
@@ -149,7 +149,8 @@ static burnish_status import(const import_program *importer, const char *input,
                                 : fail_broker(error);
     *mesh = NULL;
     if (status == BURNISH_STATUS_OK) {
-        status = import_build(importer, input, &stream, options, options->companions, mesh, error);
+        status =
+            import_build(importer, input, &stream, options, options->referenced_files, mesh, error);
     }
     free(stream.bytes);
     return status;
@@ -170,8 +171,9 @@ burnish_status sandbox_load(const char *input, const burnish_load_options *optio
         handed.format = cli_foreign_ending(asked) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(input, &handed, mesh, error);
     }
-    handed.companions = is_standard ? (burnish_file_loader){0}
-                                    : (burnish_file_loader){load_by_broker, release_file, NULL};
+    handed.referenced_files = is_standard
+                                  ? (burnish_file_loader){0}
+                                  : (burnish_file_loader){load_by_broker, release_file, NULL};
     burnish_error native;
     burnish_status status =
         importer ? import(importer, import_shown(input), &handed, mesh, error)

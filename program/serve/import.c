@@ -40,7 +40,8 @@ burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
         status = cli_fail(error, BURNISH_STATUS_READ, "the server's importer has ended");
     }
     if (status == BURNISH_STATUS_OK) {
-        status = import_build(importer, input, &stream, options, options->companions, mesh, error);
+        status =
+            import_build(importer, input, &stream, options, options->referenced_files, mesh, error);
     }
     free(stream.bytes);
     return status;

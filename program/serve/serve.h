@@ -47,7 +47,7 @@ typedef struct serve_wish {
 } serve_wish;
 
 /* In the worker: import_load of such bytes, where import_choose has an importer. Textures come from
- * options->companions. */
+ * options->referenced_files. */
 burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
                             const burnish_load_options *options, burnish_mesh **mesh,
                             burnish_error *error);

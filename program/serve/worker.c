@@ -49,7 +49,7 @@ typedef struct output {
 static output picture, report;
 
 static burnish_status keep_output(const char *path, burnish_file_source *source, void *context,
-                                  burnish_file_ready *ready, burnish_error *error) {
+                                  burnish_file_check *ready, burnish_error *error) {
     output *to = strcmp(path, "-") == 0 ? &picture : &report;
     for (size_t count = 1; count > 0; to->size += count) {
         if (to->capacity - to->size < PIECE) {
@@ -184,7 +184,7 @@ static burnish_status load(void *context, const char *input, const burnish_load_
                            burnish_mesh **mesh, burnish_error *error) {
     request *r = context;
     burnish_load_options handed = *options;
-    handed.companions = cli_companion_loader(&r->companions);
+    handed.referenced_files = cli_companion_loader(&r->companions);
     const int asked = (int)options->format;
     char ending[IMPORT_ENDING_SIZE];
     burnish_error native;

@@ -156,10 +156,10 @@ static burnish_status begin(session *s, const char *name, session_flags flags,
 
 /* What the input says of its surfaces. */
 static burnish_status keep_materials(session *s, burnish_error *error) {
-    const size_t count = burnish_mesh_material_count(s->mesh);
+    const size_t count = burnish_mesh_get_material_count(s->mesh);
     s->materials = calloc(count, sizeof *s->materials);
     for (size_t i = 0; i < count && s->materials; ++i) {
-        s->materials[i] = *burnish_mesh_material(s->mesh, i);
+        s->materials[i] = *burnish_mesh_get_material(s->mesh, i);
     }
     return s->materials
                ? BURNISH_STATUS_OK
@@ -169,8 +169,8 @@ static burnish_status keep_materials(session *s, burnish_error *error) {
 /* What follows once there is a mesh. */
 static burnish_status finish(session *s, burnish_status status, burnish_error *error) {
     burnish_render_options no_lights = {.light_count = 0};
-    for (size_t i = 0; i < burnish_mesh_warning_count(s->mesh); ++i) {
-        render_result_warn(&s->result, 1, "%s", burnish_mesh_warning(s->mesh, i));
+    for (size_t i = 0; i < burnish_mesh_get_warning_count(s->mesh); ++i) {
+        render_result_warn(&s->result, 1, "%s", burnish_mesh_get_warning(s->mesh, i));
     }
     if (status == BURNISH_STATUS_OK) {
         render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &no_lights,
@@ -197,7 +197,7 @@ burnish_status session_open(session *s, const char *name, const void *bytes, siz
         return status;
     }
     if (bytes) {
-        options.companions = cli_companion_loader(&s->companions);
+        options.referenced_files = cli_companion_loader(&s->companions);
     }
     status = bytes ? burnish_mesh_load_memory(bytes, size, s->name, &options, &s->mesh, error)
                    : burnish_mesh_load(s->name, &options, &s->mesh, error);
@@ -219,7 +219,7 @@ burnish_status session_build(session *s, const burnish_mesh_description *descrip
 /* ---- Drawing ---- */
 
 static burnish_status set_materials(session *s, burnish_error *error) {
-    const size_t count = burnish_mesh_material_count(s->mesh);
+    const size_t count = burnish_mesh_get_material_count(s->mesh);
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         status = burnish_mesh_set_material(s->mesh, i, &s->materials[i], error);

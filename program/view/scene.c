@@ -94,8 +94,8 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
 burnish_status view_scene_set_exponent(view_scene *scene, double exponent, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     scene->given.shading.exponent = (cli_real){1, exponent};
-    for (size_t i = 0; i < burnish_mesh_material_count(scene->mesh); ++i) {
-        burnish_material material = *burnish_mesh_material(scene->mesh, i);
+    for (size_t i = 0; i < burnish_mesh_get_material_count(scene->mesh); ++i) {
+        burnish_material material = *burnish_mesh_get_material(scene->mesh, i);
         material.exponent = (float)exponent;
         status = status == BURNISH_STATUS_OK
                      ? burnish_mesh_set_material(scene->mesh, i, &material, error)
@@ -105,7 +105,7 @@ burnish_status view_scene_set_exponent(view_scene *scene, double exponent, burni
 }
 
 double view_scene_exponent(const view_scene *scene) {
-    return (double)burnish_mesh_material(scene->mesh, 0)->exponent;
+    return (double)burnish_mesh_get_material(scene->mesh, 0)->exponent;
 }
 
 /* ---- Camera ---- */

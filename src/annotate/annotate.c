@@ -18,20 +18,20 @@
 
 enum { FITTING_STEPS = 12 };
 
-burnish_annotations burnish_annotations_default(void) {
-    return (burnish_annotations){.cookie = COOKIE, .background = {255, 255, 255}};
+burnish_annotate_options burnish_annotate_options_default(void) {
+    return (burnish_annotate_options){.cookie = COOKIE, .background = {255, 255, 255}};
 }
 
-static burnish_status check(const burnish_mesh *mesh, const burnish_annotations *annotations,
+static burnish_status check(const burnish_mesh *mesh, const burnish_annotate_options *annotations,
                             int width, int height, burnish_error *error) {
     if (!mesh || !annotations || annotations->cookie != COOKIE) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "annotations: %s",
-                            mesh ? "not initialised; start from burnish_annotations_default()"
+                            mesh ? "not initialised; start from burnish_annotate_options_default()"
                                  : "no mesh; pass the one that was drawn");
     }
-    if (annotations->kinds & ~(unsigned)BURNISH_ANNOTATION_ALL) {
+    if (annotations->kinds & ~(burnish_annotation_flags)BURNISH_ANNOTATION_ALL) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "annotations: kinds %u is no sum of burnish_annotation",
+                            "annotations: kinds %u is not a sum of BURNISH_ANNOTATION_... values",
                             annotations->kinds);
     }
     if (annotations->text_height != 0 &&
@@ -49,7 +49,8 @@ static burnish_status check(const burnish_mesh *mesh, const burnish_annotations 
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view, unsigned kinds,
+burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
+                                          burnish_annotation_flags kinds,
                                           const burnish_annotation_depth *depth, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list) {
     *list = (burnish_annotation_list){.bounded = bounded, .memory = memory};
@@ -131,7 +132,8 @@ static int adjust(const burnish_annotation_view *view, const burnish_annotation_
 }
 
 /* One step: frames with the insets so far and looks what leaves the picture. */
-static burnish_status try_inset(const burnish_mesh *mesh, const burnish_annotations *annotations,
+static burnish_status try_inset(const burnish_mesh *mesh,
+                                const burnish_annotate_options *annotations,
                                 const burnish_framing *framing, const int size[2], int step,
                                 fitting *fit, int *changed, burnish_error *error) {
     const burnish_annotation_depth nothing_hides = {NULL, 0};
@@ -157,7 +159,8 @@ static burnish_status try_inset(const burnish_mesh *mesh, const burnish_annotati
 }
 
 /* Where the bottom can't be widened so far that marks find a corner, it is not widened for them. */
-static burnish_status find_inset(const burnish_mesh *mesh, const burnish_annotations *annotations,
+static burnish_status find_inset(const burnish_mesh *mesh,
+                                 const burnish_annotate_options *annotations,
                                  const burnish_framing *framing, int width, int height,
                                  double inset[4], burnish_error *error) {
     const double smaller = framing->aspect < 1 ? framing->aspect : 1;
@@ -183,7 +186,7 @@ static burnish_status find_inset(const burnish_mesh *mesh, const burnish_annotat
 }
 
 burnish_status burnish_annotate_inset(const burnish_mesh *mesh,
-                                      const burnish_annotations *annotations,
+                                      const burnish_annotate_options *annotations,
                                       const burnish_framing *framing, int width, int height,
                                       double inset[4], burnish_error *error) {
     const burnish_environment before = burnish_environment_enter();
@@ -221,7 +224,7 @@ static double contrast(const uint8_t a[3], const uint8_t b[3]) {
     return x > y ? x / y : y / x;
 }
 
-static palette choose_palette(const burnish_annotations *annotations) {
+static palette choose_palette(const burnish_annotate_options *annotations) {
     static const uint8_t inks[2][3] = {{34, 36, 40}, {242, 243, 245}};
     static const uint8_t axes[2][3][3] = {{{196, 30, 36}, {16, 122, 44}, {28, 76, 214}},
                                           {{255, 128, 118}, {120, 226, 128}, {140, 180, 255}}};
@@ -359,7 +362,8 @@ static burnish_status draw_list(const burnish_annotation_view *view,
     return status;
 }
 
-static burnish_status annotate(const burnish_mesh *mesh, const burnish_annotations *annotations,
+static burnish_status annotate(const burnish_mesh *mesh,
+                               const burnish_annotate_options *annotations,
                                const burnish_camera *camera, const canvas *to,
                                const burnish_annotation_depth *depth, size_t *left_out,
                                burnish_error *error) {
@@ -385,7 +389,7 @@ static burnish_status annotate(const burnish_mesh *mesh, const burnish_annotatio
 
 /* Both doors: what to draw over has a size, 0 where there is none. */
 static burnish_status annotate_canvas(const burnish_mesh *mesh,
-                                      const burnish_annotations *annotations,
+                                      const burnish_annotate_options *annotations,
                                       const burnish_camera *camera, const canvas *to,
                                       const burnish_annotation_depth *depth, size_t *left_out,
                                       burnish_error *error) {
@@ -410,7 +414,8 @@ static burnish_status annotate_canvas(const burnish_mesh *mesh,
     return status;
 }
 
-burnish_status burnish_annotate(const burnish_mesh *mesh, const burnish_annotations *annotations,
+burnish_status burnish_annotate(const burnish_mesh *mesh,
+                                const burnish_annotate_options *annotations,
                                 const burnish_camera *camera, const burnish_pixels *pixels,
                                 const float *depth, size_t stride, size_t *left_out,
                                 burnish_error *error) {
@@ -422,7 +427,7 @@ burnish_status burnish_annotate(const burnish_mesh *mesh, const burnish_annotati
 }
 
 burnish_status burnish_annotate_drawing(const burnish_mesh *mesh,
-                                        const burnish_annotations *annotations,
+                                        const burnish_annotate_options *annotations,
                                         const burnish_camera *camera, burnish_drawing *drawing,
                                         const float *depth, size_t stride, size_t *left_out,
                                         burnish_error *error) {

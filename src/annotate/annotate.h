@@ -39,7 +39,7 @@ typedef struct burnish_annotation_view {
 
 /* Errors: ARGUMENT (a camera that looks nowhere). */
 burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
-                                            const burnish_annotations *annotations,
+                                            const burnish_annotate_options *annotations,
                                             const burnish_camera *camera, int width, int height,
                                             burnish_annotation_view *view, burnish_error *error);
 
@@ -125,7 +125,7 @@ void burnish_annotate_dimensions(const burnish_annotation_view *view,
                                  burnish_annotation_list *list);
 
 /* Axes, scale bar and the grid's spacing, in corners that nothing else holds. */
-void burnish_annotate_marks(const burnish_annotation_view *view, unsigned kinds,
+void burnish_annotate_marks(const burnish_annotation_view *view, burnish_annotation_flags kinds,
                             burnish_annotation_list *list);
 
 /* Distances that hide; NULL: nothing does. */
@@ -170,7 +170,8 @@ typedef struct burnish_annotation_grid {
 burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view *view);
 
 /* Everything that kinds ask for, in one list, to be released with burnish_release. */
-burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view, unsigned kinds,
+burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
+                                          burnish_annotation_flags kinds,
                                           const burnish_annotation_depth *depth, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list);
 

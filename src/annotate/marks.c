@@ -242,7 +242,7 @@ static void add_spacing(const burnish_annotation_view *view, burnish_annotation_
     settle(view, &made, 2, list);
 }
 
-void burnish_annotate_marks(const burnish_annotation_view *view, unsigned kinds,
+void burnish_annotate_marks(const burnish_annotation_view *view, burnish_annotation_flags kinds,
                             burnish_annotation_list *list) {
     if (kinds & BURNISH_ANNOTATION_AXES) {
         add_axes(view, list);

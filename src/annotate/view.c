@@ -126,7 +126,8 @@ static void choose_up(const burnish_mesh_view *mesh, const double wanted[3],
 }
 
 /* Text and lines grow with the picture; both are whole pixels, so that they are sharp. */
-static void choose_sizes(const burnish_annotations *annotations, burnish_annotation_view *view) {
+static void choose_sizes(const burnish_annotate_options *annotations,
+                         burnish_annotation_view *view) {
     const double smaller = view->width < view->height ? view->width : view->height;
     double text = annotations->text_height > 0 ? annotations->text_height : smaller / 44;
     text = annotations->text_height > 0 || text > 9 ? text : 9;
@@ -136,7 +137,7 @@ static void choose_sizes(const burnish_annotations *annotations, burnish_annotat
 }
 
 burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
-                                            const burnish_annotations *annotations,
+                                            const burnish_annotate_options *annotations,
                                             const burnish_camera *camera, int width, int height,
                                             burnish_annotation_view *view, burnish_error *error) {
     const burnish_mesh_view *arrays = burnish_mesh_get_view(mesh);

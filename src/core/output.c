@@ -69,15 +69,15 @@ typedef struct content {
     const void *bytes;
     size_t size;
     burnish_file_source *source; /* NULL: the bytes */
-    void *context;
+    void *user_data;
     char *buffer;              /* of the source's pieces: PIECE bytes */
-    burnish_file_ready *ready; /* NULL: no last step */
-    void *ready_context;
+    burnish_file_check *check; /* NULL: no last step */
+    void *check_data;
 } content;
 
 /* The last step, when the bytes are written. */
-static burnish_status get_ready(const content *what, burnish_error *error) {
-    return what->ready ? what->ready(what->ready_context, error) : BURNISH_STATUS_OK;
+static burnish_status run_check(const content *what, burnish_error *error) {
+    return what->check ? what->check(what->check_data, error) : BURNISH_STATUS_OK;
 }
 
 /* For files that do not block; returns 0 or an errno. */
@@ -121,7 +121,7 @@ static int write_all(int file, const content *what) {
     if (!what->source) {
         return write_bytes(file, what->bytes, what->size);
     }
-    while (code == 0 && (size = what->source(what->context, what->buffer, PIECE)) > 0) {
+    while (code == 0 && (size = what->source(what->user_data, what->buffer, PIECE)) > 0) {
         code = write_bytes(file, what->buffer, size);
     }
     return code;
@@ -136,7 +136,7 @@ static burnish_status write_directly(const char *path, const content *what, burn
     if (close(file) != 0 && code == 0) {
         code = errno;
     }
-    return code == 0 ? get_ready(what, error) : fail_write(error, path, code);
+    return code == 0 ? run_check(what, error) : fail_write(error, path, code);
 }
 
 static burnish_status write_standard_output(const content *what, burnish_error *error) {
@@ -145,7 +145,7 @@ static burnish_status write_standard_output(const content *what, burnish_error *
     if (code == 0) {
         code = write_all(STDOUT_FILENO, what);
     }
-    return code == 0 ? get_ready(what, error) : fail_write(error, "standard output", code);
+    return code == 0 ? run_check(what, error) : fail_write(error, "standard output", code);
 }
 
 /* ---- Temporaries ---- */
@@ -282,7 +282,7 @@ static burnish_status finish_temporary(temporary *t, const char *path, int is_ne
     burnish_status status = BURNISH_STATUS_OK;
     int code = write_all(t->file, what);
     if (code == 0) {
-        status = get_ready(what, error);
+        status = run_check(what, error);
     }
     if (code == 0 && status == BURNISH_STATUS_OK && !t->is_named) {
         /* straight to a name that is free: then there is no moment with another one */
@@ -399,31 +399,31 @@ burnish_status burnish_file_write(const char *path, const void *bytes, size_t si
     return write_content(path, &what, error);
 }
 
-burnish_status burnish_file_write_then(const char *path, const void *bytes, size_t size,
-                                       burnish_file_ready *ready, void *context,
-                                       burnish_error *error) {
-    content what = {.bytes = bytes, .size = size, .ready = ready, .ready_context = context};
+burnish_status burnish_file_write_checked(const char *path, const void *bytes, size_t size,
+                                          burnish_file_check *check, void *user_data,
+                                          burnish_error *error) {
+    content what = {.bytes = bytes, .size = size, .check = check, .check_data = user_data};
     return write_content(path, &what, error);
 }
 
 burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
-                                         void *context, burnish_error *error) {
-    return burnish_file_write_stream_then(path, source, context, NULL, error);
+                                         void *user_data, burnish_error *error) {
+    return burnish_file_write_stream_checked(path, source, user_data, NULL, error);
 }
 
-burnish_status burnish_file_write_stream_then(const char *path, burnish_file_source *source,
-                                              void *context, burnish_file_ready *ready,
-                                              burnish_error *error) {
+burnish_status burnish_file_write_stream_checked(const char *path, burnish_file_source *source,
+                                                 void *user_data, burnish_file_check *check,
+                                                 burnish_error *error) {
     burnish_memory memory = burnish_memory_of(NULL, error);
     char *buffer = burnish_allocate(&memory, PIECE, 1, "output buffer");
     if (!buffer) {
         return memory.status;
     }
     content what = {.source = source,
-                    .context = context,
+                    .user_data = user_data,
                     .buffer = buffer,
-                    .ready = ready,
-                    .ready_context = context};
+                    .check = check,
+                    .check_data = user_data};
     burnish_status status = write_content(path, &what, error);
     burnish_release(NULL, buffer);
     return status;

@@ -42,7 +42,7 @@ void burnish_image_destroy(burnish_image *image) {
     }
 }
 
-burnish_pixels burnish_image_pixels(const burnish_image *image) {
+burnish_pixels burnish_image_get_pixels(const burnish_image *image) {
     const burnish_pixel_format format =
         image->channels == 4 ? BURNISH_PIXELS_RGBA8 : BURNISH_PIXELS_RGB8;
     return (burnish_pixels){image->width, image->height, format,
@@ -117,7 +117,7 @@ uint64_t burnish_pixels_hash(const burnish_pixels *pixels) {
 }
 
 uint64_t burnish_image_hash(const burnish_image *image) {
-    const burnish_pixels pixels = burnish_image_pixels(image);
+    const burnish_pixels pixels = burnish_image_get_pixels(image);
     return burnish_pixels_hash(&pixels);
 }
 

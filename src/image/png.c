@@ -493,6 +493,6 @@ burnish_status burnish_png_write(const burnish_pixels *pixels, const char *path,
 
 burnish_status burnish_image_write_png(const burnish_image *image, const char *path,
                                        burnish_error *error) {
-    const burnish_pixels pixels = burnish_image_pixels(image);
+    const burnish_pixels pixels = burnish_image_get_pixels(image);
     return burnish_png_write(&pixels, path, NULL, error);
 }

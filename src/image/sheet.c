@@ -166,7 +166,7 @@ static burnish_status fill_label(const page *to, int x, int baseline,
         return to->memory->status;
     }
     const burnish_ink ink = burnish_ink_of(to->ink, 1);
-    const burnish_pixels pixels = burnish_image_pixels(to->image);
+    const burnish_pixels pixels = burnish_image_get_pixels(to->image);
     return burnish_outline_fill(&outline, &pixels, &ink);
 }
 

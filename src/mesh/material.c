@@ -34,11 +34,11 @@ int burnish_mesh_data_add_texture(burnish_mesh_data *mesh, const char *name, int
     return (int)mesh->texture_count;
 }
 
-size_t burnish_mesh_texture_count(const burnish_mesh *mesh) {
+size_t burnish_mesh_get_texture_count(const burnish_mesh *mesh) {
     return mesh ? mesh->texture_count : 0;
 }
 
-const burnish_texture *burnish_mesh_texture(const burnish_mesh *mesh, size_t index) {
+const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->texture_count ? &mesh->textures[index] : NULL;
 }
 

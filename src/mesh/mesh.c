@@ -191,27 +191,27 @@ void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[
     }
 }
 
-size_t burnish_mesh_warning_count(const burnish_mesh *mesh) {
+size_t burnish_mesh_get_warning_count(const burnish_mesh *mesh) {
     return mesh ? mesh->warning_count : 0;
 }
 
-const char *burnish_mesh_warning(const burnish_mesh *mesh, size_t index) {
+const char *burnish_mesh_get_warning(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->warning_count ? mesh->warnings[index] : NULL;
 }
 
-size_t burnish_mesh_camera_count(const burnish_mesh *mesh) {
+size_t burnish_mesh_get_camera_count(const burnish_mesh *mesh) {
     return mesh ? mesh->camera_count : 0;
 }
 
-const burnish_named_camera *burnish_mesh_camera(const burnish_mesh *mesh, size_t index) {
+const burnish_named_camera *burnish_mesh_get_camera(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->camera_count ? &mesh->cameras[index] : NULL;
 }
 
-size_t burnish_mesh_light_count(const burnish_mesh *mesh) {
+size_t burnish_mesh_get_light_count(const burnish_mesh *mesh) {
     return mesh ? mesh->light_count : 0;
 }
 
-const burnish_file_light *burnish_mesh_light(const burnish_mesh *mesh, size_t index) {
+const burnish_file_light *burnish_mesh_get_light(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->light_count ? &mesh->lights[index] : NULL;
 }
 
@@ -221,11 +221,11 @@ burnish_material burnish_material_default(void) {
     return default_material;
 }
 
-size_t burnish_mesh_material_count(const burnish_mesh *mesh) {
+size_t burnish_mesh_get_material_count(const burnish_mesh *mesh) {
     return mesh ? mesh->material_count : 0;
 }
 
-const burnish_material *burnish_mesh_material(const burnish_mesh *mesh, size_t index) {
+const burnish_material *burnish_mesh_get_material(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->material_count ? &mesh->materials[index] : NULL;
 }
 

@@ -25,7 +25,7 @@ static const burnish_kernels *or_best(const burnish_kernels *kernels) {
     return kernels ? kernels : burnish_kernels_best();
 }
 
-burnish_isa burnish_kernels_isa(const burnish_kernels *kernels) {
+burnish_isa burnish_kernels_get_isa(const burnish_kernels *kernels) {
     return or_best(kernels)->isa;
 }
 

@@ -53,7 +53,7 @@ burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float 
                                            burnish_error *error) {
     static const int bodies[BURNISH_LOBE_KIND_COUNT] = {
         [BURNISH_LOBE_POWER] = BURNISH_LOBE_BODY_POWER,
-        [BURNISH_LOBE_WHOLE_POWER] = BURNISH_LOBE_BODY_MULTIPLY,
+        [BURNISH_LOBE_INTEGER_POWER] = BURNISH_LOBE_BODY_MULTIPLY,
         [BURNISH_LOBE_SCHLICK] = BURNISH_LOBE_BODY_SCHLICK,
         [BURNISH_LOBE_GAUSSIAN] = BURNISH_LOBE_BODY_GAUSSIAN,
         [BURNISH_LOBE_GX] = BURNISH_LOBE_BODY_GX,
@@ -73,7 +73,7 @@ burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float 
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "lobe: exponent %g is not in [1, 65536]", (double)n);
     }
-    if (lobe->kind == BURNISH_LOBE_WHOLE_POWER && n != (float)(uint32_t)n) {
+    if (lobe->kind == BURNISH_LOBE_INTEGER_POWER && n != (float)(uint32_t)n) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "lobe: exponent %g is not a whole number; take BURNISH_LOBE_POWER",
                             (double)n);

@@ -96,7 +96,7 @@ const burnish_isa_ops *burnish_isa_ops_for(burnish_isa isa) {
     return (unsigned)isa < BURNISH_ISA_COUNT ? tables[isa]() : NULL;
 }
 
-uint32_t burnish_isa_available(void) {
+burnish_isa_flags burnish_isa_available(void) {
     uint32_t built = 0;
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         built |= burnish_isa_ops_for((burnish_isa)isa) ? 1u << isa : 0;
@@ -104,7 +104,7 @@ uint32_t burnish_isa_available(void) {
     return built & processor_mask();
 }
 
-burnish_isa burnish_isa_best(uint32_t mask) {
+burnish_isa burnish_isa_best(burnish_isa_flags mask) {
     burnish_isa best = BURNISH_ISA_SCALAR;
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         best = mask >> isa & 1 ? (burnish_isa)isa : best;

@@ -42,7 +42,7 @@ burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model)
         cost.lookups = model->lobe.linear ? 2 : 1;
         cost.memory = model->lobe.entries;
         break;
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

@@ -219,7 +219,7 @@ static double equator_limit(const burnish_theory_model *model) {
     case BURNISH_LOBE_KUIJK_BLAKE:
         return burnish_theory_value_at_lambda(model, 1) > 0 ? HUGE_VAL : -1;
     case BURNISH_LOBE_POWER:
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

@@ -77,7 +77,7 @@ static double closed_integral(const burnish_theory_model *model, int weighted, d
     case BURNISH_LOBE_NV2X:
     case BURNISH_LOBE_KUIJK_BLAKE:
     case BURNISH_LOBE_TABLE:
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

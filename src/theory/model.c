@@ -48,7 +48,7 @@ burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
     case BURNISH_LOBE_GAUSSIAN:
     case BURNISH_LOBE_GX:
         break;
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
     case BURNISH_LOBE_KIND_COUNT:
     default:
         status = BURNISH_LOBE_ERROR_FIT;

@@ -86,7 +86,7 @@ double burnish_theory_value_at_lambda(const burnish_theory_model *model, double 
         return kuijk_blake_value(model, lambda < 2 ? lambda : 2);
     case BURNISH_LOBE_TABLE:
         return table_value(model, 1 - lambda);
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

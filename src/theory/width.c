@@ -18,7 +18,7 @@ static double zero_lambda(const burnish_theory_model *model) {
     case BURNISH_LOBE_GX:
         return 1;
     case BURNISH_LOBE_GAUSSIAN:
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }
@@ -76,7 +76,7 @@ static double lambda_at_positive(const burnish_theory_model *model, double level
         return kuijk_blake_lambda_at(model, level);
     case BURNISH_LOBE_TABLE:
         return table_lambda_at(model, level);
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

@@ -88,10 +88,10 @@ typedef struct laid_out {
     burnish_camera camera;
 } laid_out;
 
-static void lay_out(const burnish_mesh *mesh, burnish_framing framing, unsigned kinds, int width,
-                    int height, laid_out *made) {
+static void lay_out(const burnish_mesh *mesh, burnish_framing framing,
+                    burnish_annotation_flags kinds, int width, int height, laid_out *made) {
     const burnish_annotation_depth nothing = {NULL, 0};
-    burnish_annotations annotations = burnish_annotations_default();
+    burnish_annotate_options annotations = burnish_annotate_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     annotations.kinds = kinds;
     framing.aspect = (double)width / height;
@@ -324,7 +324,7 @@ static void test_extremes(void) {
             }
             drop(&made);
         }
-        burnish_annotations annotations = burnish_annotations_default();
+        burnish_annotate_options annotations = burnish_annotate_options_default();
         annotations.kinds = BURNISH_ANNOTATION_ALL;
         burnish_camera inside = made.camera;
         for (int k = 0; k < 3; ++k) {
@@ -333,7 +333,7 @@ static void test_extremes(void) {
         inside.orthographic_height = 0;
         burnish_image image;
         CHECK1(burnish_image_create(&image, 320, 240, 4, NULL) == BURNISH_STATUS_OK);
-        const burnish_pixels pixels = burnish_image_pixels(&image);
+        const burnish_pixels pixels = burnish_image_get_pixels(&image);
         CHECK1(burnish_annotate(mesh, &annotations, &inside, &pixels, NULL, 0, NULL, NULL) ==
                BURNISH_STATUS_OK);
         burnish_image_destroy(&image);
@@ -343,7 +343,7 @@ static void test_extremes(void) {
 
 static void test_refusals(void) {
     burnish_mesh *mesh = block_of(1, 2, 3);
-    burnish_annotations good = burnish_annotations_default(), bad = good;
+    burnish_annotate_options good = burnish_annotate_options_default(), bad = good;
     burnish_framing framing = burnish_framing_default();
     burnish_camera camera;
     burnish_image image;
@@ -353,7 +353,7 @@ static void test_refusals(void) {
     size_t left_out;
     CHECK1(burnish_image_create(&image, 64, 64, 3, NULL) == BURNISH_STATUS_OK);
     CHECK1(burnish_camera_frame(mesh, &framing, &camera, NULL) == BURNISH_STATUS_OK);
-    const burnish_pixels pixels = burnish_image_pixels(&image);
+    const burnish_pixels pixels = burnish_image_get_pixels(&image);
 #define REFUSED(...)                                                                               \
     CHECK(burnish_annotate(__VA_ARGS__, &left_out, &error) == BURNISH_STATUS_ARGUMENT &&           \
               strlen(error.text) > 10,                                                             \

@@ -89,7 +89,7 @@ static burnish_status work(const picture_job *job, uint64_t *hash, burnish_error
         status = burnish_render(mesh, &render, &image, NULL, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        const burnish_pixels pixels = burnish_image_pixels(&image);
+        const burnish_pixels pixels = burnish_image_get_pixels(&image);
         burnish_png_options options = burnish_png_options_default();
         options.threads = job->threads;
         status = burnish_png_encode(&pixels, &options, &png, &png_size, error);

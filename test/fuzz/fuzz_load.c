@@ -245,17 +245,17 @@ static void check_mesh(const burnish_mesh_view *mesh) {
 
 static void check_scene(const burnish_mesh *scene) {
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
-    size_t materials = burnish_mesh_material_count(scene);
+    size_t materials = burnish_mesh_get_material_count(scene);
     check_mesh(mesh);
     require(materials >= 1, "no material", NULL);
     for (size_t i = 0; i < materials; ++i) {
-        check_material(burnish_mesh_material(scene, i));
+        check_material(burnish_mesh_get_material(scene, i));
     }
     for (size_t i = 0; mesh->triangle_materials && i < mesh->triangle_count; ++i) {
         require(mesh->triangle_materials[i] < materials, "material index", NULL);
     }
-    for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
-        check_line(burnish_mesh_warning(scene, i));
+    for (size_t i = 0; i < burnish_mesh_get_warning_count(scene); ++i) {
+        check_line(burnish_mesh_get_warning(scene, i));
     }
 }
 
@@ -340,10 +340,10 @@ static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
     burnish_status status = load(bytes, size, from_file, &options, &other, &error);
     require(status == expected->status && strcmp(error.text, expected->text) == 0,
             "another error by threads", &error);
-    require(burnish_mesh_warning_count(other) == burnish_mesh_warning_count(scene), "warnings",
-            NULL);
-    for (size_t i = 0; i < burnish_mesh_warning_count(scene); ++i) {
-        require(strcmp(burnish_mesh_warning(other, i), burnish_mesh_warning(scene, i)) == 0,
+    require(burnish_mesh_get_warning_count(other) == burnish_mesh_get_warning_count(scene),
+            "warnings", NULL);
+    for (size_t i = 0; i < burnish_mesh_get_warning_count(scene); ++i) {
+        require(strcmp(burnish_mesh_get_warning(other, i), burnish_mesh_get_warning(scene, i)) == 0,
                 "another warning by threads", NULL);
     }
     if (scene) {
@@ -366,7 +366,7 @@ static void compare_sources(const uint8_t *bytes, size_t size, const burnish_loa
     }
     require(load(bytes, size, 0, options, &other, &error) == expected, "another status from memory",
             &error);
-    require(burnish_mesh_warning_count(other) == burnish_mesh_warning_count(scene),
+    require(burnish_mesh_get_warning_count(other) == burnish_mesh_get_warning_count(scene),
             "other warnings from memory", NULL);
     if (scene) {
         compare_meshes(scene, other, "another mesh from memory");

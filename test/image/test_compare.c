@@ -43,7 +43,7 @@ static burnish_image make_scene(int width, int height, int shift) {
 
 static burnish_comparison compare(const burnish_image *a, const burnish_image *b,
                                   const burnish_compare_options *options) {
-    const burnish_pixels pa = burnish_image_pixels(a), pb = burnish_image_pixels(b);
+    const burnish_pixels pa = burnish_image_get_pixels(a), pb = burnish_image_get_pixels(b);
     burnish_comparison found;
     burnish_error error = {0};
     CHECK(burnish_pixels_compare(&pa, &pb, options, &found, &error) == BURNISH_STATUS_OK, "%s",
@@ -272,7 +272,7 @@ static void test_formats(void) {
         to[2] = a.pixels[3 * i];
         to[3] = 255;
     }
-    const burnish_pixels first = burnish_image_pixels(&a),
+    const burnish_pixels first = burnish_image_get_pixels(&a),
                          second = {33, 20, BURNISH_PIXELS_BGRA8, 4 * 41, b.pixels};
     CHECK1(burnish_pixels_compare(&first, &second, NULL, &found, NULL) == BURNISH_STATUS_OK);
     CHECK1(found.different_pixels == 0 && found.largest[3] == 0 && found.flip == 0);
@@ -304,12 +304,13 @@ static void test_threads(void) {
 
 static void test_context(void) {
     burnish_image a = make_scene(20, 200, 0);
-    const burnish_pixels pixels = burnish_image_pixels(&a);
+    const burnish_pixels pixels = burnish_image_get_pixels(&a);
     burnish_compare_options options = burnish_compare_options_default();
     burnish_comparison found;
     burnish_error error;
     counts c;
-    options.context = make_context(&c);
+    burnish_context *context = make_context(&c);
+    options.context = context;
     for (int left = 0; left < 2; ++left) {
         atomic_store(&c.left, left);
         CHECK1(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error) ==
@@ -322,7 +323,7 @@ static void test_context(void) {
            BURNISH_STATUS_CANCELLED);
     c.questions = -1;
     CHECK1(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error) == BURNISH_STATUS_OK);
-    burnish_context_destroy(options.context);
+    burnish_context_destroy(context);
     CHECK1(atomic_load(&c.live) == 0);
     burnish_image_destroy(&a);
 }
@@ -338,7 +339,8 @@ static void refuse(const burnish_pixels *a, const burnish_pixels *b,
 
 static void test_errors(void) {
     burnish_image a = make(4, 4, 3), b = make(4, 5, 3);
-    const burnish_pixels first = burnish_image_pixels(&a), second = burnish_image_pixels(&b);
+    const burnish_pixels first = burnish_image_get_pixels(&a),
+                         second = burnish_image_get_pixels(&b);
     burnish_pixels none = {0};
     burnish_compare_options options = {0};
     refuse(&first, &second, NULL,

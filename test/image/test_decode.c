@@ -59,7 +59,7 @@ static void test_formats(void) {
         {picture_encode_jpeg, 3, 40}, {picture_encode_webp, 3, 0}, {picture_encode_webp, 4, 0}};
     for (size_t i = 0; i < sizeof formats / sizeof *formats; ++i) {
         burnish_image image = make_picture(formats[i].channels), decoded;
-        const burnish_pixels pixels = burnish_image_pixels(&image);
+        const burnish_pixels pixels = burnish_image_get_pixels(&image);
         const picture_options options = {.threads = 1};
         picture_file file = {0};
         burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -441,12 +441,12 @@ static burnish_mesh *load_text(folder *f, const char *name, const char *text,
                                const burnish_load_options *given) {
     burnish_load_options options = *given;
     burnish_image image = make_picture(4);
-    const burnish_pixels pixels = burnish_image_pixels(&image);
+    const burnish_pixels pixels = burnish_image_get_pixels(&image);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *mesh;
     f->asked[0] = 0;
     CHECK1(burnish_png_encode(&pixels, NULL, &f->png, &f->png_size, &error) == BURNISH_STATUS_OK);
-    options.companions = (burnish_file_loader){load, NULL, f};
+    options.referenced_files = (burnish_file_loader){load, NULL, f};
     CHECK(burnish_mesh_load_memory(text, strlen(text), name, &options, &mesh, &error) ==
               BURNISH_STATUS_OK,
           "%s", error.text);
@@ -465,7 +465,7 @@ static void test_obj(void) {
                     "bump -bm 0.5 h.png\nmap_Ke C:\\missing\\missing.png\n"};
     const burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = load_text(&f, "m.obj", obj, &options);
-    const burnish_material *material = burnish_mesh_material(mesh, 0);
+    const burnish_material *material = burnish_mesh_get_material(mesh, 0);
     const burnish_texture_use *color = &material->textures[BURNISH_TEXTURE_COLOR];
     const burnish_texture_use *specular = &material->textures[BURNISH_TEXTURE_SPECULAR];
     CHECK_TEXT(f.asked, "a.mtl|tex/my skin.png|x.png|h.png|missing.png|tex/my skin.png|");
@@ -477,9 +477,9 @@ static void test_obj(void) {
     CHECK1(material->textures[BURNISH_TEXTURE_NORMAL].texture &&
            burnish_mesh_get_view(mesh)->tangents);
     CHECK1(!material->textures[BURNISH_TEXTURE_EMISSIVE].texture);
-    CHECK(burnish_mesh_warning_count(mesh) == 2, "%zu", burnish_mesh_warning_count(mesh));
-    CHECK_TEXT(burnish_mesh_warning(mesh, 0), "a.mtl:4: map_Kd: -mm is not drawn");
-    CHECK_TEXT(burnish_mesh_warning(mesh, 1),
+    CHECK(burnish_mesh_get_warning_count(mesh) == 2, "%zu", burnish_mesh_get_warning_count(mesh));
+    CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), "a.mtl:4: map_Kd: -mm is not drawn");
+    CHECK_TEXT(burnish_mesh_get_warning(mesh, 1),
                "m.obj: texture \"C:\\missing\\missing.png\" is left out: not there");
     burnish_mesh_destroy(mesh);
 }
@@ -490,16 +490,17 @@ static void test_limits(void) {
     options.max_texture_pixels = SIDE * SIDE;
     options.threads = 1; /* several load what is beyond the limit twice */
     burnish_mesh *mesh = load_text(&f, "m.obj", obj, &options);
-    const burnish_texture_use *uses = burnish_mesh_material(mesh, 0)->textures;
+    const burnish_texture_use *uses = burnish_mesh_get_material(mesh, 0)->textures;
     CHECK_TEXT(f.asked, "a.mtl|x.png|y.png|"); /* equal names are one texture */
-    CHECK1(uses[BURNISH_TEXTURE_COLOR].texture == 1 &&
-           uses[BURNISH_TEXTURE_SPECULAR].texture == 1 && burnish_mesh_texture_count(mesh) == 1 &&
-           uses[BURNISH_TEXTURE_EMISSIVE].texture == 0 && burnish_mesh_warning_count(mesh) == 1);
+    CHECK1(
+        uses[BURNISH_TEXTURE_COLOR].texture == 1 && uses[BURNISH_TEXTURE_SPECULAR].texture == 1 &&
+        burnish_mesh_get_texture_count(mesh) == 1 && uses[BURNISH_TEXTURE_EMISSIVE].texture == 0 &&
+        burnish_mesh_get_warning_count(mesh) == 1);
     burnish_mesh_destroy(mesh);
     options.ignore_textures = 1;
     mesh = load_text(&f, "m.obj", obj, &options);
     CHECK_TEXT(f.asked, "a.mtl|");
-    CHECK1(burnish_mesh_texture_count(mesh) == 0 &&
+    CHECK1(burnish_mesh_get_texture_count(mesh) == 0 &&
            !burnish_mesh_get_view(mesh)->texture_coordinates);
     burnish_mesh_destroy(mesh);
 }
@@ -508,22 +509,25 @@ static void test_limits(void) {
 
 /* Everything that textures leave in a mesh is the same in both. */
 static void check_same(const burnish_mesh *a, const burnish_mesh *b, int limit) {
-    const size_t textures = burnish_mesh_texture_count(a), notes = burnish_mesh_warning_count(a);
-    CHECK(textures == burnish_mesh_texture_count(b) && notes == burnish_mesh_warning_count(b),
+    const size_t textures = burnish_mesh_get_texture_count(a),
+                 notes = burnish_mesh_get_warning_count(a);
+    CHECK(textures == burnish_mesh_get_texture_count(b) &&
+              notes == burnish_mesh_get_warning_count(b),
           "limit %d: %zu and %zu textures, %zu and %zu warnings", limit, textures,
-          burnish_mesh_texture_count(b), notes, burnish_mesh_warning_count(b));
-    for (size_t i = 0; i < textures && i < burnish_mesh_texture_count(b); ++i) {
-        const burnish_texture *x = burnish_mesh_texture(a, i), *y = burnish_mesh_texture(b, i);
+          burnish_mesh_get_texture_count(b), notes, burnish_mesh_get_warning_count(b));
+    for (size_t i = 0; i < textures && i < burnish_mesh_get_texture_count(b); ++i) {
+        const burnish_texture *x = burnish_mesh_get_texture(a, i),
+                              *y = burnish_mesh_get_texture(b, i);
         CHECK_TEXT(x->name, y->name);
         CHECK1(x->width == y->width && x->height == y->height && x->is_color == y->is_color &&
                memcmp(x->pixels, y->pixels, 4 * (size_t)(x->width * x->height)) == 0);
     }
-    for (size_t i = 0; i < notes && i < burnish_mesh_warning_count(b); ++i) {
-        CHECK_TEXT(burnish_mesh_warning(a, i), burnish_mesh_warning(b, i));
+    for (size_t i = 0; i < notes && i < burnish_mesh_get_warning_count(b); ++i) {
+        CHECK_TEXT(burnish_mesh_get_warning(a, i), burnish_mesh_get_warning(b, i));
     }
     for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
-        CHECK(burnish_mesh_material(a, 0)->textures[slot].texture ==
-                  burnish_mesh_material(b, 0)->textures[slot].texture,
+        CHECK(burnish_mesh_get_material(a, 0)->textures[slot].texture ==
+                  burnish_mesh_get_material(b, 0)->textures[slot].texture,
               "limit %d: slot %d", limit, slot);
     }
 }
@@ -538,7 +542,7 @@ static void test_side_by_side(void) {
         burnish_load_options options = burnish_load_options_default();
         burnish_mesh *meshes[2][2];
         burnish_image image = make_picture(4);
-        const burnish_pixels pixels = burnish_image_pixels(&image);
+        const burnish_pixels pixels = burnish_image_get_pixels(&image);
         burnish_error error = {BURNISH_STATUS_OK, ""};
         char json[1600];
         static byte_list binary;
@@ -575,7 +579,7 @@ static void test_side_by_side(void) {
         }
         for (int i = 0; i < 2; ++i) {
             check_same(meshes[i][0], meshes[i][1], limit);
-            CHECK1(burnish_mesh_texture_count(meshes[i][0]) > 0 || limit == 1);
+            CHECK1(burnish_mesh_get_texture_count(meshes[i][0]) > 0 || limit == 1);
             burnish_mesh_destroy(meshes[i][0]);
             burnish_mesh_destroy(meshes[i][1]);
         }
@@ -595,9 +599,9 @@ static void test_ply(void) {
         "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n",
         &options);
     CHECK_TEXT(f.asked, "skin.png|");
-    CHECK1(burnish_mesh_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 1 &&
+    CHECK1(burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 1 &&
            burnish_mesh_get_view(mesh)->texture_coordinates &&
-           burnish_mesh_warning_count(mesh) == 0);
+           burnish_mesh_get_warning_count(mesh) == 0);
     burnish_mesh_destroy(mesh);
 }
 
@@ -621,7 +625,7 @@ static void test_limit_of_bytes(void) {
             "m.obj: texture \"x.png\" is left out: x.png: 16384 x 5887 pixels, and %zu are left "
             "of the limit of all textures; raise it, or make them smaller",
             left);
-        CHECK_TEXT(burnish_mesh_warning(mesh, 0), text);
+        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), text);
         burnish_mesh_destroy(mesh);
         free(tga);
     }
@@ -643,12 +647,12 @@ static void test_ply_faces(void) {
         "3 0 1 2 6 0 0 1 0 0 1 2\n3 2 1 0 6 0 0 1 0 0 1 0\n",
         &options);
     CHECK_TEXT(f.asked, "m_A.png|missing.png|C.png|");
-    CHECK1(burnish_mesh_texture_count(mesh) == 2 && burnish_mesh_material_count(mesh) == 3);
-    CHECK1(burnish_mesh_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 1 &&
-           burnish_mesh_material(mesh, 1)->textures[BURNISH_TEXTURE_COLOR].texture == 0 &&
-           burnish_mesh_material(mesh, 2)->textures[BURNISH_TEXTURE_COLOR].texture == 2);
+    CHECK1(burnish_mesh_get_texture_count(mesh) == 2 && burnish_mesh_get_material_count(mesh) == 3);
+    CHECK1(burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 1 &&
+           burnish_mesh_get_material(mesh, 1)->textures[BURNISH_TEXTURE_COLOR].texture == 0 &&
+           burnish_mesh_get_material(mesh, 2)->textures[BURNISH_TEXTURE_COLOR].texture == 2);
     CHECK1(burnish_mesh_get_view(mesh)->texture_coordinates &&
-           !burnish_mesh_get_view(mesh)->colors && burnish_mesh_warning_count(mesh) == 1);
+           !burnish_mesh_get_view(mesh)->colors && burnish_mesh_get_warning_count(mesh) == 1);
     burnish_mesh_destroy(mesh);
 }
 

@@ -89,10 +89,10 @@ static burnish_status load(const void *bytes, size_t size, uint64_t *hash, burni
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh;
     options.threads = 1;
-    options.companions = (burnish_file_loader){give_picture, NULL, &picture};
+    options.referenced_files = (burnish_file_loader){give_picture, NULL, &picture};
     const burnish_status status =
         burnish_mesh_load_memory(obj, strlen(obj), "m.obj", &options, &mesh, error);
-    *hash = status == BURNISH_STATUS_OK ? 1 + burnish_mesh_texture_count(mesh) : 0;
+    *hash = status == BURNISH_STATUS_OK ? 1 + burnish_mesh_get_texture_count(mesh) : 0;
     burnish_mesh_destroy(mesh);
     return status;
 }
@@ -147,7 +147,7 @@ static void test_decoders(void) {
         for (int k = 0; k < SIDE * SIDE * 3; ++k) {
             image.pixels[k] = (uint8_t)(k * k / 7);
         }
-        const burnish_pixels pixels = burnish_image_pixels(&image);
+        const burnish_pixels pixels = burnish_image_get_pixels(&image);
         if (formats[i].encode(&pixels, &options, &file, &error) == BURNISH_STATUS_OK) {
             fail_each(formats[i].name, &file, decode);
             fail_each(formats[i].name, &file, load);

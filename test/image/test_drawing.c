@@ -62,7 +62,7 @@ static void read_color(const char *text, uint8_t color[3]) {
 /* Draws the groups of lines that an SVG has from `text` on. */
 static void draw_groups(const char *text, const burnish_image *image) {
     static burnish_stroke strokes[1 << 15];
-    const burnish_pixels pixels = burnish_image_pixels(image);
+    const burnish_pixels pixels = burnish_image_get_pixels(image);
     for (const char *group = text; (group = strstr(group, "<g ")) != NULL; ++group) {
         const char *end = strstr(group, "</g>"), *opacity = attribute(group, "opacity");
         uint8_t color[3];
@@ -103,7 +103,7 @@ static size_t count_differences(const burnish_image *a, const burnish_image *b, 
 static char *svg_of(const burnish_drawing *drawing, double dots_per_inch) {
     char *text = NULL;
     size_t size = 0;
-    CHECK1(burnish_drawing_svg(drawing, NULL, NULL, dots_per_inch, &text, &size, &error) ==
+    CHECK1(burnish_drawing_encode_svg(drawing, NULL, NULL, dots_per_inch, &text, &size, &error) ==
            BURNISH_STATUS_OK);
     return text;
 }
@@ -116,7 +116,7 @@ static void test_annotations(int orthographic) {
     static const char *const labels[] = {"6.434", "3.15", "4", "X", "Y", "Z", "grid 0.5"};
     burnish_mesh *mesh = load(":teapot");
     burnish_render_options options = make_options(mesh, orthographic);
-    burnish_annotations annotations = burnish_annotations_default();
+    burnish_annotate_options annotations = burnish_annotate_options_default();
     burnish_framing framing = burnish_framing_default();
     burnish_image expected = {0}, drawn = {0};
     burnish_drawing *drawing;
@@ -138,7 +138,7 @@ static void test_annotations(int orthographic) {
            burnish_image_create(&drawn, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
     fill_white(&expected);
     fill_white(&drawn);
-    const burnish_pixels pixels = burnish_image_pixels(&expected);
+    const burnish_pixels pixels = burnish_image_get_pixels(&expected);
     CHECK1(burnish_annotate(mesh, &annotations, &options.camera, &pixels, depth,
                             target.depth_stride, &left_out[0], &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
@@ -219,7 +219,7 @@ static void find_truth(const burnish_mesh *mesh, const burnish_render_options *o
     plain.edges = 0;
     plain.samples = 1;
     CHECK1(burnish_image_create(image, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
-    target.pixels = burnish_image_pixels(image);
+    target.pixels = burnish_image_get_pixels(image);
     target.normals = normals[0];
     target.normal_stride = WIDTH * sizeof *normals;
     CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
@@ -289,7 +289,7 @@ static void test_areas(int orthographic) {
     static const double planes[2][3] = {{0, 0, 1}, {1, 0, 0}};
     static truth t;
     burnish_mesh *mesh = load(":torus");
-    burnish_material grey = *burnish_mesh_material(mesh, 0);
+    burnish_material grey = *burnish_mesh_get_material(mesh, 0);
     burnish_renderer *renderer;
     burnish_drawing *drawing;
     burnish_image image = {0}, edged = {0};
@@ -405,7 +405,7 @@ static void test_sheet(void) {
 
 /* A font of squares, one per byte, whose lower and upper sides outlines leave out. */
 static int32_t set_squares(void *user_data, const char *text, size_t length, int height,
-                           burnish_take_outline *take, void *context) {
+                           burnish_outline_sink *take, void *context) {
     (void)user_data, (void)text;
     const int32_t side = height * 256;
     for (size_t i = 0; i < length && take; ++i) {
@@ -459,10 +459,10 @@ static void test_arguments(void) {
     CHECK1(burnish_drawing_create(NULL, 0, 9, &drawing, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_drawing_create(NULL, 9, BURNISH_IMAGE_MAX_SIZE + 1, &drawing, &error) ==
            BURNISH_STATUS_ARGUMENT);
-    CHECK1(burnish_drawing_svg(NULL, NULL, NULL, 0, &text, &size, &error) ==
+    CHECK1(burnish_drawing_encode_svg(NULL, NULL, NULL, 0, &text, &size, &error) ==
            BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_drawing_create(NULL, 1000, 700, &drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_svg(drawing, NULL, NULL, 0.5, &text, &size, &error) ==
+    CHECK1(burnish_drawing_encode_svg(drawing, NULL, NULL, 0.5, &text, &size, &error) ==
            BURNISH_STATUS_ARGUMENT);
     text = svg_of(drawing, 300);
     CHECK1(strstr(text, "width=\"84.6667mm\" height=\"59.2667mm\" viewBox=\"0 0 1000 700\""));
@@ -479,7 +479,7 @@ static void test_arguments(void) {
 /* Every allocation fails once; what was taken is given back. */
 static void test_memory(void) {
     burnish_mesh *mesh = load(":torus");
-    burnish_annotations annotations = burnish_annotations_default();
+    burnish_annotate_options annotations = burnish_annotate_options_default();
     long failures = 0;
     cut(mesh, 0, 0, 1, 0.1);
     burnish_render_options options = make_options(mesh, 0);
@@ -512,7 +512,7 @@ static void test_memory(void) {
                                               NULL, &error);
         }
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_drawing_svg(drawing, "t", NULL, 0, &text, &size, &error);
+            status = burnish_drawing_encode_svg(drawing, "t", NULL, 0, &text, &size, &error);
         }
         CHECK(status == BURNISH_STATUS_OK || status == BURNISH_STATUS_MEMORY, "%s", error.text);
         burnish_release(context, text);

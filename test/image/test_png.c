@@ -47,7 +47,7 @@ static void check_decoded(const burnish_image *image, const void *bytes, size_t 
 
 static burnish_status encode(const burnish_image *image, int threads, uint8_t **bytes, size_t *size,
                              burnish_error *error) {
-    const burnish_pixels pixels = burnish_image_pixels(image);
+    const burnish_pixels pixels = burnish_image_get_pixels(image);
     burnish_png_options options = burnish_png_options_default();
     options.threads = threads;
     return burnish_png_encode(&pixels, &options, bytes, size, error);
@@ -259,7 +259,7 @@ static void test_density(void) {
         unsigned per_metre;
     } CASES[] = {{0, 0}, {1, 39}, {72, 2835}, {300, 11811}, {96.5, 3799}, {1e6, 39370079}};
     burnish_image image = make(5, 4, 3);
-    const burnish_pixels pixels = burnish_image_pixels(&image);
+    const burnish_pixels pixels = burnish_image_get_pixels(&image);
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; ++i) {
         burnish_png_options options = burnish_png_options_default();
         uint8_t *bytes;
@@ -322,7 +322,8 @@ static int cancel_at_once(void *unused) {
 static void test_context(void) {
     counted_memory counted = {1000, 0};
     burnish_image image = make_kind(600, 400, 3, 1);
-    const burnish_pixels pixels = burnish_image_pixels(&image);
+    const burnish_pixels pixels = burnish_image_get_pixels(&image);
+    burnish_context *context;
     burnish_context_options wanted = burnish_context_options_default();
     wanted.allocator = (burnish_allocator){counted_allocate, counted_release, &counted};
     burnish_png_options options = burnish_png_options_default();
@@ -330,7 +331,8 @@ static void test_context(void) {
     uint8_t *bytes;
     size_t size;
     burnish_error error;
-    CHECK_STATUS(burnish_context_create(&wanted, &options.context, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_context_create(&wanted, &context, NULL), BURNISH_STATUS_OK);
+    options.context = context;
     int failed = 0;
     for (;; ++failed) {
         counted.left = failed;
@@ -342,15 +344,16 @@ static void test_context(void) {
     }
     CHECK(failed > 5 && counted.live == 2, "%d failures, %d allocations", failed, counted.live);
     burnish_release(options.context, bytes);
-    burnish_context_destroy(options.context);
+    burnish_context_destroy(context);
     CHECK(counted.live == 0, "%d allocations left", counted.live);
 
     wanted = burnish_context_options_default();
     wanted.cancelled = cancel_at_once;
-    CHECK_STATUS(burnish_context_create(&wanted, &options.context, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_context_create(&wanted, &context, NULL), BURNISH_STATUS_OK);
+    options.context = context;
     CHECK_STATUS(burnish_png_encode(&pixels, &options, &bytes, &size, &error),
                  BURNISH_STATUS_CANCELLED);
-    burnish_context_destroy(options.context);
+    burnish_context_destroy(context);
     burnish_image_destroy(&image);
 }
 
@@ -379,17 +382,19 @@ static void placed_release(void *user_data, void *memory) {
 /* The file's bytes don't depend on where its memory lies. */
 static void test_places(void) {
     uint64_t state = test_seed(1);
+    burnish_context *context;
     burnish_context_options wanted = burnish_context_options_default();
     wanted.allocator = (burnish_allocator){placed_allocate, placed_release, &state};
     burnish_png_options options = burnish_png_options_default();
     options.threads = 1;
-    CHECK_STATUS(burnish_context_create(&wanted, &options.context, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_context_create(&wanted, &context, NULL), BURNISH_STATUS_OK);
+    options.context = context;
     uint8_t *first = NULL;
     size_t first_size = 0;
     int others = 0;
     burnish_image image = make(32, 16, 3);
     memset(image.pixels, 200, (size_t)32 * 16 * 3);
-    const burnish_pixels pixels = burnish_image_pixels(&image);
+    const burnish_pixels pixels = burnish_image_get_pixels(&image);
     for (int i = 0; i < 6000; ++i) {
         uint8_t *bytes;
         size_t size;
@@ -404,7 +409,7 @@ static void test_places(void) {
     CHECK(others == 0, "%d of 6000 files are others", others);
     burnish_release(options.context, first);
     burnish_image_destroy(&image);
-    burnish_context_destroy(options.context);
+    burnish_context_destroy(context);
 }
 
 #define PATH TEST_BINARY_DIR "/test_png.png"
@@ -494,7 +499,7 @@ static void test_streams(void) {
     static const uint32_t pieces[] = {1, 5, 64, 20000};
     for (size_t i = 0; i < 2 * sizeof sizes / sizeof *sizes; ++i) {
         burnish_image image = make(sizes[i / 2][0], sizes[i / 2][1], 3 + (int)(i % 2));
-        const burnish_pixels pixels = burnish_image_pixels(&image);
+        const burnish_pixels pixels = burnish_image_get_pixels(&image);
         burnish_png_options options = burnish_png_options_default();
         uint8_t *whole;
         size_t size;
@@ -516,7 +521,7 @@ static void test_streams(void) {
 
 static void test_bad_streams(void) {
     burnish_image image = make(20, 10, 3);
-    burnish_pixels rows = burnish_image_pixels(&image);
+    burnish_pixels rows = burnish_image_get_pixels(&image);
     burnish_png_stream *stream = NULL;
     burnish_error error;
     uint8_t *bytes;

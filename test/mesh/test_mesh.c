@@ -171,7 +171,7 @@ static void test_large_fan(void) {
     CHECK(view->vertex_count > 0 && near(view->positions, 0, 0, 1, 0) &&
               near(view->normals, 0, 0, 1, 1e-6),
           "%g %g %g", (double)view->normals[0], (double)view->normals[1], (double)view->normals[2]);
-    CHECK1(burnish_mesh_warning_count(mesh) == 0);
+    CHECK1(burnish_mesh_get_warning_count(mesh) == 0);
     burnish_mesh_destroy(mesh);
 
     for (uint32_t i = 0; i < count; ++i) {
@@ -212,10 +212,10 @@ static void test_zero_area(void) {
     CHECK(view->triangle_count == 2 && view->vertex_count == 4, "%zu", view->vertex_count);
     CHECK1(near(view->positions + 3 * view->indices[4], 2, 0, 0, 0));
     CHECK1(view->bounds_max[0] == 2 && view->bounds_max[2] == 0);
-    CHECK1(burnish_mesh_warning_count(mesh) == 1);
-    CHECK_TEXT(burnish_mesh_warning(mesh, 0),
+    CHECK1(burnish_mesh_get_warning_count(mesh) == 1);
+    CHECK_TEXT(burnish_mesh_get_warning(mesh, 0),
                "mesh: 4 of 6 triangles have no area and were left out");
-    CHECK1(burnish_mesh_warning(mesh, 1) == NULL);
+    CHECK1(burnish_mesh_get_warning(mesh, 1) == NULL);
     burnish_mesh_destroy(mesh);
 
     burnish_error error;

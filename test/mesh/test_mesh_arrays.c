@@ -214,25 +214,25 @@ static void test_material_numbers(void) {
     const uint16_t numbers[4] = {2, 1, 0, 2}, zeros[4] = {0};
     CHECK(build_materials(3, numbers, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    CHECK1(view->triangle_count == 3 && burnish_mesh_material_count(mesh) == 3);
+    CHECK1(view->triangle_count == 3 && burnish_mesh_get_material_count(mesh) == 3);
     const uint16_t *kept = view->triangle_materials;
     if (CHECK1(kept != NULL)) {
         CHECK(kept[0] == 2 && kept[1] == 0 && kept[2] == 2, "%d %d %d", kept[0], kept[1], kept[2]);
     }
-    CHECK1(burnish_mesh_material(mesh, 2)->exponent == 12);
-    CHECK1(burnish_mesh_material(mesh, 3) == NULL);
+    CHECK1(burnish_mesh_get_material(mesh, 2)->exponent == 12);
+    CHECK1(burnish_mesh_get_material(mesh, 3) == NULL);
     burnish_mesh_destroy(mesh);
 
     CHECK1(build_materials(1, zeros, &mesh, &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_mesh_get_view(mesh)->triangle_materials == NULL);
-    CHECK1(burnish_mesh_material_count(mesh) == 1);
-    CHECK1(burnish_mesh_material(mesh, 0)->exponent == 10);
+    CHECK1(burnish_mesh_get_material_count(mesh) == 1);
+    CHECK1(burnish_mesh_get_material(mesh, 0)->exponent == 10);
     burnish_mesh_destroy(mesh);
 
     CHECK1(build_materials(0, zeros, &mesh, &error) == BURNISH_STATUS_OK);
     burnish_material grey = burnish_material_default();
-    CHECK1(burnish_mesh_material_count(mesh) == 1);
-    CHECK1(memcmp(burnish_mesh_material(mesh, 0), &grey, sizeof grey) == 0);
+    CHECK1(burnish_mesh_get_material_count(mesh) == 1);
+    CHECK1(memcmp(burnish_mesh_get_material(mesh, 0), &grey, sizeof grey) == 0);
     burnish_mesh_destroy(mesh);
 
     CHECK1(build_materials(2, numbers, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
@@ -251,7 +251,7 @@ static void test_set_material(void) {
     m.diffuse[1] = 1;
     m.specular[2] = 0;
     CHECK1(burnish_mesh_set_material(mesh, 0, &m, &error) == BURNISH_STATUS_OK);
-    CHECK1(memcmp(burnish_mesh_material(mesh, 0), &m, sizeof m) == 0);
+    CHECK1(memcmp(burnish_mesh_get_material(mesh, 0), &m, sizeof m) == 0);
     CHECK1(burnish_mesh_set_material(mesh, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "index: 1 is out of range, the mesh has 1 material");
     CHECK1(burnish_mesh_set_material(NULL, 0, &m, &error) == BURNISH_STATUS_ARGUMENT);
@@ -268,7 +268,8 @@ static void test_set_material(void) {
             CHECK(strstr(error.text, words[k]), "%s", error.text);
         }
     }
-    CHECK(memcmp(burnish_mesh_material(mesh, 0), &m, sizeof m) == 0, "a refused one was stored");
+    CHECK(memcmp(burnish_mesh_get_material(mesh, 0), &m, sizeof m) == 0,
+          "a refused one was stored");
     burnish_mesh_destroy(mesh);
 }
 
@@ -308,7 +309,7 @@ static void test_arguments(void) {
     CHECK1(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_LIMIT);
     CHECK_TEXT(error.text, "mesh: more than 1431655764 triangles; split or simplify the mesh");
     burnish_mesh_destroy(NULL);
-    CHECK1(burnish_mesh_get_view(NULL) == NULL && burnish_mesh_material_count(NULL) == 0);
+    CHECK1(burnish_mesh_get_view(NULL) == NULL && burnish_mesh_get_material_count(NULL) == 0);
 }
 
 static void test_options(void) {

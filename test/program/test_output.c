@@ -387,12 +387,12 @@ static void test_last_step(void) {
     burnish_error error;
     for (has_no_proc = 0; has_no_proc <= 1; ++has_no_proc) {
         int entries = -1;
-        CHECK_STATUS(burnish_file_write_then(path_of("l"), "new", 3, refuse, &entries, &error),
+        CHECK_STATUS(burnish_file_write_checked(path_of("l"), "new", 3, refuse, &entries, &error),
                      BURNISH_STATUS_MEMORY);
         CHECK_TEXT(error.text, "no report");
         CHECK(entries >= 0 && entry_count() == 0, "%d entries", entry_count());
         CHECK_STATUS(burnish_file_write(path_of("l"), "old", 3, NULL), BURNISH_STATUS_OK);
-        CHECK_STATUS(burnish_file_write_then(path_of("l"), "new", 3, refuse, &entries, &error),
+        CHECK_STATUS(burnish_file_write_checked(path_of("l"), "new", 3, refuse, &entries, &error),
                      BURNISH_STATUS_MEMORY);
         CHECK(holds(path_of("l"), "old") && entry_count() == 1, "%d entries", entry_count());
         unlink(path_of("l"));
@@ -423,15 +423,15 @@ static void test_last_step_of_stream(void) {
     for (has_no_proc = 0; has_no_proc <= 1; ++has_no_proc) {
         broken_stream stream = {0, BURNISH_STATUS_LIMIT};
         CHECK_STATUS(burnish_file_write(path_of("s"), "old", 3, NULL), BURNISH_STATUS_OK);
-        CHECK_STATUS(
-            burnish_file_write_stream_then(path_of("s"), three_bytes, &stream, last_status, &error),
-            BURNISH_STATUS_LIMIT);
+        CHECK_STATUS(burnish_file_write_stream_checked(path_of("s"), three_bytes, &stream,
+                                                       last_status, &error),
+                     BURNISH_STATUS_LIMIT);
         CHECK(stream.calls == 2 && holds(path_of("s"), "old") && entry_count() == 1, "%d entries",
               entry_count());
         stream = (broken_stream){0, BURNISH_STATUS_OK};
-        CHECK_STATUS(
-            burnish_file_write_stream_then(path_of("s"), three_bytes, &stream, last_status, &error),
-            BURNISH_STATUS_OK);
+        CHECK_STATUS(burnish_file_write_stream_checked(path_of("s"), three_bytes, &stream,
+                                                       last_status, &error),
+                     BURNISH_STATUS_OK);
         CHECK(holds(path_of("s"), "new") && entry_count() == 1, "%d entries", entry_count());
         unlink(path_of("s"));
     }

@@ -37,7 +37,7 @@ __attribute__((unused)) static double psnr(const uint8_t *a, const uint8_t *b, s
 
 static burnish_status encode(picture_format format, const burnish_image *image,
                              picture_options options, picture_file *file, burnish_error *error) {
-    const burnish_pixels pixels = burnish_image_pixels(image);
+    const burnish_pixels pixels = burnish_image_get_pixels(image);
     return picture_encode(format, &pixels, &options, file, error);
 }
 

@@ -164,7 +164,7 @@ static void test_sphere(void) {
         CHECK(euler(&t, view) == 2, "%ld", euler(&t, view));
         CHECK(view->triangle_count == 48u * n * n, "%zu", view->triangle_count);
         CHECK(view->vertex_count == t.vertices, "%zu, %zu", view->vertex_count, t.vertices);
-        CHECK1(burnish_mesh_warning_count(mesh) == 0);
+        CHECK1(burnish_mesh_get_warning_count(mesh) == 0);
         size_t equator = 0;
         for (size_t i = 0; i < view->vertex_count; ++i) {
             const float *p = view->positions + 3 * i;
@@ -226,7 +226,7 @@ static void test_knot(void) {
     topology t = examine(view);
     CHECK(t.open == 0 && t.wrong == 0 && euler(&t, view) == 0, "%zu open, Euler %ld", t.open,
           euler(&t, view));
-    CHECK1(view->vertex_count == t.vertices && burnish_mesh_warning_count(mesh) == 0);
+    CHECK1(view->vertex_count == t.vertices && burnish_mesh_get_warning_count(mesh) == 0);
     check_normals(view, "knot", 0.95);
     /* A tube's volume is its section times the length of the knot (Pappus). */
     double volume, area, length = 0;
@@ -257,7 +257,7 @@ static void test_teapot(void) {
         /* Body, rim and bottom: a disc (1); lid: a disc (1); handle and spout: tubes (0). The
          * common point counts once. */
         CHECK(euler(&t, view) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(&t, view));
-        CHECK(burnish_mesh_warning_count(mesh) == 0, "%s", burnish_mesh_warning(mesh, 0));
+        CHECK(burnish_mesh_get_warning_count(mesh) == 0, "%s", burnish_mesh_get_warning(mesh, 0));
         burnish_mesh_destroy(mesh);
     }
     burnish_mesh *mesh = make(":teapot", 16, 40);

@@ -214,9 +214,9 @@ static void test_no_materials(void) {
         CHECK1(data.material_count == 0);
         CHECK1(burnish_mesh_build(&data, "sphere", &load, BURNISH_FORMAT_BUILTIN, &mesh) ==
                BURNISH_STATUS_OK);
-        const burnish_named_camera *camera = burnish_mesh_camera(mesh, 0);
+        const burnish_named_camera *camera = burnish_mesh_get_camera(mesh, 0);
         CHECK(camera && camera->camera.position[1] == 7, "the camera is lost");
-        CHECK(burnish_mesh_light_count(mesh) == 1, "the light is lost");
+        CHECK(burnish_mesh_get_light_count(mesh) == 1, "the light is lost");
     }
     burnish_mesh_data_destroy(&data);
     burnish_mesh_destroy(mesh);

@@ -188,9 +188,10 @@ static void change_mesh(frame *f) {
 
 static void change_material(frame *f) {
     burnish_mesh *mesh = f->meshes[f->mesh];
-    const size_t i = (size_t)below((int)burnish_mesh_material_count(mesh));
-    const int textures = (int)burnish_mesh_texture_count(mesh);
-    burnish_material material = *burnish_mesh_material(mesh, i), other = random_material(textures);
+    const size_t i = (size_t)below((int)burnish_mesh_get_material_count(mesh));
+    const int textures = (int)burnish_mesh_get_texture_count(mesh);
+    burnish_material material = *burnish_mesh_get_material(mesh, i),
+                     other = random_material(textures);
     switch (below(5)) {
     case 0:
         material = other;

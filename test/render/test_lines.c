@@ -476,8 +476,8 @@ static void test_svg(void) {
     burnish_drawing *drawing = NULL;
     CHECK1(burnish_drawing_create(NULL, SIZE, SIZE, &drawing, &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_svg(drawing, "a<b>&\"c\n", options.background, 0, &text, &size,
-                               &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_drawing_encode_svg(drawing, "a<b>&\"c\n", options.background, 0, &text, &size,
+                                      &error) == BURNISH_STATUS_OK);
     CHECK1(strlen(text) == size && strstr(text, "<title>a&lt;b&gt;&amp;&quot;c </title>") &&
            strstr(text, "width=\"400\" height=\"400\" viewBox=\"0 0 400 400\"") &&
            strstr(text, "fill=\"#ffffff\""));
@@ -653,7 +653,7 @@ static void test_refusals(void) {
     burnish_image image;
     for (int i = 0; i < 6; ++i) {
         burnish_render_options options = make_options(position, 3, BURNISH_EDGES_FEATURES);
-        options.edges = i == 0 ? -1 : i == 1 ? 64 : options.edges;
+        options.edges = i == 0 ? UINT32_MAX : i == 1 ? 64u : options.edges;
         options.edge_width = i == 2 ? 0 : i == 3 ? NAN : i == 4 ? 101 : options.edge_width;
         options.edge_opacity = i == 5 ? 1.5f : 1;
         CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&

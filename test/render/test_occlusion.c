@@ -142,7 +142,7 @@ static void test_exposure(void) {
     burnish_image image = {0};
     int brightest = 0;
     burnish_mesh_load(":sphere", &load, &mesh, &error);
-    burnish_material material = *burnish_mesh_material(mesh, 0);
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
     CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_STUDIO, &error) ==
                   BURNISH_STATUS_OK &&
               burnish_look_set_materials(BURNISH_LOOK_STUDIO, mesh, &error) == BURNISH_STATUS_OK,

@@ -14,7 +14,7 @@ static float *draw(burnish_mesh *mesh, const double light[3], int shadow) {
     burnish_render_options options = burnish_render_options_default();
     burnish_render_report report;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_material material = *burnish_mesh_material(mesh, 0);
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
     for (int k = 0; k < 3; ++k) {
         material.ambient[k] = material.diffuse[k] = 1;
         material.specular[k] = 0;

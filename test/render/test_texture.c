@@ -475,8 +475,8 @@ static void test_tangents(void) {
     arrays.texture_coordinates.items = NULL;
     arrays.texture_coordinates.count = 0;
     CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK);
-    CHECK1(!burnish_mesh_get_view(mesh)->tangents && burnish_mesh_warning_count(mesh) == 1 &&
-           burnish_mesh_material(mesh, 0)->textures[BURNISH_TEXTURE_NORMAL].texture == 0);
+    CHECK1(!burnish_mesh_get_view(mesh)->tangents && burnish_mesh_get_warning_count(mesh) == 1 &&
+           burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_NORMAL].texture == 0);
     burnish_mesh_destroy(mesh);
 }
 
@@ -594,7 +594,7 @@ static void test_refused(void) {
     load.max_texture_pixels = 1;
     load.ignore_textures = 1;
     CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_texture_count(mesh) == 0 && !burnish_mesh_texture(mesh, 0));
+    CHECK1(burnish_mesh_get_texture_count(mesh) == 0 && !burnish_mesh_get_texture(mesh, 0));
     burnish_mesh_destroy(mesh);
 }
 

@@ -403,7 +403,7 @@ static burnish_mesh *load(const char *name) {
 }
 
 static void set_transparency(burnish_mesh *mesh, float value) {
-    burnish_material material = *burnish_mesh_material(mesh, 0);
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
     material.transparency = value;
     CHECK1(burnish_mesh_set_material(mesh, 0, &material, NULL) == BURNISH_STATUS_OK);
 }
@@ -539,7 +539,7 @@ static void test_vertex_alpha(void) {
 
 static void test_material_check(void) {
     burnish_mesh *mesh = load(":sphere");
-    burnish_material material = *burnish_mesh_material(mesh, 0);
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
     burnish_error error;
     static const float wrong[] = {-0.1f, 1.1f, NAN, INFINITY};
     for (int i = 0; i < 4; ++i) {

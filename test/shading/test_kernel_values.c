@@ -18,7 +18,7 @@ static double accurate_lobe(const lobe_case *lobe, double c) {
         u = 1 - (double)lobe->family.zeta * (1 - (c < 1 ? c : 1));
         return u > 0 ? pow(u, lobe->family.order) : 0;
     case BURNISH_LOBE_POWER:
-    case BURNISH_LOBE_WHOLE_POWER:
+    case BURNISH_LOBE_INTEGER_POWER:
         return c > 0 ? pow(c < 1 ? c : 1, n) : 0;
     case BURNISH_LOBE_GAUSSIAN:
         return exp(-(n + 0.775) * (1 - (c < 1 ? c : 1)));
@@ -103,9 +103,9 @@ static void check_values(void) {
     check_all_floats(BURNISH_LOBE_SCHLICK, 2, 1);
     check_all_floats(BURNISH_LOBE_GX, 2, 1);
     check_all_floats(BURNISH_LOBE_POWER, 2, 0);
-    check_all_floats(BURNISH_LOBE_WHOLE_POWER, 2, 0);
+    check_all_floats(BURNISH_LOBE_INTEGER_POWER, 2, 0);
     check_all_floats(BURNISH_LOBE_GAUSSIAN, 2, 0);
-    lobe_case whole = make(BURNISH_LOBE_WHOLE_POWER, 2, 37);
+    lobe_case whole = make(BURNISH_LOBE_INTEGER_POWER, 2, 37);
     float c[3] = {0.9f, 1, 0.5f}, values[3];
     burnish_kernels_lobe_of_cosines(scalar(), &whole.spec, whole.exponent, 3, c, values, NULL);
     CHECK(fabs((double)values[0] - pow((double)0.9f, 37)) < 1e-8, "0.9^37: %g", (double)values[0]);

@@ -17,7 +17,7 @@
 static void check_lobe_of_isa(const burnish_kernels *kernels, const lobe_case *lobe,
                               uint64_t *state) {
     static float cosines[BLOCK + MOST_LANES], expected[BLOCK], values[BLOCK];
-    const char *name = burnish_isa_name(burnish_kernels_isa(kernels));
+    const char *name = burnish_isa_name(burnish_kernels_get_isa(kernels));
     for (int lambda = 0; lambda < 2; ++lambda) {
         for (size_t count = 0; count <= BLOCK; count = count < 50 ? count + 1 : count + 1349) {
             size_t shift = test_random32(state) % MOST_LANES;
@@ -75,7 +75,7 @@ static void check_streaming(const burnish_kernels *kernels) {
         wrong += bits_of(in[i]) != bits_of(want);
     }
     CHECK(wrong == 0, "%s: %zu of %zu streamed values differ",
-          burnish_isa_name(burnish_kernels_isa(kernels)), wrong, count);
+          burnish_isa_name(burnish_kernels_get_isa(kernels)), wrong, count);
     free(in);
 }
 
@@ -83,7 +83,7 @@ static void check_shade_of_isa(const burnish_kernels *kernels, uint64_t *state) 
     static point_arrays arrays;
     static uint8_t pixels[2][4 * (BLOCK + 1)];
     static float colors[2][3][BLOCK + 1];
-    const char *name = burnish_isa_name(burnish_kernels_isa(kernels));
+    const char *name = burnish_isa_name(burnish_kernels_get_isa(kernels));
     for (int trial = 0; trial < 1200; ++trial) {
         burnish_lobe_kind kind = KINDS[trial % KIND_COUNT];
         burnish_kernels_lighting lighting = random_lighting(kind, state);
@@ -138,7 +138,7 @@ static void check_normalize_of_isa(const burnish_kernels *kernels, uint64_t *sta
         different += memcmp(out[0], out[1], sizeof out[0]) != 0;
     }
     CHECK(different == 0, "%s: %d arrays are normalised differently",
-          burnish_isa_name(burnish_kernels_isa(kernels)), different);
+          burnish_isa_name(burnish_kernels_get_isa(kernels)), different);
 }
 
 static void check_instruction_sets(void) {
@@ -153,7 +153,7 @@ static void check_instruction_sets(void) {
             continue;
         }
         printf(" %s", burnish_isa_name((burnish_isa)isa));
-        CHECK((int)burnish_kernels_isa(kernels) == isa, "the table of %d", isa);
+        CHECK((int)burnish_kernels_get_isa(kernels) == isa, "the table of %d", isa);
         check_lobes_of_isa(kernels, &state);
         check_streaming(kernels);
         check_shade_of_isa(kernels, &state);
@@ -233,7 +233,7 @@ static void check_errors(void) {
     burnish_error error;
     float value = 0.5f;
     uint8_t pixel[4];
-    lobe_case lobe = make(BURNISH_LOBE_WHOLE_POWER, 2, 3);
+    lobe_case lobe = make(BURNISH_LOBE_INTEGER_POWER, 2, 3);
     burnish_kernels_points points = {.normal = {&value, &value, &value}};
 #define REFUSED(change)                                                                            \
     do {                                                                                           \
@@ -259,7 +259,7 @@ static void check_errors(void) {
     REFUSED(bad.viewer[2] = 0);
     REFUSED((bad.local_viewer = 1, bad.viewer[0] = INFINITY));
     REFUSED((bad.lobe.kind = BURNISH_LOBE_POWER, bad.material.exponent = 0.5f));
-    REFUSED((bad.lobe.kind = BURNISH_LOBE_WHOLE_POWER, bad.material.exponent = 2.5f));
+    REFUSED((bad.lobe.kind = BURNISH_LOBE_INTEGER_POWER, bad.material.exponent = 2.5f));
     REFUSED(bad.lobe.kind = BURNISH_LOBE_NV2X);
     REFUSED(bad.lobe.kind = BURNISH_LOBE_KIND_COUNT);
     REFUSED(bad.lobe.order = 3);
@@ -353,7 +353,8 @@ static void check_null_kernels(void) {
     CHECK(status == BURNISH_STATUS_OK && memcmp(&results[0], &results[1], sizeof *results) == 0,
           "NULL kernels: status %d, or other values", (int)status);
     CHECK(results[0].cosine[1] == 1 && results[0].unit[0][0] > 0.59f, "nothing was computed");
-    CHECK(burnish_kernels_isa(NULL) == burnish_kernels_isa(choices[0]), "the set of NULL kernels");
+    CHECK(burnish_kernels_get_isa(NULL) == burnish_kernels_get_isa(choices[0]),
+          "the set of NULL kernels");
     burnish_kernels_shader_destroy(shader);
 }
 

@@ -26,7 +26,7 @@ static burnish_mesh *make_plain(void) {
 
 static burnish_mesh *make_glass(void) {
     burnish_mesh *mesh = load(":teapot", 0);
-    burnish_material material = *burnish_mesh_material(mesh, 0);
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
     material.transparency = 0.4f;
     CHECK1(burnish_mesh_set_material(mesh, 0, &material, &error) == BURNISH_STATUS_OK);
     return mesh;
@@ -286,7 +286,7 @@ static void test_changes(void) {
         burnish_renderer *fresh = NULL;
         CHECK1(burnish_renderer_create(NULL, &fresh, &error) == BURNISH_STATUS_OK);
         if (i == DRAWN / 2) { /* opaque from now on */
-            burnish_material material = *burnish_mesh_material(meshes[1], 0);
+            burnish_material material = *burnish_mesh_get_material(meshes[1], 0);
             material.transparency = 0;
             CHECK1(burnish_mesh_set_material(meshes[1], 0, &material, &error) == BURNISH_STATUS_OK);
         }

@@ -43,7 +43,7 @@ static inline float awkward(uint64_t *state) {
 
 /* The kinds that have kernels. */
 static const burnish_lobe_kind KINDS[] = {
-    BURNISH_LOBE_FAMILY,   BURNISH_LOBE_POWER, BURNISH_LOBE_WHOLE_POWER, BURNISH_LOBE_SCHLICK,
+    BURNISH_LOBE_FAMILY,   BURNISH_LOBE_POWER, BURNISH_LOBE_INTEGER_POWER, BURNISH_LOBE_SCHLICK,
     BURNISH_LOBE_GAUSSIAN, BURNISH_LOBE_GX,    BURNISH_LOBE_LYON,
 };
 enum { KIND_COUNT = sizeof KINDS / sizeof KINDS[0], LYON_AT = KIND_COUNT - 1 };
@@ -58,7 +58,7 @@ typedef struct lobe_case {
 static inline lobe_case make(burnish_lobe_kind kind, int order, float exponent) {
     order = burnish_lobe_highest_order(order, exponent);
     lobe_case lobe = {{.kind = kind, .fit = BURNISH_FIT_ENERGY, .order = order}, exponent, {0, 0}};
-    if (kind == BURNISH_LOBE_WHOLE_POWER) {
+    if (kind == BURNISH_LOBE_INTEGER_POWER) {
         lobe.exponent = (float)(uint32_t)exponent;
     }
     burnish_lobe_create(&lobe.family,

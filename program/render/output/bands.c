@@ -27,7 +27,7 @@ static int band_rows(const stream *s, int band) {
 
 /* The rows of a band in the cell's image, whose rows below the picture's end hold anything. */
 static burnish_pixels band_pixels(const stream *s, int band) {
-    burnish_pixels pixels = burnish_image_pixels(&s->bands->result->cells[0].image);
+    burnish_pixels pixels = burnish_image_get_pixels(&s->bands->result->cells[0].image);
     pixels.height = band_rows(s, band);
     return pixels;
 }

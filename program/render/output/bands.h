@@ -9,7 +9,7 @@ typedef struct render_bands {
     render_result *result;
     burnish_renderer *renderer;
     burnish_render_options *options;
-    burnish_file_ready *ready; /* gets result, when the file is written */
+    burnish_file_check *ready; /* gets result, when the file is written */
 } render_bands;
 
 /* Draws and writes all bands, of which no more wait than their order needs: the file of one

@@ -17,7 +17,7 @@ void render_warn_about_cell(render_result *result, const render_cell *cell) {
                            "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
                            "with a lower order",
                            input, cell->report.lobe_fallbacks,
-                           burnish_mesh_material_count(result->mesh), lobe);
+                           burnish_mesh_get_material_count(result->mesh), lobe);
     }
     if (cell->report.layers_dropped > 0) {
         render_result_warn(

@@ -250,7 +250,7 @@ static int is_slow(const render_pieces *f, int piece) {
 }
 
 static void copy_rows(const burnish_image *image, uint8_t *packed, const uint8_t *given) {
-    const burnish_pixels pixels = burnish_image_pixels(image);
+    const burnish_pixels pixels = burnish_image_get_pixels(image);
     const size_t row = (size_t)image->width * (size_t)image->channels;
     for (int y = 0; y < image->height; ++y) {
         uint8_t *at = (uint8_t *)pixels.pixels + (size_t)y * pixels.stride;

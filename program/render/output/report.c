@@ -64,13 +64,13 @@ static int compare_floats(const void *a, const void *b) {
 
 /* The different exponents of all materials, ascending. */
 static cJSON *exponents_array(const burnish_mesh *mesh) {
-    size_t size = burnish_mesh_material_count(mesh), kept = 0;
+    size_t size = burnish_mesh_get_material_count(mesh), kept = 0;
     float *values = malloc(size * sizeof *values);
     if (!values) {
         return NULL;
     }
     for (size_t i = 0; i < size; ++i) {
-        values[i] = burnish_mesh_material(mesh, i)->exponent;
+        values[i] = burnish_mesh_get_material(mesh, i)->exponent;
     }
     qsort(values, size, sizeof *values, compare_floats);
     for (size_t i = 0; i < size; ++i) {
@@ -180,9 +180,9 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
                  failed);
     cli_json_add(root, "lines", cli_json_count(burnish_mesh_get_info(result->mesh)->line_count),
                  failed);
-    cli_json_add(root, "materials", cli_json_count(burnish_mesh_material_count(result->mesh)),
+    cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(result->mesh)),
                  failed);
-    cli_json_add(root, "textures", cli_json_count(burnish_mesh_texture_count(result->mesh)),
+    cli_json_add(root, "textures", cli_json_count(burnish_mesh_get_texture_count(result->mesh)),
                  failed);
     cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
     cli_json_add(box, "min", cli_json_position(low, view->origin), failed);

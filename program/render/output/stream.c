@@ -44,7 +44,7 @@ static size_t take_bytes(void *context, char *buffer, size_t size) {
     return count;
 }
 
-/* burnish_file_ready */
+/* burnish_file_check */
 static burnish_status finish(void *context, burnish_error *error) {
     const writer *w = context;
     render_result *result = w->stream->result;

@@ -15,7 +15,7 @@ typedef struct render_stream {
     int count;
     render_stream_next *next;
     void *context;
-    burnish_file_ready *ready; /* gets result, when the file is written */
+    burnish_file_check *ready; /* gets result, when the file is written */
 } render_stream;
 
 /* Writes settings->output. Errors: those of next, of ready and of writing, after which no file

@@ -22,7 +22,7 @@ typedef struct render_turntable {
     burnish_renderer *renderer;
     burnish_render_options *options;
     render_draw_frame *draw;
-    burnish_file_ready *ready; /* gets result, when all frames are written */
+    burnish_file_check *ready; /* gets result, when all frames are written */
 } render_turntable;
 
 /* Draws and writes all frames; afterwards the cell's image is that of the last one. Errors: those

@@ -355,9 +355,9 @@ static void put_head(burnish_drawing *w, const char *title, const uint8_t backgr
     }
 }
 
-burnish_status burnish_drawing_svg(const burnish_drawing *drawing, const char *title,
-                                   const uint8_t background[3], double dots_per_inch, char **text,
-                                   size_t *size, burnish_error *error) {
+burnish_status burnish_drawing_encode_svg(const burnish_drawing *drawing, const char *title,
+                                          const uint8_t background[3], double dots_per_inch,
+                                          char **text, size_t *size, burnish_error *error) {
     if (!drawing || !text || !size ||
         !(dots_per_inch == 0 || (dots_per_inch >= 1 && dots_per_inch <= 1e6))) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

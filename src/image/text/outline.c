@@ -59,8 +59,8 @@ static void curve_to(burnish_outline *outline, const int64_t (*p)[2], int degree
     }
 }
 
-void burnish_outline_add(void *context, burnish_outline_verb verb, const int32_t *points) {
-    burnish_outline *outline = context;
+void burnish_outline_add(void *user_data, burnish_outline_verb verb, const int32_t *points) {
+    burnish_outline *outline = user_data;
     int64_t p[4][2] = {{outline->at[0], outline->at[1]}};
     const int count = verb == BURNISH_OUTLINE_CUBIC ? 3 : verb == BURNISH_OUTLINE_CONIC ? 2 : 1;
     for (int i = 0; i < count; ++i) {

@@ -20,8 +20,8 @@ typedef struct burnish_outline {
     burnish_memory *memory;
 } burnish_outline;
 
-/* A burnish_take_outline; context is a burnish_outline. */
-void burnish_outline_add(void *context, burnish_outline_verb verb, const int32_t *points);
+/* A burnish_outline_sink; user_data is a burnish_outline. */
+void burnish_outline_add(void *user_data, burnish_outline_verb verb, const int32_t *points);
 
 /* Fills what the edges enclose. A pixel's coverage is the area of it that they wind around, its
  * sign dropped, at most 1: contours of one sense may overlap. Releases the edges.

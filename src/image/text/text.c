@@ -128,7 +128,7 @@ float burnish_text_draw(burnish_image *image, float x, float y, float height,
     if (!image || !image->pixels) {
         return set_line(x, y, height, text, length, NULL, NULL);
     }
-    page to = {burnish_image_pixels(image), burnish_ink_of(color, 1)};
+    page to = {burnish_image_get_pixels(image), burnish_ink_of(color, 1)};
     return set_line(x, y, height, text, length, draw_strokes, &to);
 }
 

@@ -280,14 +280,14 @@ static void release_beside(void *user_data, const void *bytes, size_t size) {
 
 /* What is strict takes no mesh that there was something to say about. */
 static burnish_status refuse_warnings(burnish_mesh **mesh, burnish_error *error) {
-    const size_t count = burnish_mesh_warning_count(*mesh);
+    const size_t count = burnish_mesh_get_warning_count(*mesh);
     if (count == 0) {
         return BURNISH_STATUS_OK;
     }
     burnish_status status = burnish_fail(error, BURNISH_STATUS_FORMAT,
                                          "%s: refused, as loading is strict; mend it, or load it "
                                          "with a warning",
-                                         burnish_mesh_warning(*mesh, 0));
+                                         burnish_mesh_get_warning(*mesh, 0));
     burnish_mesh_destroy(*mesh);
     *mesh = NULL;
     return status;
@@ -401,12 +401,12 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
                         .memory = burnish_memory_of(options->context, error),
                         .may_be_pieces = 1};
     burnish_reader_input input = {
-        .name = file.name, .options = options, .companions = options->companions};
+        .name = file.name, .options = options, .companions = options->referenced_files};
     const int opened = path ? open_path(path) : descriptor;
     if (path && opened < 0) {
         return fail_errno(&file, "can't be opened", errno);
     }
-    if (options->no_companions) {
+    if (options->ignore_referenced_files) {
         input.companions = (burnish_file_loader){0};
     } else if (!input.companions.load && path) {
         input.companions = (burnish_file_loader){load_beside, release_beside, &beside};
@@ -452,12 +452,13 @@ burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const ch
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const burnish_reader_input input = {
-        .bytes = bytes,
-        .size = size,
-        .name = name ? name : "memory",
-        .options = options,
-        .companions = options->no_companions ? (burnish_file_loader){0} : options->companions};
+    const burnish_reader_input input = {.bytes = bytes,
+                                        .size = size,
+                                        .name = name ? name : "memory",
+                                        .options = options,
+                                        .companions = options->ignore_referenced_files
+                                                          ? (burnish_file_loader){0}
+                                                          : options->referenced_files};
     if (!bytes && size > 0) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "bytes: NULL; pass some");
     }

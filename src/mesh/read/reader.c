@@ -62,7 +62,7 @@ static int is_all_text(const uint8_t *bytes, size_t size) {
 /* AUTO: none. */
 static burnish_format format_of_name(const char *name) {
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0 && name; --i) {
-        if (formats[i].recognise && has_ending(name, formats[i].info.endings)) {
+        if (formats[i].recognise && has_ending(name, formats[i].info.extensions)) {
             return (burnish_format)i;
         }
     }

@@ -15,7 +15,7 @@ typedef struct look {
     uint8_t background[3];
     int occlusion;
     float occlusion_strength;
-    int edges; /* burnish_render_options has the colour */
+    burnish_edge_flags edges; /* burnish_render_options has the colour */
     float edge_width;
 } look;
 
@@ -135,9 +135,10 @@ burnish_status burnish_look_set_materials(burnish_look name, burnish_mesh *mesh,
                                           burnish_error *error) {
     burnish_status status = check_look(name, error);
     const look *wanted = status == BURNISH_STATUS_OK ? &LOOKS[name] : &LOOKS[0];
-    const size_t count = mesh && wanted->recolors != NONE ? burnish_mesh_material_count(mesh) : 0;
+    const size_t count =
+        mesh && wanted->recolors != NONE ? burnish_mesh_get_material_count(mesh) : 0;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        burnish_material material = *burnish_mesh_material(mesh, i);
+        burnish_material material = *burnish_mesh_get_material(mesh, i);
         if (material.has_diffuse && wanted->recolors == UNCOLORED) {
             continue;
         }

@@ -136,10 +136,11 @@ static burnish_status check_ground(const burnish_render_options *options, burnis
 }
 
 static burnish_status check_edges(const burnish_render_options *options, burnish_error *error) {
-    const int all = BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL | BURNISH_EDGES_AXIS_VIEWS;
-    if (options->edges < 0 || options->edges > all) {
+    const burnish_edge_flags all =
+        BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL | BURNISH_EDGES_AXIS_VIEWS;
+    if (options->edges > all) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "edges: %d is no sum of BURNISH_EDGES_...", options->edges);
+                            "edges: %u is not a sum of BURNISH_EDGES_... values", options->edges);
     }
     if (!(options->edge_width > 0 && options->edge_width <= BURNISH_EDGE_WIDTH_MAX)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -18,7 +18,8 @@ typedef struct picture_key {
     uint64_t version; /* burnish_transparency.version; 0: no picture */
     burnish_camera camera;
     burnish_raster_view view;
-    int ignore_colors, cull_back_faces, edges;
+    int ignore_colors, cull_back_faces;
+    burnish_edge_flags edges;
     float edge_width, edge_opacity;
     uint8_t edge_color[3];
 } picture_key;
@@ -532,7 +533,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_m
         status = prepare_image(image, options, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        target.pixels = burnish_image_pixels(image);
+        target.pixels = burnish_image_get_pixels(image);
         status = burnish_renderer_draw_into(renderer, mesh, options, &target, report, error);
     }
     if (status != BURNISH_STATUS_OK) {

@@ -61,7 +61,7 @@ static float clamped(float value) {
 
 /* What ambient light makes of a material; surfaces of a drawing have no other. */
 static void flat_light(const tracing *t, int material, float light[3]) {
-    const burnish_material *m = burnish_mesh_material(t->mesh, (size_t)material);
+    const burnish_material *m = burnish_mesh_get_material(t->mesh, (size_t)material);
     for (int k = 0; k < 3; ++k) {
         light[k] =
             clamped(m->is_unlit ? m->diffuse[k] + m->emissive[k]
@@ -80,7 +80,7 @@ static void store_color(const float light[3], float hatch, uint8_t color[3]) {
 static int find_area(tracing *t, int material, int way) {
     area wanted = {.way = way};
     uint8_t color[3];
-    if (burnish_mesh_material(t->mesh, (size_t)material)->transparency > 0) {
+    if (burnish_mesh_get_material(t->mesh, (size_t)material)->transparency > 0) {
         return 0;
     }
     flat_light(t, material, wanted.light);
@@ -103,7 +103,7 @@ static int find_area(tracing *t, int material, int way) {
 
 /* Whether any pixel could need filling. */
 static int has_areas(tracing *t) {
-    const size_t materials = burnish_mesh_material_count(t->mesh);
+    const size_t materials = burnish_mesh_get_material_count(t->mesh);
     int found = t->view->cut_count > 0 && t->view->inside != BURNISH_INSIDE_UNKNOWN;
     for (size_t i = 0; i < materials && !found; ++i) {
         found = find_area(t, (int)i, -1) > 0;

@@ -107,7 +107,7 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
                                            burnish_tasks *tasks, burnish_memory *memory) {
     enum { GRAIN = 1024 /* batches */ };
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    const size_t materials = burnish_mesh_material_count(mesh);
+    const size_t materials = burnish_mesh_get_material_count(mesh);
     const size_t batches = (view->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
     const int had_alpha = transparency->has_alpha;
     transparency->has_alpha = view->has_transparent_colors && !ignore_colors;
@@ -117,7 +117,7 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
         burnish_reserve_discard(memory, transparency->opacities, &transparency->opacity_capacity,
                                 materials, sizeof *transparency->opacities, "opacities");
     for (size_t i = 0; memory->status == BURNISH_STATUS_OK && i < materials; ++i) {
-        const burnish_material *material = burnish_mesh_material(mesh, i);
+        const burnish_material *material = burnish_mesh_get_material(mesh, i);
         const int is_masked = material->alpha_mode == BURNISH_ALPHA_MASK; /* the mask says all */
         transparency->opacities[i] = is_masked ? 1 : 1 - material->transparency;
         transparency->has_some |= is_transparent_material(transparency, i);

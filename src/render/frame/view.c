@@ -288,7 +288,7 @@ static burnish_status fold_materials(const burnish_mesh *mesh,
                                      const burnish_kernels_lighting *lighting,
                                      burnish_shaders *shaders, burnish_view *view,
                                      burnish_memory *memory) {
-    const size_t count = burnish_mesh_material_count(mesh);
+    const size_t count = burnish_mesh_get_material_count(mesh);
     const size_t lights = (size_t)lighting->light_count;
     const int has_colors = burnish_mesh_get_view(mesh)->colors && !options->ignore_colors;
     drawn_lobe known[KNOWN_LOBES] = {{0}};
@@ -302,7 +302,7 @@ static burnish_status fold_materials(const burnish_mesh *mesh,
                                               count * lights, sizeof *shaders->lights, "lights");
     status = memory->status;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        const burnish_material *material = burnish_mesh_material(mesh, i);
+        const burnish_material *material = burnish_mesh_get_material(mesh, i);
         const drawn_lobe *lobe = known_lobe(known, &options->lobe, material->exponent);
         const burnish_material drawn = drawn_material(material, has_colors, lobe->scale);
         view->lobe_fallbacks += lobe->fallbacks;

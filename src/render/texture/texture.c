@@ -64,7 +64,7 @@ static const burnish_texture_levels *levels_for(burnish_texturing *texturing,
                                                 const burnish_material *material, int slot,
                                                 burnish_tasks *tasks, burnish_memory *memory) {
     const size_t number = (size_t)material->textures[slot].texture - 1;
-    const burnish_texture *texture = burnish_mesh_texture(mesh, number);
+    const burnish_texture *texture = burnish_mesh_get_texture(mesh, number);
     const float cutoff = mask_alpha(material);
     burnish_texture_levels *of_texture = &texturing->levels[number * BURNISH_TEXTURE_KIND_COUNT];
     burnish_texture_kind kind =
@@ -155,7 +155,7 @@ static int is_special(const burnish_material *material) {
 /* Room for the levels of a mesh that is another one than the last. */
 static burnish_status prepare_levels(burnish_texturing *texturing, const burnish_mesh *mesh,
                                      burnish_memory *memory) {
-    const size_t count = burnish_mesh_texture_count(mesh) * BURNISH_TEXTURE_KIND_COUNT;
+    const size_t count = burnish_mesh_get_texture_count(mesh) * BURNISH_TEXTURE_KIND_COUNT;
     if (texturing->serial != burnish_mesh_get_view(mesh)->serial) {
         release_levels(texturing, memory->context);
         texturing->levels =
@@ -178,12 +178,12 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
                                         int ignore_colors, int samples, burnish_tasks *tasks,
                                         burnish_memory *memory) {
     const int has_colors = burnish_mesh_get_view(mesh)->colors && !ignore_colors;
-    const size_t count = burnish_mesh_material_count(mesh);
+    const size_t count = burnish_mesh_get_material_count(mesh);
     texturing->has_some = texturing->needs_points = texturing->has_alpha = 0;
     texturing->needs_tangents = texturing->smooth_samples = 0;
     texturing->samples = samples;
     for (size_t i = 0; i < count && !texturing->has_some; ++i) {
-        texturing->has_some = is_special(burnish_mesh_material(mesh, i));
+        texturing->has_some = is_special(burnish_mesh_get_material(mesh, i));
     }
     if (!texturing->has_some) {
         return BURNISH_STATUS_OK;
@@ -199,8 +199,8 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
     }
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_textured_material *material = &texturing->materials[i];
-        status =
-            set_material(texturing, mesh, burnish_mesh_material(mesh, i), tasks, memory, material);
+        status = set_material(texturing, mesh, burnish_mesh_get_material(mesh, i), tasks, memory,
+                              material);
         if (has_colors && !material->material.has_diffuse) {
             make_white(&material->material);
         }

@@ -119,17 +119,18 @@ static void test_all_parts(void) {
         CHECK1(view->texture_coordinates[2 * i] == p[0] &&
                view->texture_coordinates[2 * i + 1] == (corner == 3 ? .5f : p[1]));
     }
-    CHECK1(burnish_mesh_warning_count(mesh) == 2);
-    CHECK_TEXT(burnish_mesh_warning(mesh, 1), "a: second");
-    const burnish_material *m = burnish_mesh_material(mesh, 1);
-    CHECK1(burnish_mesh_material_count(mesh) == 2 && m->ambient[0] == .1f && m->diffuse[1] == .5f);
+    CHECK1(burnish_mesh_get_warning_count(mesh) == 2);
+    CHECK_TEXT(burnish_mesh_get_warning(mesh, 1), "a: second");
+    const burnish_material *m = burnish_mesh_get_material(mesh, 1);
+    CHECK1(burnish_mesh_get_material_count(mesh) == 2 && m->ambient[0] == .1f &&
+           m->diffuse[1] == .5f);
     CHECK1(m->specular[2] == .9f && m->emissive[1] == 3 && m->exponent == 30);
     CHECK1(m->transparency == .25f && m->roughness == .5f && m->alpha_cutoff == .25f);
     CHECK1(m->has_diffuse && !m->is_metallic && m->alpha_mode == BURNISH_ALPHA_MASK);
     const burnish_texture_use *use = &m->textures[BURNISH_TEXTURE_COLOR];
     CHECK1(use->texture == 1 && use->wrap[0] == BURNISH_WRAP_CLAMP &&
            use->wrap[1] == BURNISH_WRAP_MIRROR);
-    const burnish_texture *texture = burnish_mesh_texture(mesh, 0);
+    const burnish_texture *texture = burnish_mesh_get_texture(mesh, 0);
     CHECK1(texture && texture->width == 2 && texture->height == 2 && texture->is_color &&
            texture->pixels[4] == 0 && texture->pixels[5] == 255);
     CHECK_TEXT(texture ? texture->name : "", "abc");
@@ -290,15 +291,15 @@ static void test_textures(void) {
     burnish_error error = {0};
     options.max_texture_pixels = TEXELS - 1;
     CHECK1(load(&s.list, &options, &mesh, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_texture_count(mesh) == 0);
-    CHECK_TEXT(burnish_mesh_warning_count(mesh) == 1 ? burnish_mesh_warning(mesh, 0) : "",
+    CHECK1(burnish_mesh_get_texture_count(mesh) == 0);
+    CHECK_TEXT(burnish_mesh_get_warning_count(mesh) == 1 ? burnish_mesh_get_warning(mesh, 0) : "",
                "a: texture \"abc\" is left out: too many texels; raise the limit or make textures "
                "smaller");
     burnish_mesh_destroy(mesh);
     options = burnish_load_options_default();
     options.ignore_textures = 1;
     CHECK1(load(&s.list, &options, &mesh, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_texture_count(mesh) == 0 && burnish_mesh_warning_count(mesh) == 0);
+    CHECK1(burnish_mesh_get_texture_count(mesh) == 0 && burnish_mesh_get_warning_count(mesh) == 0);
     burnish_mesh_destroy(mesh);
 }
 

@@ -278,7 +278,7 @@ static void test_self(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_error error;
     size_t most, triangles;
-    options.companions = (burnish_file_loader){give_self, release_self, &folder};
+    options.referenced_files = (burnish_file_loader){give_self, release_self, &folder};
     CHECK1(load(&list, "self.gltf", options, &most, &triangles, &error) == BURNISH_STATUS_LIMIT);
     CHECK(strstr(error.text, "self.gltf too often; let buffers share it"), "%s", error.text);
     /* once as a file, and again as often as TIMES the input and that file allow */

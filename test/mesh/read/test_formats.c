@@ -64,10 +64,10 @@ static void test_misnamed(void) {
             CHECK_TEXT(burnish_format_get_info(burnish_mesh_get_info(mesh)->format)->name,
                        same_kinds[kind].format);
             CHECK1(burnish_mesh_get_view(mesh)->triangle_count == 4);
-            if (CHECK(burnish_mesh_warning_count(mesh) == !is_same, "%s as %s",
+            if (CHECK(burnish_mesh_get_warning_count(mesh) == !is_same, "%s as %s",
                       same_kinds[kind].name, same_kinds[name].name) &&
                 !is_same) {
-                CHECK_TEXT(burnish_mesh_warning(mesh, 0), expected);
+                CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), expected);
             }
             burnish_mesh_destroy(mesh);
         }
@@ -170,7 +170,7 @@ static void test_garbage(void) {
             burnish_mesh_load_memory(list.bytes, list.size, "a.stl", &options, &mesh, &error);
         CHECK(status == (odd > 2 ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK), "%d odd: %s", odd,
               error.text);
-        CHECK1(odd > 2 || burnish_mesh_warning_count(mesh) == 1);
+        CHECK1(odd > 2 || burnish_mesh_get_warning_count(mesh) == 1);
         burnish_mesh_destroy(mesh);
     }
     list.size = 0;

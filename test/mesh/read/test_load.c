@@ -68,7 +68,7 @@ static burnish_load_options options_of(library *box, const burnish_context *cont
     options.tessellation = 4;
     options.keep_texture_coordinates = 1;
     options.context = context;
-    options.companions = (burnish_file_loader){load_library, release_library, box};
+    options.referenced_files = (burnish_file_loader){load_library, release_library, box};
     return options;
 }
 
@@ -79,12 +79,12 @@ static void test_companions(void) {
     burnish_error error = {0};
     if (CHECK(load(0, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text)) {
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        CHECK1(burnish_mesh_material(mesh, 0)->diffuse[0] == 1);
-        CHECK1(burnish_mesh_material(mesh, 0)->exponent == 30.3f);
+        CHECK1(burnish_mesh_get_material(mesh, 0)->diffuse[0] == 1);
+        CHECK1(burnish_mesh_get_material(mesh, 0)->exponent == 30.3f);
         CHECK1(view->triangle_count == 2 && view->texture_coordinates);
         int named = 0;
-        for (size_t i = 0; i < burnish_mesh_warning_count(mesh); ++i) {
-            named += strstr(burnish_mesh_warning(mesh, i), "none.mtl") != NULL;
+        for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh); ++i) {
+            named += strstr(burnish_mesh_get_warning(mesh, i), "none.mtl") != NULL;
         }
         CHECK(named == 1, "%d warnings name none.mtl", named);
     }
@@ -160,9 +160,9 @@ static void test_log(void) {
     const burnish_load_options options = options_of(&box, context);
     burnish_mesh *mesh = NULL;
     CHECK1(load(0, &options, &mesh, NULL) == BURNISH_STATUS_OK);
-    const size_t count = burnish_mesh_warning_count(mesh);
+    const size_t count = burnish_mesh_get_warning_count(mesh);
     CHECK(count == 2 && c.lines == 2, "%zu warnings, %d lines", count, c.lines);
-    CHECK_TEXT(c.last_line, burnish_mesh_warning(mesh, count - 1));
+    CHECK_TEXT(c.last_line, burnish_mesh_get_warning(mesh, count - 1));
     burnish_mesh_destroy(mesh);
     burnish_context_destroy(context);
 }
@@ -187,7 +187,7 @@ static void test_environment(int input) {
         CHECK(a && b && a->vertex_count == b->vertex_count &&
                   memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0 &&
                   memcmp(a->normals, b->normals, 12 * a->vertex_count) == 0 &&
-                  memcmp(burnish_mesh_material(first, 0), burnish_mesh_material(mesh, 0),
+                  memcmp(burnish_mesh_get_material(first, 0), burnish_mesh_get_material(mesh, 0),
                          sizeof(burnish_material)) == 0,
               "%s, mode %d: another mesh", inputs[input].name, mode);
         if (mesh != first) {

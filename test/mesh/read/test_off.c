@@ -10,10 +10,10 @@ static burnish_mesh *load(const char *text, const char *warning) {
     CHECK(burnish_mesh_load_memory(text, strlen(text), "a.off", &options, &mesh, &error) ==
               BURNISH_STATUS_OK,
           "%s", error.text);
-    const size_t count = mesh ? burnish_mesh_warning_count(mesh) : 0;
+    const size_t count = mesh ? burnish_mesh_get_warning_count(mesh) : 0;
     CHECK(count == (warning != NULL), "%zu warnings", count);
     if (warning && count > 0) {
-        CHECK_TEXT(burnish_mesh_warning(mesh, 0), warning);
+        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), warning);
     }
     return mesh;
 }

@@ -284,10 +284,10 @@ static void test_same_bits(void) {
                 CHECK(same_facts(there, moved), "%s", names[format]);
                 CHECK1(burnish_mesh_get_info(moved)->point_count ==
                        (format == POINT_CLOUD ? POINTS : 0));
-                CHECK1(burnish_mesh_warning_count(moved) == 0);
+                CHECK1(burnish_mesh_get_warning_count(moved) == 0);
             }
-            if (format == GLTF && CHECK1(moved && burnish_mesh_camera_count(moved) == 1)) {
-                const burnish_camera *camera = &burnish_mesh_camera(moved, 0)->camera;
+            if (format == GLTF && CHECK1(moved && burnish_mesh_get_camera_count(moved) == 1)) {
+                const burnish_camera *camera = &burnish_mesh_get_camera(moved, 0)->camera;
                 CHECK1(camera->position[0] == 0 && camera->position[1] == 0 &&
                        camera->position[2] == 5);
             }
@@ -428,7 +428,7 @@ static void test_once(void) {
     burnish_mesh *mesh;
     burnish_error error = {0};
     int times = 0;
-    options.companions = (burnish_file_loader){load_library, NULL, &times};
+    options.referenced_files = (burnish_file_loader){load_library, NULL, &times};
     if (!CHECK(burnish_mesh_load_memory(obj, sizeof obj - 1, "a.obj", &options, &mesh, &error) ==
                    BURNISH_STATUS_OK,
                "%s", error.text)) {
@@ -437,8 +437,9 @@ static void test_once(void) {
     CHECK1(times == 1);
     CHECK1(burnish_mesh_get_view(mesh)->origin[1] == 4000000.5);
     CHECK1(burnish_mesh_get_view(mesh)->triangle_materials != NULL);
-    CHECK(burnish_mesh_warning_count(mesh) == 3, "%zu warnings", burnish_mesh_warning_count(mesh));
-    CHECK1(burnish_mesh_material(mesh, 0)->diffuse[0] == 1);
+    CHECK(burnish_mesh_get_warning_count(mesh) == 3, "%zu warnings",
+          burnish_mesh_get_warning_count(mesh));
+    CHECK1(burnish_mesh_get_material(mesh, 0)->diffuse[0] == 1);
     burnish_mesh_destroy(mesh);
 }
 

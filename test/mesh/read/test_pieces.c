@@ -124,16 +124,16 @@ static int same_mesh(const burnish_mesh *a, const burnish_mesh *b) {
         return !a == !b;
     }
     const burnish_mesh_view *x = burnish_mesh_get_view(a), *y = burnish_mesh_get_view(b);
-    const size_t count = x->vertex_count, warnings = burnish_mesh_warning_count(a);
+    const size_t count = x->vertex_count, warnings = burnish_mesh_get_warning_count(a);
     int same = count == y->vertex_count && x->triangle_count == y->triangle_count &&
                same_arrays(x->positions, y->positions, 12 * count) &&
                same_arrays(x->normals, y->normals, 12 * count) &&
                same_arrays(x->colors, y->colors, 4 * count) &&
                same_arrays(x->indices, y->indices, 12 * x->triangle_count) &&
                memcmp(x->origin, y->origin, sizeof x->origin) == 0 &&
-               warnings == burnish_mesh_warning_count(b);
+               warnings == burnish_mesh_get_warning_count(b);
     for (size_t i = 0; i < warnings && same; ++i) {
-        same = strcmp(burnish_mesh_warning(a, i), burnish_mesh_warning(b, i)) == 0;
+        same = strcmp(burnish_mesh_get_warning(a, i), burnish_mesh_get_warning(b, i)) == 0;
     }
     return same;
 }

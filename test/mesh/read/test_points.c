@@ -10,7 +10,7 @@ static burnish_mesh *load(const char *name, const char *text, const burnish_load
     CHECK(burnish_mesh_load_memory(text, strlen(text), name, options, &mesh, &error) ==
               BURNISH_STATUS_OK,
           "%s", error.text);
-    CHECK1(!mesh || burnish_mesh_warning_count(mesh) == 0);
+    CHECK1(!mesh || burnish_mesh_get_warning_count(mesh) == 0);
     return mesh;
 }
 

@@ -367,8 +367,9 @@ static void test_files(void) {
           "%s", e.text);
     if (scene) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
-        CHECK1(burnish_mesh_material_count(scene) == 2 && burnish_mesh_warning_count(scene) == 0);
-        CHECK1(color_is(burnish_mesh_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
+        CHECK1(burnish_mesh_get_material_count(scene) == 2 &&
+               burnish_mesh_get_warning_count(scene) == 0);
+        CHECK1(color_is(burnish_mesh_get_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
         CHECK1(burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_OBJ);
     }
     burnish_mesh_destroy(scene);
@@ -398,9 +399,9 @@ static void test_standard_input(void) {
     }
     options.format = BURNISH_FORMAT_OBJ;
     CHECK(burnish_mesh_load("-", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
-    if (scene && CHECK1(burnish_mesh_warning_count(scene) == 1)) {
+    if (scene && CHECK1(burnish_mesh_get_warning_count(scene) == 1)) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
-        CHECK_TEXT(burnish_mesh_warning(scene, 0),
+        CHECK_TEXT(burnish_mesh_get_warning(scene, 0),
                    "standard input:3: material library \"cube.mtl\" was not read (the input has no "
                    "folder); its materials are burnish's grey");
     }

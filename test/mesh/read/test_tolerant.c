@@ -21,7 +21,7 @@ static burnish_status open_library(void *user_data, const char *name, uint64_t m
 static burnish_load_options options_of(int strict) {
     burnish_load_options options = burnish_load_options_default();
     options.strict = strict;
-    options.companions.load = open_library;
+    options.referenced_files.load = open_library;
     return options;
 }
 
@@ -46,11 +46,11 @@ static burnish_mesh *load_tolerantly(const char *name, const void *bytes, size_t
                "%s", error.text)) {
         return NULL;
     }
-    const size_t count = burnish_mesh_warning_count(mesh);
+    const size_t count = burnish_mesh_get_warning_count(mesh);
     CHECK(count == (warning ? 1 : 0), "%zu warnings, first: %s", count,
-          count > 0 ? burnish_mesh_warning(mesh, 0) : "");
+          count > 0 ? burnish_mesh_get_warning(mesh, 0) : "");
     if (warning && count > 0) {
-        CHECK_TEXT(burnish_mesh_warning(mesh, 0), warning);
+        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), warning);
     }
     return mesh;
 }
@@ -71,7 +71,7 @@ static void test_nameless_material(void) {
     burnish_mesh *mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl\nf 1 2 3\n",
                                    "a.mtl:1: newmtl has no name; faces without a material have "
                                    "this one");
-    CHECK1(mesh && color_is(burnish_mesh_material(mesh, 0)->diffuse, 1, 0, 0));
+    CHECK1(mesh && color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 1, 0, 0));
     burnish_mesh_destroy(mesh);
 }
 
@@ -80,9 +80,9 @@ static void test_material_comment(void) {
     library = "newmtl a\nKd 1 0 0\nnewmtl a # b\nKd 0 1 0\n";
     burnish_mesh *mesh = load_text(
         "a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\nusemtl a # b\nf 1 2 3\n", NULL);
-    CHECK1(mesh && burnish_mesh_material_count(mesh) == 2 &&
-           color_is(burnish_mesh_material(mesh, 0)->diffuse, 1, 0, 0) &&
-           color_is(burnish_mesh_material(mesh, 1)->diffuse, 0, 1, 0));
+    CHECK1(mesh && burnish_mesh_get_material_count(mesh) == 2 &&
+           color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 1, 0, 0) &&
+           color_is(burnish_mesh_get_material(mesh, 1)->diffuse, 0, 1, 0));
     burnish_mesh_destroy(mesh);
     library = ""; /* and where it has no names at all */
     mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\n",
@@ -97,8 +97,8 @@ static void test_library_fault(void) {
     burnish_mesh *mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a\nf 1 2 3\n",
                                    "a.mtl:3: Ks \"x\" is not a number; write it like 1.5 or -2e-3; "
                                    "the statement was ignored");
-    CHECK1(mesh && color_is(burnish_mesh_material(mesh, 0)->diffuse, 0, 1, 0) &&
-           burnish_mesh_material(mesh, 0)->exponent == 7);
+    CHECK1(mesh && color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 0, 1, 0) &&
+           burnish_mesh_get_material(mesh, 0)->exponent == 7);
     burnish_mesh_destroy(mesh);
 }
 
@@ -323,9 +323,9 @@ static void test_ply_comments(void) {
     snprintf(text, sizeof text, "%s%s", PLY_HEAD("comment TextureFile b.png\n"), cases[0].body);
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
            BURNISH_STATUS_OK);
-    CHECK1(burnish_mesh_warning_count(mesh) == 2);
-    CHECK(strncmp(burnish_mesh_warning(mesh, 1), "a.ply:3: texture \"b.png\" is left", 32) == 0,
-          "%s", burnish_mesh_warning(mesh, 1));
+    CHECK1(burnish_mesh_get_warning_count(mesh) == 2);
+    CHECK(strncmp(burnish_mesh_get_warning(mesh, 1), "a.ply:3: texture \"b.png\" is left", 32) == 0,
+          "%s", burnish_mesh_get_warning(mesh, 1));
     burnish_mesh_destroy(mesh);
     snprintf(text, sizeof text, "%s%s", PLY_HEAD(""),
              "# c\n0 0 0 9 2 3\n1 0 x 9 2 3\n0 1 0 9 2 3\n3 0 1 2\n");
@@ -399,24 +399,24 @@ static void write_file(const char *name, const char *text) {
 }
 
 /* Loads in.obj of the folder at hand, which names the library by a line; whether that was found. */
-static int finds_library(const char *line, int no_companions, const char *warning) {
+static int finds_library(const char *line, int ignore_referenced_files, const char *warning) {
     char text[400];
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
     burnish_load_options options = burnish_load_options_default();
-    options.no_companions = no_companions;
+    options.ignore_referenced_files = ignore_referenced_files;
     snprintf(text, sizeof text, "mtllib %s\n" TRIANGLE "usemtl a\nf 1 2 3\n", line);
     write_file("in.obj", text);
     if (!CHECK(burnish_mesh_load("in.obj", &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
                error.text)) {
         return 0;
     }
-    const int found = color_is(burnish_mesh_material(mesh, 0)->diffuse, 1, 0, 0);
-    const size_t count = burnish_mesh_warning_count(mesh);
+    const int found = color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 1, 0, 0);
+    const size_t count = burnish_mesh_get_warning_count(mesh);
     CHECK(count == (warning != NULL), "%s: %zu warnings, %s", line, count,
-          count > 0 ? burnish_mesh_warning(mesh, 0) : "");
-    CHECK(!warning || count == 0 || strstr(burnish_mesh_warning(mesh, 0), warning), "%s: %s", line,
-          burnish_mesh_warning(mesh, 0));
+          count > 0 ? burnish_mesh_get_warning(mesh, 0) : "");
+    CHECK(!warning || count == 0 || strstr(burnish_mesh_get_warning(mesh, 0), warning), "%s: %s",
+          line, burnish_mesh_get_warning(mesh, 0));
     burnish_mesh_destroy(mesh);
     return found;
 }

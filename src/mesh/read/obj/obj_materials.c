@@ -239,7 +239,7 @@ burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burn
     burnish_token whole = burnish_lexer_rest(lexer), token;
     burnish_error why = {0};
     int missing = 0;
-    if (materials->reader->input->options->no_companions) {
+    if (materials->reader->input->options->ignore_referenced_files) {
         materials->library_missing = 1;
         return BURNISH_STATUS_OK;
     }
