@@ -1,6 +1,6 @@
-/* Lobes and pixels of arrays_q15.h beside those of the C core, one at a time: first their sums over
- * many inputs, which must equal each other and the host's; then both between marks, for the
- * simulator's cycle counter. */
+/* Compares the arrays of arrays_q15.h with the C core, one value at a time: first sums over many
+ * inputs, which must equal each other and the host's; then both between marks, for the simulator's
+ * cycle counter. */
 #include "burnish/arrays_q15.h"
 
 #include "target.h"

@@ -2,7 +2,7 @@
  * between marks for the simulator's cycle counter. Prints the sums of the integer variants,
  * which must equal the host's.
  *
- * A variant's cycles are those of its loop minus those of the loop `empty`, which only adds the
+ * A variant's cycles are its loop's minus the cycles of the loop `empty`, which only adds the
  * cosines, per cosine. Set-up (the lobe's slope, the tables) is not timed. */
 #include "burnish/shade_q15.h"
 
@@ -15,7 +15,7 @@
 
 enum { COSINES = 64, EXPONENT = 32 };
 
-/* The input of a loop. Read through a pointer, so that no variant knows its exponent at compile
+/* The input of a loop. Read through a pointer: no variant may know its exponent at compile
  * time. */
 typedef struct input {
     uint16_t cosines[COSINES];
@@ -45,8 +45,8 @@ static inline uint16_t float_power(float exponent, uint16_t cosine) {
 
 /* ---- A pixel -------------------------------------------------------------------------------- */
 
-/* One light on an interpolated normal, to RGB565, with any lobe. The branches are those of
- * burnish_q15_shade, for the tables and Schlick too. */
+/* One light on an interpolated normal, to RGB565, with any lobe. All, the tables and Schlick
+ * included, branch as burnish_q15_shade does. */
 #define PIXEL(in, at, lobe)                                                                        \
     int16_t normal[3];                                                                             \
     uint16_t color[3], n_dot_l, weight, c;                                                         \

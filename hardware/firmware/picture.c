@@ -34,7 +34,7 @@ static const int16_t sines[17] FLASH = {0,     3212,  6393,  9512,  12539, 15446
                                         18204, 20787, 23170, 25329, 27245, 28898,
                                         30273, 31356, 32137, 32609, 32767};
 
-/* sin of an angle in 1/256 turn, linear between 64 values per turn: within .0013. */
+/* sin of an angle in 1/256 turn, linear between 64 values per turn: within 0.0013. */
 static int16_t sine(uint8_t angle) {
     const uint8_t half = angle & 127u;
     const uint8_t folded = (uint8_t)(half > QUARTER ? 2 * QUARTER - half : half);

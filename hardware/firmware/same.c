@@ -5,7 +5,7 @@
 
 static uint32_t sum;
 
-/* Adds a result to the sum so that order matters. */
+/* Adds a result to the sum; the order matters. */
 static void take(uint32_t result) {
     sum = (sum << 5 | sum >> 27) ^ result;
 }

@@ -1,16 +1,15 @@
-// burnish_boundary: a lobe that stands still where the boundary memory says that nothing is to be seen.
+// burnish_boundary: a lobe whose registers keep still for pixels that the boundary memory marks as dark.
 //
 //     value = dark ? 0 : lobe
 //     dark: cosine <= word, unless word is 0 (LAMBDA 0); 1 - cosine > word (LAMBDA 1)
 //
-// The memory has a word per exponent, as `burnish lobe boundary --as=mem` writes it: with --bits=0 no result changes,
-// with a threshold values below it become 0. FILE holds words from exponent 1 on (--exponents=1-1023), for LAMBDA 0
-// with --format-word=UQ0.15, for LAMBDA 1 with --lambda --format-word=UQ0.24. value passes one gate after its register.
-// Bit for bit burnish_lobe_q15_fast after burnish_lobe_q15_set_boundary of
-// include/burnish/lobe_q15.h.
+// The memory has one word per exponent, written by `burnish lobe boundary --as=mem`. With --bits=0 no result changes;
+// with a threshold, values below it become 0. FILE starts at exponent 1 (--exponents=1-1023); its format is
+// --format-word=UQ0.15 for LAMBDA 0 and --lambda --format-word=UQ0.24 for LAMBDA 1. value passes one gate after its
+// register. Bit for bit burnish_lobe_q15_fast after burnish_lobe_q15_set_boundary of include/burnish/lobe_q15.h.
 //
-// A dark pixel doesn't enter the lobe: the registers at its input keep the pixel before. While no pixel inside is lit
-// the lobe's enable is 0, so that none of its registers is clocked.
+// A dark pixel does not enter the lobe: its input registers keep the previous pixel. While every pixel inside is dark,
+// the lobe's enable is 0 and none of its registers is clocked.
 //
 // Latency    burnish_lobe + 2
 // Throughput one lobe per clock

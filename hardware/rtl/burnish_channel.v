@@ -4,7 +4,7 @@
 //
 // color is the light's colour times ks. The bits of burnish_q15_highlight and _accumulate of
 // include/burnish/shade_q15.h. burnish_light adds N.L and the diffuse term; this is for a chip with few multipliers
-// (with NARROW 0 eight), or where something else computes them. Chain one per light.
+// (with NARROW 0 eight), or for designs that compute them elsewhere. Chain one per light.
 //
 // Latency    burnish_highlight + burnish_accumulate
 // Throughput one pixel per clock

@@ -8,7 +8,7 @@
 // Rows multiply unsigned numbers: with A = a + 2^15, B = b + 2^15 a product is A B - 2^15 (a + b) - 2^30, and the six
 // components are summed while the rows work.
 //
-// Latency    with DSP 5; by rows 4 + burnish_times, or 7 where that takes less than 3; others in burnish_latency.vh
+// Latency    with DSP 5; by rows 4 + burnish_times, or 7 if that takes less than 3; others in burnish_latency.vh
 // Throughput one per clock
 //
 // SPDX-License-Identifier: MIT
@@ -91,7 +91,7 @@ module burnish_dot #(
         end
     endgenerate
 
-    // Rounding wrapped a sum from 0x7FFFC000 on, which is that of vectors longer than 1.4.
+    // Rounding wraps a sum from 0x7FFFC000 on, which only vectors longer than 1.4 reach.
     wire wrapped = sum[17] && sum[16:0] == 17'd0;
     always @(posedge clk)
         if (enable)

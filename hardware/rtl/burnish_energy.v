@@ -1,10 +1,10 @@
-// burnish_energy: the lobe with the power's energy, zeta = (n + 1) / (order + 1).
+// burnish_energy: the lobe with the energy of cos^n, zeta = (n + 1) / (order + 1).
 //
 //     S = max(0, 1 - (n + 1) / (order + 1) (1 - c))^order,  order = 2^SQUARINGS
 //
 // Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h with
-// BURNISH_Q15_ENERGY. C refuses an exponent below an order above 2; this module computes the formula there, which is
-// above 0 at a cosine of 0. Where n rarely changes, burnish_zeta with a stored slope is smaller.
+// BURNISH_Q15_ENERGY. C rejects an exponent below an order above 2; this module computes the formula there, which is
+// above 0 at a cosine of 0. If n rarely changes, burnish_zeta with a stored slope is smaller.
 //
 // Latency    8 + burnish_zeta
 // Throughput one lobe per clock; n may change at every clock

@@ -1,4 +1,4 @@
-// burnish_energy_slope: the slope of the lobe with the power's energy.
+// burnish_energy_slope: the slope of the lobe with the energy of cos^n.
 //
 //     2 zeta = 2 (n + 1) / (order + 1) = slope / 2^shift, 16 significant bits, rounded, halves up
 //

@@ -1,6 +1,6 @@
 // burnish_lobe: one of the lobes, chosen by a parameter.
 //
-// Latency    that of the unit
+// Latency    the unit's
 // Throughput one lobe per clock
 //
 // SPDX-License-Identifier: MIT

@@ -3,7 +3,7 @@
 //     e = 1 - v.v,  unit = v (1 + e/2 + 3 e^2/8)
 //
 // Three terms of the series of 1/sqrt: no root, no division. Bit for bit burnish_q15_normalize_near of
-// include/burnish/shade_q15.h, which also tells the errors. Source: Lyon, Apple TR 43, 1993.
+// include/burnish/shade_q15.h, which states the errors. Source: Lyon, Apple TR 43, 1993.
 //
 // Latency    with DSP 15; others in burnish_latency.vh
 // Throughput one vector per clock

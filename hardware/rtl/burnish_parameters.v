@@ -1,9 +1,9 @@
-// burnish_parameters: refuses illegal parameters when a design is elaborated.
+// burnish_parameters: rejects illegal parameters when a design is elaborated.
 //
-// Verilog-2001 has no $error outside of simulation: an illegal value instantiates a module that doesn't exist and whose
-// name is the rule, so that every tool stops with it.
+// Verilog-2001 has no $error outside simulation. An illegal value therefore instantiates a module that does not exist;
+// every tool stops and prints its name, which is the rule.
 //
-// No ports, no cells. Parameters: those of the units, with legal values where a unit lacks one
+// No ports, no cells. Parameters: the units', with a legal value for each that a unit lacks
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors

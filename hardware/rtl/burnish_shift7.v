@@ -1,4 +1,4 @@
-// burnish_shift7: the lobe of zeta = 7n/16, which crosses the power at 0.50 (n = 10) to 0.58 of its
+// burnish_shift7: the lobe of zeta = 7n/16, which crosses cos^n at 0.50 (n = 10) to 0.58 of its
 // height (large n).
 //
 //     S = max(0, 1 - (7n/16) (1 - c))^2

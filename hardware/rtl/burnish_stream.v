@@ -2,10 +2,10 @@
 //
 //     m_value = lobe(s_exponent, s_angle), in order, none lost, none repeated
 //
-// A word passes when valid and ready are both 1. s_ready comes from a register, so there is no combinational path
-// from m_ready to s_ready: a word that arrives while the output stalls waits in a second register. m_ready does drive the
-// clock enable of every register of the unit without a register before it, so give it most of a clock's period to settle:
-// drive it from a register, or put a register slice behind the output.
+// A word passes when valid and ready are both 1. s_ready comes from a register, so no combinational path leads from
+// m_ready to s_ready; a word that arrives while the output stalls waits in a second register. m_ready itself drives the
+// clock enable of every register of the unit: give it most of a clock period to settle. Drive it from a register, or put
+// a register slice behind the output.
 //
 // Latency    the unit's + 1
 // Throughput one word per clock; stalls cost nothing else
@@ -104,7 +104,7 @@ module burnish_stream #(
         if (f_past) begin
             // Words are neither lost nor repeated: what came in and did not go out is inside.
             assert (f_inside == f_count);
-            // A waiting word refuses others, so that nothing overwrites it.
+            // While a word waits, no other is accepted: nothing overwrites it.
             assert (!(waiting && s_ready));
             // An offered word stays, unchanged, until it is taken.
             if ($past(m_valid && !m_ready && !reset)) begin

@@ -1,8 +1,8 @@
-// burnish_taylor: the lobe with the power's curvature at the peak, zeta = n / order.
+// burnish_taylor: the lobe with the curvature of cos^n at its peak, zeta = n / order.
 //
 //     S = max(0, 1 - (n / order) (1 - c))^order,  order = 2^SQUARINGS
 //
-// Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h. C refuses an
+// Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h. C rejects an
 // exponent below an order above 2; this module computes the formula there, which is above 0 at a cosine of 0.
 //
 // Latency    at order 2 and 16 bits 28, with ROWS 2 15, with DSP 4; others in burnish_latency.vh

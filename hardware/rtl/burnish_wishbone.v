@@ -1,4 +1,4 @@
-// burnish_wishbone: the lobe as a peripheral of a processor, by Wishbone B4 (classic cycles) or any bus of its kind.
+// burnish_wishbone: the lobe as a peripheral of a processor, on Wishbone B4 (classic cycles) or a similar bus.
 //
 // A program writes the exponent once and then angles; values are read back in the order of the angles.
 //
@@ -9,9 +9,9 @@
 //     3     STATUS    read         bit 0: a value is there, bit 1: an angle is taken, bits 15 .. 4: values not yet
 //                                  read, bits 31 .. 16: 0xB115
 //
-// What can't be done ends with err instead of ack, so that no cycle hangs: VALUE without an angle before it, ANGLE
-// while the unit is full, which only a read of VALUE can change, and any access that the table lacks. Two angles are
-// always taken before a VALUE must be read; more where they follow each other faster than the unit's latency.
+// Invalid accesses end with err instead of ack, so no cycle hangs: VALUE without an angle before it, ANGLE while the
+// unit is full (until VALUE is read), and any access that the table lacks. The unit always accepts two angles before a
+// VALUE must be read, and more if they arrive faster than its latency.
 //
 // Latency    ack one clock after stb; VALUE waits for the unit's latency + 1
 // Throughput an access every two clocks
@@ -55,7 +55,7 @@ module burnish_wishbone #(
     wire begun = cyc && stb && !ack && !err;
     wire starts = begun && we && adr == 2'd1 && sel[1:0] == 2'd3 && (LAMBDA == 0 || sel[2]);
     wire reads = begun && !we && adr == 2'd2;
-    // The stream refuses a word beside a waiting value only while it is full.
+    // With a value waiting, the stream rejects a word only while it is full.
     wire full = m_valid && !s_ready;
     wire refused = begun && (we ? (adr == 2'd1 ? !starts || full : adr != 2'd0)
                                 : (adr == 2'd1 || (adr == 2'd2 && unread == 12'd0)));

@@ -18,7 +18,7 @@ QEMU = "-display none -monitor none -serial none -singlestep -d exec,nochain"
 MACHINES = {
     "rv32": ("riscv64-unknown-elf", f"-march=rv32im -mabi=ilp32 {ALONE} -Wl,--no-warn-rwx-segments", "rv32/target.c -T hardware/firmware/rv32/target.ld -lgcc", (
         "mul.*", "add|addi|sub|neg|not|xori", "sll|slli|srl|srli|sra|srai", "b.*|slt.*|sltu.*|seqz|snez|j", "(div|rem).*")),
-    "m0": ("arm-none-eabi", f"-mcpu=cortex-m0 -mthumb {ALONE}", "m0/target.c -T hardware/firmware/m0/target.ld -lgcc", (
+    "m0": ("arm-none-eabi", f"-mcpu=cortex-m0 -mthumb {ALONE}", "arm/target.c -T hardware/firmware/arm/target.ld -lgcc", (
         "mul.*", "adds?|adcs?|subs?|sbcs?|negs|rsbs|mvns", "lsls|lsrs|asrs|rors", "cmp|cmn|tst|b|b(eq|ne|cs|cc|hs|lo|mi|pl|hi|ls|ge|lt|gt|le)", "none")),
     "avr": ("avr", "-mmcu=atmega1284p", "avr/target.c", (
         "mul.*", "add|adc|adiw|sub|subi|sbc|sbci|sbiw|com|neg|inc|dec", "lsl|lsr|asr|rol|ror|swap", "cp|cpc|cpi|cpse|sb[ri][sc]|br..|rjmp|tst", "none")),
@@ -120,6 +120,6 @@ def firmware(build, page, images, mode="table"):
             print("\n".join(tables[name]))
         for image, source, *layout in (("firmware.png", "picture.avr", "4", "1"), ("oled-ball.png", "arduino/film.pbm", "3", "2")):
             with open(f"{work}/{source}", "rb") as file:
-                subprocess.run([f"{build}/test/firmware_sheet", f"{images}/{image}", *layout], stdin=file, check=True)
+                subprocess.run([f"{ROOT}/hardware/firmware/sheet", f"{images}/{image}", *layout], stdin=file, check=True)
         fill(page, tables, ("exact 1 - cosine in UQ0.24",))  # its first error is below half a thousandth of a step
     print(f"firmware: {page} and its images are up to date")

@@ -80,10 +80,9 @@ static const struct layer {
     {"hardware/arduino/test/pico/pico", ""},
     {"hardware/firmware", "OledBall TftRing burnish/arrays_q15.h burnish/lobe_q15.h "
                           "burnish/shade_q15.h"},
+    {"hardware/firmware/arm", ""},
     {"hardware/firmware/avr", ""},
-    {"hardware/firmware/host", "burnish/image.h"},
-    {"hardware/firmware/m0", ""},
-    {"hardware/firmware/m4", ""},
+    {"hardware/firmware/host", ""},
     {"hardware/firmware/rv32", ""},
     {"hardware/rtl/demo", "burnish/image.h burnish/mesh.h burnish/render.h burnish/shade_q15.h"},
     {"hardware/rtl/demo/test", "../../test burnish/shade_q15.h"},

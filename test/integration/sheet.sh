@@ -1,6 +1,7 @@
 #!/bin/sh
 # The picture of the firmware's frames: what `make mcu` ends with.
-# usage: sheet.sh FIRMWARE_SHEET SCRATCH
+# usage: sheet.sh PROGRAM SCRATCH
+command -v python3 >/dev/null || { echo "sheet: python3 is missing"; exit 77; }
 . "$(dirname "$0")/../cli/lib.sh"
 
 # frames COUNT: that many grey pictures of 64 by 64 pixels
@@ -27,6 +28,6 @@ check "four displays" sh -c "'$burnish' dots.png 2 2 <dots.pbm"
 check "114 by 66 pixels" sh -c "head -c 24 dots.png | od -An -tx1 | tr -d ' \n' | grep -q 0000007200000042\$"
 cat whole.ppm dots.pbm >mixed
 check "frames of two kinds are refused" sh -c "! '$burnish' mixed.png 5 1 <mixed"
-check "a file that is none" sh -c "! echo text | '$burnish' mixed.png 1 1"
+check "text is refused" sh -c "! echo text | '$burnish' mixed.png 1 1"
 check "no picture of those" test ! -e mixed.png
 finish

@@ -1,4 +1,4 @@
-/* Runs an Arduino sketch for the Uno in simavr with an SSD1306 beside it, on SPI or on I2C,
+/* Runs an Arduino sketch for the Uno in simavr with an SSD1306 attached, on SPI or on I2C,
  * whichever the sketch uses.
  *
  * Usage: oled SKETCH.elf frames|pages|bytes COUNT

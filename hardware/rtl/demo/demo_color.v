@@ -2,7 +2,7 @@
 //
 //     color = ambient + diffuse (N.L) + 3/4 lobe where N.L > 0
 //
-// Bit for bit burnish_q15_accumulate of include/burnish/shade_q15.h with factors of few bits, so that a product is an
+// Bit for bit burnish_q15_accumulate of include/burnish/shade_q15.h with factors of few bits, where a product is an
 // adder or two: diffuse is a multiple of 1/8, ambient an eighth of it. Codes come from a table of the top 10 bits.
 //
 // Latency    5

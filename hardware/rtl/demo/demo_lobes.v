@@ -4,7 +4,7 @@
 //
 // burnish's lobes are built from rows; the other two take five multipliers and five memories. RESULT 8 of all.
 //
-// Latency    17, that of order 4 and one
+// Latency    17: order 4 and one clock
 // Throughput one pixel per clock
 // Ports      exponent  n, 1 .. 1023;  choice  0 .. 4, may change with every pixel and is read with the value
 //            cosine    UQ1.15;  value  UQ0.8

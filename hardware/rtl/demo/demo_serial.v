@@ -1,7 +1,7 @@
 // demo_serial: symbols of ten bits as two bits per clock of five times the rate, bit 0 first.
 //
 // Both clocks come from one PLL. A bit that changes with every symbol is sampled at the fast clock's falling edge, 4 ns
-// from the edges of both, and tells when to take the symbols: two fast clocks after they changed and three before they
+// from the edges of both, and signals when to take the symbols: two fast clocks after they changed and three before they
 // change again.
 //
 // Latency    two symbols at most

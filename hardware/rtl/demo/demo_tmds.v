@@ -1,7 +1,7 @@
 // demo_tmds: a byte or two control bits as a symbol of ten bits, by the Digital Visual Interface specification 1.0, 3.2.
 //
-// Bits 7 .. 0 are the byte as a chain of exclusive ors, or of their complements, whichever changes less often; bit 8 tells
-// which. All eight are inverted, which bit 9 tells, when that brings ones and zeros closer to balance.
+// Bits 7 .. 0 are the byte as a chain of exclusive ors, or of their complements, whichever changes less often; bit 8 says
+// which. All eight are inverted, and bit 9 set, when that brings ones and zeros closer to balance.
 //
 // Latency    2
 // Throughput one symbol per clock

@@ -3,7 +3,7 @@
 // The four single-port memories hold the teapot's map. A bitstream can't fill them, so it is read from the flash memory
 // behind the bitstream at start, which takes a tenth of a second.
 //
-// Ports  CLK 12 MHz;  BTN1, BTN2, BTN3 (the buttons beside PMOD 2)  next lobe on the left, on the right, next exponent;
+// Ports  CLK 12 MHz;  BTN1, BTN2, BTN3 (the buttons next to PMOD 2)  next lobe on the left, on the right, next exponent;
 //        BTN_N  holds the light;  LEDG_N  lit when the map is there
 //
 // SPDX-License-Identifier: MIT

@@ -147,7 +147,7 @@ static void cross(const double a[3], const double b[3], double out[3]) {
     }
 }
 
-/* Newton's iteration, so that no libm is needed. */
+/* Newton's iteration: no libm needed. */
 static void normalize(double v[3]) {
     const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     double root = square > 1 ? square : 1;

@@ -17,8 +17,8 @@ module ulx3s (
     assign wifi_gpio0 = 1'b1;
 
     // 25 MHz * 25 = 625 MHz, within the oscillator's 400 .. 800 MHz; a fifth of it for bits, two per clock, and a 25th for
-    // pixels. A phase of one period less a step is no shift, so that both rise together. nextpnr takes charge pump and
-    // filter as 0 where they are not given; these values are those of Project Trellis' ecppll.
+    // pixels. A phase of one period less a step shifts nothing: both rise together. nextpnr takes charge pump and
+    // filter as 0 unless they are given; these values are from Project Trellis' ecppll.
     wire clk, fast, locked;
     (* ICP_CURRENT = "12", LPF_RESISTOR = "8", MFG_ENABLE_FILTEROPAMP = "1", MFG_GMCREF_SEL = "2" *)
     EHXPLLL #(

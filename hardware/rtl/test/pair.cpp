@@ -1,4 +1,4 @@
-/* pair.cpp: the uses of wrapped.v beside their netlists, clock by clock.
+/* pair.cpp: compares the uses of wrapped.v with their netlists, clock by clock.
  *
  * Usage: pair COUNT NAME...
  *

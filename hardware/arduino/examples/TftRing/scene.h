@@ -57,7 +57,7 @@ static void scene_turn(scene *s, uint8_t frame) {
 static void scene_strip(scene *s, uint8_t strip) {
     uint16_t i;
     for (i = 0; i < SCENE_SIZE * SCENE_ROWS; ++i) {
-        s->colors[i] = 0x0842; /* nearly black, so that the picture's square shows */
+        s->colors[i] = 0x0842; /* nearly black: the picture's square shows */
     }
     s->strip.top = (uint8_t)(strip * SCENE_ROWS);
     burnish_strip_clear(&s->strip);

@@ -41,7 +41,7 @@ typedef struct burnish_ring {
     int16_t round[BURNISH_RING_CORNERS][2]; /* Q15: cosine and sine around the tube */
 } burnish_ring;
 
-/* The sine of an angle, 65536 being a whole turn: Q15, within .0013. */
+/* The sine of an angle, 65536 being a whole turn: Q15, within 0.0013. */
 static inline int16_t burnish_ring_sine(uint16_t angle) {
     static const int16_t quarter[17]
 #ifdef __AVR__

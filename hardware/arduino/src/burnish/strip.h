@@ -105,7 +105,7 @@ BURNISH_Q15_INLINE int16_t burnish_strip_mix(const burnish_strip_setup *t, uint8
                                16);
 }
 
-/* 63/64 of a component, so that steps of a row, each rounded, do not overflow at -1 and 1. */
+/* 63/64 of a component: the rounded steps of a row do not overflow at -1 and 1. */
 BURNISH_Q15_INLINE int16_t burnish_strip_shorten(int16_t x) {
     return (int16_t)(x - (x >> 6));
 }

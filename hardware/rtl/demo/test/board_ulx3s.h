@@ -20,7 +20,7 @@ class board {
 
     explicit board(const std::string &) { top.eval(); }
 
-    /* Five clocks of two bits. A symbol begins where that of the clock rises. */
+    /* Five clocks of two bits. A symbol begins at the rising edge of the clock channel. */
     void tick(unsigned buttons) {
         top.btn = (uint8_t)((buttons & 1u) << 5 | (buttons >> 1 & 1u) << 6 |
                             (buttons >> 2 & 1u) << 3 | (buttons >> 3 & 1u) << 1 | 1u);

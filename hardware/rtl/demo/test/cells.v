@@ -1,4 +1,4 @@
-// cells.v: what the boards' benches need of the chips' cells that are no logic, by their data sheets.
+// cells.v: models of the chips' cells other than logic, as far as the boards' benches need them; from the data sheets.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors

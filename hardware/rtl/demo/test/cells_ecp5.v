@@ -68,7 +68,7 @@ module DP16KD #(
     assign {DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4, DOB3, DOB2, DOB1, DOB0} =
         read_b[35:18];
 
-    // Uses that this is no model of.
+    // Uses that this model lacks.
     initial
         if (!(DATA_WIDTH_B == 36 || DATA_WIDTH_A == 18 || DATA_WIDTH_A == 9) || REGMODE_A != "NOREG" || REGMODE_B != "NOREG" ||
             CLKAMUX != "CLKA" || CLKBMUX != "CLKB") begin

@@ -30,7 +30,7 @@ int changes(unsigned symbol, int count) {
     return __builtin_popcount((symbol ^ symbol >> 1) & ((1u << (count - 1)) - 1));
 }
 
-/* The coding of a byte by exclusive ors (bit 8 is 1) or nors (0): each bit tells whether the byte's
+/* The coding of a byte by exclusive ors (bit 8 is 1) or nors (0): each bit says whether the byte's
  * next bit differs from it. */
 unsigned chained(unsigned byte, unsigned by_or) {
     unsigned coded = byte & 1u;

@@ -1,5 +1,5 @@
 // pixel: the units from vectors to a pixel side by side, for pixel.cpp. Every result on 48 bits, every unit's user bit,
-// which for those without one is a delay by the latency that burnish_latency.vh tells.
+// or, for units without one, a delay by the latency of burnish_latency.vh.
 // ALL 0 leaves out all but burnish_pixel, which then simulates ten times as fast. FREE 0 ties every unit's enable to 1. LIGHTS is
 // burnish_pixel's, 1 or 2.
 //

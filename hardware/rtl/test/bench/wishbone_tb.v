@@ -64,7 +64,7 @@ module wishbone_tb;
             cycles = cycles + 1;
             if (pause) begin
                 cyc = 0;
-                stb = cycles[0]; // stb without cyc is no cycle
+                stb = cycles[0]; // stb without cyc starts no cycle
             end
             @(negedge clk);
         end
@@ -98,7 +98,7 @@ module wishbone_tb;
         @(negedge clk);
         wanted(EXPONENT, 16);
         wanted(STATUS, 32'hB1150002);
-        // What can't be done is refused and changes nothing.
+        // Invalid accesses are rejected and change nothing.
         cycle(0, VALUE, 0, 15, 1);
         cycle(0, ANGLE, 0, 15, 1);
         cycle(1, VALUE, 7, 15, 1);

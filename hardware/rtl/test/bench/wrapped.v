@@ -3,46 +3,28 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
-module wrapped_dot (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+`define PORTS (input wire clk, input wire enable, input wire [255:0] word, output wire [47:0] out);
+
+module wrapped_dot `PORTS
     burnish_dot #(.DSP(1)) unit (
         .clk(clk), .enable(1'b1), .a(word[47:0]), .b(word[95:48]), .cosine(out[15:0]));
     assign out[47:16] = 32'd0;
 endmodule
 
-module wrapped_dot_port (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_dot_port `PORTS
     burnish_dot #(.DSP(1)) unit (
         .clk(clk), .enable(enable), .a(word[47:0]), .b(word[95:48]), .cosine(out[15:0]));
     assign out[47:16] = 32'd0;
 endmodule
 
-// A lamp that stands still.
-module wrapped_lamp (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+// A constant vector.
+module wrapped_lamp `PORTS
     burnish_dot #(.DSP(1)) unit (
         .clk(clk), .enable(1'b1), .a(word[47:0]), .b(48'h49E6_49E6_B61A), .cosine(out[15:0]));
     assign out[47:16] = 32'd0;
 endmodule
 
-module wrapped_channel (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_channel `PORTS
     wire unused;
     burnish_channel #(.NARROW(0), .DSP(1)) unit (
         .clk(clk), .enable(1'b1), .normal(word[47:0]), .half(word[95:48]),
@@ -50,12 +32,7 @@ module wrapped_channel (
         .user_in(1'b0), .sum_out(out), .user_out(unused));
 endmodule
 
-module wrapped_channel_port (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_channel_port `PORTS
     wire unused;
     burnish_channel #(.NARROW(0), .DSP(1)) unit (
         .clk(clk), .enable(enable), .normal(word[47:0]), .half(word[95:48]),
@@ -64,12 +41,7 @@ module wrapped_channel_port (
 endmodule
 
 // One white light on one material: factors whose leading bits are all 1, or that are a power of two.
-module wrapped_white (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_white `PORTS
     wire unused;
     burnish_channel #(.NARROW(0), .DSP(1)) unit (
         .clk(clk), .enable(1'b1), .normal(word[47:0]), .half(48'h7FFF_0000_FFFF),
@@ -77,12 +49,7 @@ module wrapped_white (
         .user_in(1'b0), .sum_out(out), .user_out(unused));
 endmodule
 
-module wrapped_exponent (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_exponent `PORTS
     wire unused;
     burnish_taylor #(.LAMBDA(1), .DSP(1)) unit (
         .clk(clk), .enable(1'b1), .exponent(10'd1023), .angle({8'd0, word[15:0]}),
@@ -90,12 +57,7 @@ module wrapped_exponent (
     assign out[47:16] = 32'd0;
 endmodule
 
-module wrapped_slope (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_slope `PORTS
     wire unused;
     burnish_zeta #(.LAMBDA(1), .DSP(1)) unit (
         .clk(clk), .enable(1'b1), .slope(16'hFFFF), .shift(4'd15), .angle(word[23:0]),
@@ -103,13 +65,8 @@ module wrapped_slope (
     assign out[47:16] = 32'd0;
 endmodule
 
-// The order 4: squarings that follow each other.
-module wrapped_order (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+// Order 4: one squaring after the other.
+module wrapped_order `PORTS
     wire unused;
     burnish_taylor #(.SQUARINGS(2), .DSP(1)) unit (
         .clk(clk), .enable(enable), .exponent(word[105:96]), .angle({1'b0, word[14:0]}),
@@ -117,32 +74,17 @@ module wrapped_order (
     assign out[47:16] = 32'd0;
 endmodule
 
-module wrapped_chord (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_chord `PORTS
     burnish_chord #(.DSP(1)) unit (
         .clk(clk), .enable(enable), .a(word[47:0]), .b(word[95:48]), .lambda(out[23:0]));
     assign out[47:24] = 24'd0;
 endmodule
 
-module wrapped_normalize (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_normalize `PORTS
     burnish_normalize #(.DSP(1)) unit (.clk(clk), .enable(enable), .v(word[47:0]), .unit(out));
 endmodule
 
-module wrapped_highlight (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_highlight `PORTS
     wire unused;
     burnish_highlight #(.UNIT(3), .SQUARINGS(3), .NARROW(1), .DSP(1)) unit (
         .clk(clk), .enable(enable), .normal(word[47:0]), .half(word[95:48]),
@@ -150,12 +92,7 @@ module wrapped_highlight (
     assign out[47:16] = 32'd0;
 endmodule
 
-module wrapped_light (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_light `PORTS
     wire unused;
     burnish_light #(.UNIT(0), .DSP(1)) unit (
         .clk(clk), .enable(enable), .normal(word[47:0]), .half(word[95:48]),
@@ -164,12 +101,7 @@ module wrapped_light (
         .user_out(unused));
 endmodule
 
-module wrapped_pixel (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+module wrapped_pixel `PORTS
     wire unused;
     burnish_pixel #(.UNIT(2), .DSP(1)) unit (
         .clk(clk), .enable(enable), .normal(word[47:0]), .half(word[95:48]),
@@ -178,13 +110,8 @@ module wrapped_pixel (
         .user_out(unused));
 endmodule
 
-// Products that follow each other without anything between them.
-module wrapped_square (
-    input wire clk,
-    input wire enable,
-    input wire [255:0] word,
-    output wire [47:0] out
-);
+// Two products without logic between them.
+module wrapped_square `PORTS
     wire [31:0] first;
     burnish_square #(.DSP(1)) once (
         .clk(clk), .enable(1'b1), .t(word[15:0]), .offset(17'd0), .square(first));
