@@ -1,7 +1,9 @@
-/* Rate of burnish batch: 200 meshes of 5,000 triangles (binary STL), 256 x 256, one thread a
- * picture. Usage: bench_batch BURNISH FOLDER [ROUNDS] FOLDER  for the meshes and their pictures
+/* Rate of burnish batch: 200 meshes of 5,000 triangles (binary STL), 256 x 256, one thread per
+ * picture.
+ * Usage: bench_batch BURNISH FOLDER [ROUNDS]
+ *   FOLDER  for the meshes and their pictures
  * Prints a table: medians of ROUNDS batches of each look, in turns. Other programs on the machine
- * lengthen processor time a little, and wall time, which is not told, a lot. */
+ * lengthen processor time a little, and wall time, which is not reported, a lot. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

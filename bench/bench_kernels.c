@@ -74,7 +74,7 @@ static const cli_command command = {
     .work = bench_work,
 };
 
-/* The reference row has no ratio, nor has the bare loop. */
+/* The reference row and the bare loop have no ratio. */
 static int has_ratio(const burnish_bench_table *table, int i) {
     const burnish_bench_row *row = &table->rows[i];
     int is_first = i == 0 || strcmp(table->rows[i - 1].section, row->section) != 0;
@@ -154,7 +154,7 @@ static void print_text(const burnish_bench_report *report) {
     print_missing(report);
 }
 
-/* Times and ratios: five digits are more than their accuracy. */
+/* Times and ratios are accurate to fewer than five digits. */
 static cJSON *number(double value) {
     char text[32];
     snprintf(text, sizeof text, "%.5g", value);

@@ -1,6 +1,6 @@
 /* Frame times: median, minimum and maximum over several frames, one row per mesh, lobe and thread
- * count. Usage: frame INPUT [INPUT ...]       1920x1080, one sample per pixel, the default view and
- * rig. */
+ * count. Usage: frame INPUT [INPUT ...]
+ * 1920x1080, one sample per pixel, the default view and rig. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -28,11 +28,11 @@ typedef struct burnish_bench_row {
     const char *name;    /* "schlick" */
     const char *label;   /* for display */
     int is_inverse;     /* 1: ratio is the first row's time over this row's; its key is over_NAME */
-    double nanoseconds; /* per element; NaN where missing */
-    double cycles;      /* of the time-stamp counter; NaN where not measured */
-    double ratio; /* this row's time over the first's, but see is_inverse; NaN where missing */
-    const char *missing; /* why there is no number; NULL where there is one */
-    /* By burnish_bench_errors only: the largest errors, NaN where a value is none. */
+    double nanoseconds; /* per element; NaN if missing */
+    double cycles;      /* of the time-stamp counter; NaN if not measured */
+    double ratio;       /* this row's time over the first's, but see is_inverse; NaN if missing */
+    const char *missing; /* why the number is missing; NULL if it is not */
+    /* By burnish_bench_errors only: the largest errors, NaN if a value is NaN. */
     double absolute, relative;
 } burnish_bench_row;
 
@@ -44,15 +44,15 @@ typedef struct burnish_bench_table {
 typedef struct burnish_bench_machine {
     char processor[96];
     char compiler[96];
-    size_t cache_bytes[3]; /* data caches of level 1 to 3, 0 where unknown */
-    size_t free_bytes;     /* available memory, 0 where unknown */
+    size_t cache_bytes[3]; /* data caches of level 1 to 3, 0 if unknown */
+    size_t free_bytes;     /* available memory, 0 if unknown */
 } burnish_bench_machine;
 
 typedef struct burnish_bench_report {
     burnish_bench_machine machine;
     int rounds;
     size_t array_bytes; /* of each array in memory; 0: not enough memory */
-    double tsc_hertz;   /* time-stamp counter; 0 where there is none */
+    double tsc_hertz;   /* time-stamp counter; 0 if the machine lacks one */
     int has_isa[BURNISH_ISA_COUNT];
     burnish_bench_table isa[BURNISH_ISA_COUNT];
     burnish_bench_table scalar; /* scalar code, one value at a time; the paper's forms */

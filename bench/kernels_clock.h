@@ -26,7 +26,7 @@ double burnish_bench_median(const burnish_bench_job *job, int rounds);
 double burnish_bench_median_ratio(const burnish_bench_job *job, const burnish_bench_job *to,
                                   int rounds);
 
-/* Hertz of the time-stamp counter, measured over some milliseconds; 0 where there is none. */
+/* Hertz of the time-stamp counter, measured over some milliseconds; 0 if the machine lacks one. */
 double burnish_bench_tsc_hertz(void);
 
 #endif

@@ -37,8 +37,7 @@ static void fill_cosines(burnish_bench_input *input) {
     }
 }
 
-/* The unit sphere's points toward +z, in scan order, without those of a last partial block.
- */
+/* The unit sphere's points toward +z, in scan order; a partial last block is dropped. */
 static burnish_status make_sphere(burnish_bench_input *input, burnish_error *error) {
     const size_t most = (size_t)SPHERE_PIXELS * SPHERE_PIXELS;
     float *xyz = malloc(3 * most * sizeof *xyz);
@@ -133,7 +132,8 @@ static float *map(size_t bytes) {
         return NULL;
     }
 #if defined(MADV_HUGEPAGE)
-    (void)madvise(place, bytes, MADV_HUGEPAGE); /* fewer translations, where the kernel has them */
+    (void)madvise(place, bytes,
+                  MADV_HUGEPAGE); /* fewer translations, if the kernel supports them */
 #endif
     return place;
 }

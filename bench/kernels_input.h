@@ -5,7 +5,7 @@
 #include "bench/kernels.h"
 #include "bench/kernels_libraries.h"
 
-/* The lobes that a prepared shader stands for. */
+/* The lobes that a prepared shader may have. */
 enum {
     BURNISH_BENCH_OF_FAMILY, /* energy:2 */
     BURNISH_BENCH_OF_FAMILY_4,
@@ -35,8 +35,7 @@ typedef struct burnish_bench_input {
 /* Everything but the functions of other libraries; release with burnish_bench_input_destroy. */
 burnish_status burnish_bench_input_create(burnish_bench_input **input, burnish_error *error);
 
-/* The two arrays in memory, written once so that their pages exist; none where memory is
- * short. */
+/* The two arrays in memory, written once to map their pages; NULL if memory is short. */
 void burnish_bench_input_map(burnish_bench_input *input, size_t bytes);
 
 void burnish_bench_input_destroy(burnish_bench_input *input);

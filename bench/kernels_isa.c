@@ -68,7 +68,7 @@ BURNISH_INLINE vf bench_libm(vf c, vf n) {
     return vf_load(bases);
 }
 
-/* A contender at a cosine; `constants` stands inside a burnish_bench_shader. */
+/* A contender at a cosine; `constants` is part of a burnish_bench_shader. */
 BURNISH_INLINE vf bench_lobe(int kind, const burnish_lobe_constants *constants, vf cosine) {
     typedef vf vector_powf(vf, vf);
     const burnish_bench_shader *given =
@@ -108,7 +108,7 @@ BURNISH_INLINE vf bench_lobe(int kind, const burnish_lobe_constants *constants, 
 
 BURNISH_INLINE void bench_array(int kind, const burnish_bench_shader *given, size_t count,
                                 const float *in, float *out) {
-    const burnish_bench_shader shader = *given; /* which no store can change */
+    const burnish_bench_shader shader = *given; /* a copy: no store can change it */
     const burnish_lobe_constants *lobe = &shader.shader.lobe;
     for (size_t i = 0; i + 2 * LANES <= count; i += 2 * LANES) {
         vf a = vf_load(in + i), b = vf_load(in + i + LANES);

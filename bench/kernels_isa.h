@@ -1,6 +1,6 @@
 /* The contenders of one instruction set: the alternatives of the library's kernels. They are
- * compiled per instruction set like the kernels, but may use what those may not: fused
- * multiply-adds, gathers, other libraries. */
+ * compiled per instruction set like the kernels, but unlike these may use fused multiply-adds,
+ * gathers and other libraries. */
 #ifndef BURNISH_BENCH_KERNELS_ISA_H
 #define BURNISH_BENCH_KERNELS_ISA_H
 
@@ -10,8 +10,8 @@
 #include "burnish/kernels.h"
 #include "shading/shader.h"
 
-/* The lobes that the library does not have; max(0, c)^n unless the line says otherwise. Values
- * begin above those of the library's bodies, beside which the lighting kernel switches. */
+/* The lobes that the library does not have; max(0, c)^n unless the line says otherwise. Numbers
+ * start above the library's lobe kinds: the lighting kernel switches over both. */
 typedef enum burnish_bench_lobe {
     BURNISH_BENCH_SCHLICK = 100,   /* c / (n - (n - 1) c): one clamp, one division */
     BURNISH_BENCH_SQUARINGS,       /* c^32 by five squarings, n = 32 only; never subnormal */
@@ -64,20 +64,20 @@ typedef void burnish_bench_root_function(size_t count, const float *in, float *o
 enum { BURNISH_BENCH_LOBE_COUNT = (int)BURNISH_BENCH_LOBE_END - (int)BURNISH_BENCH_SCHLICK };
 
 typedef struct burnish_bench_contenders {
-    const char *libmvec, *sleef; /* names of the powf there; NULL: there is none */
+    const char *libmvec, *sleef; /* names of the powf there; NULL if missing */
     burnish_bench_lobe_function *lobe[BURNISH_BENCH_LOBE_COUNT];
     burnish_bench_shade_function *shade[BURNISH_BENCH_LOBE_COUNT][2]; /* distant, general */
     burnish_bench_root_function *root[BURNISH_BENCH_ROOT_COUNT];
 } burnish_bench_contenders;
 
-/* kernels_isa.c, compiled for each instruction set, gives its contenders, or NULL where it was not
- * compiled for that instruction set. */
+/* kernels_isa.c is compiled for each instruction set and returns its contenders, or NULL if its
+ * flags lack that instruction set. */
 #define BURNISH_BENCH_DECLARE(name, word, lanes)                                                   \
     const burnish_bench_contenders *burnish_bench_contenders_##word(void);
 BURNISH_ISA_LIST(BURNISH_BENCH_DECLARE)
 #undef BURNISH_BENCH_DECLARE
 
-/* The contenders of one that runs here; NULL where this build or processor lacks them. */
+/* The contenders of one that runs here; NULL if this build or processor lacks them. */
 const burnish_bench_contenders *burnish_bench_contenders_for(burnish_isa isa);
 
 #endif

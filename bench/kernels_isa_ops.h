@@ -1,12 +1,12 @@
 /* Operations of the contenders beyond src/simd/vector.h, per instruction set:
  *
- *   bench_fma       a b + c, fused where the instruction set has that
+ *   bench_fma       a b + c, fused if the instruction set has FMA
  *   bench_sqrt      IEEE square root
  *   bench_round     floats to the nearest integers
  *   bench_gather    table[index] per lane
  *   bench_mantissa  the bits of x's significand in [1, 2)
  *
- * and the names of other libraries' powf, NULL where a library has none. */
+ * and the names of powf in other libraries, NULL if a library lacks it. */
 #ifndef BURNISH_BENCH_KERNELS_ISA_OPS_H
 #define BURNISH_BENCH_KERNELS_ISA_OPS_H
 

@@ -1,4 +1,4 @@
-/* Other libraries' vector powf, loaded at run time: none is needed to build or to run. */
+/* Other libraries' vector powf, loaded at run time and optional. */
 #ifndef BURNISH_BENCH_KERNELS_LIBRARIES_H
 #define BURNISH_BENCH_KERNELS_LIBRARIES_H
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The text after "KEY : " in a file of such lines; 0 when it is not there. */
+/* The text after "KEY : " in a file of such lines; 0 if it is missing. */
 static int read_field(const char *path, const char *key, char *text, size_t size) {
     char line[512];
     FILE *file = fopen(path, "r");

@@ -7,8 +7,8 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* `next`, made to depend on `value`: two bit operations with a zero that the compiler does not
- * know. */
+/* Returns `next`, dependent on `value` through two bit operations with a zero unknown to the
+ * compiler. */
 INLINE float after(float value, float next, float zero) {
 #if defined(__SSE2__)
     __asm__("andps %1, %0" : "+x"(value) : "x"(zero));
@@ -24,8 +24,8 @@ INLINE float after(float value, float next, float zero) {
     return next;
 }
 
-/* max(0, x) without the branch that compilers make of it: a lobe that is 0 for most cosines would
- * be timed by its prediction. */
+/* max(0, x) without a branch: with one, the time of a lobe that is 0 for most cosines would be the
+ * branch predictor's. */
 INLINE float positive(float x) {
 #if defined(__SSE2__)
     __asm__("maxss %1, %0" : "+x"(x) : "x"(0.0f));

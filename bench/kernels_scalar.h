@@ -23,12 +23,11 @@ typedef struct burnish_bench_scalar {
     burnish_bench_scalar_function *through, *chain;
 } burnish_bench_scalar;
 
-/* The first is what the others are compared with, the second the loops alone, a NULL name ends the
- * list. */
+/* The first is the reference of the ratios, the second the bare loop; a NULL name ends the list. */
 extern const burnish_bench_scalar burnish_bench_scalars[];
 
-/* The paper's W and W_0.5 and Schlick's lobe, first, each from a whole exponent: what depends on it
- * is made again for every value. */
+/* Schlick's lobe, then the paper's W and W_0.5, each from an integer exponent that is read again
+ * for every value. */
 extern const burnish_bench_scalar burnish_bench_paper[];
 
 #endif

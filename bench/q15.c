@@ -1,4 +1,4 @@
-/* bench_q15: the integer arrays beside the kernels in floating point, on this machine.
+/* bench_q15: the integer arrays compared with the kernels in floating point, on this machine.
  * Usage: bench_q15 [FOLDER [quick]]: prints the tables as Markdown; with FOLDER also writes
  * FOLDER/machine, lobes, memory and pixels. Contenders of a table take turns; times are medians. */
 #include "bench/q15.h"
@@ -20,7 +20,7 @@ enum {
     ROWS_MAX = 8
 };
 
-/* What a row measures. Floats first, which are what the others are compared with. */
+/* What a row measures. The first, in floating point, is the reference. */
 typedef enum what {
     FLOAT_LOBE,
     FLOAT_LOBE_4,

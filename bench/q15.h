@@ -13,13 +13,13 @@ typedef void burnish_bench_q15_lobe(const burnish_lobe_q15 *lobe, size_t count,
 typedef struct burnish_bench_q15 {
     int lanes;
     burnish_bench_q15_lobe *fast, *near, *fast8;
-    /* what words need on their way through a lobe in floating point, by the compiler's vectors */
+    /* converts words for a lobe in floating point; vectorised by the compiler */
     void (*to_floats)(size_t count, const uint16_t *words, float *floats);
     void (*to_words)(size_t count, const float *floats, uint16_t *words);
     burnish_bench_q15_pixels *rgba8, *rgb565;
 } burnish_bench_q15;
 
-/* NULL where it was not compiled for that kind. */
+/* NULL if it was not compiled for that kind. */
 const burnish_bench_q15 *burnish_bench_q15_scalar(void);
 const burnish_bench_q15 *burnish_bench_q15_sse2(void);
 const burnish_bench_q15 *burnish_bench_q15_avx2(void);

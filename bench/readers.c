@@ -1,6 +1,5 @@
-/* Readers: megabytes per second from memory to triangles, per format and number of threads. Without
- * building the mesh. Usage: readers [GRID]     a torus of 2 GRID^2 triangles
- */
+/* Readers: megabytes per second from memory to triangles, per format and number of threads, without
+ * building the mesh. Usage: readers [GRID], a torus of 2 GRID^2 triangles */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,8 +1,7 @@
-/* Latency of one picture after another: a process each, and requests to burnish serve-stdio.
+/* Latency of single pictures: one process each, and requests to burnish serve-stdio.
  * Usage: bench_serve BURNISH FOLDER [ROUNDS]
  *   FOLDER  for a mesh of 5,000 triangles and a picture
- * Prints a table: wall time of ROUNDS pictures of 256 x 256, in turns, after 5 that do not count.
- */
+ * Prints a table: wall time of ROUNDS pictures of 256 x 256, in turns, after 5 untimed ones. */
 #include <spawn.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -114,7 +113,7 @@ static void print_look(int look, double *times, size_t count) {
     }
 }
 
-/* Wall times of all ways, in turns. */
+/* Wall times of all ways, measured in turns. */
 static void time_look(const char *burnish, int look, const char *mesh, const char *picture,
                       const bytes *file, double *times, size_t rounds) {
     server s = start(burnish, look_flags[look]);

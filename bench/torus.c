@@ -1,4 +1,4 @@
-/* Files of a torus, in memory. They end the program when memory is out. */
+/* Files of a torus, in memory. If memory runs out, the program ends. */
 #include "torus.h"
 
 #include <math.h>

@@ -18,7 +18,7 @@ typedef struct torus {
 torus make_torus(size_t grid);
 void torus_destroy(torus *t);
 
-/* digits: decimals of positions; normals, coordinates: whether the file has them. */
+/* digits: decimals of positions; normals, coordinates: 1 to write them. */
 bytes write_obj(const torus *t, int digits, int normals, int coordinates);
 bytes write_ply(const torus *t, int ascii, int normals);
 bytes write_stl(const torus *t, int ascii);

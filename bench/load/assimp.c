@@ -1,5 +1,5 @@
-/* assimp's loader, asked for what burnish does: triangles, equal vertices joined, normals where the
- * file has none. Usage: bench_load_assimp FILE */
+/* assimp's loader with burnish's work: triangulate, join equal vertices, generate missing normals.
+ * Usage: bench_load_assimp FILE */
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>

@@ -1,4 +1,4 @@
-/* Writes what loaders are timed with. Usage: bench_load_files FOLDER GRID */
+/* Writes the loaders' input files. Usage: bench_load_files FOLDER GRID */
 #include <stdio.h>
 #include <stdlib.h>
 

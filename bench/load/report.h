@@ -1,5 +1,4 @@
-/* The line that every loader prints of itself: milliseconds, its peak of memory in KiB, triangles.
- */
+/* The line that every loader prints: milliseconds, peak memory in KiB, triangles. */
 #ifndef BURNISH_BENCH_LOAD_REPORT_H
 #define BURNISH_BENCH_LOAD_REPORT_H
 

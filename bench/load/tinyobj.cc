@@ -1,4 +1,4 @@
-/* tinyobjloader: OBJ as it stands, triangulated; nothing is welded and no normals are made.
+/* tinyobjloader: triangulates the OBJ as stored, without welding or generating normals.
  * Usage: bench_load_tinyobj FILE */
 #include <tiny_obj_loader.h>
 

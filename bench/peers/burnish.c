@@ -1,6 +1,6 @@
 /* burnish as a contestant: one call of burnish_renderer_draw per frame, which keeps its memory
- * between frames, into the same image, encoded in sRGB. Its lobes are those of the public
- * interface, and libm's powf. */
+ * between frames, into the same image, encoded in sRGB. Its lobes are the public
+ * interface's, and libm's powf. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,12 +60,9 @@ static int choose(contestant *r, const char *variant) {
     static const struct {
         const char *variant, *lobe;
         int two_sided;
-    } LOBES[] = {{"family", "energy:2", 0},
-                 {"family-two-sided", "energy:2", 1},
-                 {"power", "power", 0},
-                 {"schlick", "schlick", 0},
-                 {"libm", "power", 0},
-                 {"scene", "energy:2", -1}}; /* as many sides as the scene wants */
+    } LOBES[] = {{"family", "energy:2", 0}, {"family-two-sided", "energy:2", 1},
+                 {"power", "power", 0},     {"schlick", "schlick", 0},
+                 {"libm", "power", 0},      {"scene", "energy:2", -1}}; /* as the scene requests */
     burnish_error error;
     for (size_t i = 0; i < sizeof LOBES / sizeof *LOBES; ++i) {
         if (strcmp(variant, LOBES[i].variant) == 0) {

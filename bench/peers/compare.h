@@ -15,7 +15,7 @@ typedef struct burnish_peers_comparison {
     int largest_other;
 } burnish_peers_comparison;
 
-/* Reads two pictures and their triangle numbers, as worker.h says. Returns 0 when a file can't be
+/* Reads two pictures and their triangle numbers, as worker.h says. Returns 0 if a file can't be
  * read. */
 int burnish_peers_compare(const char *const pictures[2], const char *const triangles[2],
                           burnish_peers_comparison *comparison);

@@ -91,7 +91,7 @@ static int open_tracer(void **state, const burnish_peers_job *job, int threads, 
     return 1;
 }
 
-/* The rays through the pixels of a square; valid is 0 for those outside the picture. */
+/* The rays through the pixels of a square; valid is 0 outside the picture. */
 static void aim(const burnish_peers_job *job, int x0, int y0, struct RTCRayHit16 *rays,
                 int valid[LANES]) {
     const float far = (float)job->farthest * 2;

@@ -102,8 +102,8 @@ static void make_lights(burnish_peers_job *job, burnish_scene_lights lights) {
     job->options.light_count = lights.count;
 }
 
-/* Ambient, specular and exponent of all materials are the same, the diffuse colour where there is
- * one only; others keep their own. */
+/* Sets the same ambient, specular and exponent in all materials, and the diffuse colour if there is
+ * only one material. */
 static burnish_status make_materials(burnish_peers_job *job, burnish_error *error) {
     const size_t count = burnish_mesh_get_material_count(job->scene);
     burnish_status status = BURNISH_STATUS_OK;

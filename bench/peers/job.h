@@ -38,8 +38,8 @@ void burnish_peers_job_close(burnish_peers_job *job);
 /* The 8-bit sRGB code of a linear value, by IEC 61966-2-1 in double precision. */
 uint8_t burnish_peers_srgb(double linear);
 
-/* Milliseconds from any fixed moment by the clock that suits the job: the process' own time with
- * one thread, since other programs take none of it, else wall time. */
+/* Milliseconds since some fixed moment: processor time of this process with one thread, which other
+ * programs do not affect, else wall time. */
 double burnish_peers_now(const burnish_peers_job *job);
 
 #endif

@@ -1,4 +1,4 @@
-/* The renderer's kernels with libm's powf as the power lobe. */
+/* The renderer's kernels with libm's powf as cos^n. */
 #ifndef BURNISH_BENCH_PEERS_LIBM_LOBE_H
 #define BURNISH_BENCH_PEERS_LIBM_LOBE_H
 
@@ -8,7 +8,7 @@
  * loops over arrays around one powf per lit point. */
 burnish_isa_ops burnish_peers_libm_batch(const burnish_kernels *batch);
 
-/* The same with kernels that shade everything black: tells whether a renderer calls them. */
+/* The same with kernels that shade everything black, to detect whether a renderer calls them. */
 burnish_isa_ops burnish_peers_dark_batch(const burnish_kernels *batch);
 
 #endif

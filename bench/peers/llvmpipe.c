@@ -1,9 +1,9 @@
 /* Mesa's software rasteriser as a contestant: GLES 3.2 without a window. Buffers and programs are
- * made once; a frame is glClear, one draw call and glFinish; the picture is not read back while
- * timed.
+ * made once; a frame is glClear, one draw call and glFinish; reading the picture back is
+ * not timed.
  *
- * Threads come from the environment, which the runner sets: LP_NUM_THREADS=0 rasterises in the
- * calling thread, 2 in two threads beside it. */
+ * The runner sets the number of threads in the environment: LP_NUM_THREADS=0 rasterises in the
+ * calling thread, 2 in two more threads. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES3/gl32.h>
@@ -15,8 +15,8 @@
 
 #include "worker.h"
 
-/* What a scene needs comes before each: COLORED (a colour per vertex), COLOR (float where all is
- * grey, or vec3), LIGHTS, and NEAR for point lights. */
+/* Macros of the scene precede both shaders: COLORED (a colour per vertex), COLOR (float if all is
+ * grey, else vec3), LIGHTS, and NEAR for point lights. */
 static const char vertex_main[] = "layout(location = 0) in vec3 position;\n"
                                   "layout(location = 1) in vec3 normal;\n"
                                   "layout(location = 2) in vec3 vertex_color;\n"
@@ -103,7 +103,7 @@ enum { SIDES_OF_SCENE = 2 };
 static const struct variant {
     const char *name, *lobe;
     int target;
-    int two_sided; /* 1: every face drawn, N turned toward the viewer, as burnish does */
+    int two_sided; /* 1: draws every face with N turned toward the viewer, as burnish does */
 } VARIANTS[] = {
     {"power", lobe_power, LINEAR8, 0},           {"power-srgb", lobe_power, SRGB8, 0},
     {"power-two-sided", lobe_power, LINEAR8, 1}, {"family", lobe_family, LINEAR8, 0},
@@ -113,7 +113,7 @@ static const struct variant {
 enum { VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS };
 
 /* Orders of the mesh's triangles and vertices: burnish's, and meshoptimizer's for vertex caches.
- * Frames are drawn in the one that is faster here. */
+ * Frames use the faster one. */
 enum { ORDER_BURNISH, ORDER_CACHE, ORDERS };
 static const char *const ORDER_NAMES[ORDERS] = {"burnish's order", "meshoptimizer's order"};
 
@@ -285,7 +285,7 @@ static int make_programs(gl_renderer *gl, char *note) {
     return 1;
 }
 
-/* samples 1: a plain renderbuffer. Returns 0 when the framebuffer is not complete. */
+/* samples 1: a plain renderbuffer. Returns 0 if the framebuffer is incomplete. */
 static int make_framebuffer(const gl_renderer *gl, GLuint framebuffer, GLenum format, int samples) {
     const int count = samples > 1 ? samples : 0;
     const int width = gl->job->options.width, height = gl->job->options.height;
@@ -301,7 +301,7 @@ static int make_framebuffer(const gl_renderer *gl, GLuint framebuffer, GLenum fo
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-/* With several samples there is LINEAR8 only. */
+/* With several samples only LINEAR8. */
 static int make_framebuffers(gl_renderer *gl, char *note) {
     const GLenum formats[TARGETS] = {GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA32F, GL_R32UI};
     const int samples = gl->job->options.samples;

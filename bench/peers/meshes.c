@@ -4,10 +4,10 @@
  *   FOLDER has the contestants; an input is a file or a scene; without any: all scenes.
  *   --short  one frame each of 256x256, one thread, one sample
  *
- * Both load a file by burnish's reader and draw the same triangles. burnish draws energy:2 in sRGB,
- * llvmpipe pow in linear bytes, with 4x MSAA and its resolve where there are four samples; both
- * cull back faces unless a scene is open. The contestants draw in turns of a few frames, one with
- * the other waiting, so that a busy moment affects both. */
+ * Both load a file with burnish's reader and draw the same triangles. burnish draws energy:2 in
+ * sRGB, llvmpipe pow in linear bytes; four samples are 4x MSAA with its resolve. Both cull back
+ * faces unless a scene is open. The contestants take turns of a few frames while the other waits: a
+ * busy moment affects both. */
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@ enum { LINE = 1024, PATH = 600, NAME = 40 };
 static const double SLOW =
     100; /* milliseconds: such a frame is timed once, a third of it in rounds of one */
 
-/* Those of one thread come first. */
+/* One thread first. */
 static const struct setup {
     int threads, samples, width, height;
 } setups[SETUPS] = {{1, 1, 1920, 1080}, {1, 4, 1920, 1080}, {1, 1, 256, 256}, {1, 4, 256, 256},

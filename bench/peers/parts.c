@@ -1,9 +1,9 @@
-/* Whole processes on files: each to a PNG by f3d and by burnish in turns, on all cores.
+/* Times whole processes: f3d and burnish draw each file to a PNG in turns, on all cores.
  * Usage: bench_peers_parts BURNISH SCRATCH ROUNDS FILE...
  *
- * Prints one line per file and size: the size, milliseconds of f3d, of burnish as f3d draws (look
- * plain, one sample) and of burnish without flags, their peaks of memory in KiB, the file. Numbers
- * are medians of the rounds, after one that fills the caches. */
+ * Prints one line per file and size: the size; milliseconds of f3d, of burnish with f3d's settings
+ * (--look=plain --samples=1) and of burnish without flags; the peak memory of each in KiB; the
+ * file. Numbers are medians of the rounds, after one that fills the caches. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -71,7 +71,7 @@ int main(int count, char **arguments) {
     r->scratch = arguments[2];
     r->display = display;
     r->rounds = atoi(arguments[3]);
-    r->patience = r->rounds > 1 ? PATIENCE : 0; /* one round is not for its times */
+    r->patience = r->rounds > 1 ? PATIENCE : 0; /* a single round is a check, not a measurement */
     pid_t x = burnish_peers_installed("f3d") && burnish_peers_installed("Xvfb")
                   ? burnish_peers_start_x(display, sizeof display)
                   : 0;

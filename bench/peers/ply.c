@@ -1,5 +1,5 @@
-/* Writes a mesh as binary PLY with normals, so that every program reads the same input and none
- * generates normals. Usage: bench_peers_ply INPUT OUTPUT */
+/* Writes a mesh as binary PLY with normals: every program reads the same input, none generates
+ * normals. Usage: bench_peers_ply INPUT OUTPUT */
 #include <stdio.h>
 #include <stdlib.h>
 

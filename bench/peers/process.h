@@ -13,18 +13,18 @@ typedef struct burnish_peers_process {
 } burnish_peers_process;
 
 /* Starts a program with pipes to it. cores: 1 binds it to one core, any other number does not.
- * environment: "NAME=VALUE" added for it, or NULL. Returns 0 if there is no such program. */
+ * environment: "NAME=VALUE" added for it, or NULL. Returns 0 if the program is not found. */
 int burnish_peers_start(burnish_peers_process *process, const char *const arguments[], int cores,
                         const char *environment);
 
-/* Sends a line unless it is NULL and reads one line, without its end. Returns 0 when the program
+/* Sends a line unless it is NULL and reads one line, without its end. Returns 0 if the program
  * has ended. */
 int burnish_peers_ask(burnish_peers_process *process, const char *line, char *answer, size_t size);
 
 /* Ends its input and waits for it. */
 void burnish_peers_stop(burnish_peers_process *process);
 
-/* Runs a program, its output thrown away. Gives wall-clock milliseconds from fork to exit and the
+/* Runs a program, its output discarded. Measures wall-clock milliseconds from fork to exit and the
  * peak of its resident memory in KiB. Returns 0 unless it exits with 0. */
 int burnish_peers_run(const char *const arguments[], int cores, const char *environment,
                       double *milliseconds, double *kibibytes);
@@ -32,13 +32,12 @@ int burnish_peers_run(const char *const arguments[], int cores, const char *envi
 typedef struct burnish_peers_picture {
     const char *input, *output; /* mesh and PNG */
     const char *size;           /* "W,H" */
-    int is_default; /* 1: burnish as it is without flags; 0: --look=plain --samples=1, as f3d does
-                     */
+    int is_default;             /* 1: burnish without flags; 0: --look=plain --samples=1, as f3d */
 } burnish_peers_picture;
 
-/* Draws by the program burnish, or by f3d where that is NULL, on this X display. f3d takes one
- * sample per pixel and does not occlude. The rest as burnish_peers_run; lets the X server clean up
- * first, which takes it a tenth of a second after f3d. */
+/* Draws with the program burnish, or with f3d if that is NULL, on this X display. f3d takes one
+ * sample per pixel, without ambient occlusion. Otherwise as burnish_peers_run; first waits for the
+ * X server to clean up, a tenth of a second after f3d. */
 int burnish_peers_draw(const burnish_peers_picture *picture, const char *burnish, int cores,
                        const char *display, double *milliseconds, double *kibibytes);
 

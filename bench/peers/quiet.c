@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* Ticks of all processors since the start: idle ones and all. Returns 0 where unknown. */
+/* Ticks of all processors since the start: idle ones and all. Returns 0 if unknown. */
 static int read_ticks(double *idle, double *all) {
     FILE *file = fopen("/proc/stat", "r");
     double ticks[8] = {0};

@@ -4,7 +4,7 @@
  *   FOLDER has the contestants, BURNISH is the program.
  *
  * Contestants of one scene and thread count run at the same time, but only one of them draws at a
- * time: each round asks each for a few frames in turn, so that a busy moment affects all alike. A
+ * time: each round asks each for a few frames in turn, so a busy moment affects all alike. A
  * round waits for a quiet moment first; rounds without one are counted. */
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -59,7 +59,7 @@ static void skip(runner *r, int which, const char *why) {
     }
 }
 
-/* Starts a contestant; returns 0 and notes why when it can't. */
+/* Starts a contestant; on failure returns 0 and notes why. */
 static int start(runner *r, int which, const struct scene *scene, int threads,
                  burnish_peers_process *process) {
     char program[PATH], count[8], open[64], answer[LINE], why[LINE + 64];
@@ -277,7 +277,7 @@ static void print_histogram(const size_t histogram[256]) {
 }
 
 static void print_comparisons(const runner *r) {
-    printf("\nPictures with the power lobe, sRGB bytes, ours against theirs by difference:\n");
+    printf("\nPictures with cos^n, sRGB bytes, histograms of the difference from burnish:\n");
     for (int scene = 0; scene < SCENES; ++scene) {
         for (int i = 1; i < CONTESTANTS; ++i) {
             const burnish_peers_comparison *c = &r->comparisons[scene][i];
@@ -442,7 +442,7 @@ int main(int count, char **arguments) {
     r->scratch = arguments[3];
     r->json = arguments[4];
     r->rounds = count > 5 ? atoi(arguments[5]) : 11;
-    r->patience = r->rounds > 1 ? PATIENCE : 0; /* one round is not for its times */
+    r->patience = r->rounds > 1 ? PATIENCE : 0; /* a single round is a check, not a measurement */
     r->cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
     signal(SIGPIPE, SIG_IGN); /* a contestant that ended is reported as an error */
     setvbuf(stdout, NULL, _IOLBF, 0);

@@ -330,7 +330,7 @@ static int material_count(const recipe *r) {
     return r->materials ? r->materials : 1;
 }
 
-/* Grey, then colours, each a little different; where there are two, dark on paper. */
+/* Grey, then colours, each a little different; two materials are paper and dark ink. */
 static void vary_materials(burnish_material *materials, int count) {
     for (int i = 0; i < count; ++i) {
         materials[i] = burnish_material_default();
@@ -363,7 +363,7 @@ static void paint(uint8_t *texels, int side) {
     }
 }
 
-/* The image is thrown along (1, 1, 1) onto the positions, `scale` times per unit. Returns 0 where
+/* Projects the image along (1, 1, 1) onto the positions, `scale` times per unit. Returns 0 if
  * memory is short. */
 static int add_texture(const recipe *r, const float *positions, size_t count, double scale,
                        burnish_material *material, texturing *t, burnish_mesh_description *arrays) {

@@ -4,7 +4,7 @@
 
 #include "burnish/mesh.h"
 
-/* How a scene is lit: so many white lights, directional or points near the object. */
+/* White lights, directional or points near the object. */
 typedef struct burnish_scene_lights {
     int count; /* [1, 16] */
     int near;
@@ -17,15 +17,15 @@ typedef struct burnish_scene {
     int cull_back_faces; /* 0: the surfaces are open, both sides are lit */
 } burnish_scene;
 
-/* The name of scene index, NULL from the end on. */
+/* The name of scene index, NULL after the last. */
 const char *burnish_scene_name(size_t index);
 
 /* What it shows and why, in a few words. */
 const char *burnish_scene_text(size_t index);
 
 /* Makes the scene of that name, its camera for pictures of that width / height. The mesh is the
- * caller's. Errors: ARGUMENT for an unknown name, READ where the bunny's file is missing, those of
- * burnish_mesh_create. */
+ * caller's. Errors: ARGUMENT for an unknown name, READ if the bunny's file is missing, and the
+ * errors of burnish_mesh_create. */
 burnish_status burnish_scene_make(const char *name, double aspect, burnish_scene *scene,
                                   burnish_error *error);
 

@@ -155,7 +155,7 @@ static void add_cell(burnish_shape *shape, const burnish_plate *plate, int colum
         const int next = (i + 1) % plate->sides;
         burnish_shape_quad(shape, circle[0][i], circle[0][next], circle[1][next], circle[1][i]);
     }
-    /* the rim, where the cell lies at it: beside corner q and the next */
+    /* the slab's rim, if the cell is at it: from corner q to the next */
     const int at_rim[4] = {row == plate->rows - 1, column == 0, row == 0,
                            column == plate->columns - 1};
     for (int q = 0; q < 4; ++q) {

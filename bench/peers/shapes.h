@@ -35,9 +35,9 @@ void burnish_shape_cylinder(burnish_shape *shape, burnish_vec3 from, burnish_vec
 /* 2 sides (sides / 2 - 1) triangles between its poles on the y axis. */
 void burnish_shape_sphere(burnish_shape *shape, burnish_vec3 center, double radius, int sides);
 
-/* A slab with through holes, one in the middle of each of columns x rows cells, triangulated as CAD
- * exports are: long thin triangles from a cell's corners to its hole.
- *   origin   a corner; u, v  its edges; u x v points outward, against which it is thick
+/* A slab with through holes, one in the middle of each of columns x rows cells, triangulated like
+ * CAD exports: long thin triangles from a cell's corners to its hole.
+ *   origin   a corner; u, v  its edges; u x v points outward, the slab extends the other way
  *   sides    of a hole, a multiple of 4 */
 typedef struct burnish_plate {
     burnish_vec3 origin, u, v;

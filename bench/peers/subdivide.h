@@ -9,7 +9,7 @@
  *   mesh    unchanged; not NULL
  *   levels  [0, 4]
  *   finer   the new mesh, owned by the caller; NULL on error
- * Errors: those of burnish_mesh_create, MEMORY. */
+ * Errors: MEMORY and the errors of burnish_mesh_create. */
 burnish_status burnish_peers_subdivide(const burnish_mesh *scene, int levels, burnish_mesh **finer,
                                        burnish_error *error);
 

@@ -1,9 +1,9 @@
 /* burnish alone, scene by scene: least and median milliseconds per frame.
  * Usage: bench_scenes [--only NAME] [--threads N] [--samples N] [--size W,H] [--frames N]
  *                     [--pictures FOLDER] [FILE...]
- * Without files all scenes of scenes.h, of which --only chooses those whose names begin so. Frames
- * are drawn for about half a second, at least --frames (9) of them. Two builds are compared by
- * running their programs in turn. */
+ * Without files: all scenes of scenes.h, or with --only the ones whose names start with NAME. Draws
+ * frames for about half a second, at least --frames (9) of them. To compare two builds, run their
+ * programs in turn. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* The loop that answers the runner's lines. */
+/* The loop that answers the runner's requests. */
 #include "worker.h"
 
 #include <stdio.h>

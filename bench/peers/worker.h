@@ -1,13 +1,15 @@
-/* Shared by the contestants: each is a program that draws frames on request.
+/* Shared by the contestants: each is a program, started as PROGRAM THREADS, that draws frames on
+ * request. It answers each line of standard input with one line of standard output and ends at the
+ * end of its input. After an "error TEXT" the request had no effect.
  *
- * Started as PROGRAM THREADS it answers each line of standard input by one line of standard output:
- *   open WIDTH HEIGHT SAMPLES INPUT   ready TEXT   what is drawn from now on; the text describes
- * the contestant, for the report counts                ok TRIANGLES DRAWN PIXELS   of burnish's
- * picture frame VARIANT COUNT   ok MS ...   COUNT frames after one that is not timed picture
- * VARIANT FILE  ok          8-bit sRGB, 3 bytes per pixel, rows from the top; 1920x1080 triangles
- * FILE        ok          the triangle each pixel shows, 32 bits; 1920x1080 or "error TEXT". It
- * ends at the end of its input.
- */
+ *   request                          answer
+ *   open WIDTH HEIGHT SAMPLES INPUT  ready TEXT: the contestant, for the report
+ *   counts                           ok TRIANGLES DRAWN PIXELS: of burnish's picture
+ *   frame VARIANT COUNT              ok MS ...: COUNT frames after one that is not timed
+ *   picture VARIANT FILE             ok: 8-bit sRGB, 3 bytes per pixel, rows from the top
+ *   triangles FILE                   ok: the triangle that each pixel shows, 32 bits
+ *
+ * Files are 1920x1080 pixels. */
 #ifndef BURNISH_BENCH_PEERS_WORKER_H
 #define BURNISH_BENCH_PEERS_WORKER_H
 

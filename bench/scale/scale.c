@@ -1,5 +1,5 @@
-/* Time and memory of whole processes against triangles and pixels, as the section of
- * docs/performance.md. Usage: bench_scale BURNISH FOLDER [MOST_TRIANGLES]
+/* Time and memory of whole processes by triangles and pixels, for docs/performance.md. Usage:
+ * bench_scale BURNISH FOLDER [MOST_TRIANGLES]
  *
  * The mesh is a wavy torus, written to FOLDER as an indexed binary PLY without normals and removed
  * afterwards: 19 bytes per triangle. */

@@ -1,13 +1,13 @@
 /* What a highlight costs on a GPU: a full-screen pass of LOBES highlights per pixel for each lobe
- * of shaders/burnish.glsl, medians over interleaved rounds, as a table. A real GPU's time is that
- * of its timer queries. Drivers that draw on the processor have none that hold: llvmpipe's are
- * begun and ended anew in every tile, so that the last one is what they tell; there it is the
- * process' own time on all processors. Usage: bench_shaders BURNISH_GLSL [ROUNDS] Exit code 77: no
- * OpenGL ES 3 with timer queries here. */
+ * of shaders/burnish.glsl, medians over interleaved rounds, as a table. A real GPU is timed by its
+ * timer queries. They are wrong in drivers that draw on the processor (llvmpipe restarts them in
+ * every tile and reports the last): those are timed by the process' time on all processors.
+ * Usage: bench_shaders BURNISH_GLSL [ROUNDS]
+ * Exit code 77: OpenGL ES 3 with timer queries is missing. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES3/gl3.h>
-/* after it, which has the types */
+/* after burnish.glsl, which declares the types */
 #include <GLES2/gl2ext.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +19,7 @@ enum { WIDTH = 1920, HEIGHT = 1080, LOBES = 16, ROUNDS_MAX = 99, SOURCE_MAX = 1 
 static const struct contestant {
     const char *name, *body;
 } CONTESTANTS[] = {
-    {"none", "c"}, /* what is not the lobe; subtracted */
+    {"none", "c"}, /* without a lobe; subtracted */
     {"`pow`", "burnishPower(c, exponent)"},
     {"Schlick", "burnishSchlick(c, exponent)"},
     {"order 2", "burnishLobe2(c, zeta)"},
