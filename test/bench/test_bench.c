@@ -1,13 +1,13 @@
-/* The benchmark's contenders compute what they claim: their errors against libm, asserted; their
- * times are nobody's business here. */
+/* The benchmark's contenders compute what they claim: asserts their errors against libm, not their
+ * times. */
 #include <math.h>
 
 #include "bench/kernels.h"
 #include "bench/kernels_scalar.h"
 #include "support.h"
 
-/* Largest errors against max(0, c)^32 and 1/sqrt: the absolute one, and the relative one where the
- * power is at least 1e-6; 0: not asserted. */
+/* Largest errors against max(0, c)^32 and 1/sqrt: the absolute one, and the relative one where
+ * cos^n is at least 1e-6; 0: not asserted. */
 static const struct claim {
     const char *name;
     double absolute, relative;

@@ -1,8 +1,8 @@
-/* Fuzzing of the sandbox's broker: libFuzzer's bytes are what a worker that was taken over sends
- * (sandbox/channel.h). It must get nothing of the secret that is beside the input's folder, write
- * no file but the two outputs, and leave no descriptor open.
+/* Fuzzes the sandbox's broker: libFuzzer's bytes are the messages of a compromised worker
+ * (sandbox/channel.h). It must receive nothing of the secret next to the input's folder, write no
+ * file but the two outputs, and leave no descriptor open.
  *
- * byte 0:    1: an importer reads the input, where one is installed; none is
+ * byte 0:    1: the input needs an importer; none is installed
  * the rest:  messages
  *
  * Built by `make fuzz`; test/fuzz/run starts it. */
@@ -43,7 +43,7 @@ static void begin(void) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     char secret[sizeof LYING_SECRET] = "";
     if (memmem(data, size, LYING_SECRET, strlen(LYING_SECRET))) {
-        return 0; /* libFuzzer has read it where it is compared, and messages quote names */
+        return 0; /* libFuzzer knows the secret from comparisons, and messages quote names */
     }
     if (!*box.path) {
         begin();

@@ -1,6 +1,5 @@
-/* Fuzzing of pictures: libFuzzer's bytes are decoded as PNG, JPEG, WebP, BMP or TGA. What is
- * decoded must have a size, and every byte of it must have been written; what is not must say so in
- * one line.
+/* Fuzzes the image decoders: libFuzzer's bytes are decoded as PNG, JPEG, WebP, BMP or TGA. A
+ * decoded image must have a size and every byte written; otherwise the error must be one line.
  *
  * Built by `make fuzz`; test/fuzz/run starts it. */
 #include <stdio.h>

@@ -1,11 +1,10 @@
-/* Random command lines, made of what the program says of itself: commands, flags and words come
- * from its completions, values from these words and from a list of numbers, names and nonsense,
- * some with a byte changed. Each line runs as a process of its own. It must end with a documented
- * exit code within 20 s of processor time, say why in a line that begins with "burnish: ", and
- * leave no temporary.
+/* Random command lines: commands, flags and words come from the program's completions, values from
+ * these words and from a list of numbers, names and nonsense, some with a byte changed. Each line
+ * runs in its own process. It must end with a documented exit code within 20 s of processor time,
+ * report errors in a line that begins with "burnish: ", and leave no temporary file.
  *
  * Usage: fuzz_lines BURNISH SCRATCH COUNT [SEED]
- * A line that fails is printed as the shell takes it. Exit code 1: one failed. */
+ * Prints lines that fail in the shell's syntax; then exits with 1. */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -48,7 +47,7 @@ static uint32_t random_below(uint32_t bound) {
     return (uint32_t)((state >> 33) % bound);
 }
 
-/* ---- What the program says of itself ---- */
+/* ---- The program's completions ---- */
 
 static void fail_setup(const char *what) {
     fprintf(stderr, "fuzz_lines: %s\n", what);
@@ -65,7 +64,7 @@ static FILE *ask(const char *program, const char *arguments) {
     return pipe;
 }
 
-/* The text between the quotes behind `before`, in place; NULL where there is none. */
+/* The text between the quotes behind `before`, in place; NULL if there is none. */
 static char *quoted(char *line, const char *before) {
     char *start = strstr(line, before), *end;
     start = start ? strchr(start, '\'') : NULL;
@@ -214,7 +213,7 @@ static const char *const values[] = {"0",
                                      "-o",
                                      "=",
                                      "true"};
-/* Flags whose larger values are right and slow. */
+/* Flags whose larger values are valid but slow. */
 static const char *const slow[] = {"--resolution", "--size",      "--frames",  "--tessellation",
                                    "--columns",    "--occlusion", "--samples", "--count",
                                    "--threads",    "--edge-width"};
@@ -335,7 +334,7 @@ static int says_why(void) {
     return found;
 }
 
-/* NULL, or what was wrong. *code: where it ended by itself. */
+/* NULL, or what was wrong. *code is set if the process exited by itself. */
 static const char *run(char **arguments, int *code) {
     posix_spawn_file_actions_t actions;
     pid_t child;
@@ -353,7 +352,7 @@ static const char *run(char **arguments, int *code) {
     prlimit(child, RLIMIT_CPU, &(struct rlimit){20, 20}, NULL);
     for (pid_t ended = 0; ended == 0;) {
         ended = waitpid(child, &status, WNOHANG);
-        if (ended == 0 && seconds_now() - start > 120) { /* it waits for something */
+        if (ended == 0 && seconds_now() - start > 120) { /* it waits instead of working */
             kill(child, SIGKILL);
             waitpid(child, &status, 0);
             return "did not end within two minutes";

@@ -1,16 +1,15 @@
-/* Fuzzing from bytes to pixels: libFuzzer's bytes become a mesh file, loaded and drawn through the
- * public API alone. What loads must keep what scene.h promises, and draw; what does not must say so
- * in one line.
+/* Fuzzes the way from bytes to pixels: libFuzzer's bytes become a mesh file, loaded and drawn
+ * through the public API. A mesh that loads must keep the promises of mesh.h and be drawn;
+ * otherwise the error must be one line.
  *
- * byte 0:  format, by its letter: the first one of its name that no format before it has; the name
- *          in FUZZ_FORMAT in the environment comes first
- * byte 1:  options, see load_options() and draw()
- * byte 2:  samples, camera inside the mesh, threads compared; see draw() and compare_threads()
- * the rest: the file. Of an OBJ what stands behind the first NUL is its material library, "101". Of
- * a 3MF that does not begin as a ZIP archive the model, and behind the first NUL the part "b",
- *          which are wrapped here: nothing would find its way through checksums
+ * byte 0:  format, by its letter: the first letter of its name that no earlier format has. A name
+ * in the environment variable FUZZ_FORMAT takes precedence byte 1:  options, see load_options() and
+ * draw() byte 2:  samples, camera inside the mesh, threads compared; see draw() and
+ * compare_threads() rest:    the file. After the first NUL of an OBJ comes its material library,
+ * "101". A 3MF that does not begin as a ZIP archive is a model and, after the first NUL, the part
+ * "b"; they are packed here, since random bytes would not pass the checksums
  *
- * Built by `make fuzz`; test/fuzz/run starts it, test/fuzz/seeds makes what it starts from. */
+ * Built by `make fuzz`; test/fuzz/run starts it, test/fuzz/seeds makes its seeds. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -26,7 +25,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum {
     HEAD = 3,
-    /* Where the files are, so that "/proc/self/fd/100" finds its library "101" beside it. */
+    /* The files' folder: "/proc/self/fd/100" finds its library "101" there. */
     MESH_DESCRIPTOR = 100,
     LIBRARY_DESCRIPTOR = 101,
     TRIANGLE_LIMIT = 100000,
@@ -46,7 +45,7 @@ static int is_in(char letter, const char *letters, int count) {
     return memchr(letters, letter, (size_t)count) != NULL;
 }
 
-/* The letters of the formats, 0 for what is no format of files. */
+/* The letters of the formats, 0 for formats without files. */
 static void find_letters(char letters[BURNISH_FORMAT_COUNT]) {
     for (int i = 0; i < BURNISH_FORMAT_COUNT; ++i) {
         const burnish_format_info *info = burnish_format_get_info((burnish_format)i);
@@ -58,7 +57,7 @@ static void find_letters(char letters[BURNISH_FORMAT_COUNT]) {
     }
 }
 
-/* AUTO for a letter that no format has, and for no name. */
+/* AUTO for an unknown letter or no name. */
 static burnish_format format_of(char letter, const char *name) {
     char letters[BURNISH_FORMAT_COUNT];
     find_letters(letters);
@@ -71,7 +70,7 @@ static burnish_format format_of(char letter, const char *name) {
     return BURNISH_FORMAT_AUTO;
 }
 
-/* A decoder that answers with the first stream that it gets. */
+/* A decoder that returns the first stream that it receives. */
 static burnish_status echo(void *user_data, const char *form, const void *bytes, size_t size,
                            const uint8_t **decoded, size_t *decoded_size, burnish_error *error) {
     (void)user_data, (void)form, (void)error;
@@ -269,8 +268,8 @@ static int is_tiny(const burnish_mesh_view *mesh) {
     return 1;
 }
 
-/* From the middle of the mesh toward a corner of its box, with a wide angle. Returns 0 where single
- * precision can't hold that. */
+/* From the middle of the mesh toward a corner of its box, with a wide angle. Returns 0 if single
+ * precision can't represent it. */
 static int move_inside(const burnish_mesh_view *mesh, burnish_camera *camera) {
     int apart = 0;
     for (int i = 0; i < 3; ++i) {
@@ -284,8 +283,8 @@ static int move_inside(const burnish_mesh_view *mesh, burnish_camera *camera) {
     return apart;
 }
 
-/* A mesh that loads can be framed and drawn, whatever its size and place. Wherever the camera
- * stands, the answer is a picture or one line. */
+/* Every loaded mesh can be framed and drawn, whatever its size and position. Whatever the camera's
+ * position, the result is a picture or a one-line error. */
 static void draw(const burnish_mesh *scene, uint8_t choice, uint8_t more) {
     static const int samples[4] = {1, 4, 8, 16};
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
@@ -352,8 +351,8 @@ static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
     burnish_mesh_destroy(other);
 }
 
-/* A file, read by pieces where its format can be, gives what its bytes give from memory, unless it
- * may name others. */
+/* A file, read in pieces if its format allows, gives the same mesh as its bytes in memory, unless
+ * it may reference other files. */
 static void compare_sources(const uint8_t *bytes, size_t size, const burnish_load_options *options,
                             const burnish_mesh *scene, burnish_status expected) {
     static const char *const words[] = {"mtllib", "TextureFile", "buffers", "images"};

@@ -1,5 +1,5 @@
-/* The Arduino library's rasteriser against the obvious one: of each pixel, exact edges in 64 bits,
- * depth and normal in double precision. */
+/* The Arduino library's rasteriser against the obvious one: per pixel exact edges in 64 bits, depth
+ * and normal in double precision. */
 #include <math.h>
 #include <stdint.h>
 #include <string.h>

@@ -114,7 +114,7 @@ def grid(side):
 
 
 def forest(side, across):
-    """Sheets beside one another: nothing covers anything."""
+    """Sheets next to one another: none covers another."""
     positions, corners, vertices, count = grid(side)
     data, lists = views(positions, corners)
     nodes = [{"mesh": 0, "translation": [x, y, 0]} for y in range(across) for x in range(across)]

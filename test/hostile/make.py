@@ -39,7 +39,7 @@ def sheets(count, nearest_first=False):
 
 
 def alternating(count):
-    """Front- and back-facing by turns."""
+    """Alternately front- and back-facing."""
     triangles = []
     for i in range(count):
         t = sheet(i / count)

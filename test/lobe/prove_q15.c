@@ -1,6 +1,6 @@
 /* Every proof of q15_proof.h over every exponent, n = 1 .. 1023, every cosine and every lambda up
- * to past the cutoff: takes two minutes, so `make prove-q15` runs it, not ctest. Usage: prove_q15
- * [--markdown|--short|--inputs|--tables]
+ * to past the cutoff. It takes two minutes: `make prove-q15` runs it, not ctest.
+ * Usage: prove_q15 [--markdown|--short|--inputs|--tables]
  *   --markdown  the table of errors of docs/firmware.md
  *   --short     the same of every 64th exponent
  *   --inputs    the table of the errors of input formats
@@ -96,7 +96,7 @@ static void print_inputs(void) {
         "| exponent | exact cosine rounded to UQ1.15 | N.H of vectors in Q15 | chord of vectors in "
         "Q15 | exact 1 - cosine in UQ0.24 |\n| ---: | ---: | ---: | ---: | ---: |\n");
     for (uint16_t n = 8; n < 1024; n = n < 512 ? (uint16_t)(2 * n) : n == 512 ? 1023 : 1024) {
-        uint64_t state = n; /* the page shows what comes of it */
+        uint64_t state = n; /* the page shows the result */
         double worst[4] = {0};
         burnish_lobe_q15 lobe;
         burnish_lobe_q15_create(&lobe, BURNISH_Q15_TAYLOR, 2, n);

@@ -1,5 +1,5 @@
 /* arrays_q15.h against lobe_q15.h and shade_q15.h, bit for bit: every cosine through lobes of every
- * kind; normals of every kind through pixels; every length and alignment, and nothing beside the
+ * kind; normals of every kind through pixels; every length and alignment, and no byte outside the
  * arrays. Compiled once for each kind of vectors. */
 #include <math.h>
 #include <stdint.h>
@@ -66,7 +66,7 @@ static void test_lobes(void) {
     check_lobe(&lobe);
 }
 
-/* That the comparison sees one step of the slope. */
+/* The comparison detects one step of the slope. */
 static void test_can_fail(void) {
     burnish_lobe_q15 lobe, other;
     burnish_lobe_q15_create(&lobe, BURNISH_Q15_ENERGY, 4, 40);
@@ -363,7 +363,7 @@ static void test_plane_lengths(void) {
 }
 
 #ifndef TEST_MAIN
-#define TEST_MAIN main /* arrays_q15_main.c has it where the processor is asked before */
+#define TEST_MAIN main /* arrays_q15_main.c, which checks the processor first, replaces it */
 #endif
 
 int TEST_MAIN(int count, char **arguments);

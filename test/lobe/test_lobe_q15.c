@@ -5,7 +5,7 @@
 #include "burnish/theory.h"
 #include "q15_proof.h"
 
-/* Every exponent up to 20 and every 31st; `make prove-q15` takes all. */
+/* Every exponent up to 20 and every 31st; `make prove-q15` checks all. */
 static void test_proofs(void) {
     for (int i = 0; i < Q15_CASES; ++i) {
         q15_result cosines = {0}, lambdas = {0};
@@ -23,7 +23,7 @@ static void test_proofs(void) {
     }
 }
 
-/* That a proof can fail: a slope one too large breaks a bound. */
+/* A proof can fail: a slope one too large breaks a bound. */
 static void test_proof_can_fail(void) {
     q15_case wrong = q15_cases[0];
     q15_result result = {0};

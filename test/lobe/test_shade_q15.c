@@ -1,5 +1,5 @@
 /* The lighting equation in integers against double precision: normalisation, cosines, colours, the
- * whole equation. Bounds are those that shade_q15.h states. */
+ * whole equation. shade_q15.h states the bounds. */
 #include <math.h>
 #include <stdint.h>
 
@@ -206,7 +206,7 @@ static double shade_real(const burnish_q15_shader *shader, const burnish_q15_lig
 }
 
 /* Random lamps, surfaces and normals: codes within their own rounding and what 16-bit sums and a
- * cosine of 15 bits cost. The edge of the lit side is left out: there the lobe is discontinuous. */
+ * cosine of 15 bits cost. The edge of the lit side is excluded: the lobe is discontinuous there. */
 static void test_equation(void) {
     uint64_t state = test_seed(4);
     static const uint16_t exponents[] = {4, 16, 32, 64, 100, 128, 400, 1023};

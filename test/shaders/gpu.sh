@@ -1,6 +1,6 @@
 #!/bin/sh
-# The shaders' values on every Vulkan driver that is here. Usage: gpu.sh PROGRAM SOURCE_DIR SCRATCH [--all]
-#   lavapipe and SwiftShader run on the CPU; drivers without their GPU are passed over
+# Compares the shaders' values on every installed Vulkan driver. Usage: gpu.sh PROGRAM SOURCE_DIR SCRATCH [--all]
+#   lavapipe and SwiftShader run on the CPU; drivers without their GPU are skipped
 set -eu
 program=$1
 source=$2

@@ -10,8 +10,8 @@
 #include "simd/isa_ops.h"
 #include "support.h"
 
-/* How values of two sides differ. A device that takes numbers below 2^-126 for 0 is named, not
- * refused: Vulkan allows it. */
+/* How values of two sides differ. A device that flushes numbers below 2^-126 to 0 is reported, not
+ * rejected: Vulkan allows it. */
 typedef struct value_tally {
     size_t values, flushed, others;
 } value_tally;
@@ -186,8 +186,8 @@ static void check_sweep(gpu_device *gpu, const char *folder, int all) {
 
 enum { FRAME_WIDTH = 480, FRAME_HEIGHT = 360, POINT_ARRAYS = 7, POINTS_MAX = 1 << 19 };
 
-/* What the renderer asks its kernel to shade, in the order in which it asks; then, what it gets
- * instead. One renderer, one thread. */
+/* The points that the renderer passes to its kernel, in order; in a replay, the colours that it
+ * gets back. One renderer, one thread. */
 static struct recording {
     burnish_shade_function *shade; /* NULL: colours come from `colors` */
     const burnish_kernels_shader *shader;
@@ -320,7 +320,7 @@ static void check_frame(gpu_device *gpu, const char *folder, int order) {
                (unsigned long long)burnish_image_hash(&cpu));
         CHECK(count > 20000 && recording.count == count, "%zu points", count);
         CHECK1(burnish_image_hash(&mixed) == burnish_image_hash(&cpu));
-        memset(colors.data, 0, 3 * count * sizeof(float)); /* the device's colours are what shows */
+        memset(colors.data, 0, 3 * count * sizeof(float)); /* shows the device's colours */
         draw(renderer, mesh, &options, &kernels, replay, &mixed);
         CHECK1(burnish_image_hash(&mixed) != burnish_image_hash(&cpu));
         gpu_buffer_destroy(gpu, &colors);
@@ -344,7 +344,7 @@ static void check_half(gpu_device *gpu, const char *folder) {
     value_tally tally = {0};
     size_t flushed = 0;
     if (!gpu->has_half) {
-        printf("half precision: this device has none\n");
+        printf("half precision: not supported by this device\n");
         return;
     }
     snprintf(path, sizeof path, "%s/half.spv", folder);

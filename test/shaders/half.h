@@ -1,6 +1,6 @@
-/* Half precision in C: what a GPU's 16-bit arithmetic gives, operation by operation. A float has
- * more than twice a half's digits, so that an operation on floats, rounded to half, is the
- * correctly rounded operation on halves. */
+/* Half precision in C: the results of a GPU's 16-bit arithmetic, operation by operation. A float
+ * has more than twice a half's digits: an operation on floats, rounded to half, is the correctly
+ * rounded operation on halves. */
 #ifndef TEST_SHADERS_HALF_H
 #define TEST_SHADERS_HALF_H
 

@@ -1,5 +1,5 @@
 /* The lobes in half precision: all 65,536 inputs for each exponent and order must give a number in
- * [0, 1]. Prints the errors as docs/shaders.md has them. */
+ * [0, 1]. Prints the errors for docs/shaders.md. */
 #include "half.h"
 
 #include "support.h"
@@ -59,7 +59,7 @@ int main(void) {
     for (double n = 2; n <= 4096; n *= 2) {
         print_row(n);
     }
-    for (double n = 8192; n <= 65536; n *= 2) { /* of which only the cosine 1 is bright */
+    for (double n = 8192; n <= 65536; n *= 2) { /* only the cosine 1 is bright */
         for (int squarings = 0; squarings < 5; ++squarings) {
             measure(n, squarings);
         }

@@ -1,4 +1,4 @@
-// What shaders/burnish.osl takes of OSL, in C++: so that it runs on a CPU.
+// The part of OSL that shaders/burnish.osl uses, in C++, to run it on a CPU.
 #include <algorithm>
 #include <cmath>
 

@@ -32,7 +32,7 @@ static void check_near(const char *what, double actual, double expected, double 
 
 static bool same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// A number of a lobe for values.glsl, from its order; -1: none.
+// The number of a lobe in values.glsl, from its order; -1: unknown.
 static int number_of(int order) {
     for (int number = 0; number < 5; ++number) {
         if (order == 2 << number) {
@@ -95,7 +95,7 @@ static double solve(burnish_lobe_fit fit, int order, double n, double q) {
     return zeta;
 }
 
-// What the slope's straight line costs: largest error against the power, beside the optimum's.
+// The cost of the straight line for the slope: largest error against cos^n, compared with the optimum.
 static void check_minimax(int order, double n) {
     burnish_theory_model best, line;
     char words[64], drawn[64];

@@ -4,7 +4,7 @@ set -eu
 command -v g++ >/dev/null || { echo "shaders: no g++ here; make deps GROUPS=test"; exit 77; }
 mkdir -p "$3"
 for language in METAL OSL; do
-    # in both a literal without a suffix is a float
+    # in both languages a literal without a suffix is a float
     g++ -std=c++17 -O1 -ffp-contract=off -fsingle-precision-constant -Wall -Wextra -Werror -Wno-unused-function -D$language \
         -I"$2/test/shaders" -I"$2/test/shaders/metal" -I"$2/shaders" -I"$2/include" "$2/test/shaders/stand_in.cc" "$1" -lm \
         -o "$3/$language"

@@ -1,8 +1,8 @@
 #!/bin/sh
-# The shaders as their languages' own tools see them. Usage: validate.sh SOURCE_DIR SCRATCH
-#   glslang reads GLSL 330, 450 and ES 300 and HLSL, spirv-val what comes of
-#   it, spirv-cross turns it into HLSL, Metal and ES 300, which glslang reads again; no add with a multiplication in
-#   it may be fused where BURNISH_EXACT is defined; Dawn reads WGSL, where Node and npm can get it, and runs it on SwiftShader
+# Validates the shaders with their languages' own tools. Usage: validate.sh SOURCE_DIR SCRATCH
+#   glslang compiles GLSL 330, 450, ES 300 and HLSL; spirv-val checks the result; spirv-cross turns it into HLSL, Metal and
+#   ES 300, which glslang compiles again. With BURNISH_EXACT no addition of a product may be fused. If npm can install it,
+#   Dawn compiles the WGSL and runs it on SwiftShader
 set -eu
 source=$1
 scratch=$2
@@ -56,12 +56,12 @@ for file in $(cd "$shaders" && find glsl hlsl -type f); do
     fi
 done
 
-# What is checked below is all there is.
+# The body checked below calls every function.
 for function in $(sed -n 's/^[a-z0-9]* \([A-Za-z0-9]*\)(.*{$/\1/p' "$shaders/burnish.glsl"); do
     says "$function is called" sh -c "cat '$here/every.glsl' '$shaders/burnish.glsl' | grep -c '[^a-z].*$function(' | grep -qv '^1\$'"
 done
 
-# All of it: versions of GLSL, and by way of SPIR-V.
+# Everything together: versions of GLSL, and through SPIR-V.
 glsl_shader '#version 330' "$shaders/burnish.glsl" "$here/every.glsl" >330.frag
 glsl_shader "#version 300 es
 precision highp float;" "$shaders/burnish.glsl" "$here/every.glsl" >es300.frag

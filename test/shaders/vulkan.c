@@ -33,7 +33,7 @@ static void choose_family(gpu_device *gpu) {
     need(VK_ERROR_FEATURE_NOT_PRESENT, "a queue that computes");
 }
 
-/* Memory that both sides see, cached where there is such: results are read from it. */
+/* Memory shared with the host, cached if possible: results are read from it. */
 static void choose_memory(gpu_device *gpu) {
     const VkMemoryPropertyFlags shared =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;

@@ -1,6 +1,7 @@
-/* As little of Vulkan as a compute shader needs: a device, buffers in memory that both sides see,
- * a program of SPIR-V, one dispatch at a time. The loader chooses the driver (VK_ICD_FILENAMES).
- * What goes wrong is told in one line and ends the process: 77 where there is no device, else 1. */
+/* The little of Vulkan that a compute shader needs: a device, buffers in memory shared with the
+ * host, a program of SPIR-V, one dispatch at a time. The loader chooses the driver
+ * (VK_ICD_FILENAMES). Errors print one line and end the process: exit code 77 if no device is
+ * found, else 1. */
 #ifndef TEST_SHADERS_VULKAN_H
 #define TEST_SHADERS_VULKAN_H
 

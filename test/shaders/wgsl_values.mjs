@@ -1,6 +1,6 @@
-// The lobes of burnish.wgsl by Dawn on a Vulkan driver, against burnish/lobe.h's operations in single precision.
+// Compares the lobes of burnish.wgsl, run by Dawn on a Vulkan driver, with burnish/lobe.h's operations in single precision.
 // Usage: wgsl_values.mjs FOLDER_OF_NODE_MODULES BURNISH_WGSL LOBES_CSV
-// VK_ICD_FILENAMES chooses the driver; Dawn refuses lavapipe and takes SwiftShader.
+// VK_ICD_FILENAMES chooses the driver; Dawn rejects lavapipe and accepts SwiftShader.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
