@@ -1,7 +1,7 @@
-// The page: what shows the state, and the hands that change it. It comes after the first picture (first.js).
-import { ask, latest } from "./ask.js";
-import { besideCurve, besideName, isBeside, openBeside, watchBeside } from "./beside.js";
-import { tellClaims } from "./claims.js";
+// The page: shows the state and changes it on input. Loaded after the first picture (first.js).
+import { request, latest } from "./request.js";
+import { overlayCurve, overlayName, isOverlay, openOverlay, watchOverlay } from "./overlay.js";
+import { showClaims } from "./claims.js";
 import { codeOf } from "./code.js";
 import { numberOf, parseCsv } from "./csv.js";
 import { whole } from "./first.js";
@@ -29,37 +29,37 @@ const compute = latest(async () => {
   const end = Math.min(90, (4.2 * Math.acos(0.5 ** (1 / exponent)) * 180) / Math.PI);
   const steps = Array.from({ length: POINTS }, (_, i) => (i * end) / (POINTS - 1));
   const lobes = [lobeOf(state), state.against, "power"];
-  const [lobe, other, power] = await ask("theory", { lobes, exponent, angles: radians(steps) });
-  const beside = besideCurve(steps);
-  if (beside) {
-    const [exact] = await ask("theory", { lobes: ["power"], exponent, angles: radians(beside.angles) });
-    beside.power = [...exact.values];
+  const [lobe, other, power] = await request("theory", { lobes, exponent, angles: radians(steps) });
+  const overlay = overlayCurve(steps);
+  if (overlay) {
+    const [exact] = await request("theory", { lobes: ["power"], exponent, angles: radians(overlay.angles) });
+    overlay.power = [...exact.values];
   }
-  (await curves).overAngle(steps, [...lobe.values], [...other.values], [...power.values], beside);
+  (await curves).overAngle(steps, [...lobe.values], [...other.values], [...power.values], overlay);
   at("cost").innerHTML = ROWS.map(([name, text]) =>
     `<tr><th scope="row">${name}</th><td>${text(lobe.facts, power.facts)}</td><td>${text(other.facts, power.facts)}</td></tr>`).join("");
-  await tellCode(lobe.facts);
+  await showCode(lobe.facts);
 }, show);
 
 const MEMORIES = { memory: "c", mem: "mem" };
 
-async function tellCode(facts) {
+async function showCode(facts) {
   const { language } = state;
   const form = MEMORIES[language];
   const words = ["boundary", `--lobe=${lobeOf(state)}`, "--exponents=1-1023", `--as=${form}`];
-  const text = form ? await ask("lobe", { words }) : codeOf({ ...state, order: Number(state.order), exponent: Number(state.n), ...facts }, language);
+  const text = form ? await request("lobe", { words }) : codeOf({ ...state, order: Number(state.order), exponent: Number(state.n), ...facts }, language);
   if (at("code").textContent !== text) {
     at("code").textContent = text;
   }
 }
 
-// Rows of `burnish lobe table`, of a lobe once: they do not depend on the exponent that is chosen.
+// Rows of `burnish lobe table`, once per lobe: they do not depend on the chosen exponent.
 const EXPONENTS = "--exponents=1-4096x1.0905";
 const tables = new Map();
 async function tableOf(lobe) {
   if (!tables.has(lobe)) {
     const words = ["table", `--lobes=${lobe}`, EXPONENTS, "--metrics=energy,angle:1,angle:8,max-error", "--format=csv"];
-    const rows = parseCsv(await ask("lobe", { words }));
+    const rows = parseCsv(await request("lobe", { words }));
     const column = (key, scale = 1) => rows.map((row) => (numberOf(row[key]) === null ? null : scale * numberOf(row[key])));
     tables.set(lobe, {
       n: column("exponent"), energy: column("energy", 100), half: column("angle_deg_1"), boundary: column("angle_deg_8"), error: column("max_error"),
@@ -75,9 +75,9 @@ const tabulate = latest(async () => {
   (await curves).overExponent(power.n, lobe, other, power);
 }, show);
 
-// ---- What shows the state ----
+// ---- Showing the state ----
 
-// The orders that exist at the exponent.
+// Orders are limited by the exponent.
 function showOrder() {
   const isFixed = WITHOUT_ORDER.includes(state.fit);
   for (const button of at("order").children) {
@@ -121,7 +121,7 @@ function settle() {
   at("legend").hidden = state.view !== "error";
   at("cost-left").textContent = lobeOf(state);
   at("cost-right").textContent = state.against;
-  at("key").innerHTML = key("lobe", lobeOf(state)) + key("other", state.against) + (besideName() ? key("beside", besideName()) : "");
+  at("key").innerHTML = key("lobe", lobeOf(state)) + key("other", state.against) + (overlayName() ? key("overlay", overlayName()) : "");
   at("command").textContent = commandLine();
   const exponent = Number(state.n);
   curves.then((made) => made.setExponent(exponent));
@@ -148,7 +148,7 @@ function change(key, value, isMoving = false) {
   }
 }
 
-// ---- Hands ----
+// ---- Input ----
 
 for (const id of ["fit", "against", "look", "resolution"]) {
   at(id).addEventListener("change", () => change(id, at(id).value));
@@ -165,7 +165,7 @@ at("exponent").addEventListener("input", () => {
 at("exponent").addEventListener("blur", settle);
 turnByHand(settle);
 divideByHand((percent) => change("divider", percent));
-watchBeside(() => {
+watchOverlay(() => {
   settle();
   compute();
 }, (lobe) => {
@@ -185,16 +185,16 @@ at("mesh").addEventListener("click", ({ target }) => {
   }
 });
 
-let endings = []; // of meshes, as the module knows them
-const isMesh = (name) => endings.some((ending) => name.toLowerCase().replace(/\.gz$/, "").endsWith(ending));
+let extensions = []; // of meshes, from the module
+const isMesh = (name) => extensions.some((extension) => name.toLowerCase().replace(/\.gz$/, "").endsWith(extension));
 
-// Samples and .brdf files stand beside; of the others one is the mesh, the rest is what it names.
+// Samples and .brdf files are overlays; otherwise one file is the mesh and the others are its references.
 async function openFiles(list) {
   const files = [...list];
-  const beside = files.find(({ name }) => isBeside(name));
-  if (beside && !files.some(({ name }) => isMesh(name))) {
-    openBeside(beside);
-    at("beside").scrollIntoView({ block: "nearest" });
+  const overlay = files.find(({ name }) => isOverlay(name));
+  if (overlay && !files.some(({ name }) => isMesh(name))) {
+    openOverlay(overlay);
+    at("overlay").scrollIntoView({ block: "nearest" });
     return;
   }
   const given = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())]));
@@ -211,8 +211,8 @@ async function openFiles(list) {
   });
 }
 
-// Emptied, so that a file that was changed can be chosen again.
-for (const id of ["file", "beside-file"]) {
+// Emptied: a changed file can be chosen again.
+for (const id of ["file", "overlay-file"]) {
   at(id).addEventListener("change", async () => {
     const files = [...at(id).files];
     at(id).value = "";
@@ -256,19 +256,19 @@ for (const button of document.querySelectorAll("[data-copy]")) {
   button.addEventListener("click", () => copy(button, at(button.dataset.copy).textContent));
 }
 at("share").addEventListener("click", () => {
-  show(own.mesh ? "The link has all but the mesh, which is yours alone." : "");
+  show(own.mesh ? "The link has everything but the mesh, which stays on this machine." : "");
   copy(at("share"), location.href);
 });
 addEventListener("hashchange", () => location.reload());
 
-// ---- What waits for the picture (first.js) ----
+// ---- After the picture (first.js) ----
 
 settle();
 await whole;
 compute();
 tabulate();
-const about = await ask("about");
-endings = about.endings;
-at("file").title = `Reads ${endings.join(", ")}, each also as .gz`;
-await tellClaims();
+const about = await request("about");
+extensions = about.endings;
+at("file").title = `Reads ${extensions.join(", ")}, each also as .gz`;
+await showClaims();
 at("about").textContent = `burnish ${about.version}, ${about.simd ? "with" : "without"} SIMD, ${about.threads === 1 ? "one thread" : `${about.threads} threads`}.`;

@@ -1,9 +1,9 @@
-// Disney's .brdf files that are formulas: parameters, and a function BRDF(L, V, N, X, Y) in GLSL, which the browser's own compiler runs.
+// Disney's .brdf files with a formula: parameters, and a function BRDF(L, V, N, X, Y) in GLSL, compiled by the browser.
 
 function section(text, name, file) {
   const found = text.match(new RegExp(`^\\s*::begin\\s+${name}\\s*$([\\s\\S]*?)^\\s*::end\\s+${name}\\s*$`, "m"));
   if (!found && name === "shader") {
-    throw new Error(`${file}: no "::begin shader" and "::end shader"; only .brdf files that are formulas are read, not measured ones`);
+    throw new Error(`${file}: no "::begin shader" and "::end shader"; only .brdf files with a formula are supported, not measured ones`);
   }
   return found ? found[1] : "";
 }
@@ -22,26 +22,26 @@ function parameterOf(line, number, file) {
 /** { parameters: [{ type, name, low, high, value }], shader } */
 export function parseBrdf(text, file) {
   if (!/^\s*(#.*\s*)*analytic\b/.test(text)) {
-    throw new Error(`${file}: it does not begin with "analytic"; only .brdf files that are formulas are read, not measured ones`);
+    throw new Error(`${file}: it does not begin with "analytic"; only .brdf files with a formula are supported, not measured ones`);
   }
   const lines = section(text, "parameters", file).split("\n").map((line) => line.replace(/#.*/, "")).filter((line) => line.trim());
   return { parameters: lines.map((line, i) => parameterOf(line, i + 1, file)), shader: section(text, "shader", file) };
 }
 
-// GLSL of desktops turns an integer into a float where it needs one; that of browsers wants to see the point.
+// Desktop GLSL converts integer literals to floats; WebGL requires the decimal point.
 function withPoints(shader) {
   const plain = shader.replace(/\/\*[\s\S]*?\*\//g, " ").replace(/\/\/.*/g, "");
   return plain.split("\n").map((line) =>
     /\b(u?int|ivec\d)\b/.test(line) ? line : line.replace(/(?<![\w.[])(\d+)(?![\w.\]]|\.\d)/g, "$1.0")).join("\n");
 }
 
-// Desktops let a function stand in place of a built-in one of the same name, reflect say; browsers do not.
+// Desktop GLSL lets a function replace a built-in one of the same name, such as reflect; WebGL does not.
 const renamed = (shader) => [...shader.matchAll(/^\s*(?:float|bool|int|vec[234]|mat[234])\s+(\w+)\s*\(/gm)]
   .map(([, name]) => name).filter((name) => name !== "BRDF").map((name) => `#define ${name} own_${name}\n`).join("");
 
 const UNIFORM = { float: "float", bool: "bool", color: "vec3" };
 
-// Directions come from outside: sines of GLSL have eleven bits. Blinn's model: L = V = H, so that N.H alone varies; Phong's: L = N, so that R.V does.
+// Directions come from a texture, since sines in GLSL have eleven bits. Blinn's model: L = V = H, only N.H varies; Phong's: L = N, only R.V varies.
 const source = ({ parameters, shader }) => `#version 300 es
 precision highp float;
 precision highp int;
@@ -71,7 +71,7 @@ function compile(gl, type, text, file) {
 export function makeBrdf(brdf, file) {
   const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
   if (!gl?.getExtension("EXT_color_buffer_float")) {
-    throw new Error(`${file}: .brdf files are run by WebGL 2, which this browser does not offer`);
+    throw new Error(`${file}: .brdf files are run by WebGL 2, which this browser lacks`);
   }
   const program = gl.createProgram();
   gl.attachShader(program, compile(gl, gl.VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }", file));

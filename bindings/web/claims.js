@@ -1,5 +1,5 @@
 // The paper's claims, computed here, each with its verdict.
-import { ask } from "./ask.js";
+import { request } from "./request.js";
 import { numberOf, parseCsv } from "./csv.js";
 import { at } from "./state.js";
 
@@ -55,8 +55,8 @@ function itemOf(rows) {
   return details;
 }
 
-export async function tellClaims() {
-  const rows = parseCsv(await ask("lobe", { words: ["claims", "--format=csv"] }));
+export async function showClaims() {
+  const rows = parseCsv(await request("lobe", { words: ["claims", "--format=csv"] }));
   const claims = rows.reduce((map, row) => map.set(row.id, [...(map.get(row.id) ?? []), row]), new Map());
   const verdicts = [...claims.values()].map(([{ verdict }]) => verdict);
   const counts = Object.keys(MARKS).map((verdict) => [verdict, verdicts.filter((v) => v === verdict).length]).filter(([, count]) => count > 0);

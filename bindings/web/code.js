@@ -10,9 +10,9 @@ const LANGUAGES = {
   msl: { real: (x) => `${x}f`, type: "float", head: "inline float lobe(float c) {", max: "max", min: "min", pow: "pow", exp: "exp" },
 };
 
-const NAMES = { schlick: "Schlick's lobe", gx: "the GameCube's lobe", gaussian: "a spherical Gaussian", power: "the power" };
+const NAMES = { schlick: "Schlick's lobe", gx: "the GameCube's lobe", gaussian: "a spherical Gaussian", power: "cos^n" };
 
-// A float's digits: enough to read it back.
+// Enough digits to read a float back.
 function digits(x) {
   const text = String(Number(Math.fround(x).toPrecision(9)));
   return /[.e]/.test(text) ? text : `${text}.0`;

@@ -1,4 +1,4 @@
-/** Rows of CSV with a heading, as objects; numbers as text, "" where there is none. */
+/** Rows of CSV with a header, as objects; numbers as text, "" if missing. */
 export function parseCsv(text) {
   const rows = [[]];
   for (const [, quoted, plain, end] of text.matchAll(/(?:"((?:[^"]|"")*)"|([^",\n]*))(,|\n|$)/g)) {
@@ -11,5 +11,5 @@ export function parseCsv(text) {
   return others.filter((row) => row.length === keys.length).map((row) => Object.fromEntries(keys.map((key, i) => [key, row[i]])));
 }
 
-/** A number, or null where there is none. */
+/** A number, or null if missing. */
 export const numberOf = (text) => (text === "" ? null : Number(text));

@@ -1,18 +1,18 @@
-// The first picture, a draft, before anything else; then the rest of the page and the whole picture.
-import { ask } from "./ask.js";
+// Draws a draft first of all, then loads the rest of the page and draws the final picture.
+import { request } from "./request.js";
 import { draw, open } from "./picture.js";
 import { state } from "./state.js";
 
-const PATIENCE = 1000; // milliseconds that the rest waits for the draft on a slow line
+const PATIENCE = 1000; // milliseconds that the rest waits for the draft on a slow connection
 
 let drafted;
 const draft = new Promise((resolve) => (drafted = resolve));
 
-/** When the whole picture is there, or an error in its place. */
+/** Resolves when the final picture is drawn, or an error is shown instead. */
 export const whole = open(state.mesh, {}, async () => {
   await draw(true);
   drafted();
-  ask("startThreads");
+  request("startThreads");
   await draw(false);
 });
 

@@ -1,4 +1,4 @@
-// Where two pictures differ, in colours from black to yellow.
+// The difference of two pictures in colours from black to yellow.
 
 const STOPS = [[0, 0, 4], [66, 10, 104], [147, 38, 103], [221, 81, 58], [252, 165, 10], [252, 255, 164]];
 
@@ -9,7 +9,7 @@ const TABLE = Uint32Array.from({ length: 256 }, (_, i) => {
   return 0xff000000 | (b << 16) | (g << 8) | r;
 });
 
-/** The largest difference of a pixel's channels, in codes; colours go from none to the picture's largest, at least 8. */
+/** The largest difference of each pixel's channels, in 8-bit values; the colour scale ends at the picture's largest, at least 8. */
 export function heat(a, b) {
   const count = a.width * a.height;
   const differences = new Uint8Array(count);

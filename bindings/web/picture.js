@@ -1,5 +1,5 @@
 // The picture: drawn by the worker, put side by side here, turned by hands.
-import { ask, latest } from "./ask.js";
+import { request, latest } from "./request.js";
 import { NUMBERS, at, clamp, lobeOf, own, show, state } from "./state.js";
 
 const canvas = at("canvas");
@@ -68,7 +68,7 @@ export function paint() {
 
 const grouped = (x) => x.toLocaleString("en").replaceAll(",", "\u202f");
 
-function tell() {
+function showNumbers() {
   const { pictures, milliseconds, difference } = drawn;
   const items = [`hash <b>${(pictures[state.view === "against" ? pictures.length - 1 : 0]).hash}</b>`];
   if (difference) {
@@ -85,8 +85,8 @@ function tell() {
   }
 }
 
-// Set only when it changes, so that a screen reader need not say it for each picture.
-function tellDraft(samples) {
+// Set only on change: a screen reader need not repeat it for each picture.
+function showDraft(samples) {
   const text = `draft: ${drawn.width} × ${drawn.height}, ${samples === 1 ? "one sample" : `${samples} samples`} per pixel`;
   if (at("numbers").textContent !== text) {
     at("numbers").textContent = text;
@@ -94,16 +94,16 @@ function tellDraft(samples) {
   }
 }
 
-// aria-busy from a hand's move until the whole picture of what was asked for last is there: while a mesh is opened, too.
+// aria-busy from an input until the final picture of the last request is drawn, and while a mesh is opened.
 let asked = 0;
 let isDrawing = false;
 let opening = 0;
-const tellBusy = () => at("picture").setAttribute("aria-busy", String(isDrawing || opening > 0));
+const showBusy = () => at("picture").setAttribute("aria-busy", String(isDrawing || opening > 0));
 
-/** Comes back when it is drawn, at once where another one is being drawn. */
+/** Returns when the picture is drawn, or at once if another one is being drawn. */
 export function draw(isDraft) {
   isDrawing = true;
-  tellBusy();
+  showBusy();
   return drawNumber(isDraft, ++asked);
 }
 
@@ -112,7 +112,7 @@ const drawNumber = latest(async (isDraft, number) => {
     await drawNow(isDraft);
   } finally {
     isDrawing = isDraft || number !== asked;
-    tellBusy();
+    showBusy();
   }
 }, show);
 
@@ -122,7 +122,7 @@ async function drawNow(isDraft) {
   const size = full.map((side) => Math.round(side / share));
   const lobes = { lobe: [lobeOf(state)], against: [state.against] }[state.view] ?? [lobeOf(state), state.against];
   const start = performance.now();
-  drawn = await ask("draw", { lobes, options: { ...options(size), ...(isDraft && { samples }) }, map: state.view === "error" });
+  drawn = await request("draw", { lobes, options: { ...options(size), ...(isDraft && { samples }) }, map: state.view === "error" });
   const image = (pixels) => new ImageData(pixels, drawn.width, drawn.height);
   shown = {
     width: drawn.width, height: drawn.height, pictures: drawn.pictures.map((picture) => image(picture.rgba)),
@@ -132,40 +132,40 @@ async function drawNow(isDraft) {
   paint();
   performance.mark("picture");
   if (!isDraft) {
-    tell();
+    showNumbers();
     return;
   }
-  tellDraft(samples);
+  showDraft(samples);
   if (rest !== 0) {
     chooseDraft(performance.now() - start);
   }
 }
 
-/** Opens a mesh, and then draws what `opened` has made of the state. */
+/** Opens a mesh, then calls `opened`, which changes the state and draws. */
 export async function open(input, loading, opened) {
   ++opening;
-  tellBusy();
+  showBusy();
   try {
-    await ask("open", { input, options: loading });
+    await request("open", { input, options: loading });
     await opened();
   } catch (error) {
     show(error.message);
   } finally {
     --opening;
-    tellBusy();
+    showBusy();
   }
 }
 
-// ---- Hands ----
+// ---- Input ----
 
-// Drafts at once, the whole picture when the hand rests.
-let rest = 0; // the timer; 0: it rests
+// Drafts while the input changes, the final picture when it rests.
+let rest = 0; // the timer; 0: the input rests
 let rested = () => {};
 export function turn() {
   if (rest === 0) {
     held = 0;
   }
-  draw(true); // and aria-busy stays until the rest
+  draw(true); // aria-busy stays until the input rests
   clearTimeout(rest);
   rest = setTimeout(() => {
     rest = 0;
@@ -215,7 +215,7 @@ function follow(event) {
   }
 }
 
-/** Lets pointer, wheel and keys turn the picture; onRest is called when they rest. */
+/** Pointer, wheel and keys turn the picture; calls onRest when they rest. */
 export function turnByHand(onRest) {
   rested = onRest;
   canvas.addEventListener("pointerdown", (event) => {
@@ -238,7 +238,7 @@ export function turnByHand(onRest) {
   });
 }
 
-/** Lets pointer and keys move the divider; onMove gets its place in per cent. */
+/** Pointer and keys move the divider; calls onMove with its position in per cent. */
 export function divideByHand(onMove) {
   const divider = at("divider");
   const divide = (percent) => onMove(fixed(clamp(percent, NUMBERS.divider)));

@@ -1,4 +1,4 @@
-// Serves a folder on this machine, isolated from other origins, so that the page has threads; "plain": as any server does.
+// Serves a folder on this machine, with cross-origin isolation for threads; "plain": without it.
 // Usage: node bindings/web/serve.mjs FOLDER [PORT] [plain]
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";

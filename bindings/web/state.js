@@ -1,4 +1,4 @@
-// What the page shows: a state, which the address holds.
+// The page's state, kept in its address.
 
 export const at = (id) => document.getElementById(id);
 
@@ -10,7 +10,7 @@ export const NUMBERS = { n: [1, 65536], divider: [0, 100], azimuth: [-36000, 360
 export const WITHOUT_ORDER = ["schlick", "gx", "gaussian", "power", "shift7", "shift3"];
 export const ONE_ORDER = ["shift7", "shift3"];
 
-// What an address may hold of a choice: what its element offers.
+// An address may choose only what its element offers.
 const isOffered = (id, value) => [...at(id).querySelectorAll("option, button")].some((choice) => choice.value === value);
 
 function stateOfAddress() {
@@ -23,10 +23,10 @@ function stateOfAddress() {
   return found;
 }
 
-/** The highest order that an exponent has. */
+/** The highest order of an exponent. */
 export const mostOrder = (n) => Math.max(2, Number(n));
 
-/** The next lower order takes the place of one that the exponent has not. */
+/** Lowers an order that is too high for the exponent. */
 export function settleOrder(state) {
   while (Number(state.order) > mostOrder(state.n)) {
     state.order = String(Number(state.order) / 2);
@@ -36,7 +36,7 @@ export function settleOrder(state) {
 export const state = stateOfAddress();
 settleOrder(state);
 
-/** The reader's own mesh, which no address holds: its name. */
+/** The name of the reader's own mesh, which is not in the address. */
 export const own = { mesh: null };
 
 export function addressOfState() {
@@ -49,5 +49,5 @@ export const lobeOf = ({ fit, order }) => (WITHOUT_ORDER.includes(fit) ? fit : `
 
 export const clamp = (x, [low, high]) => Math.min(high, Math.max(low, x));
 
-/** Shows the one line of an error, "" for none. */
+/** Shows a one-line error; "" clears it. */
 export const show = (message, id = "error") => (at(id).textContent = message);

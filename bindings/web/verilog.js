@@ -2,9 +2,9 @@
 
 const UNITS = { taylor: 0, shift7: 1, shift3: 2, energy: 3 };
 const SLOPE_UNIT = 4;
-const NARROW = 128; // from which exponent on the port of 1 - cosine pays
+const NARROW = 128; // from this exponent on the port takes 1 - cosine
 
-/** 2 zeta = slope / 2^shift, as burnish_lobe_q15_from_zeta has it. */
+/** 2 zeta = slope / 2^shift, as burnish_lobe_q15_from_zeta. */
 export function slopeOf(zeta) {
   const zetaQ16 = Math.round(zeta * 65536);
   let shift = 15;
@@ -28,7 +28,7 @@ function exponentPort({ fit, exponent, zeta }) {
 /** lobe: { fit, order, exponent, zeta, scale } */
 export function verilogOf(lobe, name) {
   if (!lobe.zeta) {
-    return `// There is no unit for ${name}: rtl/ has lobes of the family, u to the m.`;
+    return `// No unit computes ${name}: hardware/rtl has lobes of the family, u to the m.`;
   }
   if (lobe.order > 16) {
     return "// rtl/ has orders 2, 4, 8 and 16.";

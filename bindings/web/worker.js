@@ -1,9 +1,9 @@
-// Draws and computes, so that the page stays at hand.
+// Draws and computes off the page's thread.
 import { load } from "./burnish/wasm.js";
 
 let mesh = null;
 
-// With the module that the page has compiled meanwhile, if it could. Threads would start beside the first picture.
+// With the module that the page compiled, if that succeeded. Threads start later: they would compete with the first picture.
 async function start(module) {
   const how = { threads: navigator.hardwareConcurrency, startThreads: false };
   return load({ ...how, module }).catch(() => load(how));
@@ -17,12 +17,12 @@ const calls = {
   about: ({ version, simd, threads, endings }) => ({ version, simd, threads, endings }),
 
   async open(burnish, { input, options }) {
-    const opened = await burnish.read(input, options); // an error leaves the mesh that is there
+    const opened = await burnish.read(input, options); // on an error the previous mesh stays
     mesh?.close();
     mesh = opened;
   },
 
-  // Pictures of the lobes, and with both of them how they differ.
+  // Pictures of the lobes and, for two of them, their difference.
   async draw(burnish, { lobes, options, map }) {
     const { heat } = map ? await import("./heat.js") : {};
     const start = performance.now();
@@ -36,10 +36,10 @@ const calls = {
     };
   },
 
-  // What `burnish lobe` prints.
+  // The output of `burnish lobe`.
   lobe: (burnish, { words, file }) => burnish.lobe(words, file),
 
-  // Values over angles in radians, and the facts of each lobe: those that exist at the exponent.
+  // Values at angles in radians, and the facts of each lobe at the exponent.
   theory(burnish, { lobes, exponent, angles }) {
     return lobes.map((lobe) => ({ values: burnish.theoryValues(lobe, exponent, angles), facts: burnish.theory(lobe, exponent) }));
   },

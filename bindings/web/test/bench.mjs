@@ -1,5 +1,5 @@
-// Times of the page in Debian's Chromium, headless: first picture, pictures of 100,352 triangles, and how often they come while a hand turns
-// them. Medians.
+// Times of the page in Debian's Chromium, headless: first picture, pictures of 100,352 triangles, and their rate during input.
+// Medians.
 // Usage: node bench.mjs PAGE SERVER [short]
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -60,7 +60,7 @@ async function firstPicture(home) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
   const page = await context.newPage();
   await page.goto(home);
-  await page.waitForTimeout(1000); // asking takes the page's time, too
+  await page.waitForTimeout(1000); // requests take the page's time
   await page.waitForFunction(() => performance.getEntriesByName("picture").length > 0);
   const time = await page.evaluate(() => performance.getEntriesByName("picture")[0].startTime);
   await context.close();
@@ -81,13 +81,13 @@ async function openTorus(home, address = "") {
 async function pictures(home, options) {
   const page = await openTorus(home);
   const times = await page.evaluate(async ([count, given]) => {
-    const { ask } = await import("./ask.js");
+    const { request } = await import("./request.js");
     const context = document.createElement("canvas").getContext("2d");
     const found = [];
     for (let i = 0; i < count; ++i) {
       const start = performance.now();
       const options = { resolution: "800,600", look: "lobes", exponent: 40, cameraAzimuthAngle: 3 * i, cameraElevationAngle: 20, ...given };
-      const { pictures: [{ rgba }], width, height } = await ask("draw", { lobes: ["energy:2"], options });
+      const { pictures: [{ rgba }], width, height } = await request("draw", { lobes: ["energy:2"], options });
       context.putImageData(new ImageData(rgba, width, height), 0, 0);
       found.push(performance.now() - start);
     }
@@ -97,7 +97,7 @@ async function pictures(home, options) {
   return median(times);
 }
 
-// Between pictures on the page's canvas while an arrow key is held, and what it says of them.
+// Times between pictures on the page's canvas while an arrow key is held, and the page's own numbers.
 async function orbit(home, view) {
   const page = await openTorus(home, `#view=${view}&resolution=800,600`);
   const { times, draft } = await page.evaluate(async (count) => {

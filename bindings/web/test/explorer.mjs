@@ -58,7 +58,7 @@ const hashOf = async (page) => (await page.textContent("#numbers")).match(/hash 
 
 const settled = (page) => page.waitForFunction(() => document.getElementById("picture").ariaBusy === "false" && document.getElementById("about").textContent);
 
-// The hash of the program that is called as the page says.
+// The hash of the program, run by the page's command line.
 async function byProgram(page) {
   const line = (await page.textContent("#command")).replace(/^burnish/, `'${burnish}'`);
   return JSON.parse(execFileSync("sh", ["-c", `${line} -o ${join(scratch, "x.png")}`], { encoding: "utf8", cwd: data })).hash;
@@ -132,8 +132,8 @@ try {
   check("a broken file", `burnish: ${await page.textContent("#error")}\n`, said);
   check("the picture before it stays", await hashOf(page), whole);
 
-  // ---- Beside ----
-  await page.setInputFiles("#beside-file", join(scratch, "samples.csv"));
+  // ---- Overlays ----
+  await page.setInputFiles("#overlay-file", join(scratch, "samples.csv"));
   await page.waitForFunction(() => document.querySelectorAll("#fits tr").length === 9);
   const printed = (...words) => spawnSync(burnish, ["lobe", ...words], { cwd: scratch, encoding: "utf8" });
   const best = printed("fit", "samples.csv", "--format=csv").stdout.split("\n")[1].split(",");
@@ -143,13 +143,13 @@ try {
   await page.waitForFunction((before) => document.querySelector("#fits tr td:nth-child(4)").textContent !== before, `${Number(best[7]).toFixed(2)} %`);
   await changes(page, "a lobe that fits", () => page.click("#fits tr:first-child button"));
   check("the order that fits", await page.textContent("#order [aria-pressed='true']"), "8");
-  await page.setInputFiles("#beside-file", join(scratch, "letters.csv"));
-  await page.waitForFunction(() => document.getElementById("beside-error").textContent);
-  check("broken samples", `burnish: ${await page.textContent("#beside-error")}\n`, printed("fit", "letters.csv", "--offset").stderr);
-  // a formula that is the power, by this browser: nothing is left of it but rounding
-  await page.setInputFiles("#beside-file", join(data, "power.brdf"));
+  await page.setInputFiles("#overlay-file", join(scratch, "letters.csv"));
+  await page.waitForFunction(() => document.getElementById("overlay-error").textContent);
+  check("broken samples", `burnish: ${await page.textContent("#overlay-error")}\n`, printed("fit", "letters.csv", "--offset").stderr);
+  // cos^n as a formula, run by this browser: the difference is rounding
+  await page.setInputFiles("#overlay-file", join(data, "power.brdf"));
   await page.waitForFunction(() => document.querySelectorAll("#parameters input").length === 3);
-  check("a formula", await page.textContent("#beside-error"), "");
+  check("a formula", await page.textContent("#overlay-error"), "");
   const { brdf, module } = { brdf: readFileSync(join(data, "power.brdf"), "utf8"), module: `${HOME}brdf.js` };
   const values = await page.evaluate(async ([text, url]) => {
     const { makeBrdf, parseBrdf } = await import(url);
@@ -162,15 +162,15 @@ try {
   }, [brdf, module]);
   for (const list of values) {
     const most = Math.max(...list.map((value, degrees) => Math.abs(value / list[0] - Math.cos((degrees * Math.PI) / 180) ** 40)));
-    check("the power as a formula", most < 1e-4 ? "the same" : most, "the same");
+    check("cos^n as a formula", most < 1e-4 ? "the same" : most, "the same");
   }
   for (const [text, line] of [["measured\n", 'does not begin with "analytic"'], ["analytic\n", 'no "::begin shader"'],
     ["analytic\n::begin parameters\nfloat n 1 2\n::end parameters\n::begin shader\n::end shader\n", "parameter 1"],
     ["analytic\n::begin shader\nvec3 BRDF(vec3 L) { return L + 1 }\n::end shader\n", "can't be compiled"]]) {
     const file = join(scratch, `broken${text.length}.brdf`);
     writeFileSync(file, text);
-    await page.setInputFiles("#beside-file", file);
-    await page.waitForFunction((part) => document.getElementById("beside-error").textContent.includes(part), line);
+    await page.setInputFiles("#overlay-file", file);
+    await page.waitForFunction((part) => document.getElementById("overlay-error").textContent.includes(part), line);
   }
 
   // ---- Claims ----
@@ -196,7 +196,7 @@ try {
   await page.waitForFunction(() => document.getElementById("code").textContent.includes("uint16_t"));
   check("the boundary memory", await page.textContent("#code"), printed("boundary", `--lobe=energy:${await page.textContent("#order [aria-pressed='true']")}`).stdout);
 
-  // ---- Verilog: the module on screen in a simulator, beside the lobe ----
+  // ---- Verilog: the displayed module in a simulator, compared with the lobe ----
   const hasSimulator = spawnSync("iverilog", ["-V"]).status === 0;
   for (const [lobe, n] of hasSimulator ? [["energy:2", 40], ["taylor:8", 100], ["shift7", 21], ["minimax:4", 33.5], ["energy:2", 300]] : []) {
     const [name, order] = lobe.split(":");
@@ -224,7 +224,7 @@ try {
   }
   await page.close();
 
-  // ---- A server as any other: no threads, the same pictures ----
+  // ---- A plain server: no threads, the same pictures ----
   const other = spawn(process.execPath, [server, folder, String(PORT + 2), "plain"], { stdio: ["ignore", "pipe", "inherit"] });
   await new Promise((resolve) => other.stdout.once("data", resolve));
   const [alone, shared] = [await openPage("", {}, `http://127.0.0.1:${PORT + 2}/`), await openPage()];
@@ -237,7 +237,7 @@ try {
   }
   other.kill();
 
-  // ---- What is on the screen, to the byte ----
+  // ---- The screen, byte for byte ----
   const split = await openPage("#resolution=480,360&divider=40&look=studio&mesh=:knot");
   const line = await split.textContent("#command");
   const drawnBy = (lobe) => {
@@ -245,12 +245,12 @@ try {
     execFileSync("sh", ["-c", `${line.replace(/^burnish/, `'${burnish}'`).replace(/--lobe=\S+/, `--lobe=${lobe}`)} -o '${png}'`]);
     return png;
   };
-  check("the screen beside the program's PNG", await pictureFaults(split, drawnBy("energy:2"), drawnBy("power")), "");
-  // ---- While a hand turns it ----
+  check("the screen and the program's PNG", await pictureFaults(split, drawnBy("energy:2"), drawnBy("power")), "");
+  // ---- During input ----
   await split.focus("#canvas");
   await split.keyboard.press("ArrowRight");
   await split.waitForFunction(() => document.getElementById("numbers").textContent.startsWith("draft: "));
-  check("a draft is no whole picture", await split.getAttribute("#picture", "aria-busy"), "true");
+  check("a draft is not final", await split.getAttribute("#picture", "aria-busy"), "true");
   check("it says what it is", /^draft: \d+ × \d+, (one sample|4 samples) per pixel$/.test(await split.textContent("#numbers")), true);
   await agrees(split, "after drafts");
   await split.close();

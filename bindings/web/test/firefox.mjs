@@ -1,4 +1,4 @@
-// The page in Debian's Firefox, by WebDriver BiDi: hashes, curves, claims, fits and formulas there too.
+// The page in Debian's Firefox through WebDriver BiDi: hashes, curves, claims, fits and formulas.
 // Usage: node firefox.mjs BURNISH PAGE SERVER
 import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
@@ -9,7 +9,7 @@ import puppeteer from "puppeteer-core";
 const [burnish, folder, server] = process.argv.slice(2);
 const executablePath = process.env.FIREFOX ?? "/usr/bin/firefox-esr";
 if (!existsSync(executablePath)) {
-  console.log("explorer in Firefox: skipped: there is no firefox-esr; scripts/install-deps browser");
+  console.log("explorer in Firefox: skipped: firefox-esr is missing; scripts/install-deps browser");
   process.exit(0);
 }
 const PORT = 8128;

@@ -1,8 +1,8 @@
-// What a reader sees: the canvas and a screenshot of it beside the program's picture, and faults of the layout.
+// Compares the canvas and its screenshot with the program's picture, and finds faults of the layout.
 import { readFileSync } from "node:fs";
 import { decodePng } from "./png.mjs";
 
-// "" where two pictures are the same to the byte.
+// "" if two pictures are the same byte for byte.
 function differenceOf(a, b) {
   if (a.width !== b.width || a.height !== b.height) {
     return `${a.width} x ${a.height}, not ${b.width} x ${b.height}`;
@@ -26,7 +26,7 @@ export async function pictureFaults(page, png, otherPng) {
     const { width, height } = document.getElementById("canvas");
     return { width, height, pixels: [...document.getElementById("canvas").getContext("2d").getImageData(0, 0, width, height).data] };
   });
-  // a pixel of the picture is one of the screen, and nothing lies over it
+  // a pixel of the picture is a pixel of the screen, and nothing covers it
   const style = await page.addStyleTag({ content:
     `.picture { position: fixed; left: 0; top: 0; z-index: 9; width: ${width}px; height: ${height}px; border-radius: 0; margin: 0 !important } .picture > :not(canvas) { visibility: hidden }` });
   const screenshot = decodePng(await page.locator("#canvas").screenshot());
@@ -43,7 +43,7 @@ export const layoutFaults = (page) => page.evaluate(() => {
   if (document.documentElement.scrollWidth > innerWidth) {
     faults.push(`the page is ${document.documentElement.scrollWidth} wide, the window ${innerWidth}`);
   }
-  // What lies over the picture on purpose, what is drawn by uPlot, and what is beside the screen until it has the focus.
+  // Exceptions: intentional overlays of the picture, uPlot's drawings, and elements off screen until focused.
   const isOver = (element) => element.closest(".tag, .divider, .legend, .drop, .plot, .skip") || element.matches("input[type='file']");
   const isVisible = (element) => element.checkVisibility({ visibilityProperty: true }) && element.getClientRects().length > 0;
   const isText = (element) => [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim());

@@ -1,4 +1,4 @@
-// Questions to the worker, which draws and computes.
+// Requests to the worker, which draws and computes.
 
 const { worker } = window; // index.html starts it
 const waiting = new Map();
@@ -10,13 +10,13 @@ worker.onmessage = ({ data: { id, result, error } }) => {
   error === undefined ? resolve(result) : reject(new Error(error));
 };
 
-export const ask = (call, argument) =>
+export const request = (call, argument) =>
   new Promise((resolve, reject) => {
     waiting.set(++calls, { resolve, reject });
     worker.postMessage({ id: calls, call, argument });
   });
 
-/** The last of the calls that come while one is under way is made when it has come back. */
+/** Runs one call at a time; of the calls made meanwhile only the last one follows. */
 export function latest(call, failed) {
   let busy = false;
   let again = null;

@@ -1,21 +1,21 @@
-// What stands beside the lobe from a file of the reader's: measured samples with the lobes that fit them, or a .brdf file.
-import { ask, latest } from "./ask.js";
+// The overlay, from a file of the reader's: measured samples with the lobes that fit them, or a .brdf file.
+import { request, latest } from "./request.js";
 import { makeBrdf, parseBrdf } from "./brdf.js";
 import { parseCsv } from "./csv.js";
 import { at, show, state } from "./state.js";
 
 const ENDING = /\.(csv|txt|tsv|brdf)$/i;
-export const isBeside = (name) => ENDING.test(name);
+export const isOverlay = (name) => ENDING.test(name);
 
-let beside = null; // { name, isLine, curve(angles) }, of degrees
+let overlay = null; // { name, isLine, curve(angles) }, of degrees
 let changed = () => {};
 let taken = () => {};
 
-/** Curve of what stands beside, at its own angles or at those given, in degrees and with a peak of 1; null: nothing. */
-export const besideCurve = (angles) => (beside ? { ...beside.curve(angles), isLine: beside.isLine } : null);
-export const besideName = () => beside?.name ?? null;
+/** The overlay's curve at its own angles, or at the given ones, in degrees and with a peak of 1; null: no overlay. */
+export const overlayCurve = (angles) => (overlay ? { ...overlay.curve(angles), isLine: overlay.isLine } : null);
+export const overlayName = () => overlay?.name ?? null;
 
-const fail = (error) => show(error.message, "beside-error");
+const fail = (error) => show(error.message, "overlay-error");
 
 // ---- Samples ----
 
@@ -24,29 +24,29 @@ let samples = null; // { name, bytes }
 async function fitNow() {
   const { name } = samples;
   const words = ["fit", name, "--format=csv", `--unit=${at("unit").value}`, ...(at("offset").checked ? ["--offset"] : [])];
-  const fitted = parseCsv(await ask("lobe", { words, file: samples }));
-  const points = parseCsv(await ask("lobe", { words: [...words, "--residuals"], file: samples }));
+  const fitted = parseCsv(await request("lobe", { words, file: samples }));
+  const points = parseCsv(await request("lobe", { words: [...words, "--residuals"], file: samples }));
   const [best] = fitted;
   const [scale, offset] = [Number(best.scale), Number(best.offset)];
   const radians = { deg: (x) => (x * Math.PI) / 180, rad: (x) => x, cosine: (x) => Math.acos(x) }[at("unit").value];
   const sorted = points.map((row) => [Math.abs((radians(Number(Object.values(row)[0])) * 180) / Math.PI), (Number(row.intensity) - offset) / scale]).sort(([a], [b]) => a - b);
-  // curves have one value at an angle: samples of both sides stand a hair apart
+  // a curve has one value per angle: samples of both sides are moved apart a little
   const angles = sorted.map(([angle], i) => angle + i * 1e-9);
-  beside = { name, isLine: false, curve: () => ({ angles, values: sorted.map(([, value]) => value) }) };
-  tellFits(name, points.length, fitted);
-  show("", "beside-error");
+  overlay = { name, isLine: false, curve: () => ({ angles, values: sorted.map(([, value]) => value) }) };
+  showFits(name, points.length, fitted);
+  show("", "overlay-error");
   changed();
 }
 
-const fit = latest(fitNow, (message) => show(message, "beside-error"));
+const fit = latest(fitNow, (message) => show(message, "overlay-error"));
 
-// The page's words for a row: order 4 by its exponent with the fit energy.
+// The page's state for a row: "order 4" is the fit energy with that order.
 function lobeOfRow({ lobe, exponent }) {
   const order = lobe.match(/^order (\d+)$/)?.[1];
   return exponent === "" ? null : { fit: order ? "energy" : lobe, ...(order ? { order } : {}), n: String(Number(Number(exponent).toPrecision(6))) };
 }
 
-function tellFits(name, count, fitted) {
+function showFits(name, count, fitted) {
   const rows = fitted.map((row) => {
     const lobe = lobeOfRow(row);
     const tr = document.createElement("tr");
@@ -61,14 +61,14 @@ function tellFits(name, count, fitted) {
     return tr;
   });
   at("fits").replaceChildren(...rows);
-  at("beside-about").textContent = `${name}: ${count} samples; their least squares, the best lobe first. Exponents of orders are those of the fit energy.`;
+  at("overlay-about").textContent = `${name}: ${count} samples; least squares, the best lobe first. Exponents of orders belong to the fit energy.`;
   at("samples").hidden = false;
   at("parameters").hidden = true;
 }
 
 // ---- .brdf ----
 
-function tellParameters(name, parameters) {
+function showParameters(name, parameters) {
   const rows = parameters.filter(({ type }) => type !== "color").map((parameter) => {
     const label = Object.assign(document.createElement("label"), { className: "row" });
     const isBool = parameter.type === "bool";
@@ -86,13 +86,13 @@ function tellParameters(name, parameters) {
   at("parameters").replaceChildren(...rows);
   at("parameters").hidden = rows.length === 0;
   at("samples").hidden = true;
-  at("beside-about").textContent = `${name}, run by this browser's WebGL and scaled to a peak of 1.`;
+  at("overlay-about").textContent = `${name}, run by this browser's WebGL and scaled to a peak of 1.`;
 }
 
 function takeBrdf(name, text) {
   const brdf = parseBrdf(text, name);
   const evaluate = makeBrdf(brdf, name);
-  beside = {
+  overlay = {
     name, isLine: true,
     curve(angles) {
       const step = ((angles.at(-1) / (angles.length - 1)) * Math.PI) / 180;
@@ -101,14 +101,14 @@ function takeBrdf(name, text) {
       return { angles, values: values.map((value) => value / peak) };
     },
   };
-  tellParameters(name, brdf.parameters);
-  show("", "beside-error");
+  showParameters(name, brdf.parameters);
+  show("", "overlay-error");
   changed();
 }
 
 // ---- Files ----
 
-export async function openBeside(file) {
+export async function openOverlay(file) {
   try {
     if (/\.brdf$/i.test(file.name)) {
       takeBrdf(file.name, await file.text());
@@ -121,8 +121,8 @@ export async function openBeside(file) {
   }
 }
 
-/** onChange: the curve is another one; onTake: the reader takes a lobe that fits, { fit, order, n }. */
-export function watchBeside(onChange, onTake) {
+/** onChange(): the curve changed; onTake({ fit, order, n }): the reader chose a fitted lobe. */
+export function watchOverlay(onChange, onTake) {
   changed = onChange;
   taken = onTake;
   at("unit").addEventListener("change", fit);
