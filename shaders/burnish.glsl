@@ -20,7 +20,7 @@
 // a.b
 float burnishDot(vec3 a, vec3 b) {
 #ifdef BURNISH_EXACT
-    // in the order in which the CPU adds, which dot() leaves open
+    // the CPU's order of additions; dot() does not define one
     BURNISH_PRECISE float sum = (a.x * b.x + a.y * b.y) + a.z * b.z;
     return sum;
 #else
@@ -47,8 +47,8 @@ float burnishInverseSqrt(float x) {
 
 // ---- lighting/common/burnishLambda ----
 
-// 1 - a.b of two unit vectors as half the square of their chord: it keeps the digits that
-// 1 - dot(a, b) loses near 1, which narrow lobes need.
+// 1 - a.b of two unit vectors as half the square of their chord. Narrow lobes need it: it
+// keeps the digits that 1 - dot(a, b) loses near 1.
 // Source: Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 float burnishLambda(vec3 a, vec3 b) {
     BURNISH_PRECISE vec3 chord = a - b;
@@ -57,9 +57,9 @@ float burnishLambda(vec3 a, vec3 b) {
 
 // ---- lighting/common/burnishLobe ----
 
-// The lobe (1 - zeta lambda)^m by squarings, m = 2, 4, 8, 16 or 32, in [0, 1]: what cos^n is
-// replaced by. burnishZeta... gives the slope zeta for an exponent n; lambda is 1 - cosine, from
-// burnishLambda where n is in the thousands. It is 0 from lambda = 1 / zeta on.
+// The lobe (1 - zeta lambda)^m by squarings, m = 2, 4, 8, 16 or 32, in [0, 1], which
+// replaces cos^n. burnishZeta... computes the slope zeta for an exponent n; lambda is 1 - cosine, from
+// burnishLambda for n in the thousands. The lobe is 0 from lambda = 1 / zeta on.
 float burnishBase(float lambda, float zeta) {
     BURNISH_PRECISE float base = 1.0 - zeta * lambda;
     return clamp(base, 0.0, 1.0);
@@ -120,7 +120,7 @@ float burnishPower(float cosine, float n) {
 
 // ---- lighting/common/burnishSchlick ----
 
-// Schlick's lobe c / (n - n c + c): one division, brighter than the power everywhere.
+// Schlick's lobe c / (n - n c + c): one division, brighter than cos^n everywhere.
 // Source: Schlick, A Fast Alternative to Phong's Specular Model, Graphics Gems IV, 1994.
 float burnishSchlick(float cosine, float n) {
     float c = clamp(cosine, 0.0, 1.0);
@@ -130,10 +130,10 @@ float burnishSchlick(float cosine, float n) {
 
 // ---- lighting/common/burnishZeta ----
 
-// The slope zeta of the lobe of order m = 2, 4, 8, 16 or 32 that stands for cos^n, n >= m (order
-// 2: n >= 1). It depends on the material alone: best computed once, outside the shader.
+// The slope zeta of the lobe of order m = 2, 4, 8, 16 or 32 for cos^n, n >= m (order 2:
+// n >= 1). It depends on the material alone: compute it once, outside the shader.
 
-// The same curvature at the peak; never above the power.
+// The same curvature at the peak; never above cos^n.
 float burnishZetaTaylor(float n, float m) {
     return n / m;
 }
@@ -150,7 +150,7 @@ float burnishZetaProjected(float n, float m) {
     return (b + sqrt(b * b - 2.0 * a * (n + 2.0))) / a;
 }
 
-// Meets the power where that is q, 0 < q < 1. Relative error up to n / 10^7: for large n compute it
+// Equals cos^n at the angle where cos^n is q, 0 < q < 1. Relative error up to n / 10^7: for large n compute it
 // in double precision.
 float burnishZetaLevel(float n, float m, float q) {
     return (1.0 - pow(q, 1.0 / m)) / (1.0 - pow(q, 1.0 / n));
@@ -166,7 +166,7 @@ float burnishZetaShift3(float n) {
     return 0.375 * n;
 }
 
-// Its largest error against the power is within 0.001 of the least possible one, for n >= m.
+// Its largest error against cos^n is within 0.001 of the least possible one, for n >= m.
 // The optimum needs a search: `burnish lobe table --lobes=minimax:4 --exponents=64 --metrics=zeta`.
 float burnishZetaMinimax(float n, float m) {
     if (m >= 32.0) {
@@ -186,7 +186,7 @@ float burnishZetaMinimax(float n, float m) {
 
 // ---- lighting/common/burnishNormalization ----
 
-// Factors that give a lobe the integral 1 over the hemisphere around its axis, for zeta >= 1.
+// Factors that normalise a lobe to the integral 1 over the hemisphere around its axis, for zeta >= 1.
 
 // Of the lobe of order m.
 float burnishNormalizeLobe(float zeta, float m) {
@@ -220,7 +220,7 @@ float burnishAlphaFromExponent(float n) {
     return sqrt(2.0 / (n + 2.0));
 }
 
-// n in [1, 65536], as the lobes take it: a mirror's is infinite.
+// n in [1, 65536], the range of the lobes: a mirror's is infinite.
 float burnishExponentFromRoughness(float roughness) {
     float alpha = max(roughness * roughness, 0.0055);
     return clamp(burnishExponentFromAlpha(alpha), 1.0, 65536.0);
@@ -239,7 +239,7 @@ float burnishBlinnFromPhong(float n) {
     return 4.0 * n;
 }
 
-// The exponent for a mean of unit normals of that length, as a filtered normal map gives it.
+// The exponent for the mean of unit normals with that length, from a filtered normal map.
 // Source: Toksvig, Mipmapping Normal Maps, 2005.
 float burnishToksvigExponent(float n, float meanLength) {
     float l = clamp(meanLength, 0.0, 1.0);
@@ -265,8 +265,8 @@ float burnishReflectCosine(float NoL, float NoV, float LoV) {
 
 // ---- lighting/specular/burnish ----
 
-// The highlight without pow, for those who want one function: the lobe of order 2 that has the
-// energy of NoH^shininess, shininess in [1, 65536].
+// The highlight without pow in one function: the lobe of order 2 with the energy of NoH^shininess,
+// shininess in [1, 65536].
 float specularBurnish(float NoH, float shininess) {
     return burnishLobe2(NoH, burnishZetaEnergy(shininess, 2.0));
 }
@@ -287,8 +287,8 @@ float specularBurnish(ShadingData shadingData) {
 // ---- lighting/burnishLit ----
 
 // The weights of a light's diffuse and specular colour, (max(0, N.L), lobe), of order 2, 4, 8, 16
-// or 32. N may have any length, as interpolated normals do; L and V point away from the surface
-// and have unit length.
+// or 32. N may have any length, such as an interpolated normal; L and V point away from the
+// surface and have unit length.
 vec2 burnishLitByCosine(float NoL, float cosine, float zeta, int order) {
     BURNISH_PRECISE float base = cosine * zeta + (1.0 - zeta);
     float lobe = 0.0;

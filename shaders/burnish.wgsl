@@ -20,8 +20,8 @@ fn burnishInverseSqrt(x: f32) -> f32 {
 
 // ---- lighting/common/burnishLambda ----
 
-// 1 - a.b of two unit vectors as half the square of their chord: it keeps the digits that
-// 1 - dot(a, b) loses near 1, which narrow lobes need.
+// 1 - a.b of two unit vectors as half the square of their chord. Narrow lobes need it: it
+// keeps the digits that 1 - dot(a, b) loses near 1.
 // Source: Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 fn burnishLambda(a: vec3f, b: vec3f) -> f32 {
     let chord = a - b;
@@ -30,9 +30,9 @@ fn burnishLambda(a: vec3f, b: vec3f) -> f32 {
 
 // ---- lighting/common/burnishLobe ----
 
-// The lobe (1 - zeta lambda)^m by squarings, m = 2, 4, 8, 16 or 32, in [0, 1]: what cos^n is
-// replaced by. burnishZeta... gives the slope zeta for an exponent n; lambda is 1 - cosine, from
-// burnishLambda where n is in the thousands. It is 0 from lambda = 1 / zeta on.
+// The lobe (1 - zeta lambda)^m by squarings, m = 2, 4, 8, 16 or 32, in [0, 1], which
+// replaces cos^n. burnishZeta... computes the slope zeta for an exponent n; lambda is 1 - cosine, from
+// burnishLambda for n in the thousands. The lobe is 0 from lambda = 1 / zeta on.
 fn burnishBase(lambda: f32, zeta: f32) -> f32 {
     let base = 1.0 - zeta * lambda;
     return clamp(base, 0.0, 1.0);
@@ -93,7 +93,7 @@ fn burnishPower(cosine: f32, n: f32) -> f32 {
 
 // ---- lighting/common/burnishSchlick ----
 
-// Schlick's lobe c / (n - n c + c): one division, brighter than the power everywhere.
+// Schlick's lobe c / (n - n c + c): one division, brighter than cos^n everywhere.
 // Source: Schlick, A Fast Alternative to Phong's Specular Model, Graphics Gems IV, 1994.
 fn burnishSchlick(cosine: f32, n: f32) -> f32 {
     let c = clamp(cosine, 0.0, 1.0);
@@ -103,10 +103,10 @@ fn burnishSchlick(cosine: f32, n: f32) -> f32 {
 
 // ---- lighting/common/burnishZeta ----
 
-// The slope zeta of the lobe of order m = 2, 4, 8, 16 or 32 that stands for cos^n, n >= m (order
-// 2: n >= 1). It depends on the material alone: best computed once, outside the shader.
+// The slope zeta of the lobe of order m = 2, 4, 8, 16 or 32 for cos^n, n >= m (order 2:
+// n >= 1). It depends on the material alone: compute it once, outside the shader.
 
-// The same curvature at the peak; never above the power.
+// The same curvature at the peak; never above cos^n.
 fn burnishZetaTaylor(n: f32, m: f32) -> f32 {
     return n / m;
 }
@@ -123,7 +123,7 @@ fn burnishZetaProjected(n: f32, m: f32) -> f32 {
     return (b + sqrt(b * b - 2.0 * a * (n + 2.0))) / a;
 }
 
-// Meets the power where that is q, 0 < q < 1. Relative error up to n / 10^7: for large n compute it
+// Equals cos^n at the angle where cos^n is q, 0 < q < 1. Relative error up to n / 10^7: for large n compute it
 // in double precision.
 fn burnishZetaLevel(n: f32, m: f32, q: f32) -> f32 {
     return (1.0 - pow(q, 1.0 / m)) / (1.0 - pow(q, 1.0 / n));
@@ -139,7 +139,7 @@ fn burnishZetaShift3(n: f32) -> f32 {
     return 0.375 * n;
 }
 
-// Its largest error against the power is within 0.001 of the least possible one, for n >= m.
+// Its largest error against cos^n is within 0.001 of the least possible one, for n >= m.
 // The optimum needs a search: `burnish lobe table --lobes=minimax:4 --exponents=64 --metrics=zeta`.
 fn burnishZetaMinimax(n: f32, m: f32) -> f32 {
     if (m >= 32.0) {
@@ -159,7 +159,7 @@ fn burnishZetaMinimax(n: f32, m: f32) -> f32 {
 
 // ---- lighting/common/burnishNormalization ----
 
-// Factors that give a lobe the integral 1 over the hemisphere around its axis, for zeta >= 1.
+// Factors that normalise a lobe to the integral 1 over the hemisphere around its axis, for zeta >= 1.
 
 // Of the lobe of order m.
 fn burnishNormalizeLobe(zeta: f32, m: f32) -> f32 {
@@ -193,7 +193,7 @@ fn burnishAlphaFromExponent(n: f32) -> f32 {
     return sqrt(2.0 / (n + 2.0));
 }
 
-// n in [1, 65536], as the lobes take it: a mirror's is infinite.
+// n in [1, 65536], the range of the lobes: a mirror's is infinite.
 fn burnishExponentFromRoughness(roughness: f32) -> f32 {
     let alpha = max(roughness * roughness, 0.0055);
     return clamp(burnishExponentFromAlpha(alpha), 1.0, 65536.0);
@@ -212,7 +212,7 @@ fn burnishBlinnFromPhong(n: f32) -> f32 {
     return 4.0 * n;
 }
 
-// The exponent for a mean of unit normals of that length, as a filtered normal map gives it.
+// The exponent for the mean of unit normals with that length, from a filtered normal map.
 // Source: Toksvig, Mipmapping Normal Maps, 2005.
 fn burnishToksvigExponent(n: f32, meanLength: f32) -> f32 {
     let l = clamp(meanLength, 0.0, 1.0);
@@ -238,8 +238,8 @@ fn burnishReflectCosine(NoL: f32, NoV: f32, LoV: f32) -> f32 {
 
 // ---- lighting/specular/burnish ----
 
-// The highlight without pow, for those who want one function: the lobe of order 2 that has the
-// energy of NoH^shininess, shininess in [1, 65536].
+// The highlight without pow in one function: the lobe of order 2 with the energy of NoH^shininess,
+// shininess in [1, 65536].
 fn specularBurnish(NoH: f32, shininess: f32) -> f32 {
     return burnishLobe2(NoH, burnishZetaEnergy(shininess, 2.0));
 }
@@ -253,8 +253,8 @@ fn specularBurnishNormalized(NoH: f32, shininess: f32) -> f32 {
 // ---- lighting/burnishLit ----
 
 // The weights of a light's diffuse and specular colour, (max(0, N.L), lobe), of order 2, 4, 8, 16
-// or 32. N may have any length, as interpolated normals do; L and V point away from the surface
-// and have unit length.
+// or 32. N may have any length, such as an interpolated normal; L and V point away from the
+// surface and have unit length.
 fn burnishLitByCosine(NoL: f32, cosine: f32, zeta: f32, order: i32) -> vec2f {
     let base = cosine * zeta + (1.0 - zeta);
     var lobe = 0.0;

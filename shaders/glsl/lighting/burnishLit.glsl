@@ -21,8 +21,8 @@
 #endif
 
 // The weights of a light's diffuse and specular colour, (max(0, N.L), lobe), of order 2, 4, 8, 16
-// or 32. N may have any length, as interpolated normals do; L and V point away from the surface
-// and have unit length.
+// or 32. N may have any length, such as an interpolated normal; L and V point away from the
+// surface and have unit length.
 vec2 burnishLitByCosine(float NoL, float cosine, float zeta, int order) {
     BURNISH_PRECISE float base = cosine * zeta + (1.0 - zeta);
     float lobe = 0.0;

@@ -18,7 +18,7 @@
 // a.b
 float burnishDot(vec3 a, vec3 b) {
 #ifdef BURNISH_EXACT
-    // in the order in which the CPU adds, which dot() leaves open
+    // the CPU's order of additions; dot() does not define one
     BURNISH_PRECISE float sum = (a.x * b.x + a.y * b.y) + a.z * b.z;
     return sum;
 #else

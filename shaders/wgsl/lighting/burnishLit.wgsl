@@ -10,8 +10,8 @@
 #include "common/burnishReflectCosine.wgsl"
 
 // The weights of a light's diffuse and specular colour, (max(0, N.L), lobe), of order 2, 4, 8, 16
-// or 32. N may have any length, as interpolated normals do; L and V point away from the surface
-// and have unit length.
+// or 32. N may have any length, such as an interpolated normal; L and V point away from the
+// surface and have unit length.
 fn burnishLitByCosine(NoL: f32, cosine: f32, zeta: f32, order: i32) -> vec2f {
     let base = cosine * zeta + (1.0 - zeta);
     var lobe = 0.0;

@@ -18,7 +18,7 @@ float burnishAlphaFromExponent(float n) {
     return sqrt(2.0 / (n + 2.0));
 }
 
-// n in [1, 65536], as the lobes take it: a mirror's is infinite.
+// n in [1, 65536], the range of the lobes: a mirror's is infinite.
 float burnishExponentFromRoughness(float roughness) {
     float alpha = max(roughness * roughness, 0.0055);
     return clamp(burnishExponentFromAlpha(alpha), 1.0, 65536.0);
@@ -37,7 +37,7 @@ float burnishBlinnFromPhong(float n) {
     return 4.0 * n;
 }
 
-// The exponent for a mean of unit normals of that length, as a filtered normal map gives it.
+// The exponent for the mean of unit normals with that length, from a filtered normal map.
 // Source: Toksvig, Mipmapping Normal Maps, 2005.
 float burnishToksvigExponent(float n, float meanLength) {
     float l = clamp(meanLength, 0.0, 1.0);

@@ -17,8 +17,8 @@
 #endif
 #endif
 
-// 1 - a.b of two unit vectors as half the square of their chord: it keeps the digits that
-// 1 - dot(a, b) loses near 1, which narrow lobes need.
+// 1 - a.b of two unit vectors as half the square of their chord. Narrow lobes need it: it
+// keeps the digits that 1 - dot(a, b) loses near 1.
 // Source: Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 float burnishLambda(vec3 a, vec3 b) {
     BURNISH_PRECISE vec3 chord = a - b;

@@ -15,9 +15,9 @@
 #endif
 #endif
 
-// The lobe (1 - zeta lambda)^m by squarings, m = 2, 4, 8, 16 or 32, in [0, 1]: what cos^n is
-// replaced by. burnishZeta... gives the slope zeta for an exponent n; lambda is 1 - cosine, from
-// burnishLambda where n is in the thousands. It is 0 from lambda = 1 / zeta on.
+// The lobe (1 - zeta lambda)^m by squarings, m = 2, 4, 8, 16 or 32, in [0, 1], which
+// replaces cos^n. burnishZeta... computes the slope zeta for an exponent n; lambda is 1 - cosine, from
+// burnishLambda for n in the thousands. The lobe is 0 from lambda = 1 / zeta on.
 float burnishBase(float lambda, float zeta) {
     BURNISH_PRECISE float base = 1.0 - zeta * lambda;
     return clamp(base, 0.0, 1.0);

@@ -7,10 +7,10 @@
 #ifndef FNC_LIGHTING_COMMON_BURNISH_ZETA
 #define FNC_LIGHTING_COMMON_BURNISH_ZETA
 
-// The slope zeta of the lobe of order m = 2, 4, 8, 16 or 32 that stands for cos^n, n >= m (order
-// 2: n >= 1). It depends on the material alone: best computed once, outside the shader.
+// The slope zeta of the lobe of order m = 2, 4, 8, 16 or 32 for cos^n, n >= m (order 2:
+// n >= 1). It depends on the material alone: compute it once, outside the shader.
 
-// The same curvature at the peak; never above the power.
+// The same curvature at the peak; never above cos^n.
 float burnishZetaTaylor(float n, float m) {
     return n / m;
 }
@@ -27,7 +27,7 @@ float burnishZetaProjected(float n, float m) {
     return (b + sqrt(b * b - 2.0 * a * (n + 2.0))) / a;
 }
 
-// Meets the power where that is q, 0 < q < 1. Relative error up to n / 10^7: for large n compute it
+// Equals cos^n at the angle where cos^n is q, 0 < q < 1. Relative error up to n / 10^7: for large n compute it
 // in double precision.
 float burnishZetaLevel(float n, float m, float q) {
     return (1.0 - pow(q, 1.0 / m)) / (1.0 - pow(q, 1.0 / n));
@@ -43,7 +43,7 @@ float burnishZetaShift3(float n) {
     return 0.375 * n;
 }
 
-// Its largest error against the power is within 0.001 of the least possible one, for n >= m.
+// Its largest error against cos^n is within 0.001 of the least possible one, for n >= m.
 // The optimum needs a search: `burnish lobe table --lobes=minimax:4 --exponents=64 --metrics=zeta`.
 float burnishZetaMinimax(float n, float m) {
     if (m >= 32.0) {

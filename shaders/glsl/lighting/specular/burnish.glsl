@@ -12,8 +12,8 @@
 #ifndef FNC_LIGHTING_SPECULAR_BURNISH
 #define FNC_LIGHTING_SPECULAR_BURNISH
 
-// The highlight without pow, for those who want one function: the lobe of order 2 that has the
-// energy of NoH^shininess, shininess in [1, 65536].
+// The highlight without pow in one function: the lobe of order 2 with the energy of NoH^shininess,
+// shininess in [1, 65536].
 float specularBurnish(float NoH, float shininess) {
     return burnishLobe2(NoH, burnishZetaEnergy(shininess, 2.0));
 }

@@ -7,7 +7,7 @@
 #ifndef FNC_LIGHTING_COMMON_BURNISH_NORMALIZATION
 #define FNC_LIGHTING_COMMON_BURNISH_NORMALIZATION
 
-// Factors that give a lobe the integral 1 over the hemisphere around its axis, for zeta >= 1.
+// Factors that normalise a lobe to the integral 1 over the hemisphere around its axis, for zeta >= 1.
 
 // Of the lobe of order m.
 float burnishNormalizeLobe(float zeta, float m) {

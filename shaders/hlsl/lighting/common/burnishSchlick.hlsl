@@ -15,7 +15,7 @@
 #endif
 #endif
 
-// Schlick's lobe c / (n - n c + c): one division, brighter than the power everywhere.
+// Schlick's lobe c / (n - n c + c): one division, brighter than cos^n everywhere.
 // Source: Schlick, A Fast Alternative to Phong's Specular Model, Graphics Gems IV, 1994.
 float burnishSchlick(float cosine, float n) {
     float c = clamp(cosine, 0.0, 1.0);

@@ -15,7 +15,7 @@ fn burnishAlphaFromExponent(n: f32) -> f32 {
     return sqrt(2.0 / (n + 2.0));
 }
 
-// n in [1, 65536], as the lobes take it: a mirror's is infinite.
+// n in [1, 65536], the range of the lobes: a mirror's is infinite.
 fn burnishExponentFromRoughness(roughness: f32) -> f32 {
     let alpha = max(roughness * roughness, 0.0055);
     return clamp(burnishExponentFromAlpha(alpha), 1.0, 65536.0);
@@ -34,7 +34,7 @@ fn burnishBlinnFromPhong(n: f32) -> f32 {
     return 4.0 * n;
 }
 
-// The exponent for a mean of unit normals of that length, as a filtered normal map gives it.
+// The exponent for the mean of unit normals with that length, from a filtered normal map.
 // Source: Toksvig, Mipmapping Normal Maps, 2005.
 fn burnishToksvigExponent(n: f32, meanLength: f32) -> f32 {
     let l = clamp(meanLength, 0.0, 1.0);

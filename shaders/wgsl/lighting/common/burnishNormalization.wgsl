@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 
-// Factors that give a lobe the integral 1 over the hemisphere around its axis, for zeta >= 1.
+// Factors that normalise a lobe to the integral 1 over the hemisphere around its axis, for zeta >= 1.
 
 // Of the lobe of order m.
 fn burnishNormalizeLobe(zeta: f32, m: f32) -> f32 {

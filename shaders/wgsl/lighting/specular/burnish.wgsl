@@ -9,8 +9,8 @@
 #include "../common/burnishNormalization.wgsl"
 #include "../common/burnishExponent.wgsl"
 
-// The highlight without pow, for those who want one function: the lobe of order 2 that has the
-// energy of NoH^shininess, shininess in [1, 65536].
+// The highlight without pow in one function: the lobe of order 2 with the energy of NoH^shininess,
+// shininess in [1, 65536].
 fn specularBurnish(NoH: f32, shininess: f32) -> f32 {
     return burnishLobe2(NoH, burnishZetaEnergy(shininess, 2.0));
 }
