@@ -170,7 +170,7 @@ def processes(values):
 
 
 def shapes(text):
-    """From bench_peers_meshes: blocks of rows after a line with their setup; descriptions "NAME: TEXT"."""
+    """From bench/peers/meshes.py: blocks of rows after a line with their setup; descriptions "NAME: TEXT"."""
     names, triangles, descriptions, values, setup = [], {}, {}, {}, None
     for line in text.splitlines():
         words = line.split()

@@ -62,7 +62,6 @@ static const struct layer {
     {"bench/load", "bench burnish"},
     {"bench/shaders", ""},
     {"bench/peers", "bench core simd shading burnish"},
-    {"bench/scale", "bench/peers burnish"},
     {"bindings/wasm", "cli lobe core/error.h core/pool.h image/decode mesh/read/io/beside.h "
                       "burnish wasi"},
     {"hardware/arduino/src", "burnish"},

@@ -15,8 +15,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/peers/quiet.h"
-
 enum { ROUNDS = 5, ROW_SIZE = 13, PATH_SIZE = 4096, LINE_SIZE = 512 };
 
 /* One process, as its --timing and the kernel report it. Times in ms, `processor` of all threads.
@@ -107,6 +105,45 @@ static uint64_t write_mesh(const char *path, uint64_t wanted) {
 
 /* ---- runs ---- */
 
+/* Ticks of all processors since the start: idle ones and all. Returns 0 if unknown. */
+static int read_ticks(double *idle, double *all) {
+    FILE *file = fopen("/proc/stat", "r");
+    double ticks[8] = {0};
+    int read = 0;
+    if (file) {
+        /* user nice system idle iowait irq softirq steal */
+        read = fscanf(file, "cpu %lf %lf %lf %lf %lf %lf %lf %lf", &ticks[0], &ticks[1], &ticks[2],
+                      &ticks[3], &ticks[4], &ticks[5], &ticks[6], &ticks[7]);
+        fclose(file);
+    }
+    *idle = ticks[3] + ticks[4];
+    *all = 0;
+    for (int i = 0; i < 8; ++i) {
+        *all += ticks[i];
+    }
+    return read == 8;
+}
+
+/* Waits until the processors were idle for a tenth of a second, at most *budget seconds, which it
+ * counts down. Returns 0 if they are still busy, 1 also if that is unknown. */
+static int wait_until_quiet(double *budget) {
+    const double pause = 0.1, enough = 0.85; /* one tick of a core is a tenth of the pause */
+    for (;;) {
+        double idle[2], all[2];
+        if (!read_ticks(&idle[0], &all[0])) {
+            return 1;
+        }
+        usleep((useconds_t)(pause * 1e6));
+        if (!read_ticks(&idle[1], &all[1]) || idle[1] - idle[0] >= enough * (all[1] - all[0])) {
+            return 1;
+        }
+        if (*budget <= 0) {
+            return 0;
+        }
+        *budget -= pause;
+    }
+}
+
 static double milliseconds(struct timeval time) {
     return 1e3 * (double)time.tv_sec + 1e-3 * (double)time.tv_usec;
 }
@@ -127,7 +164,7 @@ static run render(bench *b, const char *resolution) {
     char line[LINE_SIZE];
     run r;
     ++b->runs;
-    b->disturbed += !burnish_peers_wait_until_quiet(&b->patience);
+    b->disturbed += !wait_until_quiet(&b->patience);
     if (pipe(ends) != 0) {
         fail("pipe");
     }
