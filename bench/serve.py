@@ -21,6 +21,7 @@ if len(sys.argv) < 3:
     sys.exit("usage: serve.py BURNISH FOLDER [ROUNDS]")
 burnish, folder = sys.argv[1:3]
 rounds = int(sys.argv[3]) if len(sys.argv) > 3 else 200
+os.makedirs(folder, exist_ok=True)
 mesh = f"{folder}/torus.stl"
 stl = measure.torus_stl(50)
 with open(mesh, "wb") as stream:
