@@ -208,7 +208,7 @@ local function index(blocks, title, name)
       local spaced = pandoc.walk_block(pandoc.Div({ block }), {
         Plain = function(x) x.content:insert(pandoc.Space()) return x end,
         Para = function(x) x.content:insert(pandoc.Space()) return x end,
-        RawInline = function(x) return pandoc.Str((x.text:gsub('<[^>]*>', '') .. ' ')) end,
+        RawBlock = function(x) return pandoc.Para({ pandoc.Str((x.text:gsub('<[^>]*>', '') .. ' ')) }) end,
         Math = function(x) return pandoc.Str((x.text:gsub('\\%a+', ' '):gsub('[{}\\]', ''))) end,
         CodeBlock = function(x) return pandoc.Para({ pandoc.Str(x.text .. ' ') }) end,
       })

@@ -1,4 +1,4 @@
-"""scripts/tables on small fixed inputs: what it writes, what it refuses, and that a refusal leaves the page as it was.
+"""scripts/tables and docs/site/headers.py on small fixed inputs: what they write and refuse, and that a refusal leaves the page as it was.
 
 Usage: tables.py SOURCE_DIR
 """
@@ -9,10 +9,11 @@ import unittest
 
 sys.dont_write_bytecode = True
 SOURCE = os.path.abspath(sys.argv.pop(1))
-sys.path.insert(0, os.path.join(SOURCE, "scripts", "tables"))
+sys.path[:0] = [os.path.join(SOURCE, folder) for folder in ("scripts/tables", "docs/site")]
 
 import drawings
 import files
+import headers
 import machine_code
 import measurements
 import page
@@ -112,6 +113,15 @@ class Tables(unittest.TestCase):
         self.assertEqual(changes["s_angle"], [(0, 10)])
         self.assertEqual(drawings.draw_line(changes["clk"], 50), f'<path d="M92,50H110L114,28H852" fill="none" stroke="{drawings.INK}" stroke-width="1.5"/>')
         self.assertIn(">000A</text>", drawings.draw_bus(changes, "s_angle", 50)[1])
+
+    def test_headers(self):
+        text = "/* What it holds.\n *   kind  a sum\n */\ntypedef struct shape {\n    /* above */\n    int a;\n    int kind;\n    float b; /* beside; {x} */\n} shape;\n"
+        entry = headers.items_of("#ifndef A_H\n#define A_H\n#ifdef X\nint hidden;\n#endif\n" + text + "#endif\n")[0]
+        self.assertEqual(entry.lines, ["What it holds.", "  kind  a sum"])
+        self.assertEqual(headers.name_of(entry.declarations[0]), ("shape", "struct"))
+        self.assertEqual(headers.members_of(entry.declarations[0], {}), [["int a", ["above"]], ["int kind", None], ["float b", ["beside; {x}"]]])
+        self.assertEqual(headers.rows_of('#define L(X) \\\n X(OK, 0, "a, b") \\\n X(NO, (1), "c")'), [["OK", "0", '"a, b"'], ["NO", "(1)", '"c"']])
+        self.assertEqual(headers.signature("BURNISH_API int f( int a );"), "int f(int a );")
 
 
 unittest.main(verbosity=0)
