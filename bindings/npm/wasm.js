@@ -46,22 +46,20 @@ const NO_FLAGS = new Set(["name", "files", "decode", "rgba"]);
 // What is left for a picture.
 const drawing = (options) => Object.fromEntries(Object.entries(options).filter(([key]) => !LOADING.has(key)));
 
-const flagOf = (key) => "--" + key.replace(/[A-Z]/g, (letter) => "-" + letter.toLowerCase());
-
-// { samples: 4, light: ["none", "point:1,2,3"], transparent: true } to ["--samples=4", "--light=none", ...]
-function flags(options, isWanted) {
-  const list = [];
+// { samples: 4, light: ["none", "point:1,2,3"], shadow: true } to [["samples", [4]], ["light", "none"], ...]:
+// true, a text or numbers for each name.
+function list(options, isWanted) {
+  const pairs = [];
   for (const [key, value] of Object.entries(options)) {
     if (NO_FLAGS.has(key) || !isWanted(key) || value === undefined || value === null || value === false) {
       continue;
     }
     const repeated = Array.isArray(value) && value.some((item) => typeof item === "string");
     for (const item of repeated ? value : [value]) {
-      const text = Array.isArray(item) ? item.join(",") : String(item);
-      list.push(item === true ? flagOf(key) : `${flagOf(key)}=${text}`);
+      pairs.push([key, item === true || typeof item === "string" ? item : typeof item === "object" ? Array.from(item, Number) : [Number(item)]);
     }
   }
-  return list;
+  return pairs;
 }
 
 async function compileFile(url) {
@@ -159,6 +157,19 @@ class Burnish {
     }
   }
 
+  // Calls use(at, count) with session_options in the module's memory.
+  #withOptions(pairs, use) {
+    const items = pairs.flatMap(([name, value]) =>
+      [name, value === true ? "" : typeof value === "string" ? value : new Uint8Array(Float64Array.from(value).buffer)]);
+    this.#with(items, (...at) => {
+      const fields = pairs.flatMap(([, value], i) => {
+        const [name, content] = [at[2 * i], at[2 * i + 1]];
+        return value === true ? [name, 0, 0, 0] : typeof value === "string" ? [name, content, 0, 0] : [name, 0, content, value.length];
+      });
+      this.#with([new Uint8Array(Uint32Array.from(fields).buffer)], (optionsAt) => use(optionsAt, pairs.length));
+    });
+  }
+
   #text(at) {
     const bytes = new Uint8Array(this.#exports.memory.buffer, at);
     return this.#decoder.decode(bytes.slice(0, bytes.indexOf(0)));
@@ -175,19 +186,20 @@ class Burnish {
     const isBuiltIn = typeof input === "string";
     const bytes = isBuiltIn ? new Uint8Array(0) : asBytes(input);
     const name = isBuiltIn ? input : options.name ?? "memory";
-    const list = flags(options, (key) => LOADING.has(key));
     const e = this.#exports;
     const session = e.session_create();
     const files = Object.entries(options.files ?? {});
-    const items = [name, bytes, list.join("\0"), ...files.flatMap(([file, content]) => [file, asBytes(content)])];
+    const items = [name, bytes, ...files.flatMap(([file, content]) => [file, asBytes(content)])];
     try {
-      this.#with(items, (nameAt, bytesAt, flagsAt, ...offers) => {
+      this.#with(items, (nameAt, bytesAt, ...offers) => {
         files.forEach(([, content], i) => {
           e.session_offer(session, offers[2 * i], offers[2 * i + 1], asBytes(content).length);
         });
-        if (!e.session_open(session, nameAt, bytesAt, bytes.length, flagsAt, list.length)) {
-          throw this.#failure();
-        }
+        this.#withOptions(list(options, (key) => LOADING.has(key)), (optionsAt, count) => {
+          if (!e.session_open(session, nameAt, bytesAt, bytes.length, optionsAt, count)) {
+            throw this.#failure();
+          }
+        });
       });
     } catch (error) {
       e.session_destroy(session);
@@ -201,9 +213,8 @@ class Burnish {
 
   #draw(session, options) {
     const e = this.#exports;
-    const list = flags(options, (key) => !LOADING.has(key));
-    this.#with([list.join("\0")], (flagsAt) => {
-      if (!e.session_draw(session, flagsAt, list.length)) {
+    this.#withOptions(list(options, (key) => !LOADING.has(key)), (optionsAt, count) => {
+      if (!e.session_draw(session, optionsAt, count)) {
         throw this.#failure();
       }
     });
@@ -346,13 +357,13 @@ class Burnish {
    */
   lobe(words, { name = "", bytes = [] } = {}) {
     const e = this.#exports;
-    const list = words.map(String);
-    if (list.some((word) => /^(--format=)?json$/.test(word))) {
+    const texts = words.map(String);
+    if (texts.some((word) => /^(--format=)?json$/.test(word))) {
       throw new BurnishError("--format: there is no JSON here; take csv", "ARGUMENT");
     }
     const content = asBytes(bytes);
-    return this.#with([list.join("\0"), name, content], (wordsAt, nameAt, bytesAt) => {
-      const text = e.lobe_command(wordsAt, list.length, nameAt, bytesAt, content.length);
+    return this.#with([texts.join("\0"), name, content], (wordsAt, nameAt, bytesAt) => {
+      const text = e.lobe_command(wordsAt, texts.length, nameAt, bytesAt, content.length);
       if (text === 0) {
         throw this.#failure();
       }
@@ -395,7 +406,7 @@ class Mesh {
     }
     const loading = Object.keys(options).find((key) => LOADING.has(key));
     if (loading) {
-      throw new BurnishError(`${flagOf(loading)}: it is for loading; give it to open()`, "ARGUMENT");
+      throw new BurnishError(`${loading}: an option of loading; give it to open()`, "ARGUMENT");
     }
     return this.#module.draw(this.#session, options);
   }

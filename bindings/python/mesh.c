@@ -66,13 +66,65 @@ static void destroy(PyObject *object) {
     module_free(object);
 }
 
-/* Texts that end in a zero each. */
-static session_flags flags_of(const char *texts, Py_ssize_t size) {
-    session_flags flags = {texts, 0};
-    for (Py_ssize_t i = 0; i < size; ++i) {
-        flags.count += texts[i] == 0;
+/* Options as the session takes them, released by PyMem_Free(numbers) and PyMem_Free(items). Texts
+ * are those of the Python objects. */
+typedef struct option_list {
+    session_option *items;
+    double *numbers;
+    size_t count;
+} option_list;
+
+static void release_options(option_list *list) {
+    PyMem_Free(list->items);
+    PyMem_Free(list->numbers);
+}
+
+static session_options options_of(const option_list *list) {
+    return (session_options){list->items, list->count, SESSION_UNDERSCORES};
+}
+
+/* Reads a value: True, a text, or a tuple of floats, which go to *next. */
+static int read_value(PyObject *value, session_option *option, double **next) {
+    if (PyUnicode_Check(value)) {
+        return PyArg_Parse(value, "s", &option->text);
     }
-    return flags;
+    if (value == Py_True) {
+        return 1;
+    }
+    option->numbers = *next;
+    option->count = (size_t)PyTuple_Size(value);
+    for (size_t i = 0; i < option->count; ++i) {
+        *(*next)++ = PyFloat_AsDouble(PyTuple_GetItem(value, (Py_ssize_t)i));
+    }
+    return !PyErr_Occurred();
+}
+
+/* Reads a list of pairs (name, value). Returns 1, or 0 after an exception; for "O&". */
+static int read_options(PyObject *pairs, void *target) {
+    option_list *list = target;
+    size_t numbers = 0;
+    const Py_ssize_t count = PyList_Size(pairs);
+    for (Py_ssize_t i = 0; i < count; ++i) {
+        PyObject *value = PyTuple_GetItem(PyList_GetItem(pairs, i), 1);
+        numbers += value && PyTuple_Check(value) ? (size_t)PyTuple_Size(value) : 0;
+    }
+    *list = (option_list){.count = count > 0 ? (size_t)count : 0};
+    list->items = PyMem_Calloc(list->count + 1, sizeof *list->items);
+    list->numbers = PyMem_Calloc(numbers + 1, sizeof *list->numbers);
+    double *next = list->numbers;
+    int is_good = count >= 0 && list->items && list->numbers;
+    for (Py_ssize_t i = 0; i < count && is_good; ++i) {
+        PyObject *pair = PyList_GetItem(pairs, i), *value;
+        is_good = PyArg_ParseTuple(pair, "sO", &list->items[i].name, &value) &&
+                  read_value(value, &list->items[i], &next);
+    }
+    if (!is_good) {
+        release_options(list);
+        if (!PyErr_Occurred()) {
+            PyErr_NoMemory();
+        }
+    }
+    return is_good;
 }
 
 /* Bytes of an object, or nothing for None. */
@@ -132,33 +184,35 @@ static PyObject *opened(const module_state *state, mesh_object *self, burnish_st
 PyObject *mesh_load(PyObject *module, PyObject *arguments) {
     const module_state *state = PyModule_GetState(module);
     PyObject *cls, *data, *files;
-    const char *name, *texts;
-    Py_ssize_t size;
+    const char *name;
+    option_list options;
     burnish_error error = {0};
     burnish_status status = BURNISH_STATUS_OK;
-    if (!PyArg_ParseTuple(arguments, "OyOO!y#", &cls, &name, &data, &PyList_Type, &files, &texts,
-                          &size)) {
+    if (!PyArg_ParseTuple(arguments, "OyOO!O&", &cls, &name, &data, &PyList_Type, &files,
+                          read_options, &options)) {
         return NULL;
     }
-    const session_flags flags = flags_of(texts, size);
     const Py_ssize_t count = PyList_Size(files);
     mesh_object *self = create(state, cls);
     bytes_input bytes = {.has_view = 0};
     bytes_input *offered = self ? offer(self->session, files, count) : NULL;
     if (!offered || !read_bytes(data, &bytes)) {
         release_bytes(offered, count);
+        release_options(&options);
         Py_XDECREF((PyObject *)self);
         return NULL;
     }
     const void *content = bytes.has_view && bytes.view.len > 0 ? bytes.view.buf : "";
     Py_BEGIN_ALLOW_THREADS;
-    status = session_open(self->session, name, bytes.has_view ? content : NULL,
-                          bytes.has_view ? (size_t)bytes.view.len : 0, flags, &error);
+    status =
+        session_open(self->session, name, bytes.has_view ? content : NULL,
+                     bytes.has_view ? (size_t)bytes.view.len : 0, options_of(&options), &error);
     Py_END_ALLOW_THREADS;
     if (bytes.has_view) {
         PyBuffer_Release(&bytes.view);
     }
     release_bytes(offered, count);
+    release_options(&options);
     return opened(state, self, status, &error);
 }
 
@@ -180,13 +234,12 @@ PyObject *mesh_build(PyObject *module, PyObject *arguments) {
     burnish_mesh_description d = burnish_mesh_description_default();
     PyObject *cls, *vertices, *faces, *normals, *colors, *uv;
     build_inputs in = {.vertices = {.has_view = 0}};
-    const char *texts;
-    Py_ssize_t size;
+    option_list options;
     burnish_error error = {0};
     burnish_status status = BURNISH_STATUS_OK;
-    if (!PyArg_ParseTuple(arguments, "OsOOOOO(fff)y#", &cls, &d.name, &vertices, &faces, &normals,
-                          &colors, &uv, &d.up_axis[0], &d.up_axis[1], &d.up_axis[2], &texts,
-                          &size)) {
+    if (!PyArg_ParseTuple(arguments, "OsOOOOO(fff)O&", &cls, &d.name, &vertices, &faces, &normals,
+                          &colors, &uv, &d.up_axis[0], &d.up_axis[1], &d.up_axis[2], read_options,
+                          &options)) {
         return NULL;
     }
     mesh_object *self = create(state, cls);
@@ -196,10 +249,10 @@ PyObject *mesh_build(PyObject *module, PyObject *arguments) {
         !array_read_colors(colors, "colors", &in.colors) ||
         !array_read_floats(uv, "uv", 2, &in.uv)) {
         release_inputs(&in);
+        release_options(&options);
         Py_XDECREF((PyObject *)self);
         return NULL;
     }
-    const session_flags flags = flags_of(texts, size);
     d.positions = in.vertices.array;
     d.indices = in.faces.array;
     d.index_size = in.faces.index_size ? in.faces.index_size : d.index_size;
@@ -207,9 +260,10 @@ PyObject *mesh_build(PyObject *module, PyObject *arguments) {
     d.colors = in.colors.array;
     d.texture_coordinates = in.uv.array;
     Py_BEGIN_ALLOW_THREADS;
-    status = session_build(self->session, &d, flags, &error);
+    status = session_build(self->session, &d, options_of(&options), &error);
     Py_END_ALLOW_THREADS;
     release_inputs(&in);
+    release_options(&options);
     return opened(state, self, status, &error);
 }
 
@@ -218,20 +272,20 @@ PyObject *mesh_build(PyObject *module, PyObject *arguments) {
 static PyObject *draw(PyObject *object, PyObject *arguments) {
     mesh_object *self = (mesh_object *)object;
     const module_state *state = module_state_of(Py_TYPE(object));
-    const char *texts;
-    Py_ssize_t size;
+    option_list options;
     burnish_error error = {0};
     burnish_status status;
-    if (!PyArg_ParseTuple(arguments, "y#", &texts, &size)) {
+    if (!PyArg_ParseTuple(arguments, "O&", read_options, &options)) {
         return NULL;
     }
-    const session_flags flags = flags_of(texts, size);
     if (!enter(self)) {
+        release_options(&options);
         return NULL;
     }
     Py_BEGIN_ALLOW_THREADS;
-    status = session_draw(self->session, flags, &error);
+    status = session_draw(self->session, options_of(&options), &error);
     Py_END_ALLOW_THREADS;
+    release_options(&options);
     PyObject *image = status == BURNISH_STATUS_OK && !PyErr_Occurred()
                           ? image_take(state, self->session)
                           : module_fail(state, &error);
@@ -241,13 +295,14 @@ static PyObject *draw(PyObject *object, PyObject *arguments) {
 
 PyObject *mesh_check(PyObject *module, PyObject *arguments) {
     const module_state *state = PyModule_GetState(module);
-    const char *texts;
-    Py_ssize_t size;
+    option_list options;
     burnish_error error = {0};
-    if (!PyArg_ParseTuple(arguments, "y#", &texts, &size)) {
+    if (!PyArg_ParseTuple(arguments, "O&", read_options, &options)) {
         return NULL;
     }
-    if (session_check(flags_of(texts, size), &error) != BURNISH_STATUS_OK) {
+    const burnish_status status = session_check(options_of(&options), &error);
+    release_options(&options);
+    if (status != BURNISH_STATUS_OK) {
         return module_fail(state, &error);
     }
     Py_RETURN_NONE;

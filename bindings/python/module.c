@@ -110,10 +110,10 @@ static void release(void *module) {
 }
 
 static PyMethodDef functions[] = {
-    {"load", mesh_load, METH_VARARGS, "load(cls, name, data, files, flags)"},
+    {"load", mesh_load, METH_VARARGS, "load(cls, name, data, files, options)"},
     {"build", mesh_build, METH_VARARGS,
-     "build(cls, name, vertices, faces, normals, colors, uv, up, flags)"},
-    {"check", mesh_check, METH_VARARGS, "check(flags)"},
+     "build(cls, name, vertices, faces, normals, colors, uv, up, options)"},
+    {"check", mesh_check, METH_VARARGS, "check(options)"},
     {"flags", mesh_flags, METH_NOARGS, "flags() -> {name: (of loading, of drawing, value, help)}"},
     {"lobe_values", lobe_values, METH_VARARGS, "lobe_values(lobe, exponent, cosines)"},
     {"lobe_exact", lobe_exact, METH_VARARGS, "lobe_exact(lobe, exponent, angles)"},

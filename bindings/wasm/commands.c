@@ -8,7 +8,6 @@
 #include "cli/output.h"
 #include "lobe/lobe.h"
 #include "module.h"
-#include "session.h"
 
 WASM_EXPORT(lobe_command)
 const char *run_lobe(const char *arguments, int count, const char *name, const void *bytes,
@@ -57,24 +56,35 @@ static const cli_command *find(const char *name, burnish_error *error) {
     return NULL;
 }
 
-static burnish_status run(session_flags arguments, burnish_error *error) {
+/* words: count texts, each with its zero. */
+static burnish_status run(const char *words, int count, burnish_error *error) {
     const cli_command *command =
-        arguments.count > 0 ? find(arguments.texts, error)
-                            : (cli_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: no command"), NULL);
+        count > 0 ? find(words, error)
+                  : (cli_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: no command"), NULL);
     if (!command) {
         return error->status;
     }
-    const session_flags flags = {arguments.texts + strlen(arguments.texts) + 1,
-                                 arguments.count - 1};
+    char **arguments = calloc((size_t)count, sizeof *arguments);
     void *settings = calloc(1, command->settings_size + 1);
     cli_call call = {0};
-    burnish_status status =
-        settings ? session_parse(command, flags, settings, &call, error)
-                 : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the settings");
+    burnish_status status = settings && arguments
+                                ? cli_defaults(command, settings, error)
+                                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    for (int i = 0; i < count - 1 && arguments; ++i) {
+        words += strlen(words) + 1;
+        arguments[i] = (char *)words; /* as argv: the parser changes none */
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = cli_parse(command, count - 1, arguments, settings, &call, error);
+    }
+    if (status == BURNISH_STATUS_OK && call.help) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--help: unknown flag");
+    }
     if (status == BURNISH_STATUS_OK) {
         status = command->work(settings, &call, error);
     }
     free(settings);
+    free(arguments);
     return status;
 }
 
@@ -89,7 +99,7 @@ const char *run_lobe(const char *arguments, int count, const char *name, const v
     offered.name = name;
     offered.bytes = bytes;
     offered.size = size;
-    const burnish_status status = run((session_flags){arguments, count}, module_error());
+    const burnish_status status = run(arguments, count, module_error());
     offered.name = NULL;
     return status == BURNISH_STATUS_OK ? printed : NULL;
 }

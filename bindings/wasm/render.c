@@ -1,4 +1,4 @@
-/* Meshes and their pictures, by the flags of `burnish render`: an argument here is one there. */
+/* Meshes and their pictures. */
 #include <string.h>
 
 #include "module.h"
@@ -11,9 +11,10 @@ WASM_EXPORT(session_destroy) void open_destroy(session *s);
 WASM_EXPORT(session_offer)
 int open_offer(session *s, const char *name, const void *bytes, size_t size);
 WASM_EXPORT(session_open)
-int open_load(session *s, const char *name, const void *bytes, size_t size, const char *arguments,
-              int count);
-WASM_EXPORT(session_draw) int open_draw(session *s, const char *arguments, int count);
+int open_load(session *s, const char *name, const void *bytes, size_t size,
+              const session_option *options, size_t count);
+WASM_EXPORT(session_draw)
+int open_draw(session *s, const session_option *options, size_t count);
 WASM_EXPORT(session_pixels) const uint8_t *open_pixels(const session *s);
 WASM_EXPORT(session_rgba) void open_rgba(const session *s, uint8_t *to);
 WASM_EXPORT(session_number) double open_number(const session *s, int which);
@@ -34,19 +35,19 @@ int open_offer(session *s, const char *name, const void *bytes, size_t size) {
 }
 
 /* Loads bytes, or what a name like ":teapot" stands for, into a session that has no mesh yet.
- *   arguments  count flags of session_open_command
  * Returns 1, or 0 after an error. */
-int open_load(session *s, const char *name, const void *bytes, size_t size, const char *arguments,
-              int count) {
+int open_load(session *s, const char *name, const void *bytes, size_t size,
+              const session_option *options, size_t count) {
     return session_open(s, name, name[0] == ':' ? NULL : bytes, size,
-                        (session_flags){arguments, count}, module_error()) == BURNISH_STATUS_OK;
+                        (session_options){options, count, SESSION_CAMEL_CASE},
+                        module_error()) == BURNISH_STATUS_OK;
 }
 
-/* Draws the session's mesh.
- *   arguments  count flags of session_draw_command
- * Returns 1, or 0 after an error, and may be called again after either. */
-int open_draw(session *s, const char *arguments, int count) {
-    return session_draw(s, (session_flags){arguments, count}, module_error()) == BURNISH_STATUS_OK;
+/* Draws the session's mesh. Returns 1, or 0 after an error, and may be called again after either.
+ */
+int open_draw(session *s, const session_option *options, size_t count) {
+    return session_draw(s, (session_options){options, count, SESSION_CAMEL_CASE}, module_error()) ==
+           BURNISH_STATUS_OK;
 }
 
 /* Line number `index`, NULL past the last. */

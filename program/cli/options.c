@@ -227,6 +227,16 @@ static burnish_status apply(const cli_flag *flag, const char *text, void *settin
     return flag->handler(flag, text, (char *)settings + flag->offset, error);
 }
 
+/* Applies a flag of the command line, and notes that it was given. */
+static burnish_status set_flag(const cli_command *command, const cli_flag *flag, const char *text,
+                               void *settings, burnish_error *error) {
+    uint64_t mask = 0, *bits = given_bit(command, flag, settings, &mask);
+    if (bits) {
+        *bits |= mask;
+    }
+    return apply(flag, text, settings, error);
+}
+
 burnish_status cli_defaults(const cli_command *command, void *settings, burnish_error *error) {
     burnish_status begun =
         command->base ? cli_defaults(command->base, settings, error) : BURNISH_STATUS_OK;
@@ -251,12 +261,21 @@ typedef struct cursor {
     char **argv;
 } cursor;
 
+static burnish_status fail_needless_value(const cli_flag *flag, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: takes no value; write --%s alone",
+                    flag->name, flag->name);
+}
+
+static burnish_status fail_missing_value(const cli_flag *flag, burnish_error *error) {
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: a value is missing: --%s=%s", flag->name,
+                    flag->name, flag->value);
+}
+
 /* The value in the argument after the flag. */
 static burnish_status next_value(const cli_command *command, const cli_flag *flag, cursor *at,
                                  const char **text, burnish_error *error) {
     if (at->next >= at->argc) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: a value is missing: --%s=%s",
-                        flag->name, flag->name, flag->value);
+        return fail_missing_value(flag, error);
     }
     *text = at->argv[at->next];
     if (flag_of_argument(command, *text) || strcmp(*text, "--help") == 0) {
@@ -278,8 +297,7 @@ static burnish_status parse_long(const cli_command *command, const char *argumen
     const char *equals = strchr(argument, '=');
     if (!flag->value) {
         if (equals) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: takes no value; write --%s alone", flag->name, flag->name);
+            return fail_needless_value(flag, error);
         }
         *text = NULL;
         return BURNISH_STATUS_OK;
@@ -371,11 +389,7 @@ burnish_status cli_parse(const cli_command *command, int argc, char **argv, void
             continue;
         }
         if (status == BURNISH_STATUS_OK && flag) {
-            uint64_t mask = 0, *bits = given_bit(command, flag, settings, &mask);
-            if (bits) {
-                *bits |= mask;
-            }
-            status = apply(flag, text, settings, error);
+            status = set_flag(command, flag, text, settings, error);
         }
         if (call->arguments) {
             call->arguments[call->argument_count++] = (cli_argument){flag, flag ? text : argument};
@@ -385,4 +399,19 @@ burnish_status cli_parse(const cli_command *command, int argc, char **argv, void
         }
     }
     return BURNISH_STATUS_OK;
+}
+
+burnish_status cli_set(const cli_command *command, const char *name, const char *text,
+                       void *settings, burnish_error *error) {
+    const cli_flag *flag = find_flag(command, name, strlen(name));
+    if (!flag) {
+        char argument[CLI_NAME_MAX + 3];
+        snprintf(argument, sizeof argument, "--%s", name);
+        return fail_unknown(command, argument, error);
+    }
+    if (text && !flag->value) {
+        return fail_needless_value(flag, error);
+    }
+    return text || !flag->value || flag->optional ? set_flag(command, flag, text, settings, error)
+                                                  : fail_missing_value(flag, error);
 }

@@ -53,6 +53,13 @@ struct cli_flag {
     int takes_file;        /* 1: shells complete the value with names of files */
 };
 
+/* Fields of a row that every flag has, those of a switch, and the range of a number. The table's
+ * file defines TARGET(member) as .offset = offsetof(its settings, member). */
+#define CLI_FLAG(flag, form, text, handled_by, member)                                             \
+    .name = flag, .value = form, .help = text, .handler = handled_by, TARGET(member)
+#define CLI_SWITCH(flag, text, member) CLI_FLAG(flag, NULL, text, cli_flag_switch, member)
+#define CLI_RANGE(least, most) .low = least, .high = most
+
 /* One example; also run by the tests. */
 typedef struct cli_example {
     const char *command, *what;
@@ -155,6 +162,10 @@ burnish_status cli_defaults(const cli_command *command, void *settings, burnish_
  * command has -h, --help and --help=TOPIC. */
 burnish_status cli_parse(const cli_command *command, int argc, char **argv, void *settings,
                          cli_call *call, burnish_error *error);
+
+/* Sets one flag by its name, as cli_parse does for "--name=text"; text NULL: no value. */
+burnish_status cli_set(const cli_command *command, const char *name, const char *text,
+                       void *settings, burnish_error *error);
 
 /* Name number `index` of a list; NULL past its end. */
 typedef const char *cli_name_at(const void *list, size_t index);

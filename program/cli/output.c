@@ -49,16 +49,6 @@ burnish_status cli_output_end(cli_output *output, const char *path, burnish_stat
 
 /* ---- Numbers and words ---- */
 
-const char *cli_shortest(double value, char text[CLI_REAL_SIZE]) {
-    for (int digits = 15; digits <= 17; ++digits) { /* %g leaves out zeros at the end */
-        snprintf(text, CLI_REAL_SIZE, "%.*g", digits, value);
-        if (strtod(text, NULL) == value) {
-            break;
-        }
-    }
-    return text;
-}
-
 const char *cli_shortest_float(float value, char text[CLI_REAL_SIZE]) {
     for (int digits = 6; digits <= 9; ++digits) {
         snprintf(text, CLI_REAL_SIZE, "%.*g", digits, (double)value);

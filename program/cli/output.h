@@ -19,11 +19,7 @@ typedef enum cli_format {
 extern const cli_word cli_format_words[];
 extern const cli_word cli_table_format_words[];
 
-enum {
-    CLI_TEXT_WIDTH = 100,
-    CLI_REAL_SIZE = 40, /* of cli_shortest's text */
-    CLI_CELLS_MAX = 1 << 22
-};
+enum { CLI_TEXT_WIDTH = 100, CLI_CELLS_MAX = 1 << 22 };
 
 /* An output on its way; written when it is complete. */
 typedef struct cli_output {
@@ -46,9 +42,7 @@ burnish_status cli_output_close(cli_output *output, burnish_error *error);
 burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,
                               burnish_error *error);
 
-/* The shortest decimal that reads back as the same double, or float. "inf", "-inf" and "nan" for
- * numbers that are not finite. The program never leaves the C locale. */
-const char *cli_shortest(double value, char text[CLI_REAL_SIZE]);
+/* As cli_shortest: the shortest decimal that reads back as the same float. */
 const char *cli_shortest_float(float value, char text[CLI_REAL_SIZE]);
 
 /* Prints text wrapped at `width` columns; lines after the first begin with `indent` blanks, and the

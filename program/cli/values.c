@@ -74,6 +74,20 @@ int cli_read_real(const char *text, size_t length, double *value) {
     return isfinite(*value);
 }
 
+const char *cli_shortest(double value, char text[CLI_REAL_SIZE]) {
+    for (int digits = 15; digits <= 17; ++digits) { /* %g leaves out zeros at the end */
+        snprintf(text, CLI_REAL_SIZE, "%.*g", digits, value);
+        char *point = text + strspn(text, "+-0123456789infa");
+        if (*point != 'e') { /* the locale's */
+            *point = *point ? '.' : 0;
+        }
+        if (cli_strtod(text) == value) {
+            break;
+        }
+    }
+    return text;
+}
+
 size_t cli_next_item(const char **text, char separator, const char **item) {
     *item = *text;
     const char *end = strchr(*text, separator);

@@ -39,6 +39,11 @@ cli_handler cli_flag_color;   /* cli_color */
 /* The whole text as a finite decimal number. Returns 0 when it is none. */
 int cli_read_real(const char *text, size_t length, double *value);
 
+/* The shortest decimal that reads back as the same double, whatever the locale is. "inf", "-inf"
+ * and "nan" for numbers that are not finite. */
+enum { CLI_REAL_SIZE = 40 };
+const char *cli_shortest(double value, char text[CLI_REAL_SIZE]);
+
 /* The whole text as `count` numbers between commas. Returns 0 when it is not that. */
 int cli_read_reals(const char *text, size_t length, double *values, size_t count);
 

@@ -1,6 +1,8 @@
-/* Meshes and their pictures, by the flags of `burnish render`. */
 #include "session.h"
 
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +16,8 @@
 
 struct session {
     burnish_context *context;
-    char *name; /* of the input, for messages */
+    char *name;  /* of the input, for messages */
+    char *texts; /* of the last call's options */
     cli_companions companions;
     burnish_mesh *mesh;
     int stands_otherwise;
@@ -26,7 +29,7 @@ struct session {
     render_cell cell;
 };
 
-/* ---- Flags ---- */
+/* ---- Options ---- */
 
 /* How a mesh is loaded, and how it is drawn: each picture of a mesh may be drawn otherwise. */
 const cli_command session_open_command = {
@@ -49,49 +52,105 @@ const cli_command session_draw_command = {
     .settings_size = sizeof(render_settings),
 };
 
-burnish_status session_parse(const cli_command *command, session_flags flags, void *settings,
-                             cli_call *call, burnish_error *error) {
-    const char *text = flags.texts;
-    char **list = calloc((size_t)flags.count + 1, sizeof *list);
-    burnish_status status = list ? cli_defaults(command, settings, error)
+/* The flag's name: "cameraPosition", "camera_position" -> "camera-position". */
+static void write_flag_name(const char *name, char flag[CLI_NAME_MAX + 1]) {
+    size_t length = 0;
+    for (; *name && length + 1 < CLI_NAME_MAX; ++name) {
+        const int is_capital = *name >= 'A' && *name <= 'Z';
+        if (is_capital) {
+            flag[length++] = '-';
+        }
+        flag[length++] = is_capital ? (char)(*name + 'a' - 'A') : *name == '_' ? '-' : *name;
+    }
+    flag[length] = 0;
+}
+
+/* Changes "--camera-position" into "camera_position" or "cameraPosition", in place. "--help" is of
+ * the program. */
+static void rename_flags(char *text, session_naming naming) {
+    char *to = text;
+    for (const char *from = text, *start = text; *from;) {
+        if (strncmp(from, "--", 2) == 0 && islower((unsigned char)from[2]) &&
+            (from == start || !isalnum((unsigned char)from[-1])) &&
+            strncmp(from, "--help", 6) != 0) {
+            for (from += 2; isalnum((unsigned char)*from) || *from == '-'; ++from) {
+                if (*from != '-') {
+                    *to++ = *from;
+                } else if (naming == SESSION_UNDERSCORES) {
+                    *to++ = '_';
+                } else if (from[1]) {
+                    *to++ = (char)toupper((unsigned char)*++from);
+                }
+            }
+        } else {
+            *to++ = *from++;
+        }
+    }
+    *to = 0;
+}
+
+/* Numbers with commas between them, as flags have them. Returns the end. */
+static char *write_numbers(const session_option *option, char *text) {
+    *text = 0;
+    for (size_t i = 0; i < option->count; ++i) {
+        const double value = option->numbers[i];
+        text += i > 0 ? sprintf(text, ",") : 0;
+        if (value == floor(value) && fabs(value) < 1e18) { /* counts have no exponents */
+            text += sprintf(text, "%.0f", value);
+        } else {
+            text += strlen(cli_shortest(value, text));
+        }
+    }
+    return text;
+}
+
+/* Sets options of a command. Settings may point to *texts, which is to be freed. */
+static burnish_status set_options(const cli_command *command, session_options options,
+                                  render_settings *settings, char **texts, burnish_error *error) {
+    size_t size = 0;
+    for (size_t i = 0; i < options.count; ++i) {
+        size += options.items[i].count * CLI_REAL_SIZE + 1;
+    }
+    char *next = *texts = malloc(size + 1);
+    burnish_status status = next ? cli_defaults(command, settings, error)
                                  : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
-    for (int i = 0; i < flags.count && list; ++i) {
-        list[i] = (char *)text; /* as of argv: the parser changes none */
-        text += strlen(text) + 1;
+    for (size_t i = 0; i < options.count && status == BURNISH_STATUS_OK; ++i) {
+        const session_option *option = &options.items[i];
+        const char *text = option->text;
+        char flag[CLI_NAME_MAX + 1];
+        write_flag_name(option->name, flag);
+        if (option->numbers) {
+            text = next;
+            next = write_numbers(option, next) + 1;
+        }
+        status = cli_set(command, flag, text, settings, error);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = cli_parse(command, flags.count, list, settings, call, error);
-    }
-    if (status == BURNISH_STATUS_OK && call->help) {
-        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--help: unknown flag");
-    }
-    free(list);
     return status;
 }
 
-static burnish_status parse(const cli_command *command, session_flags flags,
-                            render_settings *settings, burnish_error *error) {
-    cli_call call = {0};
-    return session_parse(command, flags, settings, &call, error);
-}
-
 /* The settings of one picture. */
-static burnish_status parse_drawing(session_flags flags, render_settings *settings,
-                                    burnish_error *error) {
+static burnish_status set_drawing(session_options options, render_settings *settings, char **texts,
+                                  burnish_error *error) {
     memset(settings, 0, sizeof *settings);
-    burnish_status status = parse(&session_draw_command, flags, settings, error);
-    if (status == BURNISH_STATUS_OK &&
-        (settings->picture.views.count > 1 || settings->shading.lobes.count > 1)) {
-        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "--%s: one picture at a time; give one of them",
-                          settings->picture.views.count > 1 ? "views" : "lobe");
+    burnish_status status = set_options(&session_draw_command, options, settings, texts, error);
+    const int views = settings->picture.views.count > 1;
+    if (status == BURNISH_STATUS_OK && (views || settings->shading.lobes.count > 1)) {
+        status =
+            cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                     "--%s: one picture at a time; give one of them", views ? "views" : "lobe");
     }
     return status == BURNISH_STATUS_OK ? render_check(settings, error) : status;
 }
 
-burnish_status session_check(session_flags flags, burnish_error *error) {
+burnish_status session_check(session_options options, burnish_error *error) {
     render_settings settings;
-    return parse_drawing(flags, &settings, error);
+    char *texts = NULL;
+    const burnish_status status = set_drawing(options, &settings, &texts, error);
+    free(texts);
+    if (status != BURNISH_STATUS_OK) {
+        rename_flags(error->text, options.naming);
+    }
+    return status;
 }
 
 /* ---- Loading ---- */
@@ -136,14 +195,29 @@ int session_offer(session *s, const char *name, const void *bytes, size_t size) 
     return 1;
 }
 
-/* Reads the flags of loading. */
-static burnish_status begin(session *s, const char *name, session_flags flags,
+/* The end of a call: messages spell options as the caller does. */
+static burnish_status end(session *s, burnish_status status, session_naming naming,
+                          burnish_error *error) {
+    free(s->texts);
+    s->texts = NULL;
+    for (size_t i = 0; i < s->result.warning_count; ++i) {
+        rename_flags(s->result.warnings[i], naming);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        rename_flags(error->text, naming);
+    }
+    return status;
+}
+
+/* Sets the options of loading. */
+static burnish_status begin(session *s, const char *name, session_options given,
                             burnish_load_options *options, burnish_error *error) {
     s->name = strdup(name);
     s->settings.input.name = s->name;
     s->result.settings = &s->settings;
-    burnish_status status = s->name ? parse(&session_open_command, flags, &s->settings, error)
-                                    : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    burnish_status status =
+        s->name ? set_options(&session_open_command, given, &s->settings, &s->texts, error)
+                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     if (status == BURNISH_STATUS_OK) {
         status = cli_refuse_foreign(s->settings.input.load.format, error);
     }
@@ -190,30 +264,28 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
 }
 
 burnish_status session_open(session *s, const char *name, const void *bytes, size_t size,
-                            session_flags flags, burnish_error *error) {
+                            session_options given, burnish_error *error) {
     burnish_load_options options;
-    burnish_status status = begin(s, name, flags, &options, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    if (bytes) {
+    burnish_status status = begin(s, name, given, &options, error);
+    if (status == BURNISH_STATUS_OK && bytes) {
         options.referenced_files = cli_companion_loader(&s->companions);
+        status = burnish_mesh_load_memory(bytes, size, s->name, &options, &s->mesh, error);
+        status = finish(s, status, error);
+    } else if (status == BURNISH_STATUS_OK) {
+        status = finish(s, burnish_mesh_load(s->name, &options, &s->mesh, error), error);
     }
-    status = bytes ? burnish_mesh_load_memory(bytes, size, s->name, &options, &s->mesh, error)
-                   : burnish_mesh_load(s->name, &options, &s->mesh, error);
-    return finish(s, status, error);
+    return end(s, status, given.naming, error);
 }
 
 burnish_status session_build(session *s, const burnish_mesh_description *description,
-                             session_flags flags, burnish_error *error) {
+                             session_options given, burnish_error *error) {
     burnish_load_options options;
     burnish_status status =
-        begin(s, description->name ? description->name : "mesh", flags, &options, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+        begin(s, description->name ? description->name : "mesh", given, &options, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = finish(s, burnish_mesh_create(description, &options, &s->mesh, error), error);
     }
-    status = burnish_mesh_create(description, &options, &s->mesh, error);
-    return finish(s, status, error);
+    return end(s, status, given.naming, error);
 }
 
 /* ---- Drawing ---- */
@@ -258,19 +330,19 @@ static burnish_status draw(session *s, burnish_error *error) {
     return status;
 }
 
-burnish_status session_draw(session *s, session_flags flags, burnish_error *error) {
+burnish_status session_draw(session *s, session_options options, burnish_error *error) {
     const int up = s->settings.camera.up;
     burnish_image_destroy(&s->cell.image);
     s->cell = (render_cell){.hash = 0};
     drop_warnings(&s->result, s->loading_warnings);
-    burnish_status status = parse_drawing(flags, &s->settings, error);
+    burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
     s->settings.camera.up = up; /* the mesh's */
     s->settings.camera.stands_otherwise = s->stands_otherwise;
     if (status == BURNISH_STATUS_OK) {
         status = set_materials(s, error);
     }
-    return status == BURNISH_STATUS_OK ? draw(s, error) : status;
+    return end(s, status == BURNISH_STATUS_OK ? draw(s, error) : status, options.naming, error);
 }
 
 /* ---- What there is to know ---- */

@@ -1,5 +1,5 @@
-/* A mesh in memory, and pictures of it by the flags of `burnish render`: what programs that are no
- * command line are made of. One thread at a time uses a session. */
+/* A mesh in memory and pictures of it, by the options of `burnish render`: what the bindings are
+ * built on. One thread at a time uses a session. */
 #ifndef TOOLS_SESSION_SESSION_H
 #define TOOLS_SESSION_SESSION_H
 
@@ -10,19 +10,27 @@
 
 typedef struct session session;
 
-/* Flags as a command line has them: count texts, each with its zero, one after the other. */
-typedef struct session_flags {
-    const char *texts;
-    int count;
-} session_flags;
+/* One option and its value: text or numbers; neither is a switch. */
+typedef struct session_option {
+    const char *name; /* of a flag; '_' or a capital letter may stand for '-' */
+    const char *text;
+    const double *numbers;
+    size_t count;
+} session_option;
+
+/* How errors and warnings spell the names of options: camera_position, cameraPosition. */
+typedef enum session_naming { SESSION_UNDERSCORES, SESSION_CAMEL_CASE } session_naming;
+
+/* Options stay the caller's. Of a repeated one the last counts, except for those that add up, such
+ * as "light". */
+typedef struct session_options {
+    const session_option *items;
+    size_t count;
+    session_naming naming;
+} session_options;
 
 /* The flags of loading, and those of drawing: parts of render's. */
 extern const cli_command session_open_command, session_draw_command;
-
-/* Flags and operands of any command, into settings that are 0; those, and the call's operands, may
- * point into the texts. Errors: ARGUMENT, MEMORY. */
-burnish_status session_parse(const cli_command *command, session_flags flags, void *settings,
-                             cli_call *call, burnish_error *error);
 
 /* NULL without memory.
  *   context  of loading and drawing, outlives the session; NULL: the default */
@@ -37,17 +45,17 @@ int session_offer(session *s, const char *name, const void *bytes, size_t size);
  *   name   a built-in object or a file; with bytes it tells the format and stands in messages
  *   bytes  size of them; NULL: name is loaded */
 burnish_status session_open(session *s, const char *name, const void *bytes, size_t size,
-                            session_flags flags, burnish_error *error);
+                            session_options options, burnish_error *error);
 
 /* The same from arrays, whose name stands in messages. */
 burnish_status session_build(session *s, const burnish_mesh_description *description,
-                             session_flags flags, burnish_error *error);
+                             session_options options, burnish_error *error);
 
-/* Whether these are flags of drawing that can stand together. */
-burnish_status session_check(session_flags flags, burnish_error *error);
+/* Whether these are options of drawing that go together. */
+burnish_status session_check(session_options options, burnish_error *error);
 
 /* Draws the mesh. May be called again, also after an error. */
-burnish_status session_draw(session *s, session_flags flags, burnish_error *error);
+burnish_status session_draw(session *s, session_options options, burnish_error *error);
 
 /* ---- What there is to know ---- */
 

@@ -120,15 +120,17 @@ const errorOf = (use) => {
   }
 };
 const [burnish] = instances;
-const lineOf = (...flags) => spawnSync(program, ["render", ":sphere", ...flags, "-o", "/dev/null"], { encoding: "utf8" }).stderr;
+// with options as they are named here
+const lineOf = (...flags) => spawnSync(program, ["render", ":sphere", ...flags, "-o", "/dev/null"], { encoding: "utf8" }).stderr
+  .replace(/--(?!help)(?=[a-z])/g, "");
 for (const [options, flag] of program ? [[{ samples: 3 }, "--samples=3"], [{ lobe: "enrgy" }, "--lobe=enrgy"], [{ size: 0 }, "--size=0"],
   [{ margn: 1 }, "--margn=1"], [{ light: ["spot:1,2,3"] }, "--light=spot:1,2,3"]] : []) {
   check(flag, `burnish: ${errorOf(() => burnish.render(":sphere", options)).replace(/^ARGUMENT /, "")}\n`, lineOf(flag));
 }
 check("a sheet", errorOf(() => burnish.render(":sphere", { views: ["front,top"] })),
-  "ARGUMENT --views: one picture at a time; give one of them");
+  "ARGUMENT views: one picture at a time; give one of them");
 check("loading", errorOf(() => burnish.open(":sphere").render({ clip: "1,0,0,0" })),
-  "ARGUMENT --clip: it is for loading; give it to open()");
+  "ARGUMENT clip: an option of loading; give it to open()");
 check("no such object", errorOf(() => burnish.render(":cow")).split(" ")[0], "ARGUMENT");
 
 // ---- Four channels ----

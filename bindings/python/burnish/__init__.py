@@ -27,30 +27,26 @@ _FLAGS = {name.replace("-", "_"): row for name, row in _burnish.flags().items()}
 _AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1), "-Z": (0, 0, -1)}
 
 
-def _word(value: Any) -> str:
-    if isinstance(value, (str, int, float)):
-        return str(value)
+def _value(value: Any) -> bool | str | tuple[float, ...]:
+    if value is True or isinstance(value, str):
+        return value
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    if hasattr(value, "__index__") or hasattr(value, "__float__") and not hasattr(value, "__len__"):
-        return repr(float(value)) if not hasattr(value, "__index__") else str(value.__index__())
-    return ",".join(_word(item) for item in value)
+    try:
+        return tuple(float(item) for item in value)
+    except TypeError:
+        return (float(value),)
 
 
-def _flags(options: Mapping[str, Any]) -> bytes:
-    """{"samples": 4, "ground": True} as the words of a command line, each with a zero: what the library parses."""
-    words = []
+def _pairs(options: Mapping[str, Any]) -> list[tuple[str, bool | str | tuple[float, ...]]]:
+    """{"samples": 4, "ground": True} as [("samples", (4.0,)), ("ground", True)]; a list of texts repeats its option."""
+    pairs = []
     for key, value in options.items():
         if value is None or value is False:
             continue
         is_list = isinstance(value, (list, tuple)) and any(isinstance(item, str) for item in value)
-        for item in value if is_list else [value]:
-            flag = "--" + key.replace("_", "-")
-            word = (flag if item is True else f"{flag}={_word(item)}").encode()
-            if b"\0" in word:
-                raise ValueError(f"{key}: a text with a zero in it")
-            words.append(word)
-    return b"\0".join([*words, b""])
+        pairs += [(key, _value(item)) for item in (value if is_list else [value])]
+    return pairs
 
 
 def _split(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -111,7 +107,7 @@ class Mesh(_burnish.Mesh):
         floats = [_shapes.numbers(array, "f") for array in (vertices, normals, uv)]
         return _burnish.build(
             cls, name, floats[0], _shapes.numbers(faces, "I"), floats[1], _shapes.colors(colors), floats[2],
-            _AXES.get(up, (0, 1, 0)), _flags(options),
+            _AXES.get(up, (0, 1, 0)), _pairs(options),
         )  # fmt: skip
 
     def render(self, **options: Unpack[Options]) -> Image:
@@ -119,7 +115,7 @@ class Mesh(_burnish.Mesh):
         for key in options:
             if key in _FLAGS and not _FLAGS[key][1]:
                 raise TypeError(f"{key}: an option of loading; give it to load() or Mesh()")
-        return self._draw(_flags(options))
+        return self._draw(_pairs(options))
 
     def _repr_png_(self) -> bytes:
         return self.render(size=480).png()
@@ -155,11 +151,11 @@ def load(
         path = os.fsencode(source)
         if b"\0" in path:
             raise ValueError("a name with a zero in it")
-        return _burnish.load(Mesh, path, None, [], _flags(options))
+        return _burnish.load(Mesh, path, None, [], _pairs(options))
     if isinstance(source, (bytes, bytearray, memoryview)):
         return _burnish.load(
             Mesh, (name or "memory").removeprefix(":").encode(), source,
-            [(key.encode(), content) for key, content in (files or {}).items()], _flags(options),
+            [(key.encode(), content) for key, content in (files or {}).items()], _pairs(options),
         )  # fmt: skip
     if isinstance(source, _burnish.Mesh):
         raise TypeError("it is a Mesh already")
@@ -184,11 +180,11 @@ def render(
     ('RGBA', (48, 48, 4))
     >>> burnish.render(":knot", samples=3)
     Traceback (most recent call last):
-    burnish.Error: --samples: ...
+    burnish.Error: samples: ...
     """
     if isinstance(source, Mesh):
         return source.render(**options)
     loading, drawing = _split(options)
-    flags = _flags(drawing)
-    _burnish.check(flags)
-    return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(flags)
+    pairs = _pairs(drawing)
+    _burnish.check(pairs)
+    return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(pairs)

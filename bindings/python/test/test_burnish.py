@@ -304,7 +304,8 @@ class Errors(unittest.TestCase):
         ):  # fmt: skip
             with self.subTest(flag), self.assertRaises(burnish.Error) as caught:
                 burnish.render(":sphere", **options)
-            self.assertEqual((str(caught.exception), caught.exception.status), (ask(":sphere", flag), "ARGUMENT"))
+            line = re.sub("--(?!help)(?=[a-z])", "", ask(":sphere", flag))  # options as they are named here
+            self.assertEqual((str(caught.exception), caught.exception.status), (line, "ARGUMENT"))
 
     def test_statuses(self):
         Path("broken.ply").write_text("ply\nformat ascii 1.0\nelement vertex 3\n")
