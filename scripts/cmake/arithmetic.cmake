@@ -1,5 +1,5 @@
-# Where float is not computed as float by default (src/core/arithmetic.h refuses that), the flags that
-# make it so: SSE2 on i386, single rounding on s390x. Before everything that looks at the compiler.
+# Flags that make the compiler compute float as float where it does not by default, which src/core/arithmetic.h rejects: SSE2 on
+# i386, single rounding on s390x. Include this before other checks of the compiler.
 include(CheckCSourceCompiles)
 set(BURNISH_FLOAT_TEST "#include <float.h>\n#if FLT_EVAL_METHOD != 0\n#error no\n#endif\nint main(void) { return 0; }")
 check_c_source_compiles("${BURNISH_FLOAT_TEST}" BURNISH_FLOAT_IS_FLOAT)

@@ -1,5 +1,5 @@
-# What file managers need: MIME types, thumbnails where the program has its sandbox, the window's menu entry
-# where it has one, and an icon that it draws itself.
+# Files for desktops: MIME types, a thumbnailer (if the program has a sandbox), a menu entry (if it has a window), and an icon,
+# which the program draws.
 set(share ${CMAKE_INSTALL_DATADIR})
 set(desktop ${PROJECT_SOURCE_DIR}/packaging/desktop)
 install(FILES ${desktop}/burnish.xml DESTINATION ${share}/mime/packages)
@@ -9,7 +9,7 @@ endif()
 if(BURNISH_VIEW_FOUND)
   install(FILES ${desktop}/burnish.desktop DESTINATION ${share}/applications)
 endif()
-if(CMAKE_C_FLAGS MATCHES "sanitize=memory") # whose program can't use libraries that are not instrumented
+if(CMAKE_C_FLAGS MATCHES "sanitize=memory") # its program can't use libraries that are not instrumented
   return()
 endif()
 foreach(size 48 128 256)

@@ -1,4 +1,4 @@
-# Writes OUTPUT: the files of the list SCRIPTS as texts of C, plot_scripts of program/plot/plot.h.
+# Writes OUTPUT, a C file with the files of the list SCRIPTS as strings: plot_scripts of program/plot/plot.h.
 set(texts "")
 set(rows "")
 foreach(script IN LISTS SCRIPTS)

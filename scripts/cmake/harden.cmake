@@ -1,12 +1,12 @@
-# burnish_options gets what makes a defect harder to exploit; measured: no cost. The debug build and
-# sanitizers, which bring checks of their own, go without.
+# Adds options to burnish_options that make a defect harder to exploit, at no measurable cost. Debug builds and sanitizers, which
+# have their own checks, do without.
 option(BURNISH_HARDEN "Stack protector, FORTIFY_SOURCE, CET, full RELRO, PIE" ON)
 if(BURNISH_HARDEN AND NOT CMAKE_C_FLAGS MATCHES "fsanitize")
   include(CheckCCompilerFlag)
   include(CheckLinkerFlag)
   include(CheckPIESupported)
   check_pie_supported(LANGUAGES C)
-  # -Werror: clang only warns about a flag that the processor lacks
+  # clang only warns about flags that the processor does not support
   foreach(flag -fstack-protector-strong -fstack-clash-protection -fcf-protection=full)
     string(MAKE_C_IDENTIFIER "BURNISH_HAS${flag}" has)
     check_c_compiler_flag("-Werror ${flag}" ${has})

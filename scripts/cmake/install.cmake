@@ -1,5 +1,5 @@
-# Installing: program, libraries, headers, man page, and how others find them. The target
-# burnish_installed builds what is installed and nothing else.
+# Installs program, libraries, headers, manual page, and the files by which other projects find them. The target
+# burnish_installed builds exactly that.
 include(CMakePackageConfigHelpers)
 add_custom_target(burnish_installed DEPENDS burnish)
 
@@ -12,13 +12,13 @@ if(BURNISH_SHARED)
   add_dependencies(burnish_installed burnish_shared)
 endif()
 
-# CMake: burnish::burnish is the shared library where there is one, burnish::static the static one.
+# For CMake: burnish::static, and burnish::burnish, which is the shared library if there is one.
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)
 install(EXPORT burnish-static NAMESPACE burnish:: DESTINATION ${package})
 if(BURNISH_SHARED)
   install(EXPORT burnish-shared NAMESPACE burnish:: DESTINATION ${package})
 endif()
-# The static library names its decoders' targets: they are looked for as this build did.
+# The static library names the targets of its decoders. find_package() looks for them as this build did.
 set(BURNISH_CONFIG_DECODERS "")
 foreach(name 3MF PNG JPEG WEBP)
   if(FORMAT_${name}_FOUND)
@@ -32,8 +32,8 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/burnish-config-vers
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/burnish-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/burnish-config-version.cmake DESTINATION ${package})
 
-# pkg-config: the prefix is found from where the file lies, so that the tree can be moved; folders
-# that a distribution gives as absolute ones stay so.
+# For pkg-config: the prefix is relative to the .pc file, so the tree can be moved. Folders that a distribution gives as absolute
+# paths stay absolute.
 function(burnish_pc_folder folder variable)
   if(IS_ABSOLUTE "${folder}")
     set(${variable} "${folder}" PARENT_SCOPE)
@@ -50,7 +50,7 @@ else()
   string(REGEX REPLACE "/$" "" up "${up}")
   set(BURNISH_PC_PREFIX "\${pcfiledir}/${up}")
 endif()
-# What the static library needs is private only where there is a shared one to link with.
+# The static library's requirements are private only if there is a shared library.
 set(BURNISH_PC_PRIVATE "")
 if(BURNISH_SHARED)
   set(BURNISH_PC_PRIVATE ".private")
@@ -63,7 +63,7 @@ if(BURNISH_CLI)
   add_dependencies(burnish_installed burnish_cli)
 endif()
 
-# Texts that the program writes about itself: where the build can run it.
+# Texts that the program writes about itself, if the build can run it.
 function(burnish_installed_text output folder name)
   add_custom_command(OUTPUT ${output} COMMAND burnish_cli ${ARGN} > ${output} DEPENDS burnish_cli
                      COMMENT "Writing ${output}" VERBATIM)
