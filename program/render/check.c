@@ -11,14 +11,50 @@
 #include "render/reference.h"
 #include "render/useless.h"
 
+int render_is_shared(const render_job_settings *job) {
+    return job->runner || job->runners > 0;
+}
+
 static int is_standard(const char *path) {
     return strcmp(path, "-") == 0;
 }
 
+/* A flag that makes a sheet, or NULL. */
+static const char *sheet_flag(const render_settings *settings) {
+    return settings->picture.views.count > 1   ? "views"
+           : settings->shading.lobes.count > 1 ? "lobe"
+                                               : NULL;
+}
+
+/* A turntable takes the place of the picture. */
+static burnish_status check_turntable(render_settings *settings, burnish_error *error) {
+    const char *extra = settings->output.path               ? "output"
+                        : settings->output.planes.count > 0 ? "plane"
+                        : settings->picture.annotations     ? "annotate"
+                        : settings->output.reference        ? "reference"
+                                                            : sheet_flag(settings);
+    if (extra) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            settings->output.path
+                ? "--%s: --turntable already names a file; leave one out"
+                : "--%s: a turntable shows one view and one lobe and nothing besides; leave it out",
+            extra);
+    }
+    settings->output.path = settings->output.turntable;
+    return BURNISH_STATUS_OK;
+}
+
 /* The name of the picture when none is given: the input's, in the current folder, with the ending
  * of --output-format. */
-static burnish_status derive_output(render_settings *settings, burnish_error *error) {
+static burnish_status name_output(render_settings *settings, burnish_error *error) {
     const char *input = settings->input.name;
+    if (settings->output.turntable) {
+        return check_turntable(settings, error);
+    }
+    if (settings->output.path) {
+        return BURNISH_STATUS_OK;
+    }
     if (is_standard(input)) {
         settings->output.path = "-";
         return BURNISH_STATUS_OK;
@@ -41,7 +77,7 @@ static burnish_status derive_output(render_settings *settings, burnish_error *er
 }
 
 /* The report may replace neither the input nor the picture. */
-static burnish_status check_report(const render_settings *settings, burnish_error *error) {
+static burnish_status check_report(render_settings *settings, burnish_error *error) {
     const char *others[] = {settings->input.name, render_output_path(&settings->output)};
     for (int i = 0; i < 2 && settings->output.json && !is_standard(settings->output.json); ++i) {
         if (strcmp(settings->output.json, others[i]) == 0 ||
@@ -62,9 +98,9 @@ static int is_same(const char *a, const char *b) {
 
 /* Planes go into files that nothing else goes into, and exist of one picture. */
 static burnish_status check_planes(render_settings *settings, burnish_error *error) {
-    const int is_sheet = settings->picture.views.count > 1 || settings->shading.lobes.count > 1;
-    if (is_sheet && (settings->output.planes.count > 0 || settings->output.format == PICTURE_EXR ||
-                     settings->output.format == PICTURE_NPY)) {
+    if (sheet_flag(settings) &&
+        (settings->output.planes.count > 0 || settings->output.format == PICTURE_EXR ||
+         settings->output.format == PICTURE_NPY)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: a sheet has no planes of numbers; draw one view and one lobe",
                         settings->output.planes.count > 0 ? "plane" : "output");
@@ -257,7 +293,7 @@ static burnish_status check_camera_flags(const render_settings *settings, burnis
                     fixed);
 }
 
-static burnish_status check_labels(const render_settings *settings, burnish_error *error) {
+static burnish_status check_labels(render_settings *settings, burnish_error *error) {
     size_t views = settings->picture.views.count > 0 ? settings->picture.views.count : 1, texts = 1;
     size_t cells = views * settings->shading.lobes.count;
     for (const char *c = settings->picture.labels; c && *c; ++c) {
@@ -279,39 +315,19 @@ static burnish_status check_labels(const render_settings *settings, burnish_erro
                     texts, cells);
 }
 
-/* A turntable takes the place of the picture. */
-static burnish_status check_turntable(render_settings *settings, burnish_error *error) {
-    const char *extra = settings->output.path               ? "output"
-                        : settings->output.planes.count > 0 ? "plane"
-                        : settings->picture.annotations     ? "annotate"
-                        : settings->output.reference        ? "reference"
-                        : settings->picture.views.count > 1 ? "views"
-                        : settings->shading.lobes.count > 1 ? "lobe"
-                                                            : NULL;
-    if (extra) {
-        return cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            settings->output.path
-                ? "--%s: --turntable already names a file; leave one out"
-                : "--%s: a turntable shows one view and one lobe and nothing besides; leave it out",
-            extra);
-    }
-    settings->output.path = settings->output.turntable;
-    return BURNISH_STATUS_OK;
-}
-
 burnish_status render_check(render_settings *settings, burnish_error *error) {
     const burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 
 /* Rows are those of one picture that nothing is drawn over. */
-static burnish_status check_rows(const render_settings *settings, burnish_error *error) {
-    const char *extra = settings->output.turntable          ? "turntable"
-                        : settings->picture.annotations     ? "annotate"
-                        : settings->picture.views.count > 1 ? "views"
-                        : settings->shading.lobes.count > 1 ? "lobe"
-                                                            : NULL;
+static burnish_status check_rows(render_settings *settings, burnish_error *error) {
+    const char *extra = settings->output.turntable      ? "turntable"
+                        : settings->picture.annotations ? "annotate"
+                                                        : sheet_flag(settings);
+    if (settings->picture.rows.count == 0) {
+        return BURNISH_STATUS_OK;
+    }
     if (settings->picture.rows.first > settings->picture.size[1] - settings->picture.rows.count) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--rows: the picture has no row %d; its %d are counted from 0",
@@ -325,18 +341,20 @@ static burnish_status check_rows(const render_settings *settings, burnish_error 
 
 /* Others draw frames of a turntable, or bands of a picture, of which nothing but its file is made:
  * nobody holds all of it. */
-static burnish_status check_runners(const render_settings *settings, burnish_error *error) {
+static burnish_status check_runners(render_settings *settings, burnish_error *error) {
     const char *flag = settings->job.runner ? "runner" : "runners";
     const char *extra = settings->output.turntable          ? NULL
                         : settings->picture.rows.count > 0  ? "rows"
                         : settings->output.planes.count > 0 ? "plane"
                         : settings->picture.annotations     ? "annotate"
                         : settings->output.reference        ? "reference"
-                        : settings->picture.views.count > 1 ? "views"
-                        : settings->shading.lobes.count > 1 ? "lobe"
+                        : sheet_flag(settings)              ? sheet_flag(settings)
                         : settings->output.json             ? "json"
                         : settings->output.fail_on_blank    ? "fail-on-blank"
                                                             : NULL;
+    if (!render_is_shared(&settings->job)) {
+        return BURNISH_STATUS_OK;
+    }
     if (settings->job.sandbox) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: others draw without --sandbox; leave one out", flag);
@@ -346,44 +364,26 @@ static burnish_status check_runners(const render_settings *settings, burnish_err
                  : BURNISH_STATUS_OK;
 }
 
-int render_is_shared(const render_job_settings *job) {
-    return job->runner || job->runners > 0;
+/* Bands of a picture go into a PNG. Checked when the format is known. */
+static burnish_status check_shared_output(render_settings *settings, burnish_error *error) {
+    return render_is_shared(&settings->job) && !settings->output.turntable &&
+                   settings->output.format != PICTURE_PNG
+               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--output: others draw parts of a PNG or of a --turntable; end the name "
+                          "in .png")
+               : BURNISH_STATUS_OK;
 }
 
+/* In this order: later ones need the output's name, and then its format. */
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
-    burnish_status status = render_check(settings, error);
-    if (status == BURNISH_STATUS_OK && render_is_shared(&settings->job)) {
-        status = check_runners(settings, error);
+    typedef burnish_status check(render_settings * settings, burnish_error * error);
+    static check *const checks[] = {render_check,           check_runners,        check_rows,
+                                    check_labels,           name_output,          check_output,
+                                    check_shared_output,    render_check_useless, check_planes,
+                                    render_check_reference, check_report};
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; i < sizeof checks / sizeof *checks && status == BURNISH_STATUS_OK; ++i) {
+        status = checks[i](settings, error);
     }
-    if (status == BURNISH_STATUS_OK && settings->picture.rows.count > 0) {
-        status = check_rows(settings, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = check_labels(settings, error);
-    }
-    if (status == BURNISH_STATUS_OK && settings->output.turntable) {
-        status = check_turntable(settings, error);
-    }
-    if (status == BURNISH_STATUS_OK && !settings->output.path) {
-        status = derive_output(settings, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = check_output(settings, error);
-    }
-    if (status == BURNISH_STATUS_OK && render_is_shared(&settings->job) &&
-        !settings->output.turntable && settings->output.format != PICTURE_PNG) {
-        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "--output: others draw parts of a PNG or of a --turntable; end the name "
-                          "in .png");
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_check_useless(settings, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = check_planes(settings, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_check_reference(settings, error);
-    }
-    return status == BURNISH_STATUS_OK ? check_report(settings, error) : status;
+    return status;
 }

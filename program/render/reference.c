@@ -19,7 +19,7 @@ static int is_same(const char *a, const char *b) {
            (strcmp(a, b) == 0 || cli_same_file(a, b));
 }
 
-burnish_status render_check_reference(const render_settings *settings, burnish_error *error) {
+burnish_status render_check_reference(render_settings *settings, burnish_error *error) {
     const char *reference = settings->output.reference,
                *difference = settings->output.reference_difference;
     const char *alone = settings->output.reference_threshold.given ? "reference-threshold"

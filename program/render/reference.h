@@ -5,7 +5,7 @@
 #include "render/output/report.h"
 
 /* Checks the flags' files. Errors: ARGUMENT. */
-burnish_status render_check_reference(const render_settings *settings, burnish_error *error);
+burnish_status render_check_reference(render_settings *settings, burnish_error *error);
 
 /* Reads the reference where there is one: before anything is drawn. Errors: READ, FORMAT, LIMIT,
  * MEMORY. */

@@ -12,7 +12,6 @@
 #include "cli/file.h"
 #include "cli/limits.h"
 #include "cli/run.h"
-#include "font/utf8.h"
 #include "render/annotate.h"
 #include "render/camera.h"
 #include "render/check.h"
@@ -24,7 +23,7 @@
 #include "render/output/turntable.h"
 #include "render/reference.h"
 #include "render/render.h"
-#include "render/settings.h"
+#include "render/sheet.h"
 #include "render/up.h"
 #include "sandbox/sandbox.h"
 
@@ -33,56 +32,6 @@ static double processor_seconds(void) {
     struct timespec used;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
     return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
-}
-
-static size_t empty_cells(size_t count, size_t columns) {
-    return (columns - count % columns) % columns;
-}
-
-/* Columns of a sheet: as asked; a row per view when there are several lobes too; one row for up to
- * three cells; else near a square, one column more where that leaves fewer cells empty. */
-static int choose_columns(const render_settings *settings, size_t count) {
-    size_t columns = 1;
-    if (settings->picture.columns > 0) {
-        return settings->picture.columns < (int)count ? settings->picture.columns : (int)count;
-    }
-    if (settings->picture.views.count > 1 && settings->shading.lobes.count > 1) {
-        return (int)settings->shading.lobes.count;
-    }
-    if (count <= 3) {
-        return (int)count;
-    }
-    while (columns * columns < count) {
-        ++columns;
-    }
-    return (int)(columns + (empty_cells(count, columns + 1) < empty_cells(count, columns)));
-}
-
-/* Copies the text between the commas before and after item `index` of a list that has so many. */
-static void copy_item(const char *list, size_t index, char *text, size_t size) {
-    for (; index > 0; --index) {
-        list = strchr(list, ',') + 1;
-    }
-    const size_t length = strcspn(list, ",");
-    const size_t kept = length < size ? length : utf8_cut(list, size - 1);
-    memcpy(text, list, kept);
-    text[kept] = 0;
-}
-
-static void label_cell(const render_settings *settings, size_t index, render_cell *cell) {
-    char lobe[32];
-    if (settings->picture.labels) {
-        copy_item(settings->picture.labels, index, cell->label, sizeof cell->label);
-        return;
-    }
-    burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
-    const char *view = render_view_name(cell->view);
-    if (settings->picture.views.count > 0 && settings->shading.lobes.count > 1) {
-        snprintf(cell->label, sizeof cell->label, "%s, %s", view, lobe);
-    } else {
-        snprintf(cell->label, sizeof cell->label, "%s",
-                 settings->shading.lobes.count > 1 ? lobe : view);
-    }
 }
 
 /* The one line of a run that --fail-on-blank ends. */
@@ -117,23 +66,6 @@ static burnish_status draw_frame(render_result *result, burnish_renderer *render
     burnish_status status = render_draw_pixels(result, renderer, options, cell, &depth, error);
     free(depth);
     return status;
-}
-
-/* Fills the cells' views, lobes and labels; the lobes of a view stand side by side. */
-static void describe_cells(render_result *result) {
-    const render_settings *settings = result->settings;
-    for (size_t i = 0; i < result->cell_count; ++i) {
-        render_cell *cell = &result->cells[i];
-        size_t view = i / settings->shading.lobes.count;
-        cell->view =
-            settings->picture.views.count > 0 ? settings->picture.views.items[view] : VIEW_FREE;
-        cell->lobe = settings->shading.lobes.items[i % settings->shading.lobes.count];
-        cell->image.width = result->options->width;
-        cell->image.height = settings->picture.rows.count > 0 ? settings->picture.rows.count
-                                                              : result->options->height;
-        cell->image.channels = result->options->transparent ? 4 : 3;
-        label_cell(settings, i, cell);
-    }
 }
 
 /* Passes of cells that share a scale: how much room annotations need on each side, how high the
@@ -208,85 +140,6 @@ static burnish_status draw_cells(render_result *result, burnish_renderer *render
     return status;
 }
 
-/* Black or white, whichever stands out more from the background. */
-static void choose_ink(const burnish_render_options *options, uint8_t ink[3]) {
-    const uint8_t *b = options->background;
-    int luma = (54 * b[0] + 183 * b[1] + 19 * b[2]) >> 8; /* BT.709 weights in 256ths */
-    memset(ink, luma < 128 && !options->transparent ? 230 : 40, 3);
-}
-
-/* The cells as a sheet takes them. */
-typedef struct sheet_cells {
-    burnish_sheet_cell items[RENDER_LIST_MAX * RENDER_LIST_MAX];
-} sheet_cells;
-
-static void list_cells(const render_result *result, sheet_cells *cells) {
-    for (size_t i = 0; i < result->cell_count; ++i) {
-        cells->items[i].image = &result->cells[i].image;
-        cells->items[i].label = result->settings->picture.no_labels ? NULL : result->cells[i].label;
-        cells->items[i].font = font_setter(result->font);
-    }
-}
-
-/* Opens a font where --font asks for it, or a label has letters beyond ASCII: then all labels are
- * in one font. */
-static burnish_status open_font(render_result *result, burnish_error *error) {
-    const char *foreign = NULL, *file = result->settings->picture.font;
-    for (size_t i = 0; i < result->cell_count && !foreign; ++i) {
-        for (const char *c = result->cells[i].label; *c && !foreign; ++c) {
-            foreign = (unsigned char)*c >= 0x80 ? c : NULL;
-        }
-    }
-    if (result->cell_count < 2 || result->settings->picture.no_labels || (!foreign && !file)) {
-        return BURNISH_STATUS_OK;
-    }
-    if (!file && (!font_is_available || result->settings->picture.opens_no_font)) {
-        render_result_warn(result, 1, "--labels: %s; letters beyond ASCII are drawn as ?",
-                           font_is_available ? "no font may be opened here"
-                                             : "this program was built without HarfBuzz, FriBidi "
-                                               "and fontconfig");
-        return BURNISH_STATUS_OK;
-    }
-    const burnish_status status = font_open(file, &result->font, error);
-    if (status != BURNISH_STATUS_OK && !file) {
-        render_result_warn(result, 1, "--labels: %.300s; letters beyond ASCII are drawn as ?",
-                           error->text);
-        return BURNISH_STATUS_OK;
-    }
-    return status;
-}
-
-static void warn_about_font(render_result *result) {
-    const unsigned missing = (unsigned)font_missing(result->font);
-    if (missing > 0) {
-        render_result_warn(result, 1,
-                           "--labels: no font has U+%04X; a box stands for it and others that are "
-                           "missing",
-                           missing);
-    }
-}
-
-/* A sheet too large is refused before anything is loaded or drawn. */
-static burnish_status check_sheet(const render_result *result, burnish_error *error) {
-    sheet_cells cells;
-    int width, height;
-    list_cells(result, &cells);
-    return result->cell_count > 1
-               ? burnish_image_sheet_size(cells.items, result->cell_count, result->columns, &width,
-                                          &height, error)
-               : BURNISH_STATUS_OK;
-}
-
-static burnish_status compose(const render_result *result, burnish_image *sheet,
-                              burnish_error *error) {
-    sheet_cells cells;
-    uint8_t ink[3];
-    choose_ink(result->options, ink);
-    list_cells(result, &cells);
-    return burnish_image_sheet(sheet, cells.items, result->cell_count, result->columns,
-                               result->options->background, ink, error);
-}
-
 /* When the output's bytes are all on disk but not yet in place: a report that can't be printed
  * leaves an older picture as it was. */
 static burnish_status report(void *context, burnish_error *error) {
@@ -322,11 +175,9 @@ static burnish_status encode(render_result *result, picture_file *file, burnish_
         return render_encode_planes(&result->planes, format, file, error);
     }
     if (format == PICTURE_SVG) {
-        sheet_cells cells;
-        uint8_t ink[3];
-        choose_ink(result->options, ink);
-        list_cells(result, &cells);
-        return render_encode_drawing(result, cells.items, ink, file, error);
+        render_sheet sheet;
+        render_list_cells(result, &sheet);
+        return render_encode_drawing(result, sheet.cells, sheet.ink, file, error);
     }
     const burnish_pixels pixels = burnish_image_get_pixels(result->picture);
     const picture_options options = {.threads = settings->job.threads,
@@ -378,7 +229,7 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
     result->picture = &result->cells[0].image;
     result->hash = result->cells[0].hash;
     if (status == BURNISH_STATUS_OK && result->cell_count > 1) {
-        status = compose(result, sheet, error);
+        status = render_compose(result, sheet, error);
         result->picture = sheet;
         result->hash = status == BURNISH_STATUS_OK &&
                                (result->settings->output.json || result->settings->job.on_result)
@@ -434,11 +285,10 @@ static burnish_status render(render_result *result, render_settings *settings,
                              burnish_render_options *options, burnish_error *error) {
     burnish_image sheet = {0};
     burnish_renderer *renderer = NULL;
-    describe_cells(result);
-    burnish_status status = open_font(result, error);
+    render_describe_cells(result);
+    burnish_status status = render_open_font(result, error);
     if (status == BURNISH_STATUS_OK) {
-        status = check_sheet(result, error);
-        warn_about_font(result);
+        status = render_check_sheet(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = sandbox_close(error); /* fonts are open */
@@ -519,7 +369,7 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     result.options = &options;
     result.cell_count = (settings->picture.views.count > 0 ? settings->picture.views.count : 1) *
                         settings->shading.lobes.count;
-    result.columns = choose_columns(settings, result.cell_count);
+    result.columns = render_sheet_columns(settings, result.cell_count);
     result.cells = calloc(result.cell_count, sizeof *result.cells);
     burnish_status status = result.cells
                                 ? render(&result, settings, &options, error)

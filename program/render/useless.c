@@ -67,7 +67,7 @@ static burnish_status check_svg(const render_settings *settings, burnish_error *
                 : BURNISH_STATUS_OK;
 }
 
-burnish_status render_check_useless(const render_settings *settings, burnish_error *error) {
+burnish_status render_check_useless(render_settings *settings, burnish_error *error) {
     const int is_sheet = settings->picture.views.count > 1 || settings->shading.lobes.count > 1;
     const int is_framed = !settings->camera.own && !settings->camera.position.given;
     const need needs[] = {

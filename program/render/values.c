@@ -291,22 +291,29 @@ burnish_status render_flag_occlusion(const cli_flag *flag, const char *text, voi
     return BURNISH_STATUS_OK;
 }
 
+/* The sum of the values of some of the flag's words. */
+static burnish_status read_sum(const cli_flag *flag, const char *text, int *sum,
+                               burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    for (*sum = 0; text && status == BURNISH_STATUS_OK;) {
+        char item[CLI_NAME_MAX];
+        int value = 0;
+        copy_item(&text, item, sizeof item);
+        status = cli_flag_word(flag, item, &value, error);
+        *sum |= value;
+    }
+    return status;
+}
+
 burnish_status render_flag_edges(const cli_flag *flag, const char *text, void *target,
                                  burnish_error *error) {
     render_edges *edges = target;
-    burnish_edge_flags kinds = text ? 0 : BURNISH_EDGES_FEATURES;
-    while (text) {
-        char item[CLI_NAME_MAX];
-        int kind = 0;
-        copy_item(&text, item, sizeof item);
-        burnish_status status = cli_flag_word(flag, item, &kind, error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-        kinds |= (burnish_edge_flags)kind;
+    int kinds = BURNISH_EDGES_FEATURES;
+    const burnish_status status = text ? read_sum(flag, text, &kinds, error) : BURNISH_STATUS_OK;
+    if (status == BURNISH_STATUS_OK) {
+        *edges = (render_edges){1, kinds};
     }
-    *edges = (render_edges){1, kinds};
-    return BURNISH_STATUS_OK;
+    return status;
 }
 
 burnish_status render_flag_projection(const cli_flag *flag, const char *text, void *target,
@@ -323,19 +330,12 @@ burnish_status render_flag_projection(const cli_flag *flag, const char *text, vo
 
 burnish_status render_flag_annotate(const cli_flag *flag, const char *text, void *target,
                                     burnish_error *error) {
-    unsigned read = 0;
-    while (text) {
-        char item[CLI_NAME_MAX];
-        int kind = 0;
-        copy_item(&text, item, sizeof item);
-        burnish_status status = cli_flag_word(flag, item, &kind, error);
-        if (status != BURNISH_STATUS_OK) {
-            return status;
-        }
-        read |= (unsigned)kind;
+    int kinds;
+    const burnish_status status = read_sum(flag, text, &kinds, error);
+    if (status == BURNISH_STATUS_OK) {
+        *(unsigned *)target = (unsigned)kinds;
     }
-    *(unsigned *)target = read;
-    return BURNISH_STATUS_OK;
+    return status;
 }
 
 burnish_status render_flag_no_sandbox(const cli_flag *flag, const char *text, void *target,

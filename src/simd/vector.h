@@ -62,7 +62,8 @@
 #include "simd/vector_scalar.h"
 #endif
 
-#if !defined(BURNISH_VECTOR_AVX512) && !defined(BURNISH_VECTOR_AVX2) /* others have to use memory  \
+#if !defined(BURNISH_VECTOR_AVX512) &&                                                             \
+    !defined(BURNISH_VECTOR_AVX2) /* others have to use memory  \
                                                                       */
 static inline vi vi_permute(vi x, vi index) {
     int32_t lanes[LANES];
