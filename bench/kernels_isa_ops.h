@@ -45,10 +45,6 @@ BURNISH_INLINE vi bench_round(vf x) {
 BURNISH_INLINE vf bench_gather(const float *table, vi index) {
     return _mm256_i32gather_ps(table, index, 4);
 }
-BURNISH_INLINE vf bench_mantissa(vf x) {
-    vi bits = _mm256_and_si256(vf_bits(x), vi_set(0x007fffff));
-    return vf_from_bits(vi_or(bits, vi_set(0x3f800000)));
-}
 
 #elif defined(BURNISH_VECTOR_SSE2)
 
@@ -72,10 +68,6 @@ BURNISH_INLINE vf bench_gather(const float *table, vi index) {
     __m128 high = _mm_unpacklo_ps(_mm_load_ss(table + c), _mm_load_ss(table + d));
     return _mm_movelh_ps(low, high);
 }
-BURNISH_INLINE vf bench_mantissa(vf x) {
-    vi bits = _mm_and_si128(vf_bits(x), vi_set(0x007fffff));
-    return vf_from_bits(vi_or(bits, vi_set(0x3f800000)));
-}
 
 #elif defined(BURNISH_VECTOR_NEON)
 
@@ -96,10 +88,6 @@ BURNISH_INLINE vf bench_gather(const float *table, vi index) {
     value = vld1q_lane_f32(table + vgetq_lane_s32(index, 2), value, 2);
     return vld1q_lane_f32(table + vgetq_lane_s32(index, 3), value, 3);
 }
-BURNISH_INLINE vf bench_mantissa(vf x) {
-    vi bits = vandq_s32(vf_bits(x), vi_set(0x007fffff));
-    return vf_from_bits(vi_or(bits, vi_set(0x3f800000)));
-}
 
 #else
 
@@ -117,10 +105,11 @@ BURNISH_INLINE vi bench_round(vf x) {
 BURNISH_INLINE vf bench_gather(const float *table, vi index) {
     return table[index];
 }
-BURNISH_INLINE vf bench_mantissa(vf x) {
-    return vf_from_bits((vf_bits(x) & 0x007fffffu) | 0x3f800000u);
-}
 
 #endif
+
+BURNISH_INLINE vf bench_mantissa(vf x) {
+    return vf_from_bits(vi_or(vi_and(vf_bits(x), vi_set(0x007fffff)), vi_set(0x3f800000)));
+}
 
 #endif
