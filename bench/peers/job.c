@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/numbers.h"
 #include "scenes.h"
 
 static double dot(const double a[3], const double b[3]) {
@@ -45,7 +46,6 @@ static void find_range(burnish_peers_job *job) {
 
 static void make_camera(burnish_peers_job *job) {
     const burnish_camera *camera = &job->options.camera;
-    const double pi = 3.14159265358979323846;
     for (int k = 0; k < 3; ++k) {
         job->eye[k] = camera->position[k];
         job->forward[k] = camera->focal_point[k] - camera->position[k];
@@ -54,7 +54,7 @@ static void make_camera(burnish_peers_job *job) {
     cross(job->forward, camera->view_up, job->right);
     normalize(job->right);
     cross(job->right, job->forward, job->up);
-    job->pixels = job->options.height / 2.0 / tan(camera->view_angle * pi / 360);
+    job->pixels = job->options.height / 2.0 / tan(camera->view_angle * BURNISH_PI / 360);
     find_range(job);
 }
 

@@ -7,12 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/numbers.h"
 #include "shapes.h"
 #include "subdivide.h"
 
 #define BUNNY "/usr/share/glmark2/models/bunny.obj" /* Debian's glmark2-data */
-
-static const double PI = 3.14159265358979323846;
 
 /* ---- Random numbers: the same on every machine ---- */
 
@@ -81,7 +80,7 @@ static void make_fillet(burnish_shape *shape, burnish_vec3 corner, double radius
     burnish_vec3 arc[2][65];
     for (int side = 0; side < 2; ++side) {
         for (int i = 0; i <= steps; ++i) {
-            const double turn = PI / 2 * i / steps;
+            const double turn = BURNISH_PI / 2 * i / steps;
             arc[side][i] =
                 (burnish_vec3){corner.x + radius * (1 - sin(turn)),
                                corner.y + radius * (1 - cos(turn)), corner.z + width * side};
@@ -115,7 +114,7 @@ static void make_gear(burnish_shape *shape, int teeth) {
     burnish_vec3 outer[MOST] = {0}, inner[MOST] = {0}, hub[MOST] = {0};
     const int count = teeth * PER_TOOTH;
     for (int i = 0; i < count; ++i) {
-        const double turn = -2 * PI * i / count, x = cos(turn), z = sin(turn);
+        const double turn = -2 * BURNISH_PI * i / count, x = cos(turn), z = sin(turn);
         const double radius = HEIGHTS[i % PER_TOOTH];
         outer[i] = (burnish_vec3){x * radius, 0, z * radius};
         hub[i] = (burnish_vec3){x * 0.4, 0.2, z * 0.4};
@@ -133,8 +132,8 @@ static burnish_vec3 on_thread(int column, int columns, int row, int rows_per_tur
     const double turn = (double)(column % columns) / columns;
     const double phase = fmod((double)row / rows_per_turn - turn + 16, 1);
     const double radius = 0.5 - 0.12 * fabs(2 * phase - 1);
-    return (burnish_vec3){radius * cos(2 * PI * turn), -pitch * row / rows_per_turn,
-                          -radius * sin(2 * PI * turn)};
+    return (burnish_vec3){radius * cos(2 * BURNISH_PI * turn), -pitch * row / rows_per_turn,
+                          -radius * sin(2 * BURNISH_PI * turn)};
 }
 
 static void make_bolt(burnish_shape *shape, int turns) {

@@ -1,4 +1,5 @@
 #include "amf.h"
+#include "core/numbers.h"
 
 #include <expat.h>
 #include <math.h>
@@ -378,7 +379,7 @@ static void end_instance(amf *a) {
     const double *n = a->numbers;
     double turn[3][2], size[3];
     for (int i = 0; i < 3; ++i) {
-        const double angle = a->has_number[3 + i] ? n[3 + i] * (3.14159265358979323846 / 180) : 0;
+        const double angle = a->has_number[3 + i] ? n[3 + i] * BURNISH_DEGREE : 0;
         turn[i][0] = cos(angle);
         turn[i][1] = sin(angle);
         size[i] = (a->has_number[9] ? n[9] : 1) * (a->has_number[6 + i] ? n[6 + i] : 1) *

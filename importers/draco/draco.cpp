@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "importer.h"
+#include "core/bytes.h"
 
 extern "C" const char importer_name[] = "burnish-import-draco";
 
@@ -18,10 +19,6 @@ extern "C" void importer_prepare(void) {}
 namespace {
 
 constexpr char magic[] = "\x89" "BDA\r\n\x1a\n";
-
-uint32_t word_at(const uint8_t *p) {
-    return p[0] | static_cast<uint32_t>(p[1]) << 8 | static_cast<uint32_t>(p[2]) << 16 | static_cast<uint32_t>(p[3]) << 24;
-}
 
 // The componentType of glTF, 0 for what it has not.
 uint32_t component_of(draco::DataType type) {
@@ -117,7 +114,7 @@ extern "C" void importer_import(importer_input *input, importer_mesh *) {
     try {
         importer_put(magic, 8);
         while (end - next >= 4) {
-            const size_t size = word_at(next), padded = (size + 3) & ~size_t{3};
+            const size_t size = burnish_load32(next), padded = (size + 3) & ~size_t{3};
             if (padded > static_cast<size_t>(end - next - 4)) {
                 break;
             }

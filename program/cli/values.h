@@ -4,6 +4,9 @@
 
 #include "cli/options.h"
 
+#define CLI_PI 3.14159265358979323846
+#define CLI_DEGREE (CLI_PI / 180) /* in radians */
+
 /* Values that may be left out. */
 typedef struct cli_real {
     int given;

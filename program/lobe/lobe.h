@@ -22,8 +22,7 @@ enum {
     LOBE_NAME = 32
 };
 
-#define CLI_DEGREE 0.017453292519943295 /* pi / 180 */
-#define CLI_RIGHT_ANGLE 1.5707963267948966
+#define CLI_RIGHT_ANGLE (CLI_PI / 2)
 
 /* A list of exponents; release with free(items). */
 typedef struct lobe_exponents {

@@ -3,9 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/values.h"
 #include "plot/plot.h"
 
-static const double DEGREES = 180 / 3.14159265358979323846;
+static const double DEGREES = 1 / CLI_DEGREE;
 
 static plot_metric lobe_value, power_error, core_error, extreme_error, extreme_error_searched,
     energy_ratio, whole_error, curvature_radius;

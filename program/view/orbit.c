@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double degree = 0.017453292519943295;
+#include "cli/values.h"
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -45,7 +45,7 @@ static double height(const burnish_camera *camera) {
     double direction[3];
     return camera->orthographic_height > 0
                ? camera->orthographic_height
-               : 2 * backward(camera, direction) * tan(camera->view_angle / 2 * degree);
+               : 2 * backward(camera, direction) * tan(camera->view_angle / 2 * CLI_DEGREE);
 }
 
 void view_orbit(burnish_camera *camera, const double up[3], double azimuth, double elevation) {
@@ -61,8 +61,8 @@ void view_orbit(burnish_camera *camera, const double up[3], double azimuth, doub
         }
     }
     cross(up, level, side);
-    const double turn = azimuth * degree, quarter = 90 * degree;
-    const double lift = fmin(fmax(asin(rise) + elevation * degree, -quarter), quarter);
+    const double turn = azimuth * CLI_DEGREE, quarter = 90 * CLI_DEGREE;
+    const double lift = fmin(fmax(asin(rise) + elevation * CLI_DEGREE, -quarter), quarter);
     for (int k = 0; k < 3; ++k) {
         const double turned = cos(turn) * level[k] + sin(turn) * side[k];
         camera->position[k] =
@@ -101,8 +101,8 @@ void view_change_projection(burnish_camera *camera, double radius) {
     double direction[3];
     const double scale = height(camera), was = backward(camera, direction);
     const int is_parallel = camera->orthographic_height > 0;
-    const double distance =
-        is_parallel ? scale / (2 * tan(camera->view_angle / 2 * degree)) : fmax(was, 2 * radius);
+    const double distance = is_parallel ? scale / (2 * tan(camera->view_angle / 2 * CLI_DEGREE))
+                                        : fmax(was, 2 * radius);
     for (int k = 0; k < 3; ++k) {
         camera->position[k] = camera->focal_point[k] + distance * direction[k];
     }

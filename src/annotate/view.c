@@ -1,5 +1,6 @@
 /* The camera's view of the bounding box, and what touches what on the screen. */
 #include "annotate/annotate.h"
+#include "core/numbers.h"
 
 #include <string.h>
 
@@ -160,7 +161,7 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
         view->pixels = height / camera->orthographic_height;
     } else {
         double sine, cosine;
-        burnish_sincos(camera->view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
+        burnish_sincos(camera->view_angle * (BURNISH_DEGREE / 2), &sine, &cosine);
         view->pixels = height * 0.5 * cosine / sine;
     }
     float low[3], high[3];

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/elementary.h"
+#include "core/numbers.h"
 #include "core/srgb.h"
 #include "image/compare.h"
 
@@ -18,8 +19,7 @@ enum {
     PLANES = COLORS + 3
 };
 
-static const double pi = 3.14159265358979323846;
-static const double pixels_per_degree = 0.7 * 3840 / 0.7 * 3.14159265358979323846 / 180;
+static const double pixels_per_degree = 0.7 * 3840 / 0.7 * BURNISH_PI / 180;
 static const double feature_width = 0.082; /* degrees */
 static const double color_power = 0.7, color_knee = 0.4, knee_error = 0.95;
 
@@ -78,7 +78,7 @@ static double gaussian(double distance, double variance2) {
 static double make_sensitivity(double b, float *weights) {
     double sum = 0, values[TAPS];
     for (int i = 0; i < TAPS; ++i) {
-        values[i] = gaussian((i - REACH) / pixels_per_degree, b / (pi * pi));
+        values[i] = gaussian((i - REACH) / pixels_per_degree, b / (BURNISH_PI * BURNISH_PI));
         sum += values[i];
     }
     for (int i = 0; i < TAPS; ++i) {
@@ -153,7 +153,7 @@ burnish_flip burnish_flip_make(void) {
     for (int i = 0; i < 2; ++i) {
         const double b = blue[i][1];
         const double sum = make_sensitivity(b, made.filters[BURNISH_FLIP_BLUE_WIDE + i]);
-        volumes[i] = blue[i][0] * burnish_sqrt(pi / b) * sum * sum;
+        volumes[i] = blue[i][0] * burnish_sqrt(BURNISH_PI / b) * sum * sum;
     }
     for (int i = 0; i < 2; ++i) {
         made.blue_shares[i] = volumes[i] / (volumes[0] + volumes[1]);

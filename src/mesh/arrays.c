@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/environment.h"
+#include "core/numbers.h"
 #include "core/vector.h"
 #include "mesh/mesh.h"
 
@@ -184,7 +185,7 @@ static burnish_status check_finite(const creation *c, burnish_attribute attribut
                                    const char *name) {
     const float *values = c->data.streams[attribute].items;
     for (size_t i = 0; i < width * c->data.streams[attribute].count; ++i) {
-        if (!(values[i] >= -FLT_MAX && values[i] <= FLT_MAX)) {
+        if (!burnish_is_finitef(values[i])) {
             return burnish_fail(c->error, BURNISH_STATUS_ARGUMENT,
                                 "%s[%zu]: number %zu of %zu is not finite", name, i / width,
                                 i % width + 1, width);

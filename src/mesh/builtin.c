@@ -2,11 +2,10 @@
  * the teapot, whose body, lid, handle and spout pass into each other. */
 #include <string.h>
 
+#include "core/numbers.h"
 #include "core/vector.h"
 #include "mesh/mesh.h"
 #include "mesh/teapot_data.h"
-
-#define PI 3.14159265358979323846
 
 /* Makes room in an empty data for a surface whose vertices carry a normal each. Errors: LIMIT (more
  * triangles than options->max_triangles), MEMORY. */
@@ -45,7 +44,7 @@ static void add_triangle(burnish_mesh_data *data, uint32_t a, uint32_t b, uint32
 
 /* Sine and cosine of i / n of a turn. */
 static void turn(uint32_t i, uint32_t n, double *sine, double *cosine) {
-    burnish_sincos(2 * PI * i / n, sine, cosine);
+    burnish_sincos(2 * BURNISH_PI * i / n, sine, cosine);
 }
 
 /* Two triangles for each cell of a grid whose both directions close on themselves; vertex (i, j) is
@@ -70,7 +69,7 @@ static burnish_vec3 sphere_point(const int lattice[3], int n) {
     for (int k = 0; k < 3; ++k) {
         double sine, cosine;
         int size = lattice[k] < 0 ? -lattice[k] : lattice[k];
-        burnish_sincos(PI / 4 * size / n, &sine, &cosine);
+        burnish_sincos(BURNISH_PI / 4 * size / n, &sine, &cosine);
         double tangent = size == n ? 1 : sine / cosine;
         warped[k] = lattice[k] < 0 ? -tangent : tangent;
     }

@@ -3,10 +3,9 @@
 
 #include "core/environment.h"
 #include "core/memory.h"
+#include "core/numbers.h"
 #include "core/vector.h"
 #include "mesh/mesh.h"
-
-#define DEGREE (3.14159265358979323846 / 180)
 
 /* The three-quarter view: from the front, turned this far to the right and lifted this far. */
 #define THREE_QUARTER_AZIMUTH 35.0
@@ -151,7 +150,7 @@ static burnish_vec3 front_of(burnish_vec3 up) {
 /* v turned by the angle around the unit axis, counter-clockwise seen against the axis. */
 static burnish_vec3 rotate(burnish_vec3 v, burnish_vec3 axis, double degrees) {
     double sine, cosine;
-    burnish_sincos(degrees * DEGREE, &sine, &cosine);
+    burnish_sincos(degrees * BURNISH_DEGREE, &sine, &cosine);
     burnish_vec3 along = burnish_vec3_scale(axis, burnish_vec3_dot(axis, v) * (1 - cosine));
     burnish_vec3 across = burnish_vec3_scale(burnish_vec3_cross(axis, v), sine);
     return burnish_vec3_add(burnish_vec3_add(burnish_vec3_scale(v, cosine), across), along);
@@ -326,7 +325,7 @@ static void frame_perspective(const view_mesh *view, const burnish_framing *opti
                               burnish_vec3 *position, double *focus) {
     double sine, cosine, room[4], t[4], weight[4], near_depth, far_depth, center[2];
     extreme side[4];
-    burnish_sincos(options->view_angle * DEGREE / 2, &sine, &cosine);
+    burnish_sincos(options->view_angle * BURNISH_DEGREE / 2, &sine, &cosine);
     picture_rooms(options, room);
     for (int k = 0; k < 4; ++k) {
         t[k] = sine / cosine * room[k];

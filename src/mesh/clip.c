@@ -6,6 +6,7 @@
  * (render/caps.h). */
 #include <string.h>
 
+#include "core/numbers.h"
 #include "core/srgb.h"
 #include "core/vector.h"
 #include "mesh/mesh.h"
@@ -283,7 +284,7 @@ static burnish_status check(const burnish_mesh *mesh, const burnish_clip_plane *
     }
     const double *n = plane->normal;
     const double sum = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    if (!(sum > 0 && sum < __builtin_inf()) || !(plane->offset - plane->offset == 0)) {
+    if (!(sum > 0 && sum < __builtin_inf()) || !burnish_is_finite(plane->offset)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "clip: %g,%g,%g,%g is no plane; expected finite numbers, and a normal "
                             "that is not 0",

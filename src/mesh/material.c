@@ -2,6 +2,7 @@
 #include <float.h>
 #include <string.h>
 
+#include "core/numbers.h"
 #include "mesh/mesh.h"
 
 /* ---- Textures ---- */
@@ -50,9 +51,9 @@ static const char *const slot_names[BURNISH_TEXTURE_SLOT_COUNT] = {
 
 static burnish_status check_use(const burnish_texture_use *use, int slot, size_t texture_count,
                                 const char *name, burnish_error *error) {
-    int is_finite = use->strength >= -FLT_MAX && use->strength <= FLT_MAX;
+    int is_finite = burnish_is_finitef(use->strength);
     for (int i = 0; i < 6 && use->has_transform; ++i) {
-        is_finite &= use->transform[i] >= -FLT_MAX && use->transform[i] <= FLT_MAX;
+        is_finite &= burnish_is_finitef(use->transform[i]);
     }
     if (use->texture < 0 || (size_t)use->texture > texture_count) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -4,8 +4,7 @@
 
 #include "burnish/theory.h"
 #include "core/arithmetic.h"
-
-#define BURNISH_PI 3.14159265358979323846
+#include "core/numbers.h"
 
 /* c^n by lambda = 1 - c, exact to rounding where c is next to 1; 0 from lambda = 1 on. */
 double burnish_theory_power_at_lambda(double lambda, double exponent);

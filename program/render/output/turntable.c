@@ -7,12 +7,11 @@
 #include <string.h>
 
 #include "cli/clock.h"
+#include "cli/values.h"
 #include "picture/animation.h"
 #include "render/camera.h"
 #include "render/output/pieces.h"
 #include "render/output/stream.h"
-
-#define PI 3.14159265358979323846
 
 /* ---- The camera's way ---- */
 
@@ -22,7 +21,7 @@ static void turn(int index, int count, double *sine, double *cosine) {
     const long eighths = (8L * index / count) & 7; /* the part of the turn, in eighths */
     const long rest = 8L * index - (8L * index / count) * count;
     const int back = (int)(eighths & 1); /* counted from the next quarter backward */
-    const double x = (back ? (double)(count - rest) : (double)rest) / count * (PI / 4);
+    const double x = (back ? (double)(count - rest) : (double)rest) / count * (CLI_PI / 4);
     double s = 0, c = 0;
     for (int k = 8; k > 0; --k) { /* x - x^3 / 3! + ..., Horner */
         s = 1 - s * x * x / ((2 * k) * (2 * k + 1));

@@ -3,6 +3,7 @@
  * in, are refused. Like TGA it needs no library. */
 #include <string.h>
 
+#include "core/bytes.h"
 #include "image/decode/decode.h"
 
 enum {
@@ -25,14 +26,6 @@ typedef struct bmp {
     size_t entries, entry_size;
 } bmp;
 
-static unsigned word_at(const uint8_t *p) {
-    return (unsigned)p[0] | (unsigned)p[1] << 8;
-}
-
-static uint32_t long_at(const uint8_t *p) {
-    return word_at(p) | (uint32_t)word_at(p + 2) << 16;
-}
-
 /* What a pixel's bits are, where no palette says it. */
 static void find_masks(bmp *b, size_t header) {
     static const uint32_t of_16[3] = {0x7C00, 0x03E0, 0x001F},
@@ -40,10 +33,10 @@ static void find_masks(bmp *b, size_t header) {
     memcpy(b->masks, b->depth == 16 ? of_16 : of_32, sizeof of_16);
     if (b->compression != PLAIN) {
         for (size_t i = 0; i < 3; ++i) {
-            b->masks[i] = long_at(b->bytes + FILE_HEADER + INFO + 4 * i);
+            b->masks[i] = burnish_load32(b->bytes + FILE_HEADER + INFO + 4 * i);
         }
         b->masks[3] =
-            header >= WITH_ALPHA ? long_at(b->bytes + FILE_HEADER + INFO + 12) : b->masks[3];
+            header >= WITH_ALPHA ? burnish_load32(b->bytes + FILE_HEADER + INFO + 12) : b->masks[3];
     }
 }
 
@@ -51,20 +44,21 @@ static void find_masks(bmp *b, size_t header) {
 static const char *read_header(const burnish_encoded *from, bmp *b) {
     static const char truncated[] = "the file ends before its pixels; it is truncated";
     const uint8_t *bytes = from->bytes;
-    const size_t header = from->size >= FILE_HEADER + CORE ? long_at(bytes + FILE_HEADER) : 0;
+    const size_t header =
+        from->size >= FILE_HEADER + CORE ? burnish_load32(bytes + FILE_HEADER) : 0;
     const int is_core = header == CORE;
     *b = (bmp){.bytes = bytes, .size = from->size, .entry_size = is_core ? 3 : 4};
     if ((!is_core && header < INFO) || header > from->size - FILE_HEADER) {
         return truncated;
     }
     const uint8_t *at = bytes + FILE_HEADER + 4;
-    const uint32_t height = is_core ? word_at(at + 2) : long_at(at + 4);
+    const uint32_t height = is_core ? burnish_load16(at + 2) : burnish_load32(at + 4);
     b->from_top = (int)(height >> 31);
-    b->width = is_core ? word_at(at) : long_at(at);
+    b->width = is_core ? burnish_load16(at) : burnish_load32(at);
     b->height = b->from_top ? 0u - height : height;
-    b->depth = word_at(is_core ? at + 6 : at + 10);
-    b->compression = is_core ? PLAIN : long_at(at + 12);
-    b->pixels_at = long_at(bytes + 10);
+    b->depth = burnish_load16(is_core ? at + 6 : at + 10);
+    b->compression = is_core ? PLAIN : burnish_load32(at + 12);
+    b->pixels_at = burnish_load32(bytes + 10);
     const int has_masks = b->compression == MASKS || b->compression == ALPHA_MASKS;
     const int is_wide = b->depth == 16 || b->depth == 32;
     if (!(is_wide || b->depth == 1 || b->depth == 4 || b->depth == 8 || b->depth == 24) ||
@@ -86,7 +80,7 @@ static const char *read_header(const burnish_encoded *from, bmp *b) {
     }
     if (b->depth <= 8) {
         const size_t room = (b->size - palette_at) / b->entry_size, all = (size_t)1 << b->depth;
-        const size_t used = is_core ? 0 : long_at(at + 28);
+        const size_t used = is_core ? 0 : burnish_load32(at + 28);
         b->entries = used > 0 && used < all ? used : all;
         b->entries = b->entries < room ? b->entries : room;
         b->palette = bytes + palette_at;
@@ -122,7 +116,7 @@ static void write_pixel(const bmp *b, const uint8_t *row, size_t x, uint8_t rgba
         rgba[2] = at[0];
         return;
     }
-    const uint32_t pixel = b->depth == 16 ? word_at(at) : long_at(at);
+    const uint32_t pixel = b->depth == 16 ? burnish_load16(at) : burnish_load32(at);
     for (size_t i = 0; i < 3 + (size_t)(b->masks[3] != 0); ++i) {
         rgba[i] = field(pixel, b->masks[i]);
     }

@@ -2,6 +2,7 @@
  * files are in: colours of 16, 24 and 32 bits, grey, and palettes, each also in runs. It needs no
  * library, and has no first bytes of its own: burnish_is_tga looks whether the header makes sense.
  */
+#include "core/bytes.h"
 #include "image/decode/decode.h"
 
 #include <string.h>
@@ -26,21 +27,17 @@ typedef struct tga {
     const uint8_t *next, *end;
 } tga;
 
-static unsigned word_at(const uint8_t *p) {
-    return (unsigned)p[0] | (unsigned)p[1] << 8;
-}
-
 /* Returns 0 where these are no bytes of a TGA. */
 static int read_header(const uint8_t *bytes, size_t size, tga *t) {
     if (size < HEADER) {
         return 0;
     }
     const unsigned type = bytes[2], depth = bytes[16], entry = bytes[7];
-    const size_t first = word_at(bytes + 3), count = word_at(bytes + 5);
+    const size_t first = burnish_load16(bytes + 3), count = burnish_load16(bytes + 5);
     *t = (tga){.type = (int)(type & ~(unsigned)RUNS),
                .in_runs = type & RUNS,
-               .width = word_at(bytes + 12),
-               .height = word_at(bytes + 14),
+               .width = burnish_load16(bytes + 12),
+               .height = burnish_load16(bytes + 14),
                .pixel_size = (depth + 7) / 8,
                .descriptor = bytes[17],
                .palette_first = first,
@@ -76,7 +73,7 @@ static uint8_t widen(unsigned bits) {
 static void write_color(const tga *t, const uint8_t *from, size_t size, uint8_t rgba[4]) {
     rgba[3] = 255;
     if (size == 2) {
-        const unsigned bits = word_at(from);
+        const unsigned bits = burnish_load16(from);
         rgba[0] = widen(bits >> 10);
         rgba[1] = widen(bits >> 5);
         rgba[2] = widen(bits);

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/bytes.h"
+#include "core/numbers.h"
 #include "core/vector.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/points.h"
@@ -29,21 +31,6 @@ typedef struct bms_state {
 } bms_state;
 
 /* ---- Numbers ---- */
-
-static uint32_t word_at(const uint8_t *at) {
-    return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
-}
-
-static float float_at(const uint8_t *at) {
-    const uint32_t bits = word_at(at);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static int is_finite(float value) {
-    return value >= -FLT_MAX && value <= FLT_MAX;
-}
 
 static burnish_status fail(const bms_state *s, const uint8_t *at, const char *text) {
     return burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, at, "%s", text);
@@ -74,8 +61,8 @@ static uint64_t size_of_rest(const bms_state *s) {
  * looked at one by one. */
 static burnish_status check_size(const bms_state *s) {
     const uint8_t *bytes = s->reader->input->bytes;
-    const uint64_t stated = (uint64_t)word_at(bytes + BURNISH_BMS_AT_SIZE + 4) << 32 |
-                            word_at(bytes + BURNISH_BMS_AT_SIZE);
+    const uint64_t stated = (uint64_t)burnish_load32(bytes + BURNISH_BMS_AT_SIZE + 4) << 32 |
+                            burnish_load32(bytes + BURNISH_BMS_AT_SIZE);
     const uint64_t least = BURNISH_BMS_HEAD_SIZE + padded(s->text_size) +
                            (uint64_t)s->textures * BURNISH_BMS_TEXTURE_SIZE + size_of_rest(s);
     if (stated != s->reader->input->size || least > stated) {
@@ -124,8 +111,9 @@ static burnish_status read_error(const bms_state *s, uint32_t kind) {
 /* Up axis; one that is nothing is the format's. */
 static burnish_status read_up(const bms_state *s) {
     const uint8_t *at = s->reader->input->bytes + BURNISH_BMS_AT_UP;
-    const float up[3] = {float_at(at), float_at(at + 4), float_at(at + 8)};
-    if (!is_finite(up[0]) || !is_finite(up[1]) || !is_finite(up[2])) {
+    const float up[3] = {burnish_load_float(at), burnish_load_float(at + 4),
+                         burnish_load_float(at + 8)};
+    if (!burnish_is_finitef(up[0]) || !burnish_is_finitef(up[1]) || !burnish_is_finitef(up[2])) {
         return fail(s, at, "the up axis is not finite");
     }
     const burnish_vec3 unit = burnish_vec3_normalize(burnish_vec3_loadf(up));
@@ -142,20 +130,20 @@ static burnish_status read_head(bms_state *s) {
         memcmp(bytes, BURNISH_BMS_MAGIC, sizeof BURNISH_BMS_MAGIC - 1) != 0) {
         return fail(s, bytes, "no mesh stream: its first 8 bytes are others, or it ends before 64");
     }
-    const uint32_t version = word_at(bytes + BURNISH_BMS_AT_VERSION);
-    const uint32_t kind = word_at(bytes + BURNISH_BMS_AT_KIND);
+    const uint32_t version = burnish_load32(bytes + BURNISH_BMS_AT_VERSION);
+    const uint32_t kind = burnish_load32(bytes + BURNISH_BMS_AT_KIND);
     if (version != BURNISH_BMS_VERSION) {
         return burnish_reader_fail(
             s->reader, BURNISH_STATUS_FORMAT, bytes + BURNISH_BMS_AT_VERSION,
             "version %u of the mesh stream, not %d; take importers of this burnish",
             (unsigned)version, BURNISH_BMS_VERSION);
     }
-    s->vertices = word_at(bytes + BURNISH_BMS_AT_VERTICES);
-    s->triangles = word_at(bytes + BURNISH_BMS_AT_TRIANGLES);
-    s->materials = word_at(bytes + BURNISH_BMS_AT_MATERIALS);
-    s->textures = word_at(bytes + BURNISH_BMS_AT_TEXTURES);
-    s->parts = word_at(bytes + BURNISH_BMS_AT_PARTS);
-    s->text_size = word_at(bytes + BURNISH_BMS_AT_TEXT_SIZE);
+    s->vertices = burnish_load32(bytes + BURNISH_BMS_AT_VERTICES);
+    s->triangles = burnish_load32(bytes + BURNISH_BMS_AT_TRIANGLES);
+    s->materials = burnish_load32(bytes + BURNISH_BMS_AT_MATERIALS);
+    s->textures = burnish_load32(bytes + BURNISH_BMS_AT_TEXTURES);
+    s->parts = burnish_load32(bytes + BURNISH_BMS_AT_PARTS);
+    s->text_size = burnish_load32(bytes + BURNISH_BMS_AT_TEXT_SIZE);
     s->next = bytes + BURNISH_BMS_HEAD_SIZE;
     if (kind >= BURNISH_BMS_KIND_COUNT) {
         return fail(s, bytes + BURNISH_BMS_AT_KIND, "an unknown kind of mesh stream");
@@ -220,12 +208,12 @@ static burnish_status read_texture(bms_state *s, size_t number, size_t *damaged)
     if (left(s) < BURNISH_BMS_TEXTURE_SIZE) {
         return fail(s, head, "the stream ends within a texture");
     }
-    texture.kind = word_at(head);
-    texture.is_color = word_at(head + 4);
-    texture.width = word_at(head + 8);
-    texture.height = word_at(head + 12);
-    const uint32_t name_size = word_at(head + 16);
-    texture.size = word_at(head + 20);
+    texture.kind = burnish_load32(head);
+    texture.is_color = burnish_load32(head + 4);
+    texture.width = burnish_load32(head + 8);
+    texture.height = burnish_load32(head + 12);
+    const uint32_t name_size = burnish_load32(head + 16);
+    texture.size = burnish_load32(head + 20);
     s->next += BURNISH_BMS_TEXTURE_SIZE;
     if (texture.kind > BURNISH_BMS_PIXELS || texture.is_color > 1 || name_size >= NAME_MAX_SIZE) {
         return fail(s, head, "a texture of an unknown kind, or with a name of 4096 bytes or more");
@@ -270,14 +258,14 @@ static burnish_status read_textures(bms_state *s) {
 
 static void read_color(const uint8_t *at, float color[3]) {
     for (int i = 0; i < 3; ++i) {
-        color[i] = float_at(at + 4 * i);
+        color[i] = burnish_load_float(at + 4 * i);
     }
 }
 
 /* One slot: 1 + number of a texture of the stream, then how it repeats. */
 static int read_use(const bms_state *s, const uint8_t *at, float strength,
                     burnish_texture_use *use) {
-    const uint32_t texture = word_at(at), wrap = word_at(at + 4);
+    const uint32_t texture = burnish_load32(at), wrap = burnish_load32(at + 4);
     if (texture > s->textures || (wrap & 0xff) > BURNISH_WRAP_MIRROR ||
         wrap >> 8 > BURNISH_WRAP_MIRROR) {
         return 0;
@@ -294,16 +282,16 @@ static int read_use(const bms_state *s, const uint8_t *at, float strength,
 
 static burnish_status read_material(bms_state *s, size_t number) {
     const uint8_t *at = s->next, *numbers = at + BURNISH_BMS_AT_EXPONENT;
-    const uint32_t flags = word_at(at + BURNISH_BMS_AT_FLAGS);
+    const uint32_t flags = burnish_load32(at + BURNISH_BMS_AT_FLAGS);
     burnish_material *material = &s->mesh->materials[number];
     burnish_error why = {0};
     char name[40];
     *material =
-        (burnish_material){.exponent = float_at(numbers),
-                           .transparency = 1 - float_at(numbers + 4),
-                           .metallic = float_at(numbers + 8),
-                           .roughness = float_at(numbers + 12),
-                           .alpha_cutoff = float_at(numbers + 16),
+        (burnish_material){.exponent = burnish_load_float(numbers),
+                           .transparency = 1 - burnish_load_float(numbers + 4),
+                           .metallic = burnish_load_float(numbers + 8),
+                           .roughness = burnish_load_float(numbers + 12),
+                           .alpha_cutoff = burnish_load_float(numbers + 16),
                            .has_diffuse = (flags & BURNISH_BMS_HAS_DIFFUSE) != 0,
                            .is_metallic = (flags & BURNISH_BMS_METALLIC) != 0,
                            .is_unlit = (flags & BURNISH_BMS_UNLIT) != 0,
@@ -316,7 +304,8 @@ static burnish_status read_material(bms_state *s, size_t number) {
     read_color(at + 24, material->specular);
     read_color(at + 36, material->emissive);
     for (int slot = 0; slot < BURNISH_BMS_SLOTS; ++slot) {
-        const float strength = slot == BURNISH_TEXTURE_NORMAL ? float_at(numbers + 20) : 1;
+        const float strength =
+            slot == BURNISH_TEXTURE_NORMAL ? burnish_load_float(numbers + 20) : 1;
         if (!read_use(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot, strength,
                       &material->textures[slot])) {
             return fail(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot,
@@ -364,8 +353,8 @@ static burnish_status read_floats(bms_state *s, burnish_attribute attribute, siz
     for (size_t i = 0; keep && i < s->vertices && status == BURNISH_STATUS_OK; ++i) {
         for (size_t k = 0; k < width; ++k, ++to) {
             const uint8_t *at = s->next + 4 * (i * width + k);
-            *to = float_at(at);
-            if (!is_finite(*to)) {
+            *to = burnish_load_float(at);
+            if (!burnish_is_finitef(*to)) {
                 if (attribute == BURNISH_POSITION) {
                     return burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, at,
                                                "position %zu is not finite; the stream is damaged",
@@ -413,7 +402,7 @@ static burnish_status read_indices(bms_state *s) {
         burnish_mesh_data_reserve_corners(s->mesh, BURNISH_POSITION, s->triangles);
     uint32_t *to = s->mesh->streams[BURNISH_POSITION].corners;
     for (size_t i = 0; i < 3 * s->triangles && status == BURNISH_STATUS_OK; ++i) {
-        to[i] = word_at(s->next + 4 * i);
+        to[i] = burnish_load32(s->next + 4 * i);
         if (to[i] >= s->vertices) {
             return burnish_reader_fail(
                 s->reader, BURNISH_STATUS_FORMAT, s->next + 4 * i,
@@ -435,7 +424,7 @@ static burnish_status read_triangle_materials(bms_state *s) {
     burnish_status status = mesh->memory.status;
     const size_t materials = s->materials > 0 ? s->materials : 1;
     for (size_t i = 0; i < s->triangles && status == BURNISH_STATUS_OK; ++i) {
-        const uint32_t material = word_at(s->next + 4 * i);
+        const uint32_t material = burnish_load32(s->next + 4 * i);
         if (material >= materials) {
             return burnish_reader_fail(
                 s->reader, BURNISH_STATUS_FORMAT, s->next + 4 * i,

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/bytes.h"
 #include "mesh/read/io/lexer.h"
 
 typedef struct foreign_row {
@@ -83,7 +84,7 @@ static int is_windows_program(const uint8_t *bytes, size_t size) {
     enum { POINTER_AT = 60 };
     const uint8_t *p = bytes + POINTER_AT;
     return size >= POINTER_AT + 4 && begins(bytes, size, 0, "MZ") &&
-           begins(bytes, size, p[0] | (size_t)p[1] << 8 | (size_t)p[2] << 16, "PE");
+           begins(bytes, size, burnish_load24(p), "PE");
 }
 
 /* XML tells by its elements, of which the first stand early. */

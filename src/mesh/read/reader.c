@@ -1,6 +1,8 @@
 /* The table of formats, and how an input is read. */
 #include "mesh/read/reader.h"
 
+#include "core/bytes.h"
+#include "core/numbers.h"
 #include "image/decode/gunzip.h"
 #include "mesh/read/foreign.h"
 #include "mesh/read/io/unpack.h"
@@ -101,13 +103,11 @@ static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
     uint32_t any = 0;
     for (size_t at = HEADER; at + FACET <= size; at += FACET) {
         for (size_t i = 0; i < COORDINATES; ++i) {
-            const uint8_t *c = bytes + at + VERTICES_AT + 4 * i;
-            const uint32_t bits = c[0] | (uint32_t)c[1] << 8 | (uint32_t)(c[2] & 0x7f) << 16;
-            const uint32_t exponent = (uint32_t)(c[3] & 0x7f) << 1 | c[2] >> 7;
-            if (exponent == 0xff) {
+            const uint32_t bits = burnish_load32(bytes + at + VERTICES_AT + 4 * i);
+            if (!burnish_is_finite_bits(bits)) {
                 return 0;
             }
-            any |= bits | exponent;
+            any |= bits << 1; /* without the sign */
         }
     }
     return any && !is_all_text(bytes, size);

@@ -11,6 +11,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
+#include "core/numbers.h"
 #include "core/srgb.h"
 #include "mesh/read/budget.h"
 #include "mesh/read/io/chunks.h"
@@ -29,10 +30,6 @@ enum {
 
 enum { HAS_COLOR = 0x8000, BITS_OF_COLOR = 0x7FFF };
 
-static unsigned read_u16(const uint8_t *p) {
-    return (unsigned)p[0] | (unsigned)p[1] << 8;
-}
-
 /* ---- Binary ---- */
 
 typedef struct facet_context {
@@ -43,10 +40,6 @@ typedef struct facet_context {
     uint8_t *colors;          /* 4 bytes per corner */
 } facet_context;
 
-static int is_finite(uint32_t bits) {
-    return (bits & 0x7F800000u) != 0x7F800000u;
-}
-
 static void convert_facets(void *user_data, const uint8_t *facets, size_t first, size_t end) {
     facet_context *context = user_data;
     size_t bad = SIZE_MAX;
@@ -55,12 +48,12 @@ static void convert_facets(void *user_data, const uint8_t *facets, size_t first,
         const uint8_t *from = facets + NORMAL_SIZE;
         uint32_t bits[9], finite = 1;
         for (size_t k = 0; k < 9; ++k) {
-            bits[k] = burnish_stl_u32(from + 4 * k);
-            finite &= (uint32_t)is_finite(bits[k]);
+            bits[k] = burnish_load32(from + 4 * k);
+            finite &= (uint32_t)burnish_is_finite_bits(bits[k]);
         }
         memcpy(context->positions + 9 * i, bits, sizeof bits);
         bad = finite || i > bad ? bad : i;
-        const unsigned found = read_u16(facets + ATTRIBUTES_AT);
+        const unsigned found = burnish_load16(facets + ATTRIBUTES_AT);
         any |= found;
         all &= found;
     }
@@ -71,7 +64,7 @@ static void convert_facets(void *user_data, const uint8_t *facets, size_t first,
 
 static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *facet) {
     const uint8_t *at = facet + NORMAL_SIZE;
-    while (is_finite(burnish_stl_u32(at))) {
+    while (burnish_is_finite_bits(burnish_load32(at))) {
         at += 4;
     }
     return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, at,
@@ -97,8 +90,8 @@ static burnish_status check_facets(burnish_reader *reader, size_t count) {
         int is_odd = 0;
         uint32_t any = 0;
         for (int k = 0; k < 9; ++k, at += 4) {
-            is_odd |= is_odd_coordinate(burnish_stl_u32(at));
-            any |= burnish_stl_u32(at);
+            is_odd |= is_odd_coordinate(burnish_load32(at));
+            any |= burnish_load32(at);
         }
         odd += is_odd != 0;
         filled += any != 0;
@@ -187,7 +180,7 @@ static void convert_colors(void *user_data, const uint8_t *facets, size_t first,
     const facet_context *context = user_data;
     for (size_t i = first; i < end; ++i, facets += FACET_SIZE) {
         uint8_t *rgba = context->colors + 12 * i;
-        write_color(context, read_u16(facets + ATTRIBUTES_AT), rgba);
+        write_color(context, burnish_load16(facets + ATTRIBUTES_AT), rgba);
         memcpy(rgba + 4, rgba, 4);
         memcpy(rgba + 8, rgba, 4);
     }
@@ -235,7 +228,7 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
 
 static burnish_status read_binary(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
-    size_t count = burnish_stl_u32(reader->input->bytes + TITLE_SIZE);
+    size_t count = burnish_load32(reader->input->bytes + TITLE_SIZE);
     reader->is_binary = 1;
     burnish_status status = check_count(reader, &count);
     if (status == BURNISH_STATUS_OK) {

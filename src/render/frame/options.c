@@ -1,6 +1,7 @@
 /* Options of a frame, and whether they can be drawn. */
 #include <string.h>
 
+#include "core/numbers.h"
 #include "render/frame/frame.h"
 
 /* Marks options that burnish_render_options_default() made. */
@@ -37,7 +38,7 @@ burnish_status burnish_render_options_check_cookie(const burnish_render_options 
 
 static int finite(const double *values, int count) {
     for (int i = 0; i < count; ++i) {
-        if (!(values[i] - values[i] == 0)) {
+        if (!burnish_is_finite(values[i])) {
             return 0;
         }
     }

@@ -9,6 +9,7 @@
 #include "burnish/render.h"
 #include "core/environment.h"
 #include "core/error.h"
+#include "core/numbers.h"
 #include "core/srgb.h"
 #include "core/vector.h"
 #include "image/text/drawing.h"
@@ -123,7 +124,7 @@ static void aim(tracing *t) {
     double pixel = camera->orthographic_height / height;
     if (!t->is_parallel) {
         double sine, cosine;
-        burnish_sincos(camera->view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
+        burnish_sincos(camera->view_angle * (BURNISH_DEGREE / 2), &sine, &cosine);
         pixel = 2 * sine / (cosine * height);
     }
     const burnish_vec3 right =

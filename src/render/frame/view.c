@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/error.h"
+#include "core/numbers.h"
 #include "core/vector.h"
 #include "render/frame/frame.h"
 #include "render/frame/space.h"
@@ -64,7 +65,7 @@ static void make_perspective(const camera_frame *frame, double view_angle, int h
     burnish_raster_view *raster = &view->raster;
     burnish_rays *rays = &view->shading.rays;
     double sine, cosine;
-    burnish_sincos(view_angle * (3.14159265358979323846 / 360), &sine, &cosine);
+    burnish_sincos(view_angle * (BURNISH_DEGREE / 2), &sine, &cosine);
     double pixels = height * 0.5 * cosine / sine; /* a unit at distance 1 */
     store_row(frame, frame->right, pixels, 0, raster->rows[0]);
     store_row(frame, frame->up, pixels, 0, raster->rows[1]);

@@ -46,8 +46,8 @@ static int next_chunk(burnish_gltf *gltf, size_t *next, uint32_t *kind, burnish_
     if (input->size - *next < CHUNK_SIZE) {
         return 0;
     }
-    *kind = burnish_gltf_u32(at + 4);
-    *chunk = (burnish_gltf_bytes){at + CHUNK_SIZE, burnish_gltf_u32(at)};
+    *kind = burnish_load32(at + 4);
+    *chunk = (burnish_gltf_bytes){at + CHUNK_SIZE, burnish_load32(at)};
     if (chunk->size > input->size - *next - CHUNK_SIZE) {
         return fail_glb(gltf, at, "a chunk reaches beyond the end; the file is truncated");
     }
@@ -65,11 +65,11 @@ static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
         return text;
     }
     gltf->is_glb = gltf->reader->is_binary = 1;
-    if (burnish_gltf_u32(input->bytes + 4) != 2) {
+    if (burnish_load32(input->bytes + 4) != 2) {
         gltf->status =
             burnish_reader_fail(gltf->reader, BURNISH_STATUS_FORMAT, input->bytes + 4,
                                 "GLB of version %u is not supported; convert it to glTF 2.0",
-                                burnish_gltf_u32(input->bytes + 4));
+                                burnish_load32(input->bytes + 4));
         return text;
     }
     if (!next_chunk(gltf, &next, &kind, &text) || kind != CHUNK_JSON) {

@@ -21,6 +21,7 @@
 #ifndef BURNISH_MESH_READ_GLTF_GLTF_H
 #define BURNISH_MESH_READ_GLTF_GLTF_H
 
+#include "core/bytes.h"
 #include "mesh/read/io/json.h"
 
 /* Items of one top-level array: more are refused. */
@@ -267,19 +268,6 @@ size_t burnish_gltf_component_size(int component);
 /* The components of element i, normalised ones in [-1, 1] or [0, 1]. */
 void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components);
 
-static inline uint32_t burnish_gltf_u16(const uint8_t *p) {
-    return (uint32_t)p[0] | (uint32_t)p[1] << 8;
-}
-static inline uint32_t burnish_gltf_u32(const uint8_t *p) {
-    return burnish_gltf_u16(p) | burnish_gltf_u16(p + 2) << 16;
-}
-static inline double burnish_gltf_float(const uint8_t *p) {
-    const uint32_t bits = burnish_gltf_u32(p);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return (double)value;
-}
-
 /* Element i of one of integers, as it stands. */
 static inline uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i,
                                             int component) {
@@ -288,9 +276,9 @@ static inline uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accesso
     case BURNISH_GLTF_UNSIGNED_BYTE:
         return p[component];
     case BURNISH_GLTF_UNSIGNED_SHORT:
-        return burnish_gltf_u16(p + (size_t)2 * (size_t)component);
+        return burnish_load16(p + (size_t)2 * (size_t)component);
     case BURNISH_GLTF_UNSIGNED_INT:
-        return burnish_gltf_u32(p + (size_t)4 * (size_t)component);
+        return burnish_load32(p + (size_t)4 * (size_t)component);
     default:
         return UINT32_MAX;
     }

@@ -42,9 +42,9 @@ static double read_component(const uint8_t *p, int component, int is_normalized)
     double value, scale;
     switch (component) {
     case BURNISH_GLTF_FLOAT:
-        return burnish_gltf_float(p);
+        return burnish_load_float(p);
     case BURNISH_GLTF_UNSIGNED_INT:
-        return burnish_gltf_u32(p);
+        return burnish_load32(p);
     case BURNISH_GLTF_BYTE:
         value = (int8_t)*p;
         scale = 127;
@@ -54,11 +54,11 @@ static double read_component(const uint8_t *p, int component, int is_normalized)
         scale = 255;
         break;
     case BURNISH_GLTF_SHORT:
-        value = (int16_t)(uint16_t)burnish_gltf_u16(p);
+        value = (int16_t)(uint16_t)burnish_load16(p);
         scale = 32767;
         break;
     default:
-        value = burnish_gltf_u16(p);
+        value = burnish_load16(p);
         scale = 65535;
         break;
     }
@@ -73,7 +73,7 @@ void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, doubl
     const size_t size = burnish_gltf_component_size(accessor->component);
     if (accessor->component == BURNISH_GLTF_FLOAT) { /* most are */
         for (int k = 0; k < accessor->width; ++k) {
-            components[k] = burnish_gltf_float(p + 4 * (size_t)k);
+            components[k] = burnish_load_float(p + 4 * (size_t)k);
         }
         return;
     }

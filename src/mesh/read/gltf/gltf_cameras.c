@@ -1,10 +1,9 @@
 /* glTF's cameras, each where its node stands: it looks along -z of the node, y is upward. */
 #include "core/elementary.h"
+#include "core/numbers.h"
 #include "mesh/read/gltf/gltf.h"
 
 enum { CAMERAS_MAX = 4096 };
-
-#define DEGREES 57.295779513082320877
 
 void burnish_gltf_find_middle(const burnish_mesh_data *mesh, double middle[3]) {
     const float *positions = burnish_positions(mesh);
@@ -50,7 +49,7 @@ static int place_camera(const double matrix[12], const double origin[3], const d
 static void read_lens(burnish_gltf *gltf, uint32_t value, burnish_camera *camera) {
     const uint32_t parallel = burnish_gltf_object(gltf, value, "orthographic");
     const uint32_t perspective = burnish_gltf_object(gltf, value, "perspective");
-    const double angle = DEGREES * burnish_gltf_number(gltf, perspective, "yfov", 0.8);
+    const double angle = 1 / BURNISH_DEGREE * burnish_gltf_number(gltf, perspective, "yfov", 0.8);
     const double height = 2 * burnish_gltf_number(gltf, parallel, "ymag", 0);
     camera->view_angle = angle > BURNISH_VIEW_ANGLE_MIN
                              ? (angle < BURNISH_VIEW_ANGLE_MAX ? angle : BURNISH_VIEW_ANGLE_MAX)

@@ -185,9 +185,9 @@ static int read_attribute(cursor *c, size_t point_count, attribute *a) {
     if (!head) {
         return 0;
     }
-    *a = (attribute){.number = burnish_gltf_u32(head),
-                     .component = burnish_gltf_u32(head + 4),
-                     .width = burnish_gltf_u32(head + 8)};
+    *a = (attribute){.number = burnish_load32(head),
+                     .component = burnish_load32(head + 4),
+                     .width = burnish_load32(head + 8)};
     const size_t size = burnish_gltf_component_size((int)(a->component & 0xFFFF));
     if (size == 0 || a->component > 0xFFFF || a->width < 1 || a->width > 16) {
         return 0;
@@ -202,9 +202,9 @@ static int read_stream(cursor *c, stream *s) {
     if (!head) {
         return 0;
     }
-    s->point_count = burnish_gltf_u32(head);
-    s->triangle_count = burnish_gltf_u32(head + 4);
-    s->attribute_count = burnish_gltf_u32(head + 8);
+    s->point_count = burnish_load32(head);
+    s->triangle_count = burnish_load32(head + 4);
+    s->attribute_count = burnish_load32(head + 8);
     if (s->attribute_count > ATTRIBUTES_MAX || s->point_count >= BURNISH_VALUE_LIMIT ||
         s->triangle_count >= BURNISH_VALUE_LIMIT / 3) {
         return 0;

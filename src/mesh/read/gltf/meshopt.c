@@ -8,6 +8,7 @@
 
 #include <string.h>
 
+#include "core/bytes.h"
 #include "core/elementary.h"
 
 enum {
@@ -368,7 +369,7 @@ int burnish_meshopt_decode(burnish_meshopt_mode mode, const uint8_t *bytes, size
 
 /* A number of `size` bytes, 1 or 2, as it stands. */
 static int get_signed(const uint8_t *p, size_t size) {
-    return size == 1 ? (int8_t)*p : (int16_t)(uint16_t)(p[0] | p[1] << 8);
+    return size == 1 ? (int8_t)*p : (int16_t)burnish_load16(p);
 }
 
 static void put_rounded(uint8_t *p, size_t size, double value) {
@@ -417,7 +418,7 @@ static void undo_quaternion(uint8_t *p) {
 
 /* 24 bits times a power of two, of 8 bits. */
 static void undo_exponential(uint8_t *p) {
-    const uint32_t bits = (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16;
+    const uint32_t bits = burnish_load24(p);
     const double mantissa = bits & 0x800000 ? (double)bits - 0x1000000 : bits;
     const uint64_t power = (uint64_t)(1023 + (int8_t)p[3]) << 52; /* 2^-128 to 2^127 */
     double scale;
@@ -428,9 +429,7 @@ static void undo_exponential(uint8_t *p) {
                                                                  : exact);
     uint32_t out;
     memcpy(&out, &value, sizeof out);
-    for (int k = 0; k < 4; ++k) {
-        p[k] = (uint8_t)(out >> 8 * k);
-    }
+    burnish_store32(p, out);
 }
 
 /* Red, green, blue and alpha from luma and two differences of K bits; alpha has one bit less, and

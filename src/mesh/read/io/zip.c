@@ -1,5 +1,6 @@
 #include "mesh/read/io/zip.h"
 
+#include "core/bytes.h"
 #include "mesh/read/budget.h"
 
 #include <stdlib.h>
@@ -13,16 +14,6 @@ enum {
     ENTRY_SIZE = 46, /* of the directory, before its name */
     HEADER_SIZE = 30 /* before a part's bytes, without its name */
 };
-
-static uint32_t u16(const uint8_t *p) {
-    return (uint32_t)p[0] | (uint32_t)p[1] << 8;
-}
-static uint32_t u32(const uint8_t *p) {
-    return u16(p) | u16(p + 2) << 16;
-}
-static uint64_t u64(const uint8_t *p) {
-    return u32(p) | (uint64_t)u32(p + 4) << 32;
-}
 
 static uint8_t small(uint8_t c) {
     return c >= 'A' && c <= 'Z' ? (uint8_t)(c + 32) : c;
@@ -60,7 +51,7 @@ static burnish_status fail(burnish_zip *zip, const uint8_t *at, const char *what
 static const uint8_t *find_end(const uint8_t *bytes, size_t size) {
     for (size_t comment = 0; comment <= COMMENT_MOST && comment + END_SIZE <= size; ++comment) {
         const uint8_t *p = bytes + size - END_SIZE - comment;
-        if (p[0] == 'P' && memcmp(p, "PK\5\6", 4) == 0 && u16(p + 20) <= comment) {
+        if (p[0] == 'P' && memcmp(p, "PK\5\6", 4) == 0 && burnish_load16(p + 20) <= comment) {
             return p;
         }
     }
@@ -75,17 +66,19 @@ static burnish_status find_directory(burnish_zip *zip, directory *found) {
         return fail(zip, NULL, "the archive has no end; the file is truncated");
     }
     const size_t at = (size_t)(end - input->bytes);
-    *found = (directory){u32(end + 16), u32(end + 12), u16(end + 10)};
+    *found =
+        (directory){burnish_load32(end + 16), burnish_load32(end + 12), burnish_load16(end + 10)};
     const int is_64 =
         found->offset == UINT32_MAX || found->size == UINT32_MAX || found->count == 0xFFFF;
     if (is_64 && at >= LOCATOR_SIZE && memcmp(end - LOCATOR_SIZE, "PK\6\7", 4) == 0) {
-        const uint64_t record = u64(end - LOCATOR_SIZE + 8);
+        const uint64_t record = burnish_load64(end - LOCATOR_SIZE + 8);
         if (at < END_64_SIZE || record > at - END_64_SIZE ||
             memcmp(input->bytes + record, "PK\6\6", 4) != 0) {
             return fail(zip, end - LOCATOR_SIZE, "the archive's end is damaged; fetch it again");
         }
         const uint8_t *p = input->bytes + record;
-        *found = (directory){u64(p + 48), u64(p + 40), u64(p + 32)};
+        *found =
+            (directory){burnish_load64(p + 48), burnish_load64(p + 40), burnish_load64(p + 32)};
     }
     if (found->offset > at || found->size > at - found->offset ||
         found->count > found->size / ENTRY_SIZE) {
@@ -99,14 +92,14 @@ static void read_extra(burnish_zip_part *part, const uint8_t *extra, size_t size
     enum { FIELD_64 = 1, FIELD_HEADER = 4 };
     uint64_t *const numbers[3] = {&part->size, &part->packed_size, &part->header};
     while (size >= FIELD_HEADER) {
-        const size_t length = u16(extra + 2);
+        const size_t length = burnish_load16(extra + 2);
         if (length > size - FIELD_HEADER) {
             return;
         }
         const uint8_t *p = extra + FIELD_HEADER, *end = p + length;
-        for (int i = 0; u16(extra) == FIELD_64 && i < 3; ++i) {
+        for (int i = 0; burnish_load16(extra) == FIELD_64 && i < 3; ++i) {
             if (*numbers[i] == UINT32_MAX && end - p >= 8) {
-                *numbers[i] = u64(p);
+                *numbers[i] = burnish_load64(p);
                 p += 8;
             }
         }
@@ -122,9 +115,9 @@ static burnish_status read_directory(burnish_zip *zip, const directory *from) {
         size_t name = 0, extra = 0, comment = 0;
         const int is_entry = left >= ENTRY_SIZE && memcmp(p, "PK\1\2", 4) == 0;
         if (is_entry) {
-            name = u16(p + 28);
-            extra = u16(p + 30);
-            comment = u16(p + 32);
+            name = burnish_load16(p + 28);
+            extra = burnish_load16(p + 30);
+            comment = burnish_load16(p + 32);
         }
         if (!is_entry || name + extra + comment > left - ENTRY_SIZE) {
             return fail(zip, p, "the archive's directory is damaged; fetch the file again");
@@ -132,12 +125,12 @@ static burnish_status read_directory(burnish_zip *zip, const directory *from) {
         burnish_zip_part *part = &zip->parts[zip->count++];
         *part = (burnish_zip_part){.name = p + ENTRY_SIZE,
                                    .name_size = (uint32_t)name,
-                                   .crc = u32(p + 16),
-                                   .method = (uint16_t)u16(p + 10),
-                                   .flags = (uint16_t)u16(p + 8),
-                                   .packed_size = u32(p + 20),
-                                   .size = u32(p + 24),
-                                   .header = u32(p + 42)};
+                                   .crc = burnish_load32(p + 16),
+                                   .method = (uint16_t)burnish_load16(p + 10),
+                                   .flags = (uint16_t)burnish_load16(p + 8),
+                                   .packed_size = burnish_load32(p + 20),
+                                   .size = burnish_load32(p + 24),
+                                   .header = burnish_load32(p + 42)};
         read_extra(part, p + ENTRY_SIZE + name, extra);
         p += ENTRY_SIZE + name + extra + comment;
         left -= ENTRY_SIZE + name + extra + comment;
@@ -207,7 +200,8 @@ burnish_status burnish_zip_begin(burnish_zip *zip, const burnish_zip_part *part,
         return fail_part(stream, "the part is not where the archive says; the file is damaged");
     }
     const uint8_t *header = input->bytes + part->header;
-    const uint64_t start = part->header + HEADER_SIZE + u16(header + 26) + u16(header + 28);
+    const uint64_t start =
+        part->header + HEADER_SIZE + burnish_load16(header + 26) + burnish_load16(header + 28);
     if (start > input->size || part->packed_size > input->size - start) {
         return fail_part(stream, "the part reaches beyond the archive; the file is truncated");
     }

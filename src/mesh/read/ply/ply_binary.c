@@ -1,4 +1,5 @@
 /* PLY: rows of one size, vertices column by column, triangles at once. */
+#include "core/numbers.h"
 #include "mesh/read/origin.h"
 #include "mesh/read/ply/ply.h"
 
@@ -18,7 +19,7 @@ static size_t convert_floats(const burnish_ply_rows *rows, const uint8_t *bytes,
         int finite;
         if (from.type == BURNISH_PLY_FLOAT32 && origin == 0) {
             uint32_t bits = load32(bytes, rows->big_endian);
-            finite = (bits & 0x7F800000u) != 0x7F800000u;
+            finite = burnish_is_finite_bits(bits);
             bits = finite ? bits : 0;
             memcpy(to, &bits, sizeof bits);
         } else {
