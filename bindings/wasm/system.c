@@ -7,7 +7,7 @@
 #include <wasi/api.h>
 
 #include "burnish/core.h"
-#include "mesh/read/io/beside.h"
+#include "mesh/read/io/open_beside.h"
 
 /* A call of WASI's as libc.a names it, of parameters that mean nothing here. */
 #pragma clang diagnostic ignored "-Wunused-parameter"

@@ -6,7 +6,8 @@
 #include "core/environment.h"
 #include "core/numbers.h"
 #include "core/vector.h"
-#include "mesh/mesh.h"
+#include "mesh/build/build.h"
+#include "mesh/data/material.h"
 
 enum { MATERIALS_MAX = 65536 }; /* numbered in 16 bits */
 

@@ -4,7 +4,8 @@
 
 #include "core/numbers.h"
 #include "core/vector.h"
-#include "mesh/mesh.h"
+#include "mesh/builtin.h"
+#include "mesh/data/mesh.h"
 #include "mesh/teapot_data.h"
 
 /* Makes room in an empty data for a surface whose vertices carry a normal each. Errors: LIMIT (more

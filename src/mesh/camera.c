@@ -5,7 +5,7 @@
 #include "core/memory.h"
 #include "core/numbers.h"
 #include "core/vector.h"
-#include "mesh/mesh.h"
+#include "mesh/data/mesh.h"
 
 /* The three-quarter view: from the front, turned this far to the right and lifted this far. */
 #define THREE_QUARTER_AZIMUTH 35.0

@@ -9,7 +9,7 @@
 #include "core/numbers.h"
 #include "core/srgb.h"
 #include "core/vector.h"
-#include "mesh/mesh.h"
+#include "mesh/data/mesh.h"
 
 /* What is made of the mesh. */
 typedef struct cutter {

@@ -3,6 +3,7 @@
 #include "mesh/edges.h"
 
 #include "mesh/build/builder.h"
+#include "mesh/build/weld.h"
 
 #define SORT_TYPE uint64_t
 #define SORT_NAME(name) sort_side_##name

@@ -17,15 +17,17 @@ static const struct layer {
                    "burnish/shading.h burnish/theory.h"},
     {"src/shading", "core simd burnish/core.h burnish/kernels.h burnish/lobe.h "
                     "burnish/shading.h"},
-    {"src/mesh", "core mesh/build burnish/core.h burnish/mesh.h"},
-    {"src/mesh/build", "core mesh burnish/core.h burnish/mesh.h"},
-    {"src/mesh/read", "core image/decode mesh mesh/read/io mesh/read/gltf mesh/read/obj "
-                      "mesh/read/ply mesh/read/threemf burnish/core.h burnish/mesh.h"},
-    {"src/mesh/read/io", "core image/decode mesh/read burnish/core.h"},
-    {"src/mesh/read/gltf", "core mesh/read mesh/read/io"},
-    {"src/mesh/read/obj", "core mesh/read mesh/read/io"},
-    {"src/mesh/read/ply", "core mesh/read mesh/read/io"},
-    {"src/mesh/read/threemf", "core mesh/read mesh/read/io"},
+    {"src/mesh", "core mesh/data mesh/build mesh/read mesh/read/common mesh/read/io "
+                 "burnish/core.h burnish/mesh.h"},
+    {"src/mesh/data", "core burnish/core.h burnish/mesh.h"},
+    {"src/mesh/build", "core mesh/data"},
+    {"src/mesh/read", "core image/decode mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/common", "core image/decode mesh/data mesh/read/io"},
+    {"src/mesh/read/io", "core image/decode mesh/data burnish/core.h"},
+    {"src/mesh/read/gltf", "core mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/obj", "core mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/ply", "core mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/threemf", "core mesh/data mesh/read/common mesh/read/io"},
     {"src/raster", "core simd burnish/core.h"},
     {"src/image", "core image/text burnish/core.h burnish/image.h"},
     {"src/image/decode", "core image/zlib_stream.h burnish/image.h"},
@@ -62,7 +64,7 @@ static const struct layer {
     {"bench/load", "bench burnish"},
     {"bench/shaders", ""},
     {"bench/peers", "bench core simd shading burnish"},
-    {"bindings/wasm", "cli lobe core/error.h core/pool.h image/decode mesh/read/io/beside.h "
+    {"bindings/wasm", "cli lobe core/error.h core/pool.h image/decode mesh/read/io/open_beside.h "
                       "burnish wasi"},
     {"hardware/arduino/src", "burnish"},
     {"hardware/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
@@ -196,7 +198,7 @@ static void check_that_wrong_arrows_are_found(void) {
     CHECK(!allowed(find_layer("src/mesh"), "raster/tile.h"), "mesh knows no raster");
     CHECK(!allowed(find_layer("src/raster"), "render/frame/frame.h"), "raster knows no frame");
     CHECK(!allowed(find_layer("src/shading"), "burnish/mesh.h"), "shading knows no file");
-    CHECK(!allowed(find_layer("src/core"), "mesh/mesh.h"), "core knows nobody");
+    CHECK(!allowed(find_layer("src/core"), "mesh/data/mesh.h"), "core knows nobody");
     CHECK(!allowed(find_layer("program/render"), "core/srgb.h"), "program: public headers");
     CHECK(!find_layer("src/gltf"), "an unknown folder is found out");
     CHECK(allowed(find_layer("src/render/frame"), "raster/tile.h"), "render leads raster");

@@ -3,7 +3,8 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "mesh/read/reader.h"
+#include "mesh/build/build.h"
+#include "mesh/builtin.h"
 #include "mesh_arrays.h"
 #include "support.h"
 

@@ -6,7 +6,7 @@
 #include "burnish/render.h"
 #include "core/srgb.h"
 #include "draw_floats.h"
-#include "mesh/mesh.h"
+#include "mesh/data/mesh.h"
 #include "mesh_arrays.h"
 #include "render/texture/texture_levels.h"
 #include "support.h"

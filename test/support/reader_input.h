@@ -5,7 +5,7 @@
 
 #include "core/srgb.h"
 #include "mesh/read/obj/obj_materials.h"
-#include "mesh/read/reader.h"
+#include "mesh/read/formats.h"
 #include "support.h"
 
 typedef burnish_status load_function(void *user_data, const char *name, uint64_t max_bytes,

@@ -2,7 +2,12 @@
  * normals and number vertices; tangents; materials and textures. */
 #include "core/clock.h"
 
+#include "mesh/build/build.h"
 #include "mesh/build/builder.h"
+#include "mesh/build/order.h"
+#include "mesh/build/textures.h"
+#include "mesh/build/triangles.h"
+#include "mesh/build/vertices.h"
 
 /* Moves the materials to the mesh, and their numbers where there is more than one. */
 static burnish_status take_materials(burnish_builder *b) {

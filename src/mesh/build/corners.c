@@ -1,6 +1,7 @@
 /* The corners of every welded position: a counting sort. Slices of the corners are counted
  * separately, so that threads share the work; the corners of a position stand in the order of the
  * slices, and so in that of the triangles. */
+#include "mesh/build/corners.h"
 #include "mesh/build/builder.h"
 
 enum {

@@ -1,6 +1,7 @@
 /* The edges that are smooth where the caller gives no crease angle. Angles alone can't tell a
  * cylinder of 12 sides (30 degrees) from a chamfer of 30: what lies beyond both faces can. Only
  * edges between SMOOTH and SHARP degrees ask, so that a dense mesh costs nothing. */
+#include "mesh/build/creases.h"
 #include "mesh/build/builder.h"
 
 /* 40 degrees: an octagon's 45 is an edge, a decagon's 36 a step. */

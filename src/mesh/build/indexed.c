@@ -4,7 +4,10 @@
  *
  * Threads take slices of the triangles, each with vertices of its own. Those that no slice before
  * has too are numbered after the ones before: as one slice of all triangles would number them. */
+#include "mesh/build/indexed.h"
 #include "mesh/build/builder.h"
+#include "mesh/build/triangles.h"
+#include "mesh/build/vertices.h"
 
 enum { SLICES_MAX = 4 /* each has heads of all positions */ };
 

@@ -4,6 +4,7 @@
 #include <immintrin.h>
 #endif
 
+#include "mesh/build/creases.h"
 #include "mesh/build/joining.h"
 
 /* The end of the edge that two faces share, away from the vertex. */

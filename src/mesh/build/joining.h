@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_BUILD_JOINING_H
 #define BURNISH_MESH_BUILD_JOINING_H
 
-#include "mesh/build/builder.h"
+#include "mesh/build/normals.h"
 
 /* Edges with at most this many faces at a vertex are compared face by face, so that the order of
  * the faces does not matter; beyond it only neighbors in that order are, so that the cost stays

@@ -38,4 +38,8 @@ static inline int burnish_repeats_corner(const uint32_t corners[3]) {
     return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
 }
 
+/* Fills the mesh's facts: once corner_positions are there, before triangles are turned or left out.
+ * Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_measure(burnish_builder *b);
+
 #endif

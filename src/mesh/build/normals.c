@@ -6,6 +6,7 @@
 #include <immintrin.h>
 #endif
 
+#include "mesh/build/creases.h"
 #include "mesh/build/joining.h"
 
 #define DEGREE (3.14159265358979323846 / 180)

@@ -7,6 +7,7 @@
  * meshoptimizer's vertex cache order is left out on purpose: it helps hardware that transforms a
  * vertex once per use, burnish transforms each once, and its cost is quadratic in the faces around
  * a vertex (a fan of 80,000 takes 5 s, version 0.18). */
+#include "mesh/build/order.h"
 #include "mesh/build/builder.h"
 
 enum {

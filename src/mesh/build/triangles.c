@@ -2,6 +2,10 @@
 #include <stdatomic.h>
 
 #include "mesh/build/builder.h"
+#include "mesh/build/measure.h"
+#include "mesh/build/normals.h"
+#include "mesh/build/triangles.h"
+#include "mesh/build/weld.h"
 
 /* ---- positions ---- */
 

@@ -2,7 +2,14 @@
  * texture coordinates are equal. Normals that the file lacks are generated. Threads take positions;
  * vertices are then numbered in the order in which the triangles first use them, so that the result
  * does not depend on who made them. */
+#include "mesh/build/vertices.h"
 #include "mesh/build/builder.h"
+#include "mesh/build/corners.h"
+#include "mesh/build/indexed.h"
+#include "mesh/build/normals.h"
+#include "mesh/build/order.h"
+#include "mesh/build/triangles.h"
+#include "mesh/build/weld.h"
 
 enum {
     POSITIONS_PER_THREAD = BURNISH_BUILD_GRAIN / 2, /* worth a thread */

@@ -7,6 +7,7 @@
  * version 0.18), and it ends the process when memory runs out. Here the hash only makes the usual
  * case fast: a slice in which looking up takes too many steps keeps all, a part in which it does is
  * sorted, so that the worst case is O(n log n), and every failed allocation is reported. */
+#include "mesh/build/weld.h"
 #include "mesh/build/builder.h"
 
 enum {

@@ -9,9 +9,10 @@
 #include "core/bytes.h"
 #include "core/numbers.h"
 #include "core/vector.h"
-#include "mesh/read/origin.h"
-#include "mesh/read/points.h"
-#include "mesh/read/textures.h"
+#include "mesh/data/material.h"
+#include "mesh/read/common/origin.h"
+#include "mesh/read/common/points.h"
+#include "mesh/read/common/textures.h"
 
 enum {
     MATERIALS_MAX = 65536, /* numbered in 16 bits */
@@ -469,7 +470,7 @@ static burnish_status read_all(bms_state *s) {
     return status;
 }
 
-burnish_status burnish_read_bms(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     bms_state state = {.reader = reader, .mesh = reader->mesh};
     reader->is_binary = 1;
     burnish_status status = read_all(&state);
@@ -481,7 +482,9 @@ burnish_status burnish_read_bms(burnish_reader *reader) {
     return status;
 }
 
-int burnish_recognise_bms(const uint8_t *bytes, size_t size) {
+static int recognise(const uint8_t *bytes, size_t size) {
     const size_t magic = sizeof BURNISH_BMS_MAGIC - 1;
     return size >= magic && memcmp(bytes, BURNISH_BMS_MAGIC, magic) == 0 ? 2 : 0;
 }
+
+const burnish_format_reader burnish_reader_bms = {.recognise = recognise, .read = read_input};

@@ -4,10 +4,11 @@
  * The first word says what a vertex has: [ST][C][N]OFF. Many files have plain OFF and colours all
  * the same, as MeshLab writes it, or normals: what the rows hold tells (see settle_values). Colours
  * count to 255 where they are written without a point, to 1 with one. */
+#include "mesh/read/common/origin.h"
+#include "mesh/read/common/points.h"
+#include "mesh/read/common/polygon.h"
+#include "mesh/read/common/textures.h"
 #include "mesh/read/io/chunks.h"
-#include "mesh/read/origin.h"
-#include "mesh/read/points.h"
-#include "mesh/read/textures.h"
 
 enum { COUNT_MOST = 3, VALUES_MOST = 12, SAMPLE_ROWS = 4096 };
 
@@ -464,7 +465,7 @@ static burnish_status settle_face_colors(off_state *off) {
     return status;
 }
 
-burnish_status burnish_read_off(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     off_state off = {.reader = reader};
     burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, reader->input->size, 0);
     burnish_status status = read_head(&off, &lexer);
@@ -496,7 +497,7 @@ burnish_status burnish_read_off(burnish_reader *reader) {
 }
 
 /* By its first word that is no comment. */
-int burnish_recognise_off(const uint8_t *bytes, size_t size) {
+static int recognise(const uint8_t *bytes, size_t size) {
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
     burnish_token word;
     off_state unused;
@@ -504,3 +505,5 @@ int burnish_recognise_off(const uint8_t *bytes, size_t size) {
     return skip_empty_lines(&lexer) && burnish_lexer_token(&lexer, &word) &&
            read_keyword(&unused, word, &dimensions) > 0;
 }
+
+const burnish_format_reader burnish_reader_off = {.recognise = recognise, .read = read_input};

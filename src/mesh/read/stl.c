@@ -13,11 +13,11 @@
 
 #include "core/numbers.h"
 #include "core/srgb.h"
-#include "mesh/read/budget.h"
+#include "mesh/read/common/origin.h"
+#include "mesh/read/io/binary_stl.h"
+#include "mesh/read/io/budget.h"
 #include "mesh/read/io/chunks.h"
-#include "mesh/read/origin.h"
-#include "mesh/read/pieces.h"
-#include "mesh/read/stl.h"
+#include "mesh/read/io/pieces.h"
 
 enum {
     TITLE_SIZE = BURNISH_STL_TITLE_SIZE,
@@ -552,12 +552,12 @@ static int has_no_controls(const uint8_t *bytes, size_t size) {
 }
 
 /* A size that fits the count is no accident, whatever the file is called. */
-int burnish_recognise_stl(const uint8_t *bytes, size_t size) {
+static int recognise(const uint8_t *bytes, size_t size) {
     return burnish_is_binary_stl(bytes, size) ? 1 + (size > HEADER_SIZE)
                                               : starts_as_text(bytes, size);
 }
 
-burnish_status burnish_read_stl(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     burnish_status status;
     const size_t head = burnish_reader_head(reader);
@@ -584,3 +584,6 @@ burnish_status burnish_read_stl(burnish_reader *reader) {
     }
     return status == BURNISH_STATUS_OK ? number_corners(reader) : status;
 }
+
+const burnish_format_reader burnish_reader_stl = {
+    .recognise = recognise, .read = read_input, .in_pieces = 1};

@@ -1,5 +1,5 @@
 /* Equal positions find each other, whatever their hashes; records are sorted. */
-#include "mesh/build/builder.h"
+#include "mesh/build/weld.h"
 #include "support.h"
 
 /* 24 bits, which a float holds exactly. */

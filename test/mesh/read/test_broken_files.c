@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "burnish/render.h"
-#include "mesh/build/builder.h"
+#include "mesh/build/normals.h"
 #include "reader_input.h"
 
 /* The address sanitizer's shadow memory leaves RLIMIT_AS no meaning. */

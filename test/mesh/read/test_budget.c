@@ -3,7 +3,8 @@
 #include <stdarg.h>
 
 #include "image/decode/decode.h"
-#include "mesh/read/budget.h"
+#include "mesh/read/formats.h"
+#include "mesh/read/io/budget.h"
 #include "support.h"
 
 #define GLTF_HEAD "{'asset':{'version':'2.0'},"

@@ -4,7 +4,7 @@
 #include <stdarg.h>
 
 #include "burnish/mesh.h"
-#include "mesh/read/origin.h"
+#include "mesh/read/common/origin.h"
 #include "support.h"
 
 /* ---- A torus in each format ---- */

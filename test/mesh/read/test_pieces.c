@@ -6,7 +6,7 @@
 
 #include "burnish/mesh.h"
 #include "counting_context.h"
-#include "mesh/read/pieces.h"
+#include "mesh/read/io/pieces.h"
 #include "support.h"
 
 enum { SIDE = 100, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };

@@ -13,7 +13,7 @@ enum {
 
 /* ---- Container ---- */
 
-int burnish_recognise_gltf(const uint8_t *bytes, size_t size) {
+static int recognise(const uint8_t *bytes, size_t size) {
     size_t i = 0, looked = size < 4096 ? size : 4096;
     if (size >= HEADER_SIZE && memcmp(bytes, "glTF", 4) == 0) {
         return 2;
@@ -261,7 +261,7 @@ static void close_file(burnish_gltf *gltf) {
     burnish_json_destroy(context, &gltf->json);
 }
 
-burnish_status burnish_read_gltf(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     reader->mesh->unit = "meter"; /* section 3.4 */
     burnish_gltf gltf = {.reader = reader,
                          .memory = &reader->mesh->memory,
@@ -276,3 +276,5 @@ burnish_status burnish_read_gltf(burnish_reader *reader) {
     close_file(&gltf);
     return gltf.status;
 }
+
+const burnish_format_reader burnish_reader_gltf = {.recognise = recognise, .read = read_input};

@@ -1,6 +1,6 @@
 /* Pictures of glTF's materials, decoded side by side before the materials are read one by one. */
+#include "mesh/read/common/textures.h"
 #include "mesh/read/gltf/gltf.h"
-#include "mesh/read/textures.h"
 
 enum { AHEAD_MAX = 64 };
 

@@ -1,8 +1,8 @@
 /* glTF's bytes: buffers from the binary chunk, from data URIs and from files beside the input. */
-#include "mesh/read/budget.h"
 #include "mesh/read/gltf/gltf.h"
 #include "mesh/read/gltf/meshopt.h"
 #include "mesh/read/io/beside.h"
+#include "mesh/read/io/budget.h"
 
 enum { FILE_NAME_SIZE = 4096 };
 

@@ -1,7 +1,7 @@
 /* What moves glTF's vertices before their node's matrix: morph targets by their weights, then
  * joints of a skin. */
-#include "mesh/read/budget.h"
 #include "mesh/read/gltf/gltf.h"
+#include "mesh/read/io/budget.h"
 
 /* ---- Morph targets ---- */
 

@@ -7,11 +7,11 @@
 
 #include "core/elementary.h"
 #include "core/srgb.h"
-#include "mesh/read/budget.h"
+#include "mesh/read/common/origin.h"
+#include "mesh/read/common/points.h"
+#include "mesh/read/common/textures.h"
 #include "mesh/read/gltf/gltf.h"
-#include "mesh/read/origin.h"
-#include "mesh/read/points.h"
-#include "mesh/read/textures.h"
+#include "mesh/read/io/budget.h"
 
 enum {
     STEP = 1 << 16, /* triangles after which it asks whether to end */

@@ -2,8 +2,8 @@
 #include <stdio.h>
 
 #include "core/elementary.h"
+#include "mesh/read/common/textures.h"
 #include "mesh/read/gltf/gltf.h"
-#include "mesh/read/textures.h"
 
 enum {
     NEAREST = 9728,

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "mesh/read/budget.h"
-#include "mesh/read/io/chunks.h"
+#include "mesh/read/io/budget.h"
+#include "mesh/read/io/chunk.h"
 
 burnish_status burnish_chunk_fail(burnish_chunk *chunk, burnish_status status, const uint8_t *at,
                                   const char *format, ...) {

@@ -1,8 +1,8 @@
 /* Text in chunks: cut, parse side by side, accept in the order of the file, append side by side. */
 #include "mesh/read/io/chunks.h"
 
-#include "mesh/read/budget.h"
-#include "mesh/read/pieces.h"
+#include "mesh/read/io/budget.h"
+#include "mesh/read/io/pieces.h"
 
 #include <string.h>
 

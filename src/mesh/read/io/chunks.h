@@ -8,61 +8,13 @@
 #ifndef BURNISH_MESH_READ_IO_CHUNKS_H
 #define BURNISH_MESH_READ_IO_CHUNKS_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/chunk.h"
 
 /* Bytes of a chunk, up to the end of its last statement: some 0.2 ms of work, far more than it
  * takes to hand one out, and what is read of it stays in the second-level cache. */
 #ifndef BURNISH_CHUNK_SIZE
 #define BURNISH_CHUNK_SIZE 65536
 #endif
-
-/* Something to be done in the order of the file. */
-typedef struct burnish_chunk_event {
-    const uint8_t *at;
-    int kind;                  /* the grammar's */
-    size_t triangle, position; /* triangles and positions of the chunk before it */
-} burnish_chunk_event;
-
-/* Corners whose index counts from the first value of the chunk, possibly backwards. */
-typedef struct burnish_chunk_slots {
-    uint32_t *items; /* numbers of corners */
-    size_t count, capacity;
-} burnish_chunk_slots;
-
-typedef struct burnish_chunk {
-    const uint8_t *first; /* of its first statement */
-    const uint8_t *end;   /* a statement that reaches up to here is the last */
-    const uint8_t *cut;   /* what end was before parse() */
-    const uint8_t *text_end;
-    int is_first; /* nothing stands before it */
-    int bounded; /* 1: the next chunk begins at end, where a statement must; 0: parse() moves end */
-    size_t rows_left; /* how many rows may be read; SIZE_MAX: all */
-    uint64_t most;    /* triangles that the whole file may have */
-
-    /* What parse() finds. */
-    burnish_mesh_data data; /* values, corners and triangle_count; no materials */
-    unsigned used;          /* bits 1 << attribute: has corners */
-    burnish_chunk_slots relative[BURNISH_ATTRIBUTE_COUNT];
-    burnish_polygon *polygons;
-    size_t polygon_count, polygon_capacity;
-    burnish_chunk_event *events;
-    size_t event_count, event_capacity;
-    size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* index + 1 of those that are not relative */
-    size_t back[BURNISH_ATTRIBUTE_COUNT];    /* how far before the chunk relative ones reach */
-    size_t rows;
-    const uint8_t *rows_end; /* where the last row ends */
-    int is_odd;              /* the grammar's: not all of it is as it should be */
-    burnish_status status;   /* but OK: to be parsed again, exactly */
-
-    /* What stands before it: known after parsing, or where `exact` is not NULL. */
-    burnish_reader *exact; /* takes messages */
-    size_t before[BURNISH_ATTRIBUTE_COUNT], triangles_before, rows_before;
-    size_t total[BURNISH_ATTRIBUTE_COUNT]; /* of the file; SIZE_MAX: not known yet */
-
-    uint32_t *scratch; /* corners of one face */
-    size_t scratch_capacity;
-    burnish_error error; /* of memory */
-} burnish_chunk;
 
 typedef struct burnish_grammar {
     /* The first byte from `from` on at which a chunk may begin; `end` when there is none. NULL:
@@ -83,65 +35,5 @@ typedef struct burnish_grammar {
  *        NULL: the rest of the file, whatever it holds */
 burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
                                    burnish_reader *reader, const uint8_t **at, size_t *rows);
-
-/* ---- For parse() ---- */
-
-/* Ends the chunk; the message is written where the chunk is exact. */
-__attribute__((format(printf, 4, 5))) burnish_status burnish_chunk_fail(burnish_chunk *chunk,
-                                                                        burnish_status status,
-                                                                        const uint8_t *at,
-                                                                        const char *format, ...);
-
-/* Makes room for one more item. */
-int burnish_chunk_grow(burnish_chunk *chunk, burnish_attribute attribute);
-
-/* Where the next item of an attribute goes; NULL: out of memory, chunk->status says so. */
-static inline void *burnish_chunk_append(burnish_chunk *chunk, burnish_attribute attribute) {
-    burnish_stream *stream = &chunk->data.streams[attribute];
-    if (stream->count == stream->capacity && !burnish_chunk_grow(chunk, attribute)) {
-        return NULL;
-    }
-    return (char *)stream->items + burnish_attribute_size(attribute) * stream->count++;
-}
-
-/* Appends the triangles of a face: a fan, to be cut properly later.
- *
- * at:       the face, for messages
- * corners:  per corner `stride` numbers, that of an attribute at [attribute]
- * count:    corners, >= 3
- * used:     bits 1 << attribute: which have a value at any corner; those that are left out get none
- * Errors: LIMIT where the chunk is exact, MEMORY. */
-burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at,
-                                         const uint32_t *corners, size_t stride, size_t count,
-                                         unsigned used);
-
-/* Notes something to be done in the order of the file. */
-void burnish_chunk_note(burnish_chunk *chunk, int kind, const uint8_t *at);
-
-/* The scratch array with room for `count` numbers; NULL: out of memory, or more than the corners of
- * a face of all triangles. */
-uint32_t *burnish_chunk_scratch(burnish_chunk *chunk, size_t count);
-
-/* ---- polygon.c ---- */
-
-/* Corners up to which a concave polygon is cut properly; beyond, it becomes a fan. */
-#define BURNISH_POLYGON_CORNERS 256
-
-/* Cuts a polygon into count - 2 triangles of the same winding, written as corner numbers.
- *
- * A strictly convex polygon becomes a fan around corner 0. Any other is projected along the
- * dominant axis of its normal and cut by ear clipping in O(count^2): a simple polygon keeps its
- * area. One that has no normal or crosses itself still gives count - 2 triangles, from a fan.
- *
- * positions: 3 floats a position, finite
- * corners:   count indices into positions
- * count:     [3, BURNISH_POLYGON_CORNERS]
- * triangles: room for 3 * (count - 2)
- * Returns 0 where the triangles are a fan around corner 0. */
-int burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
-                        uint16_t *triangles);
-
-/* Cuts the faces that are not triangles, by all positions. Readers call it at the end. */
-burnish_status burnish_cut_polygons(burnish_reader *reader);
 
 #endif

@@ -6,7 +6,7 @@
 #ifndef BURNISH_MESH_READ_IO_JSON_H
 #define BURNISH_MESH_READ_IO_JSON_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 /* Arrays and objects within each other. */
 #define BURNISH_JSON_DEPTH 64

@@ -1,5 +1,5 @@
 /* Opening a file that an input names. */
-#include "mesh/read/io/beside.h"
+#include "mesh/read/io/open_beside.h"
 
 #include <errno.h>
 #include <string.h>

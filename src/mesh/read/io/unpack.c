@@ -2,8 +2,8 @@
 #include "mesh/read/io/unpack.h"
 
 #include "image/decode/gunzip.h"
-#include "mesh/read/budget.h"
-#include "mesh/read/stl.h"
+#include "mesh/read/io/binary_stl.h"
+#include "mesh/read/io/budget.h"
 
 /* 0: no UTF-16 with a mark. A binary STL may begin with any bytes. */
 static int has_mark(const burnish_reader_input *input) {

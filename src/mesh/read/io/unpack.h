@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_READ_IO_UNPACK_H
 #define BURNISH_MESH_READ_IO_UNPACK_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 /* The byte order mark of UTF-16. */
 static inline int burnish_has_utf16_mark(const uint8_t *bytes, size_t size) {

@@ -1,7 +1,7 @@
 #include "mesh/read/io/zip.h"
 
 #include "core/bytes.h"
-#include "mesh/read/budget.h"
+#include "mesh/read/io/budget.h"
 
 #include <stdlib.h>
 #include <string.h>

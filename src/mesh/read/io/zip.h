@@ -9,7 +9,7 @@
 #define BURNISH_MESH_READ_IO_ZIP_H
 
 #include "image/decode/gunzip.h"
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 typedef struct burnish_zip_part {
     const uint8_t *name; /* name_size bytes of the archive */

@@ -4,8 +4,9 @@
 #include <string.h>
 
 #include "core/elementary.h"
+#include "mesh/data/material.h"
+#include "mesh/read/common/textures.h"
 #include "mesh/read/obj/obj_materials.h"
-#include "mesh/read/textures.h"
 
 /* Statements by name, lower case. */
 static const struct {

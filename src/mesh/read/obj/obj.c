@@ -5,10 +5,11 @@
  * each; o, g, s and others that make nothing without one. Vertex colours
  * follow the coordinates (v x y z r g b). */
 #include "mesh/read/obj/obj.h"
+#include "mesh/read/common/points.h"
+#include "mesh/read/common/polygon.h"
+#include "mesh/read/common/textures.h"
+#include "mesh/read/io/pieces.h"
 #include "mesh/read/obj/obj_materials.h"
-#include "mesh/read/pieces.h"
-#include "mesh/read/points.h"
-#include "mesh/read/textures.h"
 
 typedef struct obj_state {
     burnish_reader *reader;
@@ -239,7 +240,7 @@ static int names_library(const uint8_t *bytes, size_t size) {
     return 0;
 }
 
-burnish_status burnish_read_obj(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     static const burnish_grammar grammar = {find_start, parse, accept,
                                             1u << BURNISH_POSITION | 1u << BURNISH_NORMAL |
                                                 1u << BURNISH_TEXCOORD,
@@ -264,7 +265,7 @@ burnish_status burnish_read_obj(burnish_reader *reader) {
 }
 
 /* The first word of the first line that is no comment is one of the format's. */
-int burnish_recognise_obj(const uint8_t *bytes, size_t size) {
+static int recognise(const uint8_t *bytes, size_t size) {
     static const char *const words[] = {"v", "vn", "vt", "f",      "o",      "g",
                                         "s", "l",  "p",  "mtllib", "usemtl", "vp"};
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 1);
@@ -279,3 +280,6 @@ int burnish_recognise_obj(const uint8_t *bytes, size_t size) {
     }
     return 0;
 }
+
+const burnish_format_reader burnish_reader_obj = {
+    .recognise = recognise, .read = read_input, .in_pieces = 1};

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/read/common/textures.h"
 #include "mesh/read/io/beside.h"
-#include "mesh/read/textures.h"
 
 enum {
     MATERIAL_LIMIT = 65536, /* what 16 bits a triangle can tell apart */

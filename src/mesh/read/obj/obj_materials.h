@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_READ_OBJ_OBJ_MATERIALS_H
 #define BURNISH_MESH_READ_OBJ_OBJ_MATERIALS_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 /* ---- mtl.c: material libraries, with names for usemtl to find ---- */
 

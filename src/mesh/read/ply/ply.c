@@ -4,11 +4,12 @@
  * decoding to be found: those of vertices are converted column by column, those of triangles at
  * once, by all threads (ply_binary.c). */
 #include "mesh/read/ply/ply.h"
-#include "mesh/read/budget.h"
+#include "mesh/read/common/points.h"
+#include "mesh/read/common/polygon.h"
+#include "mesh/read/common/textures.h"
+#include "mesh/read/io/budget.h"
 #include "mesh/read/io/chunks.h"
-#include "mesh/read/pieces.h"
-#include "mesh/read/points.h"
-#include "mesh/read/textures.h"
+#include "mesh/read/io/pieces.h"
 
 /* ---- Binary rows of one size ---- */
 
@@ -432,7 +433,7 @@ static void warn_undrawn(const burnish_ply_state *ply) {
     }
 }
 
-burnish_status burnish_read_ply(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     burnish_ply_state ply = {.reader = reader};
     burnish_status status = burnish_ply_read_header(reader, &ply.header);
     if (status == BURNISH_STATUS_OK) {
@@ -454,7 +455,10 @@ burnish_status burnish_read_ply(burnish_reader *reader) {
 }
 
 /* Sure by its first line. */
-int burnish_recognise_ply(const uint8_t *bytes, size_t size) {
+static int recognise(const uint8_t *bytes, size_t size) {
     return size >= 4 && memcmp(bytes, "ply", 3) == 0 && (bytes[3] == '\n' || bytes[3] == '\r') ? 2
                                                                                                : 0;
 }
+
+const burnish_format_reader burnish_reader_ply = {
+    .recognise = recognise, .read = read_input, .in_pieces = 1};

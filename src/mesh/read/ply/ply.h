@@ -5,7 +5,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 typedef enum burnish_ply_encoding {
     BURNISH_PLY_ASCII,

@@ -1,6 +1,6 @@
 /* PLY: rows of one size, vertices column by column, triangles at once. */
 #include "core/numbers.h"
-#include "mesh/read/origin.h"
+#include "mesh/read/common/origin.h"
 #include "mesh/read/ply/ply.h"
 
 static inline uint32_t load32(const uint8_t *from, int big_endian) {

@@ -1,7 +1,7 @@
 /* The header of a PLY file (G. Turk, "The PLY Polygon File Format", 1994). */
 #include <string.h>
 
-#include "mesh/read/pieces.h"
+#include "mesh/read/io/pieces.h"
 #include "mesh/read/ply/ply.h"
 
 typedef struct header_state {

@@ -1,7 +1,7 @@
 /* PLY: what faces have for themselves: colours, texture coordinates and textures, as MeshLab writes
  * them. */
+#include "mesh/read/common/textures.h"
 #include "mesh/read/ply/ply.h"
-#include "mesh/read/textures.h"
 
 /* ---- Values ---- */
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 /* Any ZIP archive, as far as its first bytes tell. */
-int burnish_recognise_3mf(const uint8_t *bytes, size_t size) {
+static int recognise(const uint8_t *bytes, size_t size) {
     return size >= 4 && memcmp(bytes, "PK\3\4", 4) == 0;
 }
 
@@ -187,7 +187,7 @@ static void close_file(burnish_threemf *threemf) {
     burnish_zip_close(&threemf->zip);
 }
 
-burnish_status burnish_read_3mf(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     burnish_threemf threemf = {.reader = reader, .memory = &reader->mesh->memory};
     threemf.status = burnish_zip_open(&threemf.zip, reader);
     if (threemf.status == BURNISH_STATUS_OK) {
@@ -216,10 +216,12 @@ burnish_status burnish_read_3mf(burnish_reader *reader) {
 
 #else
 
-burnish_status burnish_read_3mf(burnish_reader *reader) {
+static burnish_status read_input(burnish_reader *reader) {
     return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                "a ZIP archive; 3MF is read where burnish was built with expat, "
                                "which this one was not");
 }
 
 #endif
+
+const burnish_format_reader burnish_reader_3mf = {.recognise = recognise, .read = read_input};

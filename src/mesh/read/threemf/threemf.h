@@ -13,8 +13,8 @@
 #ifndef BURNISH_MESH_READ_THREEMF_THREEMF_H
 #define BURNISH_MESH_READ_THREEMF_THREEMF_H
 
+#include "mesh/read/io/reader.h"
 #include "mesh/read/io/zip.h"
-#include "mesh/read/reader.h"
 
 #define BURNISH_THREEMF_NONE UINT32_MAX
 

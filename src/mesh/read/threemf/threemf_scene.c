@@ -4,9 +4,9 @@
 
 #if BURNISH_HAS_3MF
 
-#include "mesh/read/budget.h"
-#include "mesh/read/origin.h"
-#include "mesh/read/textures.h"
+#include "mesh/read/common/origin.h"
+#include "mesh/read/common/textures.h"
+#include "mesh/read/io/budget.h"
 
 enum {
     NESTING_MOST = 64,     /* objects in objects */

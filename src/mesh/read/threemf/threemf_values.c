@@ -5,7 +5,7 @@
 #if BURNISH_HAS_3MF
 
 #include "core/srgb.h"
-#include "mesh/read/textures.h"
+#include "mesh/read/common/textures.h"
 
 enum { MATERIAL_LIMIT = 65536 /* what 16 bits a triangle can tell apart */ };
 

@@ -5,10 +5,10 @@
  * before anything is unpacked, and of the different files that it names. An input of less than
  * BURNISH_BUDGET_LEAST bytes counts as so many. Time and memory are then in proportion to the bytes
  * that were read, and what 1 MB may become is drawn within 2 seconds. */
-#ifndef BURNISH_MESH_READ_BUDGET_H
-#define BURNISH_MESH_READ_BUDGET_H
+#ifndef BURNISH_MESH_READ_IO_BUDGET_H
+#define BURNISH_MESH_READ_IO_BUDGET_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 enum {
     BURNISH_BUDGET_LEAST = 1 << 20,

@@ -1,6 +1,8 @@
-#include "mesh/read/origin.h"
+#include "mesh/read/common/origin.h"
 
 #include <string.h>
+
+#include "mesh/read/common/textures.h"
 
 enum {
     SAMPLES = 64, /* positions that tell of nearly all meshes that they are not far away */

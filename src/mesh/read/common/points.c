@@ -1,12 +1,12 @@
 /* Points and lines as solids: an icosahedron each for up to POINTS_ROUND points, octahedra for
  * more, six-sided prisms for lines. */
-#include "mesh/read/points.h"
+#include "mesh/read/common/points.h"
 
 #include <float.h>
 #include <stdlib.h>
 
 #include "core/vector.h"
-#include "mesh/read/budget.h"
+#include "mesh/read/io/budget.h"
 
 enum {
     POINTS_ROUND = 100000,

@@ -1,4 +1,4 @@
-#include "mesh/read/budget.h"
+#include "mesh/read/io/budget.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* What binary STL consists of. */
-#ifndef BURNISH_MESH_READ_STL_H
-#define BURNISH_MESH_READ_STL_H
+#ifndef BURNISH_MESH_READ_IO_BINARY_STL_H
+#define BURNISH_MESH_READ_IO_BINARY_STL_H
 
 #include <stddef.h>
 #include <stdint.h>

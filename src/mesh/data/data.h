@@ -1,9 +1,8 @@
-/* Meshes inside the library: what a reader hands over, what build makes of it, and the checks that
- * every way to a mesh shares.
+/* Mesh data: triangles as a file states them, before welding and normals.
  *
  * Data flow: bytes -> reader -> burnish_mesh_data -> build -> burnish_mesh. */
-#ifndef BURNISH_MESH_MESH_H
-#define BURNISH_MESH_MESH_H
+#ifndef BURNISH_MESH_DATA_DATA_H
+#define BURNISH_MESH_DATA_DATA_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -13,8 +12,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/tasks.h"
-
-/* ---- Mesh data: triangles as the file states them, before welding and normals ---- */
 
 /* A corner without a value of its own. */
 #define BURNISH_NONE UINT32_MAX
@@ -102,12 +99,6 @@ void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute
 __attribute__((format(printf, 2, 3))) void burnish_mesh_data_warn(burnish_mesh_data *mesh,
                                                                   const char *format, ...);
 
-/* Appends a texture; pixels, of 4 bytes a texel, become the data's, also on failure.
- *   name  copied; may be NULL
- * Returns 1 + its number, 0 on failure: mesh->memory has the status. */
-int burnish_mesh_data_add_texture(burnish_mesh_data *mesh, const char *name, int width, int height,
-                                  uint8_t *pixels, int is_color);
-
 /* Room for `count` items of an attribute, or for the corners of `triangles` triangles; what was
  * there is dropped. Returns the status of mesh->memory. */
 burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
@@ -133,91 +124,8 @@ static inline const uint32_t *burnish_stream_corners(const burnish_mesh_data *me
     return own ? own : mesh->streams[BURNISH_POSITION].corners;
 }
 
-/* name without the colon: "teapot", "sphere", "torus", "knot". */
-burnish_status burnish_make_builtin(const char *name, const burnish_load_options *options,
-                                    burnish_mesh_data *data, burnish_error *error);
-
-/* ---- The mesh ---- */
-
-struct burnish_mesh {
-    burnish_mesh_view view; /* its pointers are the arrays below */
-    burnish_mesh_info info;
-    burnish_mesh_facts facts;
-    int has_facts;
-    float points_min[3], points_max[3]; /* as in burnish_mesh_data */
-    const burnish_context *context;     /* where all arrays come from */
-
-    void *attributes[BURNISH_ATTRIBUTE_COUNT]; /* vertex_count items each; NULL: none */
-    uint32_t *indices;
-    uint16_t *triangle_materials;
-
-    burnish_material *materials;
-    size_t material_count;
-
-    burnish_texture *textures; /* with their names and pixels, which are owned */
-    size_t texture_count;
-
-    burnish_named_camera *cameras; /* with their names */
-    size_t camera_count;
-
-    burnish_file_light *lights;
-    size_t light_count;
-
-    char **warnings;
-    size_t warning_count;
-};
-
-/* Releases textures, and cameras, with what they own. */
-void burnish_textures_release(const burnish_context *context, burnish_texture *textures,
-                              size_t count);
+/* Releases cameras with their names. */
 void burnish_cameras_release(const burnish_context *context, burnish_named_camera *cameras,
                              size_t count);
-
-/* The view of the mesh's arrays, whose counts are set in it; a new serial. */
-void burnish_mesh_update_view(burnish_mesh *mesh);
-
-/* Welds positions, turns and orders triangles, drops those without area, generates normals. Takes
- * arrays out of the data; the caller still destroys it. *mesh is NULL on error.
- *   name     of the input, for messages, which go to the data's memory.error
- *   options  checked
- *   format   tells the up axis and the crease angle
- * Errors: FORMAT, MEMORY, CANCELLED. */
-burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
-                                  const burnish_load_options *options, burnish_format format,
-                                  burnish_mesh **mesh);
-
-/* ---- Checks ---- */
-
-/* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
- * not started from them is refused instead of being read as garbage. */
-#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6436u /* "lod6" */
-#define BURNISH_DESCRIPTION_COOKIE 0x6d736832u  /* "msh2" */
-#define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
-
-/* What every public function that loads looks at first: the place for the mesh, which becomes NULL,
- * and the options.
- * Errors: ARGUMENT (NULL, not started from burnish_load_options_default(), a field out of range).
- */
-burnish_status burnish_check_load(const burnish_load_options *options, burnish_mesh **mesh,
-                                  burnish_error *error);
-
-/* LIMIT, with its line, where `count` triangles are more than the options allow. `where` is what
- * the line starts with: the input's name, and a location in it. */
-burnish_status burnish_check_triangle_count(const burnish_load_options *options, const char *where,
-                                            uint64_t count, burnish_error *error);
-
-/* ARGUMENT, with its line, where a number of a material is out of range, or a texture is not one of
- * `texture_count`; `name` is what the line starts with. */
-burnish_status burnish_check_material(const burnish_material *material, size_t texture_count,
-                                      const char *name, burnish_error *error);
-
-/* Whether a material uses any texture. */
-static inline int burnish_material_has_textures(const burnish_material *material) {
-    int any = 0;
-    for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
-        any |= material->textures[slot].texture;
-    }
-    return any != 0;
-}
 
 #endif

@@ -1,18 +1,21 @@
 /* The table of formats, and how an input is read. */
-#include "mesh/read/reader.h"
+#include "mesh/read/formats.h"
+
+#include <string.h>
 
 #include "core/bytes.h"
 #include "core/numbers.h"
 #include "image/decode/gunzip.h"
+#include "mesh/read/common/origin.h"
+#include "mesh/read/common/textures.h"
 #include "mesh/read/foreign.h"
+#include "mesh/read/io/binary_stl.h"
+#include "mesh/read/io/pieces.h"
 #include "mesh/read/io/unpack.h"
-#include "mesh/read/origin.h"
-#include "mesh/read/textures.h"
 
 typedef struct format_row {
     burnish_format_info info;
-    int (*recognise)(const uint8_t *bytes, size_t size); /* as burnish_recognise_obj */
-    burnish_status (*read)(burnish_reader *reader);
+    const burnish_format_reader *reader; /* NULL: not a format of files */
 } format_row;
 
 static const format_row formats[BURNISH_FORMAT_COUNT] = {
@@ -20,8 +23,7 @@ static const format_row formats[BURNISH_FORMAT_COUNT] = {
     [BURNISH_FORMAT_BUILTIN] = {.info = {"builtin", "", {0, 1, 0}, 0}},
     [BURNISH_FORMAT_ARRAYS] = {.info = {"arrays", "", {0, 1, 0}, 0}},
 #define ROW(name, word, endings, x, y, z)                                                          \
-    [BURNISH_FORMAT_##                                                                             \
-        name] = {{#word, endings, {x, y, z}, 1}, burnish_recognise_##word, burnish_read_##word},
+    [BURNISH_FORMAT_##name] = {{#word, endings, {x, y, z}, 1}, &burnish_reader_##word},
     BURNISH_FORMAT_LIST(ROW)
 #undef ROW
 };
@@ -64,7 +66,7 @@ static int is_all_text(const uint8_t *bytes, size_t size) {
 /* AUTO: none. */
 static burnish_format format_of_name(const char *name) {
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0 && name; --i) {
-        if (formats[i].recognise && has_ending(name, formats[i].info.extensions)) {
+        if (formats[i].reader && has_ending(name, formats[i].info.extensions)) {
             return (burnish_format)i;
         }
     }
@@ -77,15 +79,15 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
     burnish_format guess = BURNISH_FORMAT_AUTO;
     int most = 0;
     /* text, or an archive, that begins as another format does and not as the named one */
-    if (named != BURNISH_FORMAT_AUTO && !formats[named].recognise(bytes, size) &&
-        (burnish_recognise_3mf(bytes, size) ||
+    if (named != BURNISH_FORMAT_AUTO && !formats[named].reader->recognise(bytes, size) &&
+        (burnish_reader_3mf.recognise(bytes, size) ||
          is_all_text(bytes, size < LOOKED_AT ? size : LOOKED_AT))) {
         name = NULL;
     }
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0; --i) {
-        if (formats[i].recognise) {
+        if (formats[i].reader) {
             /* Sure bytes, then the name's ending, then bytes that are not sure. */
-            const int sure = formats[i].recognise(bytes, size);
+            const int sure = formats[i].reader->recognise(bytes, size);
             const int votes = sure == 2 ? 3 : name && named == (burnish_format)i ? 2 : sure;
             guess = votes > most ? (burnish_format)i : guess;
             most = votes > most ? votes : most;
@@ -123,7 +125,7 @@ static int may_be_wrapped(const uint8_t *bytes, size_t size) {
         }
         return ascii > size / 4;
     }
-    return burnish_is_gzip(bytes, size) || burnish_recognise_3mf(bytes, size);
+    return burnish_is_gzip(bytes, size) || burnish_reader_3mf.recognise(bytes, size);
 }
 
 int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name) {
@@ -132,7 +134,8 @@ int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, con
         return 1;
     }
     const burnish_format guess = is_any ? burnish_guess_format(bytes, size, name) : format;
-    const int votes = guess != BURNISH_FORMAT_AUTO ? formats[guess].recognise(bytes, size) : 0;
+    const int votes =
+        guess != BURNISH_FORMAT_AUTO ? formats[guess].reader->recognise(bytes, size) : 0;
     if (votes == 2 ||
         ((is_any || format == BURNISH_FORMAT_STL) && may_be_binary_stl(bytes, size))) {
         return 1;
@@ -147,6 +150,26 @@ int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, con
     const int is_comment = at < size && bytes[at] == '#';
     return votes || (is_any && guess != BURNISH_FORMAT_AUTO) ||
            ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment);
+}
+
+burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,
+                                     const char *name) {
+    const int is_any = format == BURNISH_FORMAT_AUTO;
+    const burnish_format guess =
+        is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, name) : format;
+    const int is_stl = burnish_is_binary_stl(head, size);
+    if (burnish_is_gzip(head, size)) {
+        return BURNISH_FORMAT_AUTO;
+    }
+    if (is_stl) { /* surely, by its size, unless its bytes tell of something else */
+        const burnish_format other =
+            is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, NULL) : format;
+        return other == BURNISH_FORMAT_STL || (is_any && other == BURNISH_FORMAT_AUTO)
+                   ? BURNISH_FORMAT_STL
+                   : BURNISH_FORMAT_AUTO;
+    }
+    const int in_pieces = formats[guess].reader && formats[guess].reader->in_pieces;
+    return in_pieces && !burnish_has_utf16_mark(head, size) ? guess : BURNISH_FORMAT_AUTO;
 }
 
 /* What people call a format. */
@@ -174,6 +197,58 @@ static burnish_status refuse_foreign(burnish_reader *reader, const char *what) {
                                "%s, not what its name says; fetch or export it again", what);
 }
 
+/* ---- Invisible inputs ---- */
+
+/* An input in which everything is fully transparent would give an empty image. Most such files
+ * come from exporters that write transparency for opacity or leave alpha at 0. A single
+ * transparent part among visible ones is left as it is. */
+static int is_invisible(const burnish_material *material) {
+    const int is_kept = material->alpha_mode == BURNISH_ALPHA_MASK && !(material->alpha_cutoff > 0);
+    return material->transparency >= 1 && !is_kept;
+}
+
+/* Whether one of a triangle's vertices has an alpha above 0, or no colour at all. */
+static int has_visible_corner(const burnish_mesh_data *mesh, size_t triangle) {
+    const uint32_t *corners = burnish_stream_corners(mesh, BURNISH_COLOR) + 3 * triangle;
+    const uint8_t *rgba = burnish_colors(mesh);
+    int any = 0;
+    for (int k = 0; k < 3; ++k) {
+        any |= corners[k] == BURNISH_NONE || rgba[4 * (size_t)corners[k] + 3] > 0;
+    }
+    return any;
+}
+
+static int is_anything_visible(const burnish_mesh_data *mesh) {
+    const int has_colors = mesh->streams[BURNISH_COLOR].count > 0;
+    for (size_t i = 0; i < mesh->triangle_count; ++i) {
+        const size_t number = mesh->triangle_materials ? mesh->triangle_materials[i] : 0;
+        const burnish_material *material =
+            number < mesh->material_count ? &mesh->materials[number] : NULL;
+        if (!(material && is_invisible(material)) && (!has_colors || has_visible_corner(mesh, i))) {
+            return 1;
+        }
+    }
+    return mesh->triangle_count == 0;
+}
+
+static void show_transparent(burnish_reader *reader) {
+    burnish_mesh_data *mesh = reader->mesh;
+    if (is_anything_visible(mesh)) {
+        return;
+    }
+    for (size_t i = 0; i < mesh->material_count; ++i) {
+        burnish_material *material = &mesh->materials[i];
+        material->transparency = is_invisible(material) ? 0 : material->transparency;
+    }
+    for (size_t i = 0; i < mesh->streams[BURNISH_COLOR].count; ++i) {
+        burnish_colors(mesh)[4 * i + 3] = 255;
+    }
+    burnish_reader_warn(reader, NULL,
+                        "everything is wholly transparent (alpha 0) and drawn opaque");
+}
+
+/* ---- Reading ---- */
+
 burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     const burnish_reader_input *input = reader->input;
     if (input->size == 0) {
@@ -193,13 +268,14 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         status =
             burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                 "a pointer of Git LFS, not the file; fetch that (git lfs pull)");
-    } else if (formats[*format].read) {
-        const char *what = is_guessed && !formats[*format].recognise(input->bytes, input->size)
-                               ? burnish_describe_foreign(input->bytes, input->size, NULL)
-                               : NULL;
+    } else if (formats[*format].reader) {
+        const char *what =
+            is_guessed && !formats[*format].reader->recognise(input->bytes, input->size)
+                ? burnish_describe_foreign(input->bytes, input->size, NULL)
+                : NULL;
         /* any bytes may be the facets of an STL whose count is wrong */
         status = what && *format == BURNISH_FORMAT_STL ? refuse_foreign(reader, what)
-                                                       : formats[*format].read(reader);
+                                                       : formats[*format].reader->read(reader);
         if (status == BURNISH_STATUS_FORMAT && what) {
             status = refuse_foreign(reader, what);
         } else if (status == BURNISH_STATUS_OK) {
@@ -221,20 +297,10 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     }
     burnish_reader_close(reader);
     if (status == BURNISH_STATUS_OK && !input->options->origin && reader->is_wide) {
-        status = burnish_read_from_origin(reader, formats[*format].read);
+        status = burnish_read_from_origin(reader, formats[*format].reader->read);
     }
     if (status == BURNISH_STATUS_OK) {
-        burnish_reader_show_transparent(reader);
+        show_transparent(reader);
     }
     return status;
-}
-
-void burnish_reader_close(burnish_reader *reader) {
-    burnish_release(reader->mesh->memory.context, reader->polygons);
-    reader->polygons = NULL;
-    reader->polygon_count = reader->polygon_capacity = 0;
-    burnish_release(reader->mesh->memory.context, reader->companions);
-    reader->companions = NULL;
-    reader->companion_count = reader->companion_capacity = 0;
-    burnish_reader_close_textures(reader);
 }

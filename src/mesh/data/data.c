@@ -4,7 +4,8 @@
 #include <string.h>
 
 #include "core/context.h"
-#include "mesh/mesh.h"
+#include "mesh/data/data.h"
+#include "mesh/data/material.h"
 
 enum { WARNING_LIMIT = 16, WARNING_SIZE = 480 };
 

@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "core/numbers.h"
-#include "mesh/mesh.h"
+#include "mesh/data/material.h"
+#include "mesh/data/mesh.h"
 
 /* ---- Textures ---- */
 

@@ -4,10 +4,10 @@
  * Such a file is read once more, with an origin near its middle subtracted in double precision
  * before coordinates are rounded. The difference of two doubles that are within a factor of 2 is
  * exact, so that the mesh has the bits of one that was made at that origin. */
-#ifndef BURNISH_MESH_READ_ORIGIN_H
-#define BURNISH_MESH_READ_ORIGIN_H
+#ifndef BURNISH_MESH_READ_COMMON_ORIGIN_H
+#define BURNISH_MESH_READ_COMMON_ORIGIN_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 /* How often a mesh is read again at most: the first time finds the middle as exactly as floats tell
  * it, the second time to a grid of its size, the third time is for what was smaller than those

@@ -1,9 +1,9 @@
 /* Point clouds and lines as meshes: a small round solid for each point, a thin prism for each line.
  * So all that is done with triangles is done with them. */
-#ifndef BURNISH_MESH_READ_POINTS_H
-#define BURNISH_MESH_READ_POINTS_H
+#ifndef BURNISH_MESH_READ_COMMON_POINTS_H
+#define BURNISH_MESH_READ_COMMON_POINTS_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 /* Two positions that a line joins. */
 typedef struct burnish_segment {

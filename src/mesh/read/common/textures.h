@@ -1,10 +1,10 @@
 /* Textures that an input names or holds, decoded and appended to the mesh.
  *
  * A texture that can't be had is a warning, of which there is one for all of an input. */
-#ifndef BURNISH_MESH_READ_TEXTURES_H
-#define BURNISH_MESH_READ_TEXTURES_H
+#ifndef BURNISH_MESH_READ_COMMON_TEXTURES_H
+#define BURNISH_MESH_READ_COMMON_TEXTURES_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 /* The texture in the file `name`, decoded as RGBA. Its name is the input's, not to be trusted:
  * backslashes count as slashes; where it leads out of the input's folder, or to nothing, its last
@@ -48,7 +48,7 @@ static inline int burnish_reader_keeps_coordinates(const burnish_reader *reader,
     return options->keep_texture_coordinates || (may_use_textures && !options->ignore_textures);
 }
 
-/* Warns of what could not be had, and releases what was remembered; burnish_read calls it. */
-void burnish_reader_close_textures(burnish_reader *reader);
+/* Releases what a reading needed, and warns of textures that could not be had. */
+void burnish_reader_close(burnish_reader *reader);
 
 #endif

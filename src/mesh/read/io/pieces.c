@@ -1,38 +1,14 @@
-#include "mesh/read/pieces.h"
+#include "mesh/read/io/pieces.h"
 
 #include <errno.h>
 #include <string.h>
 
 #include "core/platform.h"
-#include "image/decode/gunzip.h"
-#include "mesh/read/io/unpack.h"
-#include "mesh/read/stl.h"
 
 enum {
     PIECE = 4 * BURNISH_PIECES_HEAD, /* bytes that are read at once, by each thread */
     GRAIN = 1 << 13                  /* rows that a thread takes at once where all are in memory */
 };
-
-burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,
-                                     const char *name) {
-    const int is_any = format == BURNISH_FORMAT_AUTO;
-    const burnish_format guess =
-        is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, name) : format;
-    const int is_stl = burnish_is_binary_stl(head, size);
-    if (burnish_is_gzip(head, size)) {
-        return BURNISH_FORMAT_AUTO;
-    }
-    if (is_stl) { /* surely, by its size, unless its bytes tell of something else */
-        const burnish_format other =
-            is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, NULL) : format;
-        return other == BURNISH_FORMAT_STL || (is_any && other == BURNISH_FORMAT_AUTO)
-                   ? BURNISH_FORMAT_STL
-                   : BURNISH_FORMAT_AUTO;
-    }
-    const int is_read =
-        guess == BURNISH_FORMAT_PLY || guess == BURNISH_FORMAT_STL || guess == BURNISH_FORMAT_OBJ;
-    return is_read && !burnish_has_utf16_mark(head, size) ? guess : BURNISH_FORMAT_AUTO;
-}
 
 size_t burnish_reader_head(const burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;

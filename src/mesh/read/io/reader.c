@@ -1,6 +1,6 @@
 /* Messages that say what is wrong, and where in the input. A file of its own, so that programs that
  * take a part of the readers do not get all formats. */
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -5,12 +5,13 @@
 #include "core/clock.h"
 #include "core/environment.h"
 #include "core/platform.h"
-#include "mesh/mesh.h"
-#include "mesh/read/io/beside.h"
+#include "mesh/build/build.h"
+#include "mesh/builtin.h"
+#include "mesh/read/common/origin.h"
+#include "mesh/read/formats.h"
+#include "mesh/read/io/open_beside.h"
+#include "mesh/read/io/pieces.h"
 #include "mesh/read/io/unpack.h"
-#include "mesh/read/origin.h"
-#include "mesh/read/pieces.h"
-#include "mesh/read/reader.h"
 
 enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
 

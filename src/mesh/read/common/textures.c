@@ -1,11 +1,12 @@
-#include "mesh/read/textures.h"
+#include "mesh/read/common/textures.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "image/decode/decode.h"
-#include "mesh/read/budget.h"
+#include "mesh/data/material.h"
 #include "mesh/read/io/beside.h"
+#include "mesh/read/io/budget.h"
 
 enum {
     TABLE_SIZE = 8192,          /* a power of two */
@@ -86,7 +87,7 @@ void burnish_reader_drop_ahead(burnish_reader *reader) {
     names->ahead_texels = 0;
 }
 
-void burnish_reader_close_textures(burnish_reader *reader) {
+static void close_textures(burnish_reader *reader) {
     struct burnish_texture_names *names = reader->textures;
     if (!names) {
         return;
@@ -431,4 +432,15 @@ void burnish_reader_decode_ahead(burnish_reader *reader, const burnish_texture_s
         size = count - first < most ? count - first : most;
         refused += decode_wave(reader, sources + first, size);
     }
+}
+
+void burnish_reader_close(burnish_reader *reader) {
+    const burnish_context *context = reader->mesh->memory.context;
+    burnish_release(context, reader->polygons);
+    reader->polygons = NULL;
+    reader->polygon_count = reader->polygon_capacity = 0;
+    burnish_release(context, reader->companions);
+    reader->companions = NULL;
+    reader->companion_count = reader->companion_capacity = 0;
+    close_textures(reader);
 }

@@ -1,11 +1,12 @@
 /* Meshes: options, release, access, materials. */
-#include "mesh/mesh.h"
+#include "mesh/data/mesh.h"
 
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/context.h"
+#include "mesh/data/material.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
 static const burnish_material default_material = {

@@ -4,10 +4,10 @@
  * Of such an input only the first bytes are there. It is read so where all is as it should be:
  * whatever else a reader finds makes it return an error or a warning, and the input is read once
  * more with all its bytes in memory. That gives the mesh, or the message. */
-#ifndef BURNISH_MESH_READ_PIECES_H
-#define BURNISH_MESH_READ_PIECES_H
+#ifndef BURNISH_MESH_READ_IO_PIECES_H
+#define BURNISH_MESH_READ_IO_PIECES_H
 
-#include "mesh/read/reader.h"
+#include "mesh/read/io/reader.h"
 
 typedef struct burnish_pieces {
     int descriptor; /* of a regular file, from its beginning */
@@ -18,14 +18,6 @@ typedef struct burnish_pieces {
 #ifndef BURNISH_PIECES_HEAD
 #define BURNISH_PIECES_HEAD 65536
 #endif
-
-/* The format of a file of `size` bytes that may be read in pieces; AUTO: it is to be read whole.
- *
- * format: what the caller says that it is, or AUTO
- * head:   its first BURNISH_PIECES_HEAD bytes, fewer than size
- * name:   of the file, or NULL */
-burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,
-                                     const char *name);
 
 /* An error of a file in pieces: it is to be read whole. */
 burnish_status burnish_pieces_give_up(burnish_reader *reader);

@@ -1,8 +1,8 @@
-/* What readers share: their input, their row in the table of formats, and their messages. */
-#ifndef BURNISH_MESH_READ_READER_H
-#define BURNISH_MESH_READ_READER_H
+/* What readers share: their input, their messages, and what a format consists of. */
+#ifndef BURNISH_MESH_READ_IO_READER_H
+#define BURNISH_MESH_READ_IO_READER_H
 
-#include "mesh/mesh.h"
+#include "mesh/data/data.h"
 #include "mesh/read/io/lexer.h"
 
 typedef struct burnish_reader_input {
@@ -20,6 +20,9 @@ typedef struct burnish_reader_input {
 typedef struct burnish_polygon {
     uint32_t first_triangle, corner_count;
 } burnish_polygon;
+
+/* Corners up to which a concave polygon is cut properly; beyond, it becomes a fan. */
+#define BURNISH_POLYGON_CORNERS 256
 
 /* One reading of one input. */
 typedef struct burnish_reader {
@@ -74,34 +77,18 @@ burnish_number_text burnish_describe_number(const char *what, burnish_token toke
 /* LIMIT: more triangles than the options allow. */
 burnish_status burnish_fail_triangles(burnish_reader *reader, const uint8_t *at);
 
-/* Makes everything opaque, with a warning, if all triangles of what has been read are wholly
- * transparent. */
-void burnish_reader_show_transparent(burnish_reader *reader);
+/* A format's functions. */
+typedef struct burnish_format_reader {
+    /* 2: the bytes are certainly of this format, whatever the name says; 1: if the name does not
+     * say otherwise; 0: they are not. */
+    int (*recognise)(const uint8_t *bytes, size_t size);
+    /* Fills reader->mesh, with positions less reader->mesh->origin. Errors: as burnish_read. */
+    burnish_status (*read)(burnish_reader *reader);
+    int in_pieces; /* 1: the reader also takes inputs of which only the head is in memory */
+} burnish_format_reader;
 
-/* Releases what a reading needed, and warns of textures that could not be had. */
-void burnish_reader_close(burnish_reader *reader);
-
-/* ---- Formats ---- */
-
-/* Reads an input of a format, or of the one that its bytes and name tell where that is AUTO:
- * *format says which it was. Errors: FORMAT, LIMIT, MEMORY, CANCELLED. */
-burnish_status burnish_read(burnish_reader *reader, burnish_format *format);
-
-/* The format that bytes and name tell of; AUTO when neither does. */
-burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);
-
-/* Whether a stream that begins with some bytes, and is longer, may be of a format, or of any where
- * that is AUTO; keeps an endless stream of something else from filling the memory. Says yes where
- * it can't know.
- *   format  BURNISH_FORMAT_COUNT: any bytes will do */
-int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name);
-
-/* Of each format: whether bytes are of it (2: surely, whatever the name says; 1: where the name
- * says nothing; 0: no), and its reader, which fills reader->mesh, its positions
- * less reader->mesh->origin. Errors: as burnish_read. */
 #define BURNISH_READER_DECLARE(name, word, ...)                                                    \
-    int burnish_recognise_##word(const uint8_t *bytes, size_t size);                               \
-    burnish_status burnish_read_##word(burnish_reader *reader);
+    extern const burnish_format_reader burnish_reader_##word;
 BURNISH_FORMAT_LIST(BURNISH_READER_DECLARE)
 #undef BURNISH_READER_DECLARE
 

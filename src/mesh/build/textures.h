@@ -1,0 +1,15 @@
+/* Textures, texture coordinates and tangents. */
+#ifndef BURNISH_MESH_BUILD_TEXTURES_H
+#define BURNISH_MESH_BUILD_TEXTURES_H
+
+#include "mesh/build/builder.h"
+
+/* Drops what the mesh does not need of textures, coordinates and tangents, before it is built. */
+void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_options *options);
+
+/* Generates tangents where they are needed and the file has none; makes them unit vectors at right
+ * angles to the normals. Mirrored triangles may get vertices of their own. Errors: MEMORY, LIMIT,
+ * CANCELLED. */
+burnish_status burnish_build_tangents(burnish_builder *b);
+
+#endif

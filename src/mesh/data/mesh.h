@@ -1,0 +1,58 @@
+/* A mesh inside the library, and the checks that every way to make one shares. */
+#ifndef BURNISH_MESH_DATA_MESH_H
+#define BURNISH_MESH_DATA_MESH_H
+
+#include "mesh/data/data.h"
+
+struct burnish_mesh {
+    burnish_mesh_view view; /* its pointers are the arrays below */
+    burnish_mesh_info info;
+    burnish_mesh_facts facts;
+    int has_facts;
+    float points_min[3], points_max[3]; /* as in burnish_mesh_data */
+    const burnish_context *context;     /* where all arrays come from */
+
+    void *attributes[BURNISH_ATTRIBUTE_COUNT]; /* vertex_count items each; NULL: none */
+    uint32_t *indices;
+    uint16_t *triangle_materials;
+
+    burnish_material *materials;
+    size_t material_count;
+
+    burnish_texture *textures; /* with their names and pixels, which are owned */
+    size_t texture_count;
+
+    burnish_named_camera *cameras; /* with their names */
+    size_t camera_count;
+
+    burnish_file_light *lights;
+    size_t light_count;
+
+    char **warnings;
+    size_t warning_count;
+};
+
+/* The view of the mesh's arrays, whose counts are set in it; a new serial. */
+void burnish_mesh_update_view(burnish_mesh *mesh);
+
+/* ---- Checks ---- */
+
+/* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
+ * not started from them is refused instead of being read as garbage. */
+#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6436u /* "lod6" */
+#define BURNISH_DESCRIPTION_COOKIE 0x6d736832u  /* "msh2" */
+#define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
+
+/* What every public function that loads looks at first: the place for the mesh, which becomes NULL,
+ * and the options.
+ * Errors: ARGUMENT (NULL, not started from burnish_load_options_default(), a field out of range).
+ */
+burnish_status burnish_check_load(const burnish_load_options *options, burnish_mesh **mesh,
+                                  burnish_error *error);
+
+/* LIMIT, with its line, where `count` triangles are more than the options allow. `where` is what
+ * the line starts with: the input's name, and a location in it. */
+burnish_status burnish_check_triangle_count(const burnish_load_options *options, const char *where,
+                                            uint64_t count, burnish_error *error);
+
+#endif
