@@ -1,8 +1,20 @@
 /* glTF 2.0 and its binary form GLB: the container, what the file asks for, and the order in which
  * its parts are read. */
+
 #include "mesh/read/gltf/gltf.h"
 
 #include <stdio.h>
+
+#include "core/bytes.h"
+
+#include "mesh/read/gltf/gltf_buffers.h"
+#include "mesh/read/gltf/gltf_draco.h"
+#include "mesh/read/gltf/gltf_geometry.h"
+#include "mesh/read/gltf/gltf_materials.h"
+#include "mesh/read/gltf/gltf_nodes.h"
+#include "mesh/read/gltf/gltf_primitives.h"
+#include "mesh/read/gltf/gltf_scene.h"
+#include "mesh/read/gltf/gltf_values.h"
 
 enum {
     HEADER_SIZE = 12, /* "glTF", version, length */

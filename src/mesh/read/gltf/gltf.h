@@ -1,27 +1,12 @@
 /* What the parts of the glTF 2.0 reader share (Khronos, "glTF 2.0 Specification", 2.0.1).
  *
- *     gltf.c            container, extensions, the order of the steps
- *     gltf_values.c     members of objects, with messages that name them
- *     gltf_buffers.c    bytes: the binary chunk, data URIs, files beside the input
- *     meshopt.c         bytes that are compressed
- *     gltf_accessors.c  bytes to numbers
- *     gltf_draco.c      primitives that a decoder elsewhere unpacks
- *     gltf_nodes.c      the scene's matrices
- *     gltf_primitives.c meshes' primitives: their accessors, and how many triangles they make
- *     gltf_geometry.c   primitives of nodes to triangles, or lines, or points
- *     gltf_animation.c  nodes and weights at a time
- *     gltf_deform.c     morph targets and skins
- *     gltf_materials.c  materials
- *     gltf_textures.c   textures of materials
- *     gltf_cameras.c    cameras
- *     gltf_lights.c     lights
+ * gltf.c has the container, the extensions and the order of the steps.
  *
  * The first failure stays in gltf->status; after it functions give defaults, so that callers may
  * ask for all they need and look once. */
 #ifndef BURNISH_MESH_READ_GLTF_GLTF_H
 #define BURNISH_MESH_READ_GLTF_GLTF_H
 
-#include "core/bytes.h"
 #include "mesh/read/io/json.h"
 
 /* Items of one top-level array: more are refused. */
@@ -110,13 +95,6 @@ typedef struct burnish_gltf_pose {
 /* Sets of texture coordinates that a material may choose from: TEXCOORD_0 to TEXCOORD_3. */
 enum { BURNISH_GLTF_TEXCOORDS = 4 };
 
-/* What a primitive is made of, its elements. */
-typedef enum burnish_gltf_kind {
-    BURNISH_GLTF_POINTS,
-    BURNISH_GLTF_LINES,
-    BURNISH_GLTF_TRIANGLES
-} burnish_gltf_kind;
-
 /* A primitive: numbers of accessors, NONE for those that it has not. */
 typedef struct burnish_gltf_primitive {
     uint32_t value; /* its JSON value */
@@ -135,24 +113,6 @@ typedef struct burnish_gltf_skin {
     double *matrices; /* 12 per joint; NULL: not made yet */
     size_t count;
 } burnish_gltf_skin;
-
-/* A morph target with the weight that it has. */
-typedef struct burnish_gltf_target {
-    const burnish_gltf_accessor *position, *normal; /* NULL: it moves none */
-    double weight;
-} burnish_gltf_target;
-
-/* How vertices of what is drawn at the moment go to the world. */
-typedef struct burnish_gltf_shape {
-    double matrix[12];
-    double cofactors[9]; /* turn normals, to their side where the matrix mirrors */
-    int is_mirrored;
-    burnish_gltf_target *targets;
-    size_t target_count, target_capacity;
-    const burnish_gltf_skin *skin;
-    int set_count; /* 0: no skin */
-    const burnish_gltf_accessor *joints[BURNISH_GLTF_SETS], *weights[BURNISH_GLTF_SETS];
-} burnish_gltf_shape;
 
 typedef struct burnish_gltf {
     burnish_reader *reader;
@@ -190,201 +150,5 @@ typedef struct burnish_gltf {
     int has_colors;       /* 1: a primitive has colours of vertices */
     burnish_warning_group odd_values, undrawn, rests, other_sets;
 } burnish_gltf;
-
-/* ---- gltf_values.c ---- */
-
-/* Fails with "NAME:LINE: PATH: ..."; value NONE: without place. The first failure stays. Where the
- * file is lenient, what is no matter of limits is noted instead, and status stays. Returns 0. */
-__attribute__((format(printf, 4, 5))) int burnish_gltf_fail(burnish_gltf *gltf,
-                                                            burnish_status status, uint32_t value,
-                                                            const char *format, ...);
-
-/* Notes what was passed over, in the same form. */
-__attribute__((format(printf, 4, 5))) void burnish_gltf_note(burnish_gltf *gltf,
-                                                             burnish_warning_group *group,
-                                                             uint32_t value, const char *format,
-                                                             ...);
-
-/* Takes over a failure of memory. Returns whether all is well. */
-int burnish_gltf_is_fine(burnish_gltf *gltf);
-
-/* The member of an object, NONE where it is not there; one of another kind fails. */
-uint32_t burnish_gltf_object(burnish_gltf *gltf, uint32_t object, const char *key);
-uint32_t burnish_gltf_array(burnish_gltf *gltf, uint32_t object, const char *key);
-
-/* object.extensions.NAME */
-uint32_t burnish_gltf_extension(burnish_gltf *gltf, uint32_t object, const char *name);
-
-/* A whole number of [0, most]. */
-uint64_t burnish_gltf_whole(burnish_gltf *gltf, uint32_t object, const char *key,
-                            uint64_t otherwise, uint64_t most);
-double burnish_gltf_number(burnish_gltf *gltf, uint32_t object, const char *key, double otherwise);
-
-/* `count` numbers; where the member is not there, they stay. Returns whether it is. */
-int burnish_gltf_numbers(burnish_gltf *gltf, uint32_t object, const char *key, int count,
-                         double *numbers);
-int burnish_gltf_flag(burnish_gltf *gltf, uint32_t object, const char *key, int otherwise);
-
-/* The number of an item of a list; NONE where the member is not there, or on failure. */
-uint32_t burnish_gltf_reference(burnish_gltf *gltf, uint32_t object, const char *key,
-                                burnish_gltf_list list);
-
-/* The same of a value that must be one. */
-uint32_t burnish_gltf_item(burnish_gltf *gltf, uint32_t value, burnish_gltf_list list);
-
-/* The JSON values of an array's items, `count` of them; NULL for none, and on failure. */
-uint32_t *burnish_gltf_items(burnish_gltf *gltf, uint32_t array, size_t *count);
-
-/* ---- gltf_buffers.c ---- */
-
-/* The bytes of a buffer view, and the stride that it states, 0 for none. Returns 0 on failure. */
-int burnish_gltf_view(burnish_gltf *gltf, uint32_t view, burnish_gltf_bytes *bytes, size_t *stride);
-
-/* Adds bytes that are made of the file's; too many fail. Returns 0 on failure.
- *   what  what they are, for messages */
-int burnish_gltf_fill(burnish_gltf *gltf, uint32_t value, uint64_t bytes, const char *what);
-
-/* What a URI stands for: the bytes of a data URI in *data, or else the name of a file in *name,
- * which is to be released, and "" where no file can have it. Returns 0 on failure. */
-int burnish_gltf_open_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer *data, char **name);
-void burnish_gltf_release_buffer(burnish_gltf *gltf, burnish_gltf_buffer *buffer);
-
-/* ---- gltf_accessors.c ---- */
-
-/* An accessor with its bounds checked and its sparse values in place. NULL on failure.
- *   user   what asks for it, for messages
- *   widths bits 1 << width: those that it may have */
-const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t accessor,
-                                                  uint32_t user, unsigned widths);
-
-/* Gives an accessor that has no values yet those of bytes, count, component and width; fails where
- * they are not what it describes. Scalars may be of another component. */
-void burnish_gltf_give(burnish_gltf *gltf, uint32_t number, uint32_t user,
-                       const burnish_gltf_accessor *values);
-
-/* Bytes of a burnish_gltf_component; 0 for what is none. */
-size_t burnish_gltf_component_size(int component);
-
-/* The components of element i, normalised ones in [-1, 1] or [0, 1]. */
-void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components);
-
-/* Element i of one of integers, as it stands. */
-static inline uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i,
-                                            int component) {
-    const uint8_t *p = accessor->bytes + i * accessor->stride;
-    switch (accessor->component) {
-    case BURNISH_GLTF_UNSIGNED_BYTE:
-        return p[component];
-    case BURNISH_GLTF_UNSIGNED_SHORT:
-        return burnish_load16(p + (size_t)2 * (size_t)component);
-    case BURNISH_GLTF_UNSIGNED_INT:
-        return burnish_load32(p + (size_t)4 * (size_t)component);
-    default:
-        return UINT32_MAX;
-    }
-}
-
-/* ---- gltf_nodes.c ---- */
-
-/* product = a b, of 3 x 4 matrices; it may be one of them. */
-void burnish_gltf_multiply(const double a[12], const double b[12], double product[12]);
-void burnish_gltf_compose(const double translation[3], const double rotation[4],
-                          const double scale[3], double matrix[12]);
-
-/* A file's matrix, column after column of four, as rows of a 3 x 4 one. */
-void burnish_gltf_transpose(const double columns[16], double matrix[12]);
-
-/* Fills gltf->nodes: the matrices, and what is drawn. */
-void burnish_gltf_place_nodes(burnish_gltf *gltf);
-
-/* ---- gltf_animation.c ---- */
-
-/* Fills gltf->poses and gltf->weights, where the options name a time or an animation. */
-void burnish_gltf_animate(burnish_gltf *gltf);
-
-/* ---- gltf_deform.c ---- */
-
-/* How a primitive of a node goes to the world by a matrix, that of the node or of an instance. */
-void burnish_gltf_set_shape(burnish_gltf *gltf, burnish_gltf_shape *shape,
-                            const burnish_gltf_node *node, const double matrix[12],
-                            const burnish_gltf_primitive *primitive);
-
-/* Moves a vertex by morph targets, and sets the shape's matrices to those of its joints. Returns 0
- * on failure. */
-int burnish_gltf_move(burnish_gltf *gltf, burnish_gltf_shape *shape, size_t vertex,
-                      double position[3], double normal[3]);
-
-/* ---- gltf_materials.c ---- */
-
-/* Fills the mesh's materials: one per item of MATERIALS, and one more for primitives without
- * where there are any. */
-void burnish_gltf_read_materials(burnish_gltf *gltf);
-
-/* ---- gltf_textures.c ---- */
-
-/* The set of texture coordinates that most textures of a material use, of two sets that of the
- * base colour: vertices have one. 0 where the material is none. */
-unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material);
-
-/* How a material uses the texture that `object` names under a key; all 0 where it names none, and
- * where the texture can't be had.
- *   strength  the member that scales it, NULL: none */
-burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
-                                              int is_color, const char *strength);
-
-/* What messages call an image. */
-typedef struct burnish_gltf_name {
-    char text[120];
-} burnish_gltf_name;
-burnish_gltf_name burnish_gltf_image_name(const burnish_gltf *gltf, uint32_t image);
-
-/* ---- gltf_ahead.c ---- */
-
-/* Decodes the pictures that materials are going to ask for; the second function releases those that
- * none did. Nothing but the time depends on it. */
-void burnish_gltf_decode_ahead(burnish_gltf *gltf);
-void burnish_gltf_drop_ahead(burnish_gltf *gltf);
-
-/* ---- gltf_draco.c ---- */
-
-/* What a decoder's answer begins with. */
-#define BURNISH_DRACO_MAGIC                                                                        \
-    "\x89"                                                                                         \
-    "BDA\r\n\x1a\n"
-
-/* Gives the accessors of compressed primitives their values; the second function releases them. */
-void burnish_gltf_decode_draco(burnish_gltf *gltf);
-void burnish_gltf_release_draco(burnish_gltf *gltf);
-
-/* The extension of a primitive that has to be unpacked; NONE: it stands in the file as it is. */
-uint32_t burnish_gltf_draco(burnish_gltf *gltf, uint32_t primitive);
-
-/* ---- gltf_cameras.c ---- */
-
-/* Fills the mesh's cameras, from the nodes that have one. */
-void burnish_gltf_read_cameras(burnish_gltf *gltf);
-
-/* The middle of the box around the mesh's positions. */
-void burnish_gltf_find_middle(const burnish_mesh_data *mesh, double middle[3]);
-
-/* ---- gltf_lights.c ---- */
-
-/* Fills the mesh's lights, from the nodes that have one (KHR_lights_punctual). */
-void burnish_gltf_read_lights(burnish_gltf *gltf);
-
-/* ---- gltf_primitives.c ---- */
-
-/* Fills gltf->primitives, with the accessors that they name resolved. */
-void burnish_gltf_read_primitives(burnish_gltf *gltf);
-
-burnish_gltf_kind burnish_gltf_kind_of(const burnish_gltf_primitive *primitive);
-
-/* Morph targets of a mesh: all its primitives have as many. */
-size_t burnish_gltf_target_count(burnish_gltf *gltf, uint32_t mesh);
-
-/* ---- gltf_geometry.c ---- */
-
-/* Fills the mesh's streams from the nodes that are drawn. */
-void burnish_gltf_read_geometry(burnish_gltf *gltf);
 
 #endif

@@ -3,7 +3,10 @@
  * Bounds are checked once, so that elements are read without asking. An accessor with sparse values
  * or without a view has an array of its own, made once; all of these together are bounded by the
  * input's size, because many may share one view. */
-#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/gltf/gltf_accessors.h"
+
+#include "mesh/read/gltf/gltf_buffers.h"
+#include "mesh/read/gltf/gltf_values.h"
 
 size_t burnish_gltf_component_size(int component) {
     switch (component) {

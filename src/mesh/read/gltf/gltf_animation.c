@@ -1,7 +1,11 @@
 /* One moment of a glTF animation: what its channels say of nodes at a time. Nodes that no channel
  * names stay as the file has them. */
+#include "mesh/read/gltf/gltf_animation.h"
+
 #include "core/elementary.h"
-#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/gltf/gltf_accessors.h"
+#include "mesh/read/gltf/gltf_primitives.h"
+#include "mesh/read/gltf/gltf_values.h"
 
 /* A channel's keyframes around the time asked for. */
 typedef struct gltf_keys {

@@ -1,6 +1,10 @@
 /* What moves glTF's vertices before their node's matrix: morph targets by their weights, then
  * joints of a skin. */
-#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/gltf/gltf_deform.h"
+
+#include "mesh/read/gltf/gltf_accessors.h"
+#include "mesh/read/gltf/gltf_nodes.h"
+#include "mesh/read/gltf/gltf_values.h"
 #include "mesh/read/io/budget.h"
 
 /* ---- Morph targets ---- */

@@ -3,7 +3,11 @@
  * Draco is not decoded here but by the decoder that the options name. It gets all the streams of a
  * file at once; of what it answers every number is checked, as of a file. docs/importers.md has the
  * layout of both. */
-#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/gltf/gltf_draco.h"
+
+#include "mesh/read/gltf/gltf_accessors.h"
+#include "mesh/read/gltf/gltf_buffers.h"
+#include "mesh/read/gltf/gltf_values.h"
 
 enum { ANSWER_HEAD = 8, STREAM_HEAD = 12, ATTRIBUTE_HEAD = 12, ATTRIBUTES_MAX = 32 };
 

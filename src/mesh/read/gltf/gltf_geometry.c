@@ -3,6 +3,8 @@
  * Only vertices that a triangle uses are taken: files often have one large array of vertices, of
  * which each primitive uses some. A scene without triangles is drawn as its lines, and one without
  * lines as its points: solids, of the material's base colour. */
+#include "mesh/read/gltf/gltf_geometry.h"
+
 #include <stdatomic.h>
 
 #include "core/elementary.h"
@@ -10,7 +12,11 @@
 #include "mesh/read/common/origin.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/gltf/gltf_accessors.h"
+#include "mesh/read/gltf/gltf_deform.h"
+#include "mesh/read/gltf/gltf_nodes.h"
+#include "mesh/read/gltf/gltf_primitives.h"
+#include "mesh/read/gltf/gltf_values.h"
 #include "mesh/read/io/budget.h"
 
 enum {

@@ -7,7 +7,10 @@
  *
  * A metal has no diffuse colour, but there is nothing here that it could mirror: so its colour
  * takes the ambient light, as an OBJ's Ka does. */
-#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/gltf/gltf_materials.h"
+
+#include "mesh/read/gltf/gltf_textures.h"
+#include "mesh/read/gltf/gltf_values.h"
 
 enum { MATERIAL_LIMIT = 65535 /* what 16 bits a triangle can tell apart, but for the default */ };
 

@@ -1,6 +1,11 @@
 /* glTF's primitives: what attributes each has, and how many triangles, lines or points it makes.
  * Each is looked at once, however many nodes draw it. */
-#include "mesh/read/gltf/gltf.h"
+#include "mesh/read/gltf/gltf_primitives.h"
+
+#include "mesh/read/gltf/gltf_accessors.h"
+#include "mesh/read/gltf/gltf_draco.h"
+#include "mesh/read/gltf/gltf_textures.h"
+#include "mesh/read/gltf/gltf_values.h"
 
 enum { POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN };
 

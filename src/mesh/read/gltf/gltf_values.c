@@ -1,9 +1,9 @@
 /* Members of glTF's objects: each is of the kind that the specification says, or a line tells where
  * it is not. */
+#include "mesh/read/gltf/gltf_values.h"
+
 #include <stdarg.h>
 #include <stdio.h>
-
-#include "mesh/read/gltf/gltf.h"
 
 enum { TEXT_SIZE = 260 };
 

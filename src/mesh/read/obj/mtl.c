@@ -10,10 +10,12 @@
  * d is opacity, Tr mostly 1 - d, but older exporters (3ds Max) write d 1 and Tr 1 for what is
  * opaque: where both are given, d counts. What would be wholly transparent would not have been
  * exported to be seen so: it is opaque. */
+#include "mesh/read/obj/mtl.h"
+
 #include <string.h>
 
 #include "core/srgb.h"
-#include "mesh/read/obj/obj_materials.h"
+#include "mesh/read/obj/mtl_maps.h"
 
 /* The statements seen for the material at hand; finish() makes it of them. */
 typedef struct mtl_state {

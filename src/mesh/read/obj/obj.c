@@ -4,12 +4,12 @@
  * l and p, curves and surfaces and statements of other programs are passed over, with a warning
  * each; o, g, s and others that make nothing without one. Vertex colours
  * follow the coordinates (v x y z r g b). */
-#include "mesh/read/obj/obj.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/pieces.h"
 #include "mesh/read/obj/obj_materials.h"
+#include "mesh/read/obj/obj_statements.h"
 
 typedef struct obj_state {
     burnish_reader *reader;

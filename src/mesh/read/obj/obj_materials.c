@@ -2,6 +2,7 @@
  *
  * Names are resolved at the end, sorted, so that a file of nothing but usemtl stays O(n log n); of
  * two materials with one name the first counts. */
+
 #include "mesh/read/obj/obj_materials.h"
 
 #include <stdio.h>
@@ -10,6 +11,8 @@
 
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/beside.h"
+#include "mesh/read/obj/mtl.h"
+#include "mesh/read/obj/mtl_maps.h"
 
 enum {
     MATERIAL_LIMIT = 65536, /* what 16 bits a triangle can tell apart */

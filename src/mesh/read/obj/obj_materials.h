@@ -2,54 +2,7 @@
 #ifndef BURNISH_MESH_READ_OBJ_OBJ_MATERIALS_H
 #define BURNISH_MESH_READ_OBJ_OBJ_MATERIALS_H
 
-#include "mesh/read/io/reader.h"
-
-/* ---- mtl.c: material libraries, with names for usemtl to find ---- */
-
-/* A texture that a material names. */
-typedef struct burnish_mtl_map {
-    char *file; /* NULL: none */
-    float scale[2], offset[2], bump;
-    int is_clamped;
-    int is_height; /* 1: a picture of heights, unless it looks like one of normals */
-} burnish_mtl_map;
-
-typedef struct burnish_mtl_entry {
-    char *name;
-    burnish_mtl_map maps[BURNISH_TEXTURE_SLOT_COUNT];
-    float diffuse[3]; /* Kd as written: what it multiplies a texture by */
-    int is_invisible; /* 1: wholly transparent in the file, and therefore opaque here */
-    burnish_material material;
-} burnish_mtl_entry;
-
-typedef struct burnish_mtl {
-    burnish_mtl_entry *entries;
-    size_t count, capacity;
-} burnish_mtl;
-
-/* Appends the materials of a file to library. library_file: reads the MTL, its mesh takes the
- * warnings. Errors: MEMORY. */
-burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *library);
-
-/* ---- mtl_maps.c: the textures of a library ---- */
-
-/* Whether a statement names a texture. */
-int burnish_mtl_is_map(burnish_token keyword);
-
-/* Reads one; lexer: after the keyword. What is not drawn goes to `unsupported`. Errors: the mesh's
- * memory. */
-void burnish_mtl_read_map(burnish_reader *reader, burnish_mtl_entry *entry, burnish_token keyword,
-                          burnish_lexer *lexer, burnish_warning_group *unsupported);
-
-/* The material of an entry with its textures, which are loaded. reader: the OBJ's. Errors: the
- * mesh's memory. */
-burnish_material burnish_mtl_load_maps(burnish_reader *reader, const burnish_mtl_entry *entry);
-
-void burnish_mtl_release_maps(const burnish_context *context, burnish_mtl_entry *entry);
-
-void burnish_mtl_destroy(const burnish_context *context, burnish_mtl *library);
-
-/* ---- obj_materials.c ---- */
+#include "mesh/read/obj/mtl.h"
 
 enum { BURNISH_OBJ_LIBRARIES = 64 /* that one file may name */ };
 

@@ -1,6 +1,7 @@
 /* OBJ: the statements of a chunk, read as if nothing stood before it. */
+#include "mesh/read/obj/obj_statements.h"
+
 #include "mesh/read/common/origin.h"
-#include "mesh/read/obj/obj.h"
 
 /* Numbers of a corner: those of its attributes, by attribute. No corner has a colour of its own, so
  * that in its column stands which of the others are relative, as bits 1 << attribute. */

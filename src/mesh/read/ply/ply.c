@@ -3,13 +3,17 @@
  * Rows are read one after the other (ply_rows.c). Binary rows that all have one size need no
  * decoding to be found: those of vertices are converted column by column, those of triangles at
  * once, by all threads (ply_binary.c). */
-#include "mesh/read/ply/ply.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/chunks.h"
 #include "mesh/read/io/pieces.h"
+#include "mesh/read/ply/ply_binary.h"
+#include "mesh/read/ply/ply_comments.h"
+#include "mesh/read/ply/ply_header.h"
+#include "mesh/read/ply/ply_rows.h"
+#include "mesh/read/ply/ply_triangles.h"
 
 /* ---- Binary rows of one size ---- */
 

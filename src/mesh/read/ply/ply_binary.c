@@ -1,7 +1,9 @@
 /* PLY: rows of one size, vertices column by column, triangles at once. */
+#include "mesh/read/ply/ply_binary.h"
+
 #include "core/numbers.h"
 #include "mesh/read/common/origin.h"
-#include "mesh/read/ply/ply.h"
+#include "mesh/read/ply/ply_header.h"
 
 static inline uint32_t load32(const uint8_t *from, int big_endian) {
     uint32_t bits;

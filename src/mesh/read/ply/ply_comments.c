@@ -1,7 +1,10 @@
 /* PLY: comments among the rows of an ASCII body, where the format has none. Rows are read as if
  * there were none; only what can't be read so is looked through, and read again from a copy in
  * which they are blanks, so that every line keeps its number. */
-#include "mesh/read/ply/ply.h"
+#include "mesh/read/ply/ply_comments.h"
+
+#include "mesh/read/ply/ply_header.h"
+#include "mesh/read/ply/ply_rows.h"
 
 /* Of the words that begin lines of a header those that say nothing, and what other programs know.
  */

@@ -1,8 +1,9 @@
 /* The header of a PLY file (G. Turk, "The PLY Polygon File Format", 1994). */
+#include "mesh/read/ply/ply_header.h"
+
 #include <string.h>
 
 #include "mesh/read/io/pieces.h"
-#include "mesh/read/ply/ply.h"
 
 typedef struct header_state {
     burnish_reader *reader;

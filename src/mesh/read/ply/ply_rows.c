@@ -4,9 +4,13 @@
  * Rows of an ASCII file are values, wherever lines end. But where lines do not hold what the header
  * says, values are left over, and there are as many lines as rows, rows are lines: what is missing
  * at their ends is made up, what is too much ignored. */
+#include "mesh/read/ply/ply_rows.h"
+
 #include "mesh/read/common/origin.h"
 #include "mesh/read/io/chunks.h"
-#include "mesh/read/ply/ply.h"
+#include "mesh/read/ply/ply_binary.h"
+#include "mesh/read/ply/ply_header.h"
+#include "mesh/read/ply/ply_triangles.h"
 
 /* The events of a chunk; TEXTURE + n: faces from here on show texture n. */
 enum { FEW_CORNERS, FIELDS, TEXTURE };

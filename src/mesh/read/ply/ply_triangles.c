@@ -1,7 +1,10 @@
 /* PLY: what faces have for themselves: colours, texture coordinates and textures, as MeshLab writes
  * them. */
+#include "mesh/read/ply/ply_triangles.h"
+
 #include "mesh/read/common/textures.h"
-#include "mesh/read/ply/ply.h"
+#include "mesh/read/ply/ply_header.h"
+#include "mesh/read/ply/ply_rows.h"
 
 /* ---- Values ---- */
 

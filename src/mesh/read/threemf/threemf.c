@@ -1,8 +1,14 @@
 /* 3MF: the parts of the archive, and the order in which they are read. */
+
 #include "mesh/read/threemf/threemf.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+
+#include "mesh/read/threemf/threemf_model.h"
+#include "mesh/read/threemf/threemf_scene.h"
+#include "mesh/read/threemf/threemf_values.h"
+#include "mesh/read/threemf/threemf_xml.h"
 
 /* Any ZIP archive, as far as its first bytes tell. */
 static int recognise(const uint8_t *bytes, size_t size) {

@@ -147,100 +147,6 @@ typedef struct burnish_threemf {
     burnish_warning_group missing, not_drawn, bad_properties, mixed, slices;
 } burnish_threemf;
 
-/* ---- threemf_xml.c ---- */
-
-/* What the reader knows of elements; each row stands in one other, see threemf_xml.c. */
-typedef enum burnish_threemf_element {
-    BURNISH_THREEMF_FILE, /* what the outermost one stands in */
-    BURNISH_THREEMF_OTHER,
-    BURNISH_THREEMF_RELATIONSHIPS,
-    BURNISH_THREEMF_RELATIONSHIP,
-    BURNISH_THREEMF_MODEL,
-    BURNISH_THREEMF_RESOURCES,
-    BURNISH_THREEMF_BASE_MATERIALS,
-    BURNISH_THREEMF_BASE,
-    BURNISH_THREEMF_COLOR_GROUP,
-    BURNISH_THREEMF_COLOR,
-    BURNISH_THREEMF_TEXTURE_2D,
-    BURNISH_THREEMF_TEXTURE_GROUP,
-    BURNISH_THREEMF_COORDINATE,
-    BURNISH_THREEMF_COMPOSITE_MATERIALS,
-    BURNISH_THREEMF_COMPOSITE,
-    BURNISH_THREEMF_MULTI_PROPERTIES,
-    BURNISH_THREEMF_MULTI,
-    BURNISH_THREEMF_THE_OBJECT,
-    BURNISH_THREEMF_MESH,
-    BURNISH_THREEMF_VERTICES,
-    BURNISH_THREEMF_VERTEX,
-    BURNISH_THREEMF_TRIANGLES,
-    BURNISH_THREEMF_TRIANGLE,
-    BURNISH_THREEMF_BEAMS,
-    BURNISH_THREEMF_COMPONENTS,
-    BURNISH_THREEMF_COMPONENT,
-    BURNISH_THREEMF_BUILD,
-    BURNISH_THREEMF_ITEM
-} burnish_threemf_element;
-
-typedef struct burnish_threemf_xml burnish_threemf_xml;
-
-/* Told of each element that is known where it stands: attributes as expat gives them, a name and a
- * value in turn, ended by NULL. `end` comes when it is complete. */
-typedef struct burnish_threemf_handler {
-    void (*begin)(burnish_threemf_xml *xml, burnish_threemf_element element,
-                  const char *const *attributes);
-    void (*end)(burnish_threemf_xml *xml, burnish_threemf_element element);
-    void *user_data;
-} burnish_threemf_handler;
-
-enum { BURNISH_THREEMF_DEPTH = 64 /* of elements in elements */ };
-
-struct burnish_threemf_xml {
-    burnish_threemf *threemf;
-    burnish_threemf_handler handler;
-    const char *part; /* for messages */
-    void *parser;     /* expat's */
-    uint8_t elements[BURNISH_THREEMF_DEPTH + 1];
-    size_t depth;
-    uint8_t decimal[192]; /* a number, with what the lexer wants to follow it */
-};
-
-/* Parses a part. Returns 0 on failure. */
-int burnish_threemf_parse(burnish_threemf *threemf, const burnish_zip_part *part, const char *name,
-                          const burnish_threemf_handler *handler);
-
-/* Sets threemf->status with "NAME: PART:LINE: ...", where nothing failed before. Returns 0. */
-__attribute__((format(printf, 3, 4))) int
-burnish_threemf_fail(burnish_threemf_xml *xml, burnish_status status, const char *format, ...);
-
-/* The line of the element at hand. */
-uint32_t burnish_threemf_line(const burnish_threemf_xml *xml);
-
-/* The value of an attribute without a prefix; NULL where the element has none. */
-const char *burnish_threemf_attribute(const char *const *attributes, const char *name);
-
-/* The same of one with a prefix, whatever that is. */
-const char *burnish_threemf_prefixed(const char *const *attributes, const char *name);
-
-/* A finite number of the element, which has to be there. Returns 0 on failure. */
-int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
-                          float *value);
-
-/* A whole number below NONE; `fallback` where it is missing, unless that is NONE: then it has to be
- * there. Returns 0 on failure. */
-int burnish_threemf_whole(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
-                          uint32_t fallback, uint32_t *value);
-
-/* Numbers with blanks between them, appended to threemf->numbers; those after the first that is
- * none are left out. Returns their range. */
-burnish_threemf_range burnish_threemf_numbers(burnish_threemf_xml *xml, const char *text);
-
-/* ---- threemf_model.c ---- */
-
-/* Reads the model of part `number`. Returns 0 on failure. */
-int burnish_threemf_read_model(burnish_threemf *threemf, uint32_t number);
-
-/* ---- threemf.c ---- */
-
 /* The number of the part of a name, which is listed where it is new; NONE where the archive has
  * none, after a note. */
 uint32_t burnish_threemf_add_part(burnish_threemf *threemf, const char *name);
@@ -259,27 +165,5 @@ typedef struct burnish_threemf_place {
 } burnish_threemf_place;
 burnish_threemf_place burnish_threemf_show(const burnish_threemf *threemf, uint32_t part,
                                            uint32_t line);
-
-/* ---- threemf_values.c ---- */
-
-/* Mixes composites, and chooses what is drawn of multiple properties. Returns 0 on failure. */
-int burnish_threemf_mix(burnish_threemf *threemf);
-
-/* Resolves the group and properties of an object's triangles, and gives the mesh the materials and
- * textures that they use. Returns 0 on failure. */
-int burnish_threemf_use_values(burnish_threemf *threemf, const burnish_threemf_object *object);
-
-/* Once all triangles are written: whether their plain material is the look's grey, and a warning of
- * colours with alpha 0. */
-void burnish_threemf_settle_values(burnish_threemf *threemf);
-
-/* The material of a triangle whose group is resolved. */
-uint16_t burnish_threemf_material_of(const burnish_threemf *threemf,
-                                     const burnish_threemf_triangle *triangle);
-
-/* ---- threemf_scene.c ---- */
-
-/* Writes the objects that are built to the mesh. Returns 0 on failure. */
-int burnish_threemf_write_scene(burnish_threemf *threemf);
 
 #endif

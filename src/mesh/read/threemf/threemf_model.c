@@ -1,6 +1,9 @@
 /* A model part of 3MF: its elements become arrays. What they refer to is looked for later, once all
  * parts are there. */
+#include "mesh/read/threemf/threemf_model.h"
+
 #include "mesh/read/threemf/threemf.h"
+#include "mesh/read/threemf/threemf_xml.h"
 
 #if BURNISH_HAS_3MF
 

@@ -1,12 +1,15 @@
 /* 3MF's build: objects that stand in it, and in each other. Once all are counted, without looking
  * at any of them twice, what is drawn is written to the mesh. */
-#include "mesh/read/threemf/threemf.h"
 
 #if BURNISH_HAS_3MF
+
+#include "mesh/read/threemf/threemf_scene.h"
 
 #include "mesh/read/common/origin.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
+#include "mesh/read/threemf/threemf.h"
+#include "mesh/read/threemf/threemf_values.h"
 
 enum {
     NESTING_MOST = 64,     /* objects in objects */

@@ -3,13 +3,16 @@
  * expat takes no pointer for its memory functions, so that its memory comes from malloc. That is
  * bounded here: by the depth of elements, by the size of one tag, and by what parts unpack to. A
  * document type is refused where it begins, so there are no entities but XML's five. */
-#include "mesh/read/threemf/threemf.h"
 
 #if BURNISH_HAS_3MF
+
+#include "mesh/read/threemf/threemf_xml.h"
 
 #include <expat.h>
 #include <stdarg.h>
 #include <stdio.h>
+
+#include "mesh/read/threemf/threemf.h"
 
 enum {
     PIECE = 1 << 16,

@@ -1,6 +1,6 @@
 /* OBJ inside its reader: what parsing a chunk leaves for the file to settle. */
-#ifndef BURNISH_MESH_READ_OBJ_OBJ_H
-#define BURNISH_MESH_READ_OBJ_OBJ_H
+#ifndef BURNISH_MESH_READ_OBJ_OBJ_STATEMENTS_H
+#define BURNISH_MESH_READ_OBJ_OBJ_STATEMENTS_H
 
 #include "mesh/read/io/chunks.h"
 

@@ -1,0 +1,41 @@
+/* Bytes to numbers. */
+#ifndef BURNISH_MESH_READ_GLTF_GLTF_ACCESSORS_H
+#define BURNISH_MESH_READ_GLTF_GLTF_ACCESSORS_H
+
+#include "core/bytes.h"
+#include "mesh/read/gltf/gltf.h"
+
+/* An accessor with its bounds checked and its sparse values in place. NULL on failure.
+ *   user   what asks for it, for messages
+ *   widths bits 1 << width: those that it may have */
+const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t accessor,
+                                                  uint32_t user, unsigned widths);
+
+/* Gives an accessor that has no values yet those of bytes, count, component and width; fails where
+ * they are not what it describes. Scalars may be of another component. */
+void burnish_gltf_give(burnish_gltf *gltf, uint32_t number, uint32_t user,
+                       const burnish_gltf_accessor *values);
+
+/* Bytes of a burnish_gltf_component; 0 for what is none. */
+size_t burnish_gltf_component_size(int component);
+
+/* The components of element i, normalised ones in [-1, 1] or [0, 1]. */
+void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components);
+
+/* Element i of one of integers, as it stands. */
+static inline uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i,
+                                            int component) {
+    const uint8_t *p = accessor->bytes + i * accessor->stride;
+    switch (accessor->component) {
+    case BURNISH_GLTF_UNSIGNED_BYTE:
+        return p[component];
+    case BURNISH_GLTF_UNSIGNED_SHORT:
+        return burnish_load16(p + (size_t)2 * (size_t)component);
+    case BURNISH_GLTF_UNSIGNED_INT:
+        return burnish_load32(p + (size_t)4 * (size_t)component);
+    default:
+        return UINT32_MAX;
+    }
+}
+
+#endif

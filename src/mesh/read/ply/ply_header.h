@@ -1,0 +1,94 @@
+/* The header of a PLY file. */
+#ifndef BURNISH_MESH_READ_PLY_PLY_HEADER_H
+#define BURNISH_MESH_READ_PLY_PLY_HEADER_H
+
+#include "mesh/read/io/reader.h"
+
+typedef enum burnish_ply_encoding {
+    BURNISH_PLY_ASCII,
+    BURNISH_PLY_LITTLE_ENDIAN,
+    BURNISH_PLY_BIG_ENDIAN
+} burnish_ply_encoding;
+
+typedef enum burnish_ply_type {
+    BURNISH_PLY_NONE, /* as count_type: not a list */
+    BURNISH_PLY_INT8,
+    BURNISH_PLY_UINT8,
+    BURNISH_PLY_INT16,
+    BURNISH_PLY_UINT16,
+    BURNISH_PLY_INT32,
+    BURNISH_PLY_UINT32,
+    BURNISH_PLY_FLOAT32,
+    BURNISH_PLY_FLOAT64
+} burnish_ply_type;
+
+/* Bytes of one value in a binary body. */
+static inline size_t burnish_ply_type_size(burnish_ply_type type) {
+    static const uint8_t sizes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[type];
+}
+
+/* What a property is to burnish. Those of a vertex before ROLE_COUNT are columns of a row. */
+typedef enum burnish_ply_role {
+    BURNISH_PLY_X,
+    BURNISH_PLY_Y,
+    BURNISH_PLY_Z,
+    BURNISH_PLY_NX,
+    BURNISH_PLY_NY,
+    BURNISH_PLY_NZ,
+    BURNISH_PLY_RED,
+    BURNISH_PLY_GREEN,
+    BURNISH_PLY_BLUE,
+    BURNISH_PLY_ALPHA,
+    BURNISH_PLY_S,
+    BURNISH_PLY_T,
+    BURNISH_PLY_ROLE_COUNT,
+    BURNISH_PLY_CORNERS,   /* vertex_indices of a face or of triangle strips */
+    BURNISH_PLY_TEXCOORDS, /* texcoord of a face: u and v of each corner */
+    BURNISH_PLY_TEXNUMBER, /* which of the header's textures it shows, from 0 */
+    BURNISH_PLY_OTHER      /* passed over */
+} burnish_ply_role;
+
+typedef struct burnish_ply_property {
+    burnish_ply_type type;       /* of the value, or of a list's items */
+    burnish_ply_type count_type; /* NONE: a scalar */
+    burnish_ply_role role;
+} burnish_ply_property;
+
+typedef enum burnish_ply_kind {
+    BURNISH_PLY_ELEMENT_OTHER,
+    BURNISH_PLY_ELEMENT_VERTEX,
+    BURNISH_PLY_ELEMENT_FACE,
+    BURNISH_PLY_ELEMENT_STRIPS
+} burnish_ply_kind;
+
+typedef struct burnish_ply_element {
+    burnish_token name;
+    burnish_ply_kind kind;
+    uint64_t count;
+    size_t first_property, property_count; /* in the header's list */
+    const uint8_t *at;                     /* its line in the header, for messages */
+} burnish_ply_element;
+
+typedef struct burnish_ply_header {
+    burnish_ply_encoding encoding;
+    burnish_ply_element *elements;
+    size_t element_count, element_capacity;
+    burnish_ply_property *properties;
+    size_t property_count, property_capacity;
+    const uint8_t *body;     /* first byte after the line end of end_header */
+    burnish_token *textures; /* of "comment TextureFile NAME", in their order */
+    size_t texture_count, texture_capacity;
+    int has_vertex_colors, has_face_colors; /* red, green and blue */
+    int has_face_coordinates;               /* texcoord */
+} burnish_ply_header;
+
+/* Textures of one file: numbers of faces beyond show none. */
+enum { BURNISH_PLY_TEXTURES_MAX = 4096 };
+
+/* Reads the header; one vertex element with x, y and z is there, and every face element has
+ * corners. The caller destroys the header, also on error. Errors: FORMAT, MEMORY. */
+burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header);
+void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header);
+
+#endif

@@ -1,0 +1,51 @@
+/* Rows of any kind, one value after another. */
+#ifndef BURNISH_MESH_READ_PLY_PLY_ROWS_H
+#define BURNISH_MESH_READ_PLY_PLY_ROWS_H
+
+#include "mesh/read/ply/ply_header.h"
+#include <string.h>
+
+/* What is known of the file while its body is read. */
+typedef struct burnish_ply_state {
+    burnish_reader *reader;
+    burnish_ply_header header;
+    const burnish_ply_element *element; /* being read */
+    size_t first_row;                   /* rows of it that were read by other means */
+    size_t vertex_count;
+    burnish_ply_type types[BURNISH_PLY_ROLE_COUNT];      /* of a vertex; NONE: not there */
+    burnish_ply_type face_types[BURNISH_PLY_ROLE_COUNT]; /* of a face's colours */
+    int takes_face_colors;      /* 1: each triangle appends its face's colour */
+    int keeps_coordinates;      /* 1: texture coordinates are wanted */
+    int takes_face_coordinates; /* 1: each triangle appends 3 of its face */
+    int takes_textures;         /* 1: faces tell which texture they show */
+    unsigned per_triangle;      /* bits 1 << attribute: what triangles append */
+    size_t run_start;           /* triangles from here on show run_texture */
+    int run_texture;
+    burnish_warning_group few_corners, fields, comments;
+    int by_lines; /* rows are lines of an ASCII file, whatever they hold */
+    int is_odd;   /* 1: a line does not hold a row */
+    const burnish_reader_input *with_comments; /* the reader's own input, where it has been given */
+    burnish_reader_input without;              /* this one */
+} burnish_ply_state;
+
+static inline int burnish_ply_has_roles(const burnish_ply_state *ply, int first, int last) {
+    for (int role = first; role <= last; ++role) {
+        if (ply->types[role] == BURNISH_PLY_NONE) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The first line end from a byte on. */
+static inline const uint8_t *burnish_ply_line_end(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
+    const uint8_t *last = newline ? newline : end;
+    const uint8_t *other = memchr(from, '\r', (size_t)(last - from));
+    return other ? other : last;
+}
+
+/* `rows` rows of the element at hand from *at on, which moves past them. */
+burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows);
+
+#endif
