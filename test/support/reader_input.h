@@ -4,45 +4,111 @@
 #define BURNISH_TEST_READER_INPUT_H
 
 #include "core/srgb.h"
-#include "mesh/read/obj/obj_materials.h"
 #include "mesh/read/formats.h"
+#include "mesh/read/obj/obj_materials.h"
 #include "support.h"
 
 typedef burnish_status load_function(void *user_data, const char *name, uint64_t max_bytes,
                                      const void **bytes, size_t *size, burnish_error *error);
 
+/* One reading. */
+typedef struct reader_run {
+    burnish_format format;
+    const void *bytes;
+    size_t size;
+    const burnish_load_options *options;
+    load_function *load_companion;
+    burnish_tasks *tasks; /* NULL: one thread */
+    size_t chunk_size;    /* 0: the reader's */
+} reader_run;
+
 /* Texture coordinates too, whatever the options say. */
-static inline burnish_status run_reader_threads(burnish_format format, const void *bytes,
-                                                size_t size, const burnish_load_options *options,
-                                                load_function *load_companion, burnish_tasks *tasks,
-                                                burnish_mesh_data *mesh, burnish_error *error) {
-    burnish_load_options all = *options;
+static inline burnish_status read_as(const reader_run *run, burnish_mesh_data *mesh,
+                                     burnish_error *error) {
+    burnish_load_options all = *run->options;
+    burnish_format format = run->format;
     char name[16];
-    uint8_t *copy = malloc(size > 0 ? size : 1);
+    uint8_t *copy = malloc(run->size > 0 ? run->size : 1);
     if (!copy) {
         abort();
     }
-    memcpy(copy, bytes, size);
+    memcpy(copy, run->bytes, run->size);
     snprintf(name, sizeof name, "mesh.%s", burnish_format_get_info(format)->name);
     all.keep_texture_coordinates = 1;
     burnish_reader_input input = {.bytes = copy,
-                                  .size = size,
+                                  .size = run->size,
                                   .name = name,
                                   .options = &all,
-                                  .companions = {load_companion, NULL, NULL}};
+                                  .companions = {run->load_companion, NULL, NULL},
+                                  .chunk_size = run->chunk_size};
     *error = (burnish_error){0};
-    *mesh = burnish_mesh_data_begin(NULL, tasks, error);
+    *mesh = burnish_mesh_data_begin(NULL, run->tasks, error);
     burnish_reader reader = {.input = &input, .mesh = mesh, .error = error};
     burnish_status status = burnish_read(&reader, &format);
     free(copy);
     return status;
 }
 
+static inline int same_bytes(const void *a, const void *b, size_t bytes) {
+    return bytes == 0 || (!a && !b) || (a && b && memcmp(a, b, bytes) == 0);
+}
+
+/* Every array, and every warning. */
+static inline void compare_meshes(const char *what, const burnish_mesh_data *a,
+                                  const burnish_mesh_data *b) {
+    const size_t corners = 3 * a->triangle_count * sizeof(uint32_t);
+    if (!CHECK(a->triangle_count == b->triangle_count && a->material_count == b->material_count &&
+                   a->warning_count == b->warning_count,
+               "%s: %zu %zu triangles, %zu %zu materials, %zu %zu warnings", what,
+               a->triangle_count, b->triangle_count, a->material_count, b->material_count,
+               a->warning_count, b->warning_count)) {
+        return;
+    }
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        const burnish_stream *x = &a->streams[i], *y = &b->streams[i];
+        const size_t size = burnish_attribute_size((burnish_attribute)i);
+        CHECK(x->count == y->count && same_bytes(x->items, y->items, x->count * size),
+              "%s: stream %d", what, i);
+        CHECK(same_bytes(x->corners, y->corners, corners), "%s: corners of stream %d", what, i);
+    }
+    CHECK(same_bytes(a->triangle_materials, b->triangle_materials,
+                     a->triangle_count * sizeof(uint16_t)),
+          "%s", what);
+    CHECK(same_bytes(a->materials, b->materials, a->material_count * sizeof *a->materials), "%s",
+          what);
+    for (size_t i = 0; i < a->warning_count; ++i) {
+        CHECK(strcmp(a->warnings[i], b->warnings[i]) == 0, "%s: \"%s\" \"%s\"", what,
+              a->warnings[i], b->warnings[i]);
+    }
+}
+
+/* Reads once more in another way, which must give the same mesh, or the same error. */
+static inline void check_same_reading(const char *what, const reader_run *run,
+                                      burnish_status status, const burnish_mesh_data *mesh,
+                                      const burnish_error *error) {
+    burnish_mesh_data other;
+    burnish_error other_error;
+    const burnish_status other_status = read_as(run, &other, &other_error);
+    CHECK(status == other_status && strcmp(error->text, other_error.text) == 0,
+          "%s, %d threads, chunks of %zu: %d \"%s\", not %d \"%s\"", what,
+          burnish_tasks_threads(run->tasks), run->chunk_size, (int)other_status, other_error.text,
+          (int)status, error->text);
+    if (status == BURNISH_STATUS_OK && other_status == status) {
+        compare_meshes(what, mesh, &other);
+    }
+    burnish_mesh_data_destroy(&other);
+}
+
+/* Chunks of 64 bytes, whose ends are everywhere, must make no difference. */
 static inline burnish_status run_reader(burnish_format format, const void *bytes, size_t size,
                                         const burnish_load_options *options,
                                         load_function *load_companion, burnish_mesh_data *mesh,
                                         burnish_error *error) {
-    return run_reader_threads(format, bytes, size, options, load_companion, NULL, mesh, error);
+    reader_run run = {format, bytes, size, options, load_companion, NULL, 0};
+    const burnish_status status = read_as(&run, mesh, error);
+    run.chunk_size = 64;
+    check_same_reading("input of a test", &run, status, mesh, error);
+    return status;
 }
 
 static inline burnish_status read_text(burnish_format format, const char *text,
@@ -91,8 +157,6 @@ static inline double triangle_area(const float *p, const float *q, const float *
     return 0.5 * (((double)q[0] - p[0]) * ((double)r[1] - p[1]) -
                   ((double)q[1] - p[1]) * ((double)r[0] - p[0]));
 }
-
-/* Cuts a simple polygon in the plane: all triangles turn the same way, and areas add up. */
 
 /* Bytes under construction. */
 typedef struct byte_list {

@@ -1332,8 +1332,9 @@ static burnish_status read_many(int threads, burnish_mesh_data *s, burnish_error
              36 * MANY, 32 * MANY, 32 * MANY, 4 * MANY, MANY, MANY, MANY, MANY);
     list.size = 0;
     put_json(&list, json);
-    return run_reader_threads(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, load_many,
-                              threads > 1 ? &tasks : NULL, s, e);
+    return read_as(&(reader_run){BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, load_many,
+                                 threads > 1 ? &tasks : NULL, 0},
+                   s, e);
 }
 
 static int are_same(const burnish_mesh_data *a, const burnish_mesh_data *b) {

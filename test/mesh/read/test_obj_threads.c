@@ -153,7 +153,7 @@ static void test_obj(void) {
             char name[32];
             text t = make_obj(100 * i + k, &plans[i], line_ends[k]);
             snprintf(name, sizeof name, "OBJ %zu.%zu", i, k);
-            check(name, BURNISH_FORMAT_OBJ, &t, &options, GOOD);
+            check(name, BURNISH_FORMAT_OBJ, &t, &options, GOLDEN);
             t.bytes[t.size - 8] = '\n'; /* and with a line end at the end, or in the last face */
             check(name, BURNISH_FORMAT_OBJ, &t, &options, ANYTHING);
             free(t.bytes);

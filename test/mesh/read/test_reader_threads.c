@@ -1,8 +1,33 @@
-/* STL, PLY and numbers with threads: whatever is in a file, several threads give what one gives,
- * array by array, warning by warning, and the same error at the same location; and that is what the
- * readers of old gave. Built a second time with chunks of 64 bytes, so that everything crosses
- * them. */
+/* STL, PLY and numbers: several threads and chunks of any size give what one thread gives for the
+ * whole text, array by array, warning by warning, and the same error at the same location. */
 #include "reader_compare.h"
+
+/* ---- Files ---- */
+
+static void test_data(void) {
+    static const struct {
+        const char *name;
+        burnish_format format;
+    } files[] = {{"cube.obj", BURNISH_FORMAT_OBJ},
+                 {"textured.obj", BURNISH_FORMAT_OBJ},
+                 {"colors.ply", BURNISH_FORMAT_PLY},
+                 {"wedge.stl", BURNISH_FORMAT_STL}};
+    const burnish_load_options options = burnish_load_options_default();
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        char path[512], bytes[4096];
+        text t = {.line_end = "\n"};
+        snprintf(path, sizeof path, "%s/%s", TEST_DATA_DIR, files[i].name);
+        FILE *file = fopen(path, "rb");
+        for (size_t size; file && (size = fread(bytes, 1, sizeof bytes, file)) > 0;) {
+            add(&t, bytes, size);
+        }
+        if (CHECK(file, "no file %s", path)) {
+            fclose(file);
+        }
+        check(files[i].name, files[i].format, &t, &options, GOLDEN);
+        free(t.bytes);
+    }
+}
 
 /* ---- STL ---- */
 
@@ -48,7 +73,7 @@ static void test_stl_text(void) {
         char name[32];
         text t = make_stl(i, i % 2 != 0, line_ends[i / 2]);
         snprintf(name, sizeof name, "ASCII STL %d", (int)i);
-        check(name, BURNISH_FORMAT_STL, &t, &options, GOOD);
+        check(name, BURNISH_FORMAT_STL, &t, &options, GOLDEN);
         t.size -= strlen("endsolid");
         check(name, BURNISH_FORMAT_STL, &t, &options, GOOD);
         free(t.bytes);
@@ -120,10 +145,10 @@ static void test_stl_binary(void) {
     check("binary STL", BURNISH_FORMAT_STL, &t, &options, ANYTHING);
     burnish_mesh_data source;
     burnish_error error;
-    burnish_tasks tasks, *pool = &tasks;
+    burnish_tasks tasks;
     burnish_tasks_begin(&tasks, NULL, 3);
-    CHECK(run_reader_threads(BURNISH_FORMAT_STL, t.bytes, t.size, &options, NULL, pool, &source,
-                             &error) == BURNISH_STATUS_OK,
+    CHECK(read_as(&(reader_run){BURNISH_FORMAT_STL, t.bytes, t.size, &options, .tasks = &tasks},
+                  &source, &error) == BURNISH_STATUS_OK,
           "%s", error.text);
     size_t wrong = 0;
     for (size_t i = 0; i < COUNT && source.triangle_count == COUNT; ++i) {
@@ -210,7 +235,7 @@ static void test_ply(void) {
             char name[32];
             text t = make_ply(10 * i + k, &plans[i], line_ends[k]);
             snprintf(name, sizeof name, "ASCII PLY %zu.%zu", i, k);
-            check(name, BURNISH_FORMAT_PLY, &t, &options, GOOD);
+            check(name, BURNISH_FORMAT_PLY, &t, &options, GOLDEN);
             t.size -= 2; /* the last element is empty: the line of the message */
             check(name, BURNISH_FORMAT_PLY, &t, &options, BROKEN);
             free(t.bytes);
@@ -296,6 +321,7 @@ static void test_numbers(void) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
+    RUN(test_data());
     RUN(test_numbers());
     RUN(test_stl_text());
     RUN(test_stl_blank_lines());

@@ -253,8 +253,8 @@ static void test_ply_elements(void) {
         size += (size_t)sprintf(text + size, i % 2 ? "2 0 1\n3 0 1 2\n" : "3 0 1 2\n");
     }
     burnish_tasks_begin(&tasks, NULL, 2);
-    CHECK(run_reader_threads(BURNISH_FORMAT_PLY, text, size, &options, NULL, &tasks, &s, &e) ==
-              BURNISH_STATUS_OK,
+    CHECK(read_as(&(reader_run){BURNISH_FORMAT_PLY, text, size, &options, .tasks = &tasks}, &s,
+                  &e) == BURNISH_STATUS_OK,
           "%s", e.text);
     CHECK(s.triangle_count == ELEMENTS, "%zu", s.triangle_count);
     burnish_mesh_data_destroy(&s);

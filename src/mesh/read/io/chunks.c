@@ -20,6 +20,7 @@ typedef struct chunk_driver {
     burnish_reader *reader;
     burnish_chunk *chunks; /* of one wave; their arrays are used again by the next */
     size_t most;           /* of them */
+    size_t chunk_size;     /* bytes */
     int alone;             /* 1: statements cross the starts that were found, so one at a time */
     burnish_window window; /* over a file in pieces: what lies between next and text_end; else 0 */
     const uint8_t *next, *text_end;
@@ -72,7 +73,7 @@ static int ends_input(const chunk_driver *driver) {
 /* Bytes that a wave may take, and those that are looked at beyond to find its end. */
 static size_t wave_size(const chunk_driver *driver) {
     enum { LONGEST = BURNISH_PIECES_HEAD }; /* statement, or lines without a start */
-    return driver->most * BURNISH_CHUNK_SIZE + LONGEST;
+    return driver->most * driver->chunk_size + LONGEST;
 }
 
 /* Has the next wave in the window. Returns 0 where the file can't be read. */
@@ -91,7 +92,7 @@ static burnish_status open_window(chunk_driver *driver, const uint8_t *at) {
     burnish_window *window = &driver->window;
     window->input = driver->reader->input;
     window->offset = (size_t)(at - window->input->bytes);
-    window->capacity = wave_size(driver) + more * BURNISH_CHUNK_SIZE;
+    window->capacity = wave_size(driver) + more * driver->chunk_size;
     window->bytes =
         burnish_allocate(&driver->reader->mesh->memory, window->capacity, 1, "a piece of the file");
     driver->next = driver->text_end = window->bytes;
@@ -118,14 +119,13 @@ static size_t read_ahead(const chunk_driver *driver) {
 /* The chunks of the next wave. */
 static size_t cut_wave(chunk_driver *driver) {
     const uint8_t *first = driver->next, *end = driver->text_end;
-    const size_t ahead = read_ahead(driver);
+    const size_t ahead = read_ahead(driver), size = driver->chunk_size;
     const int is_last = ends_input(driver);
-    const int bounded =
-        driver->grammar->find_start && (ahead > BURNISH_CHUNK_SIZE || driver->window.bytes);
-    const size_t most = bounded && ahead > BURNISH_CHUNK_SIZE ? driver->most : 1;
+    const int bounded = driver->grammar->find_start && (ahead > size || driver->window.bytes);
+    const size_t most = bounded && ahead > size ? driver->most : 1;
     size_t count = 0;
     while (count < most && first < end && (size_t)(first - driver->next) <= ahead &&
-           (is_last || end - first > BURNISH_CHUNK_SIZE)) {
+           (is_last || (size_t)(end - first) > size)) {
         burnish_chunk *chunk = &driver->chunks[count];
         reset(chunk);
         chunk->first = first;
@@ -133,9 +133,9 @@ static size_t cut_wave(chunk_driver *driver) {
         chunk->text_end = end;
         chunk->bounded = bounded;
         chunk->rows_left = driver->rows_left;
-        chunk->end = end - first <= BURNISH_CHUNK_SIZE ? end
-                     : bounded ? driver->grammar->find_start(first + BURNISH_CHUNK_SIZE - 1, end)
-                               : first + BURNISH_CHUNK_SIZE;
+        chunk->end = (size_t)(end - first) <= size ? end
+                     : bounded ? driver->grammar->find_start(first + size - 1, end)
+                               : first + size;
         if (chunk->end == end && !is_last) { /* the next start is beyond the window */
             break;
         }
@@ -490,16 +490,18 @@ static void close_driver(chunk_driver *driver) {
 burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
                                    burnish_reader *reader, const uint8_t **at, size_t *rows) {
     burnish_mesh_data *mesh = reader->mesh;
+    const size_t given = reader->input->chunk_size;
     chunk_driver driver = {.grammar = grammar,
                            .state = state,
                            .reader = reader,
                            .next = *at,
                            .text_end = reader->input->bytes + reader->input->size,
+                           .chunk_size = given ? given : BURNISH_CHUNK_SIZE,
                            .rows_left = rows ? *rows : SIZE_MAX};
     if (reader->input->pieces && !grammar->find_start) {
         return burnish_pieces_give_up(reader);
     }
-    const size_t chunks = (size_t)(driver.text_end - *at) / BURNISH_CHUNK_SIZE + 1;
+    const size_t chunks = (size_t)(driver.text_end - *at) / driver.chunk_size + 1;
     const size_t threads = (size_t)burnish_tasks_threads(mesh->tasks);
     const size_t most = threads > 1 ? CHUNKS_PER_THREAD * threads : 1;
     driver.most = most < chunks ? most : chunks;

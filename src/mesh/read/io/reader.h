@@ -13,7 +13,8 @@ typedef struct burnish_reader_input {
     const burnish_load_options *options;
     burnish_file_loader companions;      /* load NULL: there are none */
     const struct burnish_pieces *pieces; /* pieces.h: only the head is at `bytes`; NULL: all */
-    double *told;                        /* the progress that the context knows of; NULL: none */
+    size_t chunk_size; /* bytes of a chunk of text; 0: BURNISH_CHUNK_SIZE. Only tests set it. */
+    double *told;      /* the progress that the context knows of; NULL: none */
 } burnish_reader_input;
 
 /* A face of 4 corners or more: a fan until all positions are there, then cut by them. */
