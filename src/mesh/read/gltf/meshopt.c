@@ -76,39 +76,44 @@ static const uint8_t *read_group(const uint8_t *p, const uint8_t *end, unsigned 
 /* How the bytes at one place of a block's elements are packed. */
 enum { CONTROL_SMALL, CONTROL_LARGE, CONTROL_ZERO, CONTROL_PLAIN, CONTROL_VERSION_0 };
 
-/* `count` differences of bytes, `stride` apart; where has_sums, their sums from *last on. */
-static void put_differences(const uint8_t *differences, size_t count, size_t stride, int has_sums,
-                            uint8_t *last, uint8_t *out) {
-    uint8_t value = *last;
+/* One byte of each of a block's elements. */
+typedef struct byte_column {
+    uint8_t *out;
+    size_t count, stride;
+    uint8_t value; /* of the element before */
+    int has_sums;  /* 1: the bytes are sums of differences; 0: the differences themselves */
+} byte_column;
+
+/* `count` differences, from element `first` on. */
+static void put_differences(const uint8_t *differences, size_t first, size_t count,
+                            byte_column *to) {
     for (size_t i = 0; i < count; ++i) {
         const unsigned d = differences[i];
-        value = has_sums ? (uint8_t)(value + ((d >> 1) ^ (0u - (d & 1)))) : (uint8_t)d;
-        out[i * stride] = value;
+        to->value = to->has_sums ? (uint8_t)(to->value + ((d >> 1) ^ (0u - (d & 1)))) : (uint8_t)d;
+        to->out[(first + i) * to->stride] = to->value;
     }
-    *last = value;
 }
 
-/* One byte of each of a block's elements, `stride` apart: where has_sums, after `last`, that of the
- * element before; else the difference. */
-static const uint8_t *read_bytes(const uint8_t *p, const uint8_t *end, size_t count, size_t stride,
-                                 unsigned control, int has_sums, uint8_t last, uint8_t *out) {
+/* Returns the byte after those that were read; NULL where there are too few. */
+static const uint8_t *read_column(const uint8_t *p, const uint8_t *end, unsigned control,
+                                  byte_column *to) {
     static const uint8_t all_bits[][4] = {[CONTROL_SMALL] = {0, 1, 2, 4},
                                           [CONTROL_LARGE] = {1, 2, 4, 8},
                                           [CONTROL_VERSION_0] = {0, 2, 4, 8}};
     if (control == CONTROL_ZERO) {
-        for (size_t i = 0; i < count; ++i) {
-            out[i * stride] = has_sums ? last : 0;
+        for (size_t i = 0; i < to->count; ++i) {
+            to->out[i * to->stride] = to->has_sums ? to->value : 0;
         }
         return p;
     }
     if (control == CONTROL_PLAIN) {
-        if ((size_t)(end - p) < count) {
+        if ((size_t)(end - p) < to->count) {
             return NULL;
         }
-        put_differences(p, count, stride, has_sums, &last, out);
-        return p + count;
+        put_differences(p, 0, to->count, to);
+        return p + to->count;
     }
-    const size_t groups = (count + GROUP - 1) / GROUP, header = (groups + 3) / 4;
+    const size_t groups = (to->count + GROUP - 1) / GROUP, header = (groups + 3) / 4;
     const uint8_t *kinds = p, *bits = all_bits[control];
     if ((size_t)(end - p) < header) {
         return NULL;
@@ -117,10 +122,9 @@ static const uint8_t *read_bytes(const uint8_t *p, const uint8_t *end, size_t co
     for (size_t group = 0; group < groups && p; ++group) {
         uint8_t deltas[GROUP];
         p = read_group(p, end, bits[kinds[group / 4] >> (group % 4 * 2) & 3], deltas);
-        const size_t left = count - group * GROUP;
+        const size_t left = to->count - group * GROUP;
         if (p) {
-            put_differences(deltas, left < GROUP ? left : GROUP, stride, has_sums, &last,
-                            out + group * GROUP * stride);
+            put_differences(deltas, group * GROUP, left < GROUP ? left : GROUP, to);
         }
     }
     return p;
@@ -198,8 +202,9 @@ static int decode_attributes(const uint8_t *bytes, size_t size, size_t count, si
         for (size_t k = 0; k < stride; ++k) {
             const unsigned control =
                 version ? controls[k / 4] >> k % 4 * 2 & 3u : (unsigned)CONTROL_VERSION_0;
-            const int has_sums = !version || channels[k / 4] == CHANNEL_BYTES;
-            p = read_bytes(p, end, some, stride, control, has_sums, last[k], to + k);
+            byte_column column = {to + k, some, stride, last[k],
+                                  !version || channels[k / 4] == CHANNEL_BYTES};
+            p = read_column(p, end, control, &column);
             if (!p) {
                 return 0;
             }

@@ -202,6 +202,57 @@ static inline __attribute__((always_inline)) int burnish_lexer_skip_word(burnish
     return 1;
 }
 
+#ifdef __SIZEOF_INT128__
+/* 5^0 to 5^27, which fits a word. */
+static const uint64_t burnish_power_of_five[28] = {1,
+                                                   5,
+                                                   25,
+                                                   125,
+                                                   625,
+                                                   3125,
+                                                   15625,
+                                                   78125,
+                                                   390625,
+                                                   1953125,
+                                                   9765625,
+                                                   48828125,
+                                                   244140625,
+                                                   1220703125,
+                                                   6103515625,
+                                                   30517578125,
+                                                   152587890625,
+                                                   762939453125,
+                                                   3814697265625,
+                                                   19073486328125,
+                                                   95367431640625,
+                                                   476837158203125,
+                                                   2384185791015625,
+                                                   11920928955078125,
+                                                   59604644775390625,
+                                                   298023223876953125,
+                                                   1490116119384765625,
+                                                   7450580596923828125};
+
+/* mantissa * 10^exponent, to the nearest, for exponents of -27 to -1. With both top bits set the
+ * quotient has 63 or 64 bits; its lowest bit, below those that rounding looks at, says whether the
+ * division left a remainder. */
+static inline double burnish_divide_decimal(uint64_t mantissa, int64_t exponent) {
+    __extension__ typedef unsigned __int128 wide;
+    uint64_t divisor = burnish_power_of_five[-exponent];
+    int mantissa_zeros = __builtin_clzll(mantissa), divisor_zeros = __builtin_clzll(divisor);
+    wide dividend = (wide)(mantissa << mantissa_zeros) << 63;
+    divisor <<= divisor_zeros;
+    uint64_t quotient = (uint64_t)(dividend / divisor);
+    quotient |= (wide)quotient * divisor != dividend;
+    /* quotient = mantissa / 5^k 2^shift; the result is normal, since 1 / 10^27 is. */
+    int shift = mantissa_zeros - divisor_zeros + 63;
+    uint64_t bits = (uint64_t)(1023 + exponent - shift) << 52;
+    double scale;
+    memcpy(&scale, &bits, sizeof scale);
+    return (double)quotient * scale;
+}
+#endif
+
 /* mantissa * 10^exponent to the nearest double, ties to even; 0 where that needs more than the
  * bits of two words. mantissa > 0. */
 static inline int burnish_scale_decimal(uint64_t mantissa, int64_t exponent, double *value) {
@@ -217,51 +268,8 @@ static inline int burnish_scale_decimal(uint64_t mantissa, int64_t exponent, dou
         return 1;
     }
 #ifdef __SIZEOF_INT128__
-    /* 10^27 = 5^27 2^27, and 5^27 fits a word. With both top bits set the quotient has 63 or 64
-     * bits; whether anything is left of the division stands in the lowest, below those that
-     * rounding looks at. */
     if (exponent < 0 && exponent >= -27) {
-        static const uint64_t power_of_five[28] = {1,
-                                                   5,
-                                                   25,
-                                                   125,
-                                                   625,
-                                                   3125,
-                                                   15625,
-                                                   78125,
-                                                   390625,
-                                                   1953125,
-                                                   9765625,
-                                                   48828125,
-                                                   244140625,
-                                                   1220703125,
-                                                   UINT64_C(6103515625),
-                                                   UINT64_C(30517578125),
-                                                   UINT64_C(152587890625),
-                                                   UINT64_C(762939453125),
-                                                   UINT64_C(3814697265625),
-                                                   UINT64_C(19073486328125),
-                                                   UINT64_C(95367431640625),
-                                                   UINT64_C(476837158203125),
-                                                   UINT64_C(2384185791015625),
-                                                   UINT64_C(11920928955078125),
-                                                   UINT64_C(59604644775390625),
-                                                   UINT64_C(298023223876953125),
-                                                   UINT64_C(1490116119384765625),
-                                                   UINT64_C(7450580596923828125)};
-        __extension__ typedef unsigned __int128 wide;
-        uint64_t divisor = power_of_five[-exponent];
-        int mantissa_zeros = __builtin_clzll(mantissa), divisor_zeros = __builtin_clzll(divisor);
-        wide dividend = (wide)(mantissa << mantissa_zeros) << 63;
-        divisor <<= divisor_zeros;
-        uint64_t quotient = (uint64_t)(dividend / divisor);
-        quotient |= (wide)quotient * divisor != dividend;
-        /* quotient = mantissa / 5^k 2^shift; the result is normal, since 1 / 10^27 is. */
-        int shift = mantissa_zeros - divisor_zeros + 63;
-        uint64_t bits = (uint64_t)(1023 + exponent - shift) << 52;
-        double scale;
-        memcpy(&scale, &bits, sizeof scale);
-        *value = (double)quotient * scale;
+        *value = burnish_divide_decimal(mantissa, exponent);
         return 1;
     }
 #endif

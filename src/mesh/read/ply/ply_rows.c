@@ -363,6 +363,49 @@ static int read_triangle(ply_parser *p) {
     return 1;
 }
 
+/* A property that is a column of the row. Returns 0 after an error. */
+static inline int read_column(ply_parser *p, burnish_ply_encoding encoding,
+                              const burnish_ply_property *property, double *value) {
+    float unused;
+    if (!read_value(p, encoding, property->type, value)) {
+        return 0;
+    }
+    if (property->role <= BURNISH_PLY_Z && !burnish_double_to_float(*value, &unused)) {
+        FAIL(p, "vertex %llu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
+             row_number(p) - 1, 'x' + (int)property->role);
+        return 0;
+    }
+    return 1;
+}
+
+/* Any other property. */
+static inline int read_other(ply_parser *p, burnish_ply_encoding encoding,
+                             const burnish_ply_property *property, face_row *face) {
+    uint64_t count = 1;
+    if (property->count_type != BURNISH_PLY_NONE && !read_length(p, encoding, property, &count)) {
+        return 0;
+    }
+    if (property->role == BURNISH_PLY_CORNERS) {
+        face->corner_count = (size_t)count;
+        return read_corners(p, encoding, property, face->corner_count);
+    }
+    if (property->role == BURNISH_PLY_TEXNUMBER) {
+        return read_texture(p, encoding, property, &face->texture);
+    }
+    if (property->role == BURNISH_PLY_TEXCOORDS) {
+        face->coordinates = p->lexer.next;
+        face->coordinate_type = property->type;
+        face->coordinate_count = count;
+    }
+    return skip_values(p, property->type, count);
+}
+
+/* Whether a line has ended before a property that it may lack. */
+static inline int is_missing(ply_parser *p, const burnish_ply_property *property) {
+    return p->ply->by_lines && property->role > BURNISH_PLY_Z &&
+           property->role != BURNISH_PLY_CORNERS && at_line_end(p);
+}
+
 /* One row, whatever its element; returns 0 after an error. */
 static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
     const burnish_ply_element *element = p->ply->element;
@@ -374,52 +417,14 @@ static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
         return p->chunk->status == BURNISH_STATUS_OK;
     }
     for (; property < end; ++property) {
-        uint64_t count = 1;
-        if (p->ply->by_lines && property->role > BURNISH_PLY_Z &&
-            property->role != BURNISH_PLY_CORNERS && at_line_end(p)) {
-            if (property->role < BURNISH_PLY_ROLE_COUNT) {
+        const int is_column = property->role < BURNISH_PLY_ROLE_COUNT;
+        if (is_missing(p, property)) {
+            if (is_column) {
                 values[property->role] = missing_value(property);
             }
             p->is_short = 1;
-            continue;
-        }
-        if (property->role < BURNISH_PLY_ROLE_COUNT) {
-            float unused;
-            if (!read_value(p, encoding, property->type, &values[property->role])) {
-                return 0;
-            }
-            if (property->role <= BURNISH_PLY_Z &&
-                !burnish_double_to_float(values[property->role], &unused)) {
-                FAIL(p,
-                     "vertex %llu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
-                     row_number(p) - 1, 'x' + (int)property->role);
-                return 0;
-            }
-            continue;
-        }
-        if (property->count_type != BURNISH_PLY_NONE &&
-            !read_length(p, encoding, property, &count)) {
-            return 0;
-        }
-        if (property->role == BURNISH_PLY_CORNERS) {
-            face.corner_count = (size_t)count;
-            if (!read_corners(p, encoding, property, face.corner_count)) {
-                return 0;
-            }
-            continue;
-        }
-        if (property->role == BURNISH_PLY_TEXNUMBER) {
-            if (!read_texture(p, encoding, property, &face.texture)) {
-                return 0;
-            }
-            continue;
-        }
-        if (property->role == BURNISH_PLY_TEXCOORDS) {
-            face.coordinates = p->lexer.next;
-            face.coordinate_type = property->type;
-            face.coordinate_count = count;
-        }
-        if (!skip_values(p, property->type, count)) {
+        } else if (!(is_column ? read_column(p, encoding, property, &values[property->role])
+                               : read_other(p, encoding, property, &face))) {
             return 0;
         }
     }

@@ -352,19 +352,11 @@ static void add_item(model_state *model, burnish_threemf_xml *xml, const char *c
 
 /* ---- Elements ---- */
 
-static void begin(burnish_threemf_xml *xml, burnish_threemf_element element,
-                  const char *const *attributes) {
+/* The elements of property groups. */
+static void begin_property(burnish_threemf_xml *xml, burnish_threemf_element element,
+                           const char *const *attributes) {
     model_state *model = xml->handler.user_data;
     switch (element) {
-    case BURNISH_THREEMF_VERTEX:
-        add_vertex(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_TRIANGLE:
-        add_triangle(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_MODEL:
-        begin_model(model, xml, attributes);
-        break;
     case BURNISH_THREEMF_BASE_MATERIALS:
         begin_group(model, xml, BURNISH_THREEMF_BASES, attributes);
         break;
@@ -395,6 +387,24 @@ static void begin(burnish_threemf_xml *xml, burnish_threemf_element element,
     case BURNISH_THREEMF_MULTI:
         add_range(model, xml, burnish_threemf_attribute(attributes, "pindices"));
         break;
+    default:
+        break;
+    }
+}
+
+static void begin(burnish_threemf_xml *xml, burnish_threemf_element element,
+                  const char *const *attributes) {
+    model_state *model = xml->handler.user_data;
+    switch (element) {
+    case BURNISH_THREEMF_VERTEX:
+        add_vertex(model, xml, attributes);
+        break;
+    case BURNISH_THREEMF_TRIANGLE:
+        add_triangle(model, xml, attributes);
+        break;
+    case BURNISH_THREEMF_MODEL:
+        begin_model(model, xml, attributes);
+        break;
     case BURNISH_THREEMF_TEXTURE_2D:
         begin_texture(model, xml, attributes);
         break;
@@ -411,7 +421,7 @@ static void begin(burnish_threemf_xml *xml, burnish_threemf_element element,
         add_item(model, xml, attributes);
         break;
     default:
-        break;
+        begin_property(xml, element, attributes);
     }
 }
 
