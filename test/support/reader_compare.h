@@ -130,10 +130,11 @@ static inline uint64_t hash_mesh(const burnish_mesh_data *mesh) {
 
 /* test/golden/meshes.txt has a line "HASH NAME" for each file. */
 static inline void check_golden(const char *name, const burnish_mesh_data *mesh) {
-    char line[128], expected[128];
+    char line[160], expected[160];
     int found = 0;
     FILE *file = fopen(TEST_SOURCE_DIR "/test/golden/meshes.txt", "r");
-    snprintf(expected, sizeof expected, "%016llx %s\n", (unsigned long long)hash_mesh(mesh), name);
+    snprintf(expected, sizeof expected, "%016llx %.100s\n", (unsigned long long)hash_mesh(mesh),
+             name);
     while (file && !found && fgets(line, sizeof line, file)) {
         found = strcmp(line, expected) == 0;
     }

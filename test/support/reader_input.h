@@ -99,15 +99,19 @@ static inline void check_same_reading(const char *what, const reader_run *run,
     burnish_mesh_data_destroy(&other);
 }
 
-/* Chunks of 64 bytes, whose ends are everywhere, must make no difference. */
+/* Text in chunks of 64 bytes, whose ends are everywhere, must make no difference. */
 static inline burnish_status run_reader(burnish_format format, const void *bytes, size_t size,
                                         const burnish_load_options *options,
                                         load_function *load_companion, burnish_mesh_data *mesh,
                                         burnish_error *error) {
     reader_run run = {format, bytes, size, options, load_companion, NULL, 0};
     const burnish_status status = read_as(&run, mesh, error);
-    run.chunk_size = 64;
-    check_same_reading("input of a test", &run, status, mesh, error);
+    const int is_text = format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_OFF ||
+                        format == BURNISH_FORMAT_PLY || format == BURNISH_FORMAT_STL;
+    if (is_text && !options->context) { /* a context may count, or fail */
+        run.chunk_size = 64;
+        check_same_reading("input of a test", &run, status, mesh, error);
+    }
     return status;
 }
 

@@ -4,12 +4,6 @@
 #include "core/srgb.h"
 #include "gltf_input.h"
 
-#define ACCESSOR(view, type, count, shape)                                                         \
-    "{'bufferView':" #view ",'componentType':" #type ",'count':" #count ",'type':'" shape "'}"
-
-/* Draws mesh 0 at the origin. */
-#define ONE_NODE "'nodes':[{'mesh':0}]"
-
 static const uint32_t *corners_of(const burnish_mesh_data *s) {
     return s->streams[BURNISH_POSITION].corners;
 }
@@ -32,14 +26,19 @@ static void check_warning(const burnish_mesh_data *s, size_t count, const char *
     }
 }
 
+static void read_good(const char *json, const byte_list *binary, burnish_mesh_data *s) {
+    burnish_error e;
+    const burnish_status status = binary ? read_glb(json, binary, s, &e) : read_gltf(json, s, &e);
+    CHECK(status == BURNISH_STATUS_OK, "%s: %s", json, e.text);
+}
+
 /* ---- Containers ---- */
 
 static void test_containers(void) {
-    static const char json[] = GLTF_HEAD GLTF_TRIANGLE "," ONE_NODE "}";
+    static const char json[] = "$head$triangle,$node}";
     static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     burnish_mesh_data s;
-    burnish_error e;
-    CHECK(read_gltf(json, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    read_good(json, NULL, &s);
     CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 0, 0, 0) && corner_is(&s, 0, 1, 1, 0, 0) &&
            corner_is(&s, 0, 2, 0, 2, 0));
     CHECK1(s.material_count == 1 && s.streams[BURNISH_NORMAL].count == 0 && !s.triangle_materials);
@@ -48,16 +47,9 @@ static void test_containers(void) {
 
     byte_list binary = {.size = 0};
     put_floats(&binary, 9, positions);
-    CHECK(read_glb(GLTF_HEAD
-                   "'buffers':[{'byteLength':36}],"
-                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
-                   "'accessors':[" ACCESSOR(
-                       0, 5126, 3,
-                       "VEC3") "],"
-                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                               "}",
-                   &binary, &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    read_good("$head$buffer(36),'bufferViews':[$view(0,36)],'accessors':["
+              "$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
+              &binary, &s);
     CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 2, 0, 2, 0));
     burnish_mesh_data_destroy(&s);
 }
@@ -128,13 +120,10 @@ static void test_companions(void) {
         byte_list list = {.size = 0};
         burnish_mesh_data s;
         burnish_error e;
-        put_json(&list, GLTF_HEAD "'buffers':[{'byteLength':36,'uri':'");
+        put_json(&list, "$head'buffers':[{'byteLength':36,'uri':'");
         put_text(&list, cases[i].uri);
-        put_json(&list,
-                 "'}],'bufferViews':[{'buffer':0,'byteLength':36}],'accessors':[" ACCESSOR(
-                     0, 5126, 3,
-                     "VEC3") "],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                             "}");
+        put_json(&list, "'}],'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"
+                        "$mesh('POSITION':0),$node}");
         asked_for = cases[i].name;
         const burnish_status status = run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size,
                                                  &options, load_positions, &s, &e);
@@ -168,7 +157,6 @@ static void test_component_types(void) {
         byte_list binary = {.size = 0};
         char json[1024];
         burnish_mesh_data s;
-        burnish_error e;
         put_bits(&binary, 0xEEEEEEEE, 4, 0);
         for (int vertex = 0; vertex < 3; ++vertex) { /* (a, 0, 0), (0, b, 0), (0, 0, a) */
             for (int k = 0; k < 3; ++k) {
@@ -179,15 +167,12 @@ static void test_component_types(void) {
             }
         }
         snprintf(json, sizeof json,
-                 GLTF_HEAD "'buffers':[{'byteLength':%zu}],'bufferViews':[{'buffer':0,"
-                           "'byteOffset':4,'byteLength':%zu,'byteStride':%zu}],'accessors':["
-                           "{'bufferView':0,'componentType':%d,'count':3,'type':'VEC3',"
-                           "'normalized':%s}],"
-                           "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                           "}",
+                 "$head$buffer(%zu),'bufferViews':[{'buffer':0,'byteOffset':4,"
+                 "'byteLength':%zu,'byteStride':%zu}],'accessors':[{'bufferView':0,"
+                 "'componentType':%d,'count':3,'type':'VEC3','normalized':%s}],"
+                 "$mesh('POSITION':0),$node}",
                  binary.size, binary.size - 4, stride, types[t].type, i % 2 ? "true" : "false");
-        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%d: %s", types[t].type,
-              e.text);
+        read_good(json, &binary, &s);
         for (int vertex = 0; vertex < 3; ++vertex) {
             for (int k = 0; k < 3; ++k) {
                 const float value = burnish_positions(&s)[3 * vertex + k];
@@ -209,22 +194,17 @@ static void test_sparse(void) {
         byte_list binary = {.size = 0};
         char json[1024];
         burnish_mesh_data s;
-        burnish_error e;
         put_floats(&binary, 9, positions);
         put_floats(&binary, 6, values);
         put_bits(&binary, 0, size, 0);
         put_bits(&binary, 2, size, 0);
         snprintf(json, sizeof json,
-                 GLTF_HEAD "'buffers':[{'byteLength':%zu}],'bufferViews':[{'buffer':0,"
-                           "'byteLength':36},{'buffer':0,'byteOffset':36,'byteLength':24},"
-                           "{'buffer':0,'byteOffset':60,'byteLength':%zu}],'accessors':[{%s"
-                           "'componentType':5126,'count':3,'type':'VEC3','sparse':{'count':2,"
-                           "'indices':{'bufferView':2,'componentType':%d},"
-                           "'values':{'bufferView':1}}}],"
-                           "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                           "}",
+                 "$head$buffer(%zu),'bufferViews':[$view(0,36),$view(36,24),$view(60,%zu)],"
+                 "'accessors':[{%s'componentType':5126,'count':3,'type':'VEC3',"
+                 "'sparse':{'count':2,'indices':{'bufferView':2,'componentType':%d},"
+                 "'values':{'bufferView':1}}}],$mesh('POSITION':0),$node}",
                  binary.size, 2 * size, i % 2 ? "" : "'bufferView':0,", types[i / 2]);
-        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%d: %s", i, e.text);
+        read_good(json, &binary, &s);
         CHECK1(corner_is(&s, 0, 0, 5, 0, 0) && corner_is(&s, 0, 1, i % 2 ? 0 : 1, 0, 0) &&
                corner_is(&s, 0, 2, 0, 2, 3));
         burnish_mesh_data_destroy(&s);
@@ -239,29 +219,17 @@ static void test_attributes(void) {
     static const float colors[9] = {0, 0.5f, 1, 0.25f, -1, 2, 1, 1, 1};
     byte_list binary = {.size = 0};
     burnish_mesh_data s;
-    burnish_error e;
     put_floats(&binary, 9, positions);
     put_floats(&binary, 9, normals);
     put_floats(&binary, 6, uv);
     put_floats(&binary, 9, colors);
-    CHECK(
-        read_glb(GLTF_HEAD
-                 "'buffers':[{'byteLength':132}],'bufferViews':[{'buffer':0,'byteLength':36},"
-                 "{'buffer':0,'byteOffset':36,'byteLength':36},"
-                 "{'buffer':0,'byteOffset':72,'byteLength':24},"
-                 "{'buffer':0,'byteOffset':96,'byteLength':36}],"
-                 "'accessors':[" ACCESSOR(0, 5126, 3, "VEC3") "," ACCESSOR(
-                     1, 5126, 3,
-                     "VEC3") "," ACCESSOR(2, 5126, 3,
-                                          "VEC2") "," ACCESSOR(3, 5126, 3,
-                                                               "VEC3") "],'meshes':[{'primitives':["
-                                                                       "{'attributes':{'POSITION':"
-                                                                       "0,'NORMAL':1,"
-                                                                       "'TEXCOORD_0':2,'COLOR_0':3}"
-                                                                       "},{'attributes':{'POSITION'"
-                                                                       ":0}}]}]," ONE_NODE "}",
-                 &binary, &s, &e) == BURNISH_STATUS_OK,
-        "%s", e.text);
+    read_good("$head$buffer(132),'bufferViews':[$view(0,36),$view(36,36),$view(72,24),"
+              "$view(96,36)],'accessors':[$accessor(0,5126,3,VEC3),"
+              "$accessor(1,5126,3,VEC3),$accessor(2,5126,3,VEC2),"
+              "$accessor(3,5126,3,VEC3)],'meshes':[{'primitives':[{'attributes':{'POSITION'"
+              ":0,'NORMAL':1,'TEXCOORD_0':2,'COLOR_0':3}},"
+              "{'attributes':{'POSITION':0}}]}],$node}",
+              &binary, &s);
     CHECK1(s.triangle_count == 2 && s.streams[BURNISH_NORMAL].count == 6 &&
            s.streams[BURNISH_COLOR].count == 6 && s.streams[BURNISH_TEXCOORD].count == 6);
     const float *n = burnish_normals(&s), *t = s.streams[BURNISH_TEXCOORD].items;
@@ -295,7 +263,6 @@ static void test_modes(void) {
         byte_list binary = {.size = 0};
         char json[1024], indices[256] = "";
         burnish_mesh_data s;
-        burnish_error e;
         for (size_t k = 0; k < 7; ++k) {
             const float position[3] = {(float)k, (float)(k * k), 0};
             put_floats(&binary, 3, position);
@@ -304,19 +271,16 @@ static void test_modes(void) {
             put_bits(&binary, 6 - k, index_size, 0);
         }
         if (index_size > 0) {
-            snprintf(indices, sizeof indices,
-                     ",{'bufferView':1,'componentType':%d,'count':%zu,'type':'SCALAR'}",
-                     types[i % 4], modes[m].count);
+            snprintf(indices, sizeof indices, ",$accessor(1,%d,%zu,SCALAR)", types[i % 4],
+                     modes[m].count);
         }
         snprintf(json, sizeof json,
-                 GLTF_HEAD "'buffers':[{'byteLength':%zu}],'bufferViews':[{'buffer':0,"
-                           "'byteLength':84},{'buffer':0,'byteOffset':84,'byteLength':%zu}],"
-                           "'accessors':[{'bufferView':0,'componentType':5126,'count':%zu,"
-                           "'type':'VEC3'}%s],'meshes':[{'primitives':[{'mode':%d,%s"
-                           "'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+                 "$head$buffer(%zu),'bufferViews':[$view(0,84),$view(84,%zu)],"
+                 "'accessors':[$accessor(0,5126,%zu,VEC3)%s],"
+                 "'meshes':[{'primitives':[{'mode':%d,%s'attributes':{'POSITION':0}}]}],$node}",
                  binary.size, binary.size - 84, index_size > 0 ? (size_t)7 : modes[m].count,
                  indices, modes[m].mode, index_size > 0 ? "'indices':1," : "");
-        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%zu: %s", i, e.text);
+        read_good(json, &binary, &s);
         CHECK1(s.triangle_count == modes[m].triangles);
         for (size_t k = 0; k < 3 * s.triangle_count; ++k) {
             const uint32_t vertex = index_size > 0 ? 6 - modes[m].corners[k] : modes[m].corners[k];
@@ -335,28 +299,18 @@ static void test_modes(void) {
 static void test_shared_vertices(void) {
     byte_list binary = {.size = 0};
     burnish_mesh_data s;
-    burnish_error e;
     for (int i = 0; i < 100; ++i) {
         const float position[3] = {(float)i, (float)(i * i), 0};
         put_floats(&binary, 3, position);
     }
     put_text(&binary, "\7\11\13\13\11\7\1\2\3");
-    CHECK(
-        read_glb(GLTF_HEAD
-                 "'buffers':[{'byteLength':1209}],'bufferViews':[{'buffer':0,'byteLength':1200},"
-                 "{'buffer':0,'byteOffset':1200,'byteLength':9}],'accessors':[" ACCESSOR(
-                     0, 5126, 100,
-                     "VEC3") "," ACCESSOR(1, 5121, 6,
-                                          "SCALAR") ","
-                                                    "{'bufferView':1,'byteOffset':6,'componentType'"
-                                                    ":5121,'count':3,'type':'SCALAR'}"
-                                                    "],'meshes':[{'primitives':[{'attributes':{'"
-                                                    "POSITION':0},'indices':1},"
-                                                    "{'attributes':{'POSITION':0},'indices':2}]}],"
-                                                    "'nodes':[{'mesh':0},{'mesh':0,'translation':["
-                                                    "0,0,1]}]}",
-                 &binary, &s, &e) == BURNISH_STATUS_OK,
-        "%s", e.text);
+    read_good("$head$buffer(1209),'bufferViews':[$view(0,1200),$view(1200,9)],"
+              "'accessors':[$accessor(0,5126,100,VEC3),$accessor(1,5121,6,SCALAR),"
+              "{'bufferView':1,'byteOffset':6,'componentType':5121,'count':3,"
+              "'type':'SCALAR'}],'meshes':[{'primitives':[{'attributes':{'POSITION':0},"
+              "'indices':1},{'attributes':{'POSITION':0},'indices':2}]}],"
+              "'nodes':[{'mesh':0},{'mesh':0,'translation':[0,0,1]}]}",
+              &binary, &s);
     CHECK(s.triangle_count == 6 && s.streams[BURNISH_POSITION].count == 12, "%zu, %zu",
           s.triangle_count, s.streams[BURNISH_POSITION].count);
     CHECK1(corner_is(&s, 1, 0, 11, 121, 0) && corner_is(&s, 2, 2, 3, 9, 0) &&
@@ -369,34 +323,26 @@ static void test_shared_vertices(void) {
 /* A chain of a matrix, a turn about z, and a mirror, against the same by hand. */
 static void test_hierarchy(void) {
     burnish_mesh_data s;
-    burnish_error e;
     /* p -> 2 p + (10, 20, 30); a quarter turn: (x, y) -> (-y, x); then x mirrored, y times 3. */
-    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE
-                    ",'scene':1,'scenes':[{'nodes':[3]},{'nodes':[2]}],'nodes':["
-                    "{'mesh':0,'scale':[-1,3,1]},"
-                    "{'children':[0],'rotation':[0,0,0.70710678118654757,0.70710678118654757]},"
-                    "{'children':[1],'matrix':[2,0,0,0, 0,2,0,0, 0,0,2,0, 10,20,30,1]},"
-                    "{'mesh':0}]}",
-                    &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    read_good("$head$triangle,'scene':1,'scenes':[{'nodes':[3]},{'nodes':[2]}],"
+              "'nodes':[{'mesh':0,'scale':[-1,3,1]},{'children':[0],'rotation':[0,0,"
+              "0.70710678118654757,0.70710678118654757]},{'children':[1],'matrix':[2,0,0,"
+              "0, 0,2,0,0, 0,0,2,0, 10,20,30,1]},{'mesh':0}]}",
+              NULL, &s);
     /* The mirror turns the winding: corners 0, 2, 1. */
     CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 10, 20, 30) &&
            corner_is(&s, 0, 2, 10, 18, 30) && corner_is(&s, 0, 1, -2, 20, 30));
     burnish_mesh_data_destroy(&s);
     /* Without scenes all roots are drawn, but for what is hidden. */
-    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE
-                    ",'extensionsUsed':['KHR_node_visibility'],'nodes':[{'mesh':0},"
-                    "{'children':[2],'extensions':{'KHR_node_visibility':{'visible':false}}},"
-                    "{'mesh':0},{'mesh':0,'translation':[5,0,0]}]}",
-                    &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    read_good("$head$triangle,'extensionsUsed':['KHR_node_visibility'],"
+              "'nodes':[{'mesh':0},{'children':[2],'extensions':{'KHR_node_visibility':{'vi"
+              "sible':false}}},{'mesh':0},{'mesh':0,'translation':[5,0,0]}]}",
+              NULL, &s);
     CHECK1(s.triangle_count == 2 && corner_is(&s, 1, 0, 5, 0, 0));
     check_warning(&s, 0, "");
     burnish_mesh_data_destroy(&s);
     /* A scene that is not there is none. */
-    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE ",'scene':3,'nodes':[{'mesh':0}]}", &s, &e) ==
-              BURNISH_STATUS_OK,
-          "%s", e.text);
+    read_good("$head$triangle,'scene':3,'nodes':[{'mesh':0}]}", NULL, &s);
     CHECK1(s.triangle_count == 1);
     check_warning(&s, 1, "mesh.gltf:1: scene: 3 is not in scenes, of which there are 0; ignored");
     burnish_mesh_data_destroy(&s);
@@ -409,21 +355,15 @@ static void test_normals_of_nodes(void) {
     for (int mirror = 0; mirror < 2; ++mirror) {
         byte_list binary = {.size = 0};
         burnish_mesh_data s;
-        burnish_error e;
         char json[1024];
         put_floats(&binary, 9, positions);
         put_floats(&binary, 9, normals);
         snprintf(json, sizeof json,
-                 GLTF_HEAD
-                 "'buffers':[{'byteLength':72}],'bufferViews':[{'buffer':0,"
-                 "'byteLength':36},{'buffer':0,'byteOffset':36,'byteLength':36}],"
-                 "'accessors':[" ACCESSOR(0, 5126, 3, "VEC3") "," ACCESSOR(
-                     1, 5126, 3,
-                     "VEC3") "],"
-                             "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1}}]}],"
-                             "'nodes':[{'mesh':0,'scale':[%d,1,1]}]}",
+                 "$head$buffer(72),'bufferViews':[$view(0,36),$view(36,36)],"
+                 "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5126,3,VEC3)],"
+                 "$mesh('POSITION':0,'NORMAL':1),'nodes':[{'mesh':0,'scale':[%d,1,1]}]}",
                  mirror ? -4 : 4);
-        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        read_good(json, &binary, &s);
         /* (1/4, -1, 0), the 1/4 mirrored, made a unit vector */
         const double x = (mirror ? -0.25 : 0.25) / sqrt(0.0625 + 1), y = -1 / sqrt(0.0625 + 1);
         for (size_t i = 0; i < 3; ++i) {
@@ -439,22 +379,18 @@ static void test_normals_of_nodes(void) {
 
 static void test_materials(void) {
     burnish_mesh_data s;
-    burnish_error e;
-    CHECK(read_gltf(
-              GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
-              ",'materials':[{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.5],"
-              "'metallicFactor':0,'roughnessFactor':0.5}},"
-              "{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.5],'roughnessFactor':1},"
-              "'alphaMode':'BLEND'},"
-              "{'extensions':{'KHR_materials_pbrSpecularGlossiness':{'diffuseFactor':[1,0.5,0,1],"
-              "'specularFactor':[0.1,0.1,0.1],'glossinessFactor':0.5}}},"
+    read_good("$head$triangle_accessors,'materials':[{'pbrMetallicRoughness':{'baseColorFac"
+              "tor':[0.5,0.25,1,0.5],'metallicFactor':0,'roughnessFactor':0.5}},"
+              "{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.5],"
+              "'roughnessFactor':1},'alphaMode':'BLEND'},"
+              "{'extensions':{'KHR_materials_pbrSpecularGlossiness':{'diffuseFactor':[1,"
+              "0.5,0,1],'specularFactor':[0.1,0.1,0.1],'glossinessFactor':0.5}}},"
               "{'pbrMetallicRoughness':{'metallicFactor':'x'},"
               "'extensions':{'KHR_materials_unlit':{}}}],"
               "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0},"
               "{'attributes':{'POSITION':0},'material':1},{'attributes':{'POSITION':0}},"
-              "{'attributes':{'POSITION':0},'material':3}]}]," ONE_NODE "}",
-              &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+              "{'attributes':{'POSITION':0},'material':3}]}],$node}",
+              NULL, &s);
     CHECK1(s.material_count == 5 && s.triangle_count == 4 && s.triangle_materials[1] == 1 &&
            s.triangle_materials[2] == 4 && s.triangle_materials[3] == 3);
     const burnish_material *m = s.materials;
@@ -485,7 +421,7 @@ static burnish_status read_posed(const char *rest, const byte_list *binary, doub
     burnish_load_options options = burnish_load_options_default();
     options.animation_time = time;
     options.animation = animation;
-    snprintf(json, sizeof json, GLTF_HEAD "'buffers':[{'byteLength':%zu}],%s}", binary->size, rest);
+    snprintf(json, sizeof json, "$head$buffer(%zu),%s}", binary->size, rest);
     list.size = 0;
     put_glb(&list, json, binary);
     return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, s, e);
@@ -508,20 +444,13 @@ static void test_morph_targets(void) {
         char rest[1024];
         burnish_mesh_data s;
         burnish_error e;
-        snprintf(
-            rest, sizeof rest,
-            "'bufferViews':[{'buffer':0,'byteLength':144,'byteStride':12}],'accessors':[" ACCESSOR(
-                0, 5126, 3, "VEC3") ","
-                                    "{'bufferView':0,'byteOffset':36,'componentType':5126,'count':"
-                                    "3,'type':'VEC3'},"
-                                    "{'bufferView':0,'byteOffset':72,'componentType':5126,'count':"
-                                    "3,'type':'VEC3'},"
-                                    "{'bufferView':0,'byteOffset':108,'componentType':5126,'count':"
-                                    "3,'type':'VEC3'}],"
-                                    "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':"
-                                    "1},'targets':["
-                                    "{'POSITION':2,'NORMAL':3},{}]}%s}]",
-            cases[i].weights);
+        snprintf(rest, sizeof rest,
+                 "'bufferViews':[{'buffer':0,'byteLength':144,'byteStride':12}],"
+                 "'accessors':[$accessor(0,5126,3,VEC3),$part(36,5126,3,VEC3),"
+                 "$part(72,5126,3,VEC3),$part(108,5126,3,VEC3)],"
+                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1},"
+                 "'targets':[{'POSITION':2,'NORMAL':3},{}]}%s}]",
+                 cases[i].weights);
         if (!CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
                    "%s", e.text)) {
             continue;
@@ -552,37 +481,13 @@ static void test_skin(void) {
     put_floats(&binary, 32, bind);
     put(&binary, "\0\1\0\0\0\1\0\0\0\1\0\0", 12);
     static const char rest[] =
-        "'bufferViews':[{'buffer':0,'byteLength':36},{'buffer':0,'byteOffset':36,'byteLength':48},"
-        "{'buffer':0,'byteOffset':84,'byteLength':128},"
-        "{'buffer':0,'byteOffset':212,'byteLength':12}],'accessors':[" ACCESSOR(
-            0, 5126, 3,
-            "VEC3") "," ACCESSOR(1, 5126, 3,
-                                 "VEC4") "," ACCESSOR(2, 5126, 2,
-                                                      "MAT4") "," ACCESSOR(3, 5121, 3,
-                                                                           "VEC4") "],"
-                                                                                   "'meshes':[{'"
-                                                                                   "primitives':[{'"
-                                                                                   "attributes':{'"
-                                                                                   "POSITION':0,'"
-                                                                                   "WEIGHTS_0':1,'"
-                                                                                   "JOINTS_0':3}}]}"
-                                                                                   "],"
-                                                                                   "'skins':[{'"
-                                                                                   "joints':[1,2],'"
-                                                                                   "inverseBindMatr"
-                                                                                   "ices':2}],"
-                                                                                   "'nodes':[{'"
-                                                                                   "mesh':0,'skin':"
-                                                                                   "0,'translation'"
-                                                                                   ":[100,0,0]},{},"
-                                                                                   "{'translation':"
-                                                                                   "[1,0,0],"
-                                                                                   "'rotation':[0,"
-                                                                                   "0,0."
-                                                                                   "707106781186547"
-                                                                                   "57,0."
-                                                                                   "707106781186547"
-                                                                                   "57]}]";
+        "'bufferViews':[$view(0,36),$view(36,48),$view(84,128),$view(212,12)],"
+        "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5126,3,VEC4),"
+        "$accessor(2,5126,2,MAT4),$accessor(3,5121,3,VEC4)],"
+        "$mesh('POSITION':0,'WEIGHTS_0':1,'JOINTS_0':3),'skins':[{'joints':[1,2],"
+        "'inverseBindMatrices':2}],'nodes':[{'mesh':0,'skin':0,'translation':[100,0,"
+        "0]},{},{'translation':[1,0,0],'rotation':[0,0,0.70710678118654757,"
+        "0.70710678118654757]}]";
     CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK, "%s",
           e.text);
     /* (5, 0, 0); (1, 0, 0) + (0, 1, 0); the middle of (2, 0, 0) and (1, 1, 0) */
@@ -602,18 +507,13 @@ static void test_instances(void) {
     burnish_mesh_data s;
     burnish_error e;
     put_floats(&binary, sizeof floats / sizeof *floats, floats);
-    CHECK(read_posed(
-              "'bufferViews':[{'buffer':0,'byteLength':84}],'accessors':[" ACCESSOR(
-                  0, 5126, 3,
-                  "VEC3") ","
-                          "{'bufferView':0,'byteOffset':36,'componentType':5126,'count':2,"
-                          "'type':'VEC3'},{'bufferView':0,'byteOffset':60,'componentType':5126,"
-                          "'count':2,'type':'VEC3'}],'extensionsRequired':['EXT_mesh_gpu_"
-                          "instancing'],"
-                          "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],"
-                          "'nodes':[{'mesh':0,'translation':[0,0,5],'extensions':{"
-                          "'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':1,'SCALE':2}}}}]",
-              &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
+    CHECK(read_posed("'bufferViews':[$view(0,84)],'accessors':[$accessor(0,5126,3,VEC3),"
+                     "$part(36,5126,2,VEC3),$part(60,5126,2,VEC3)],"
+                     "'extensionsRequired':['EXT_mesh_gpu_instancing'],$mesh('POSITION':0),"
+                     "'nodes':[{'mesh':0,'translation':[0,0,5],"
+                     "'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':1,"
+                     "'SCALE':2}}}}]",
+                     &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
     CHECK1(s.triangle_count == 2 && corner_is(&s, 0, 1, 12, 0, 5) &&
            corner_is(&s, 0, 2, 10, 4, 5) && corner_is(&s, 1, 2, 19, 0, 5) &&
@@ -649,25 +549,19 @@ static void test_animation(void) {
     put_floats(&binary, 18, cubic);
     put_floats(&binary, 8, turns);
     static const char rest[] =
-        "'bufferViews':[{'buffer':0,'byteLength':172}],'accessors':[" ACCESSOR(
-            0, 5126, 3,
-            "VEC3") ",{'bufferView':0,'byteOffset':36,'componentType':5126,'count':2,'type':'"
-                    "SCALAR'},"
-                    "{'bufferView':0,'byteOffset':44,'componentType':5126,'count':2,'type':'VEC3'},"
-                    "{'bufferView':0,'byteOffset':68,'componentType':5126,'count':6,'type':'VEC3'},"
-                    "{'bufferView':0,'byteOffset':140,'componentType':5126,'count':2,'type':'VEC4'}"
-                    "],"
-                    "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],'nodes':[{'mesh':0,"
-                    "'translation':[0,7,0]}],'animations':["
-                    "{'name':'linear','samplers':[{'input':1,'output':2}],"
-                    "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
-                    "{'name':'step','samplers':[{'input':1,'output':2,'interpolation':'STEP'}],"
-                    "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
-                    "{'name':'cubic','samplers':[{'input':1,'output':3,'interpolation':'"
-                    "CUBICSPLINE'}],"
-                    "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
-                    "{'name':'turn','samplers':[{'input':1,'output':4}],"
-                    "'channels':[{'sampler':0,'target':{'node':0,'path':'rotation'}}]}]";
+        "'bufferViews':[$view(0,172)],'accessors':[$accessor(0,5126,3,VEC3),"
+        "$part(36,5126,2,SCALAR),$part(44,5126,2,VEC3),$part(68,5126,6,VEC3),"
+        "$part(140,5126,2,VEC4)],$mesh('POSITION':0),'nodes':[{'mesh':0,"
+        "'translation':[0,7,0]}],'animations':[{'name':'linear',"
+        "'samplers':[{'input':1,'output':2}],'channels':[{'sampler':0,"
+        "'target':{'node':0,'path':'translation'}}]},{'name':'step',"
+        "'samplers':[{'input':1,'output':2,'interpolation':'STEP'}],"
+        "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
+        "{'name':'cubic','samplers':[{'input':1,'output':3,"
+        "'interpolation':'CUBICSPLINE'}],'channels':[{'sampler':0,"
+        "'target':{'node':0,'path':'translation'}}]},{'name':'turn',"
+        "'samplers':[{'input':1,'output':4}],'channels':[{'sampler':0,"
+        "'target':{'node':0,'path':'rotation'}}]}]";
     burnish_mesh_data s;
     burnish_error e;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
@@ -693,7 +587,7 @@ static void test_animation(void) {
                "mesh.gltf: animation \"4\" is none of its 4; give a name or a number from 0 "
                "to 3");
     burnish_mesh_data_destroy(&s);
-    CHECK1(read_gltf(GLTF_HEAD GLTF_TRIANGLE "," ONE_NODE "}", &s, &e) == BURNISH_STATUS_OK);
+    read_good("$head$triangle,$node}", NULL, &s);
     burnish_mesh_data_destroy(&s);
 }
 
@@ -727,14 +621,13 @@ static void test_lines(void) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[1000];
         burnish_mesh_data s;
-        burnish_error e;
         snprintf(text, sizeof text,
-                 GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
-                 ",'materials':[{'pbrMetallicRoughness':{'baseColorFactor':[1,0,1,1]}}],"
-                 "'meshes':[{'primitives':[{'mode':%d,'attributes':{'POSITION':0}%s},"
-                 "{'mode':0,'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+                 "$head$triangle_accessors,'materials':[{'pbrMetallicRoughness':{'baseColorFac"
+                 "tor':[1,0,1,1]}}],'meshes':[{'primitives':[{'mode':%d,"
+                 "'attributes':{'POSITION':0}%s},{'mode':0,'attributes':{'POSITION':0}}]}],"
+                 "$node}",
                  cases[i].mode, cases[i].more);
-        CHECK(read_gltf(text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        read_good(text, NULL, &s);
         CHECK1(s.line_count == cases[i].count && s.point_count == 0 && s.material_count == 1);
         CHECK1(s.triangle_count == 12 * cases[i].count);
         for (size_t k = 0; k < cases[i].count && k < s.line_count; ++k) {
@@ -758,19 +651,12 @@ static void test_lines(void) {
 static void test_points(void) {
     burnish_mesh_data s;
     burnish_error e;
-    CHECK(
-        read_gltf(GLTF_HEAD
-                  "'buffers':[" GLTF_TRIANGLE_BUFFER
-                  ",{'byteLength':2,'uri':'data:;base64,AgE='}],'bufferViews':[{'buffer':0,"
-                  "'byteLength':36},{'buffer':1,'byteLength':2}],'accessors':[" ACCESSOR(
-                      0, 5126, 3,
-                      "VEC3") "," ACCESSOR(1, 5121, 2,
-                                           "SCALAR") "],'meshes':[{"
-                                                     "'primitives':[{'mode':0,'indices':1,'"
-                                                     "attributes':{'POSITION':0}}]}],"
-                                                     "'nodes':[{'mesh':0,'translation':[5,0,0]}]}",
-                  &s, &e) == BURNISH_STATUS_OK,
-        "%s", e.text);
+    read_good("$head'buffers':[$triangle_buffer,{'byteLength':2,'uri':'data:;base64,"
+              "AgE='}],'bufferViews':[$view(0,36),{'buffer':1,'byteLength':2}],"
+              "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5121,2,SCALAR)],"
+              "'meshes':[{'primitives':[{'mode':0,'indices':1,"
+              "'attributes':{'POSITION':0}}]}],'nodes':[{'mesh':0,'translation':[5,0,0]}]}",
+              NULL, &s);
     if (CHECK1(s.point_count == 2 && s.warning_count == 0)) {
         const size_t vertices = s.streams[BURNISH_POSITION].count / 2;
         for (size_t point = 0; point < 2; ++point) {
@@ -784,9 +670,8 @@ static void test_points(void) {
         }
     }
     burnish_mesh_data_destroy(&s);
-    CHECK1(read_gltf(GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
-                     ",'meshes':[{'primitives':[{'attributes':{'POSITION':0}},"
-                     "{'mode':3,'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+    CHECK1(read_gltf("$head$triangle_accessors,'meshes':[{'primitives':[{'attributes':{'POSITION':"
+                     "0}},{'mode':3,'attributes':{'POSITION':0}}]}],$node}",
                      &s, &e) == BURNISH_STATUS_OK &&
            s.triangle_count == 1 && s.warning_count == 1);
     CHECK_TEXT(s.warnings[0],
@@ -815,82 +700,37 @@ static void put_packed_positions(byte_list *list) {
     }
 }
 
-#define PACKED(buffer, offset, size, more)                                                         \
-    "{'buffer':" #buffer ",'byteLength':9,'extensions':{'EXT_meshopt_compression':{'buffer':0,"    \
-    "'byteOffset':" #offset ",'byteLength':" #size "," more "}}}"
-
 /* A triangle and its indices, with a buffer that has no bytes; whatever is damaged, it ends. */
 static void test_compressed_views(void) {
-    static const char head[] = GLTF_HEAD
-        "'extensionsRequired':['EXT_meshopt_compression'],'buffers':[{'byteLength':255},"
-        "{'byteLength':99}],'bufferViews':[" PACKED(
-            1, 0, 237,
-            "'mode':'ATTRIBUTES','byteStride':12,'count':3") ",%s],"
-                                                             "'accessors':[" ACCESSOR(
-                                                                 0, 5126, 3,
-                                                                 "VEC3") "," ACCESSOR(1, 5123, 3,
-                                                                                      "SCALAR") "],"
-                                                                                                "'m"
-                                                                                                "es"
-                                                                                                "he"
-                                                                                                "s'"
-                                                                                                ":["
-                                                                                                "{'"
-                                                                                                "pr"
-                                                                                                "im"
-                                                                                                "it"
-                                                                                                "iv"
-                                                                                                "es"
-                                                                                                "':"
-                                                                                                "[{"
-                                                                                                "'a"
-                                                                                                "tt"
-                                                                                                "ri"
-                                                                                                "bu"
-                                                                                                "te"
-                                                                                                "s'"
-                                                                                                ":{"
-                                                                                                "'P"
-                                                                                                "OS"
-                                                                                                "IT"
-                                                                                                "IO"
-                                                                                                "N'"
-                                                                                                ":0"
-                                                                                                "},"
-                                                                                                "'i"
-                                                                                                "nd"
-                                                                                                "ic"
-                                                                                                "es"
-                                                                                                "':"
-                                                                                                "1}"
-                                                                                                "]}"
-                                                                                                "]"
-                                                                                                "," ONE_NODE
-                                                                                                "}";
+    static const char head[] =
+        "$head'extensionsRequired':['EXT_meshopt_compression'],'buffers':[{'byteLength':255},"
+        "{'byteLength':99}],'bufferViews':[$packed(1,0,237,'mode':'ATTRIBUTES','byteStride':12,"
+        "'count':3),%s],'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5123,3,SCALAR)],"
+        "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'indices':1}]}],$node}";
     static const struct {
         const char *view, *message;
     } cases[] = {
-        {PACKED(1, 237, 18, "'mode':'TRIANGLES','byteStride':2,'count':3"), NULL},
-        {PACKED(1, 237, 18, "'mode':'TRIANGLES','byteStride':3,'count':3"),
+        {"$packed(1,237,18,'mode':'TRIANGLES','byteStride':2,'count':3)", NULL},
+        {"$packed(1,237,18,'mode':'TRIANGLES','byteStride':3,'count':3)",
          "byteStride of indices must be 2 or 4"},
-        {PACKED(1, 237, 18, "'mode':'TRIANGLES','byteStride':2,'count':4"),
+        {"$packed(1,237,18,'mode':'TRIANGLES','byteStride':2,'count':4)",
          "count of TRIANGLES must be a multiple of 3"},
-        {PACKED(1, 237, 18, "'mode':'TRIANGLES','byteStride':2"), "it has no elements"},
-        {PACKED(1, 237, 18, "'mode':'INDICES','filter':'EXPONENTIAL','byteStride':4,'count':3"),
+        {"$packed(1,237,18,'mode':'TRIANGLES','byteStride':2)", "it has no elements"},
+        {"$packed(1,237,18,'mode':'INDICES','filter':'EXPONENTIAL','byteStride':4,'count':3)",
          "only ATTRIBUTES can have a filter"},
-        {PACKED(1, 237, 18, "'mode':'ATTRIBUTES','byteStride':6,'count':3"),
+        {"$packed(1,237,18,'mode':'ATTRIBUTES','byteStride':6,'count':3)",
          "byteStride of ATTRIBUTES must be a multiple of 4 up to 256"},
-        {PACKED(1, 237, 18, "'mode':'ATTRIBUTES','filter':'QUATERNION','byteStride':12,'count':3"),
+        {"$packed(1,237,18,'mode':'ATTRIBUTES','filter':'QUATERNION','byteStride':12,'count':3)",
          "byteStride of OCTAHEDRAL and COLOR must be 4 or 8, of QUATERNION 8"},
-        {PACKED(1, 237, 18, "'mode':'SOME','byteStride':2,'count':3"),
+        {"$packed(1,237,18,'mode':'SOME','byteStride':2,'count':3)",
          "its mode is none that is known; export the file without meshopt's compression"},
-        {PACKED(1, 237, 18, "'mode':'ATTRIBUTES','filter':'X','byteStride':4,'count':3"),
+        {"$packed(1,237,18,'mode':'ATTRIBUTES','filter':'X','byteStride':4,'count':3)",
          "its filter is none that is known; export the file without meshopt's compression"},
-        {PACKED(1, 237, 17, "'mode':'TRIANGLES','byteStride':2,'count':3"),
+        {"$packed(1,237,17,'mode':'TRIANGLES','byteStride':2,'count':3)",
          "its 17 bytes are no 3 elements compressed as TRIANGLES; the file is damaged"},
-        {PACKED(1, 237, 99, "'mode':'TRIANGLES','byteStride':2,'count':3"),
+        {"$packed(1,237,99,'mode':'TRIANGLES','byteStride':2,'count':3)",
          "reaches to byte 336 of a buffer of 256"},
-        {PACKED(1, 237, 18, "'mode':'ATTRIBUTES','byteStride':256,'count':4000000"),
+        {"$packed(1,237,18,'mode':'ATTRIBUTES','byteStride':256,'count':4000000)",
          "compressed buffer views unpack to 1024000036 bytes, of a file of "}};
     byte_list binary = {.size = 0};
     put_packed_positions(&binary);
@@ -934,15 +774,12 @@ static void test_compressed_views(void) {
 
 static void test_cameras(void) {
     burnish_mesh_data s;
-    burnish_error e;
-    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE
-                    ",'cameras':[{'type':'perspective','perspective':{'yfov':0.5,'znear':1}},"
-                    "{'name':'plan','type':'orthographic','orthographic':{'ymag':3}}],'nodes':["
-                    "{'mesh':0},{'name':'front','camera':0,'translation':[0.5,1,10]},"
-                    "{'camera':1,'translation':[0,50,0],"
-                    "'rotation':[-0.70710678118654757,0,0,0.70710678118654757]}]}",
-                    &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    read_good("$head$triangle,'cameras':[{'type':'perspective','perspective':{'yfov':0.5,"
+              "'znear':1}},{'name':'plan','type':'orthographic',"
+              "'orthographic':{'ymag':3}}],'nodes':[{'mesh':0},{'name':'front','camera':0,"
+              "'translation':[0.5,1,10]},{'camera':1,'translation':[0,50,0],"
+              "'rotation':[-0.70710678118654757,0,0,0.70710678118654757]}]}",
+              NULL, &s);
     if (CHECK1(s.camera_count == 2)) {
         const burnish_camera *c = &s.cameras[0].camera;
         CHECK_TEXT(s.cameras[0].name, "front");
@@ -964,19 +801,17 @@ static void test_cameras(void) {
 static void test_lights(void) {
     burnish_mesh_data s;
     burnish_error e;
-    CHECK(
-        read_gltf(GLTF_HEAD GLTF_TRIANGLE
-                  ",'extensionsUsed':['KHR_lights_punctual'],'extensions':{'KHR_lights_punctual':{"
-                  "'lights':[{'type':'directional','intensity':2},{'type':'spot','intensity':18,"
-                  "'color':[1,0.5,0]},{'type':'point','intensity':0}]}},'nodes':[{'mesh':0},"
-                  "{'extensions':{'KHR_lights_punctual':{'light':0}},'translation':[7,8,9]},"
-                  "{'extensions':{'KHR_lights_punctual':{'light':1}},'translation':[-2.5,1,0]},"
-                  "{'extensions':{'KHR_lights_punctual':{'light':2}}},"
-                  "{'extensions':{'KHR_lights_punctual':{'light':3}}},"
-                  "{'extensions':{'KHR_lights_punctual':{'light':0},"
-                  "'KHR_node_visibility':{'visible':false}}}]}",
-                  &s, &e) == BURNISH_STATUS_OK,
-        "%s", e.text);
+    read_good("$head$triangle,'extensionsUsed':['KHR_lights_punctual'],"
+              "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'directional',"
+              "'intensity':2},{'type':'spot','intensity':18,'color':[1,0.5,0]},"
+              "{'type':'point','intensity':0}]}},'nodes':[{'mesh':0},"
+              "{'extensions':{'KHR_lights_punctual':{'light':0}},'translation':[7,8,9]},"
+              "{'extensions':{'KHR_lights_punctual':{'light':1}},'translation':[-2.5,1,"
+              "0]},{'extensions':{'KHR_lights_punctual':{'light':2}}},"
+              "{'extensions':{'KHR_lights_punctual':{'light':3}}},"
+              "{'extensions':{'KHR_lights_punctual':{'light':0},"
+              "'KHR_node_visibility':{'visible':false}}}]}",
+              NULL, &s);
     if (CHECK1(s.light_count == 2)) {
         const burnish_light *sun = &s.lights[0].light, *lamp = &s.lights[1].light;
         CHECK1(sun->kind == BURNISH_LIGHT_DIRECTIONAL && !s.lights[0].is_spot &&
@@ -990,8 +825,7 @@ static void test_lights(void) {
     }
     CHECK1(s.warning_count == 0);
     burnish_mesh_data_destroy(&s);
-    CHECK1(read_gltf(GLTF_HEAD GLTF_TRIANGLE "," ONE_NODE "}", &s, &e) == BURNISH_STATUS_OK &&
-           s.light_count == 0);
+    CHECK1(read_gltf("$head$triangle,$node}", &s, &e) == BURNISH_STATUS_OK && s.light_count == 0);
     burnish_mesh_data_destroy(&s);
 }
 
@@ -1003,22 +837,19 @@ static void test_lights(void) {
  * (u, v) = (1/4, 1/4 from above) is checked by hand. */
 static void test_textures(void) {
     burnish_mesh_data s;
-    burnish_error e;
-    CHECK(
-        read_gltf(GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
-                  ",'images':[" IMAGE "],'samplers':[{'wrapS':33071,'wrapT':33648,'magFilter':"
-                  "9728}],'textures':[{'source':0,'sampler':0},{'source':0}],'materials':[{"
-                  "'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'extensions':{"
-                  "'KHR_texture_transform':{'offset':[0.5,0.25],'scale':[2,4],"
-                  "'rotation':1.5707963267948966}}},'metallicRoughnessTexture':{'index':1}},"
-                  "'normalTexture':{'index':1,'scale':0.5},'emissiveTexture':{'index':1},"
-                  "'occlusionTexture':{'index':1,'texCoord':1},'emissiveFactor':[1,0,0.5],"
-                  "'extensions':{'KHR_materials_emissive_strength':{'emissiveStrength':3}},"
-                  "'alphaMode':'MASK','alphaCutoff':0.25}],"
-                  "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}]," ONE_NODE
-                  "}",
-                  &s, &e) == BURNISH_STATUS_OK,
-        "%s", e.text);
+    read_good("$head$triangle_accessors,'images':[$image],'samplers':[{'wrapS':33071,"
+              "'wrapT':33648,'magFilter':9728}],'textures':[{'source':0,'sampler':0},"
+              "{'source':0}],'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'ind"
+              "ex':0,'extensions':{'KHR_texture_transform':{'offset':[0.5,0.25],"
+              "'scale':[2,4],'rotation':1.5707963267948966}}},"
+              "'metallicRoughnessTexture':{'index':1}},'normalTexture':{'index':1,"
+              "'scale':0.5},'emissiveTexture':{'index':1},'occlusionTexture':{'index':1,"
+              "'texCoord':1},'emissiveFactor':[1,0,0.5],"
+              "'extensions':{'KHR_materials_emissive_strength':{'emissiveStrength':3}},"
+              "'alphaMode':'MASK','alphaCutoff':0.25}],"
+              "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
+              "$node}",
+              NULL, &s);
     const burnish_material *m = s.materials;
     const burnish_texture_use *color = &m->textures[BURNISH_TEXTURE_COLOR];
     CHECK1(s.texture_count == 2 && s.textures[color->texture - 1].is_color &&
@@ -1056,38 +887,22 @@ static void test_texture_sets(void) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char json[2048];
         burnish_mesh_data s;
-        burnish_error e;
         byte_list binary = {.size = 0};
         static const float values[] = {0,    0, 0, 1,    0, 0, 0, 2, 0, 0, 0,
                                        0.5f, 0, 0, 0.5f, 0, 0, 1, 0, 0, 1};
         put_floats(&binary, sizeof values / sizeof *values, values);
-        snprintf(
-            json, sizeof json,
-            GLTF_HEAD
-            "'buffers':[{'byteLength':84}],'bufferViews':[{'buffer':0,'byteLength':36},"
-            "{'buffer':0,'byteOffset':36,'byteLength':24},"
-            "{'buffer':0,'byteOffset':60,'byteLength':24}],'accessors':[" ACCESSOR(
-                0, 5126, 3,
-                "VEC3") "," ACCESSOR(1, 5126, 3,
-                                     "VEC2") "," ACCESSOR(2, 5126, 3,
-                                                          "VEC2") "],'images':[" IMAGE
-                                                                  "],'textures':[{'source':0}],"
-                                                                  "'materials':[{'"
-                                                                  "pbrMetallicRoughness':{'"
-                                                                  "baseColorTexture':{'index':0,"
-                                                                  "'texCoord':%s}},'normalTexture':"
-                                                                  "{'index':0,'texCoord':%s},"
-                                                                  "'occlusionTexture':{'index':0,'"
-                                                                  "texCoord':7,'extensions':{"
-                                                                  "'KHR_texture_transform':{'"
-                                                                  "texCoord':%s}}}}],"
-                                                                  "'meshes':[{'primitives':[{'"
-                                                                  "attributes':{'POSITION':0,'"
-                                                                  "TEXCOORD_0':1,"
-                                                                  "'TEXCOORD_1':2},'material':0}]}]"
-                                                                  "," ONE_NODE "}",
-            cases[i].sets[0], cases[i].sets[1], cases[i].sets[2]);
-        CHECK(read_glb(json, &binary, &s, &e) == BURNISH_STATUS_OK, "%zu: %s", i, e.text);
+        snprintf(json, sizeof json,
+                 "$head$buffer(84),'bufferViews':[$view(0,36),$view(36,24),$view(60,24)],"
+                 "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5126,3,VEC2),"
+                 "$accessor(2,5126,3,VEC2)],'images':[$image],'textures':[{'source':0}],"
+                 "'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'index':0,"
+                 "'texCoord':%s}},'normalTexture':{'index':0,'texCoord':%s},"
+                 "'occlusionTexture':{'index':0,'texCoord':7,"
+                 "'extensions':{'KHR_texture_transform':{'texCoord':%s}}}}],"
+                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1,"
+                 "'TEXCOORD_1':2},'material':0}]}],$node}",
+                 cases[i].sets[0], cases[i].sets[1], cases[i].sets[2]);
+        read_good(json, &binary, &s);
         for (int k = 0; k < 3 && s.material_count > 0; ++k) {
             CHECK((s.materials[0].textures[slots[k]].texture > 0) == cases[i].has[k],
                   "%zu: slot %d", i, k);
@@ -1111,16 +926,14 @@ static void test_damaged_images(void) {
     for (size_t i = 0; i < sizeof images / sizeof *images; ++i) {
         char json[2048];
         burnish_mesh_data s;
-        burnish_error e;
         snprintf(json, sizeof json,
-                 GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
-                 ",'images':[%s,%s],'textures':[{'source':0},{'source':1}],'materials':[{"
-                 "'pbrMetallicRoughness':{'baseColorTexture':{'index':0}},"
-                 "'normalTexture':{'index':1},'emissiveTexture':{'index':9}}],"
-                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}]," ONE_NODE
-                 "}",
+                 "$head$triangle_accessors,'images':[%s,%s],'textures':[{'source':0},"
+                 "{'source':1}],'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'ind"
+                 "ex':0}},'normalTexture':{'index':1},'emissiveTexture':{'index':9}}],"
+                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
+                 "$node}",
                  images[i], images[i]);
-        CHECK(read_gltf(json, &s, &e) == BURNISH_STATUS_OK, "%s: %s", images[i], e.text);
+        read_good(json, NULL, &s);
         CHECK1(s.triangle_count == 1 && s.texture_count == 0 && s.warning_count >= 1 &&
                s.materials[0].textures[BURNISH_TEXTURE_COLOR].texture == 0);
         burnish_mesh_data_destroy(&s);
@@ -1138,89 +951,60 @@ static void test_faults(void) {
         {"{'asset':{'version':'1.0'}}",
          "mesh.gltf:1: asset: version \"1.0\" is not supported; convert the file to glTF 2.0"},
         {"{'asset':{'version':'2.0'}}", "mesh.gltf: no triangles; export the scene's meshes"},
-        {GLTF_HEAD "'extensionsRequired':['ACME_x']}",
+        {"$head'extensionsRequired':['ACME_x']}",
          "mesh.gltf:1: extensionsRequired[0]: the file can't be drawn without the extension "
          "ACME_x, which is not supported; export it without"},
-        {GLTF_HEAD "'nodes':{}}", "mesh.gltf:1: nodes: expected an array, found {"},
-        {GLTF_HEAD "'nodes':[{'mesh':0}]}",
+        {"$head'nodes':{}}", "mesh.gltf:1: nodes: expected an array, found {"},
+        {"$head'nodes':[{'mesh':0}]}",
          "mesh.gltf:1: nodes[0].mesh: 0 is not in meshes, of which there are 0"},
-        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'mesh':-1}]}",
+        {"$head$triangle,'nodes':[{'mesh':-1}]}",
          "mesh.gltf:1: nodes[0].mesh: expected a whole number from 0 to 4194304, found -1"},
-        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'mesh':0,'scale':[1,2]}]}",
+        {"$head$triangle,'nodes':[{'mesh':0,'scale':[1,2]}]}",
          "mesh.gltf:1: nodes[0].scale: expected 3 numbers in [], found ["},
-        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'children':[1]},{'children':[1]}]}",
+        {"$head$triangle,'nodes':[{'children':[1]},{'children':[1]}]}",
          "mesh.gltf:1: nodes[1].children[0]: nodes[1] has two parents, or is its own; nodes must "
          "form a tree"},
-        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'children':[1]},{'children':[0]},{'mesh':0}]}",
+        {"$head$triangle,'nodes':[{'children':[1]},{'children':[0]},{'mesh':0}]}",
          "mesh.gltf:1: nodes: 2 nodes are their own ancestors; nodes must form a tree"},
-        {GLTF_HEAD GLTF_TRIANGLE ",'nodes':[{'mesh':0,'scale':[1e38,1,1],"
-                                 "'translation':[1e39,0,0]}]}",
+        {"$head$triangle,'nodes':[{'mesh':0,'scale':[1e38,1,1],'translation':[1e39,0,"
+         "0]}]}",
          "mesh.gltf:1: accessors[0]: position 0 is not finite, or beyond 3.4e38; repair the mesh"},
-        {GLTF_HEAD "'buffers':[{'byteLength':36}],'bufferViews':[{'buffer':0,'byteLength':36}],"
-                   "'accessors':[" ACCESSOR(
-                       0, 5126, 3,
-                       "VEC3") "],"
-                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                               "}",
+        {"$head$buffer(36),'bufferViews':[$view(0,36)],'accessors':["
+         "$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
          "mesh.gltf:1: buffers[0]: has no uri, and there is no binary chunk for it; write the file "
          "anew"},
-        {GLTF_HEAD "'buffers':[{'byteLength':37,'uri':'data:;base64,AAAA'}],"
-                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
-                   "'accessors':[" ACCESSOR(
-                       0, 5126, 3,
-                       "VEC3") "],"
-                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                               "}",
+        {"$head'buffers':[{'byteLength':37,'uri':'data:;base64,AAAA'}],"
+         "'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"
+         "$mesh('POSITION':0),$node}",
          "mesh.gltf:1: buffers[0]: has 3 bytes where byteLength is 37; the file is truncated"},
-        {GLTF_HEAD "'buffers':[{'byteLength':3,'uri':'data:;base64,AA*A'}],"
-                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
-                   "'accessors':[" ACCESSOR(
-                       0, 5126, 3,
-                       "VEC3") "],"
-                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                               "}",
+        {"$head'buffers':[{'byteLength':3,'uri':'data:;base64,AA*A'}],"
+         "'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"
+         "$mesh('POSITION':0),$node}",
          "mesh.gltf:1: buffers[0].uri: its base64 holds a character that base64 has not; the file "
          "is damaged"},
-        {GLTF_HEAD "'buffers':[{'byteLength':3,'uri':'a.bin'}],"
-                   "'bufferViews':[{'buffer':0,'byteLength':36}],"
-                   "'accessors':[" ACCESSOR(
-                       0, 5126, 3,
-                       "VEC3") "],"
-                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                               "}",
+        {"$head'buffers':[{'byteLength':3,'uri':'a.bin'}],'bufferViews':["
+         "$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),"
+         "$node}",
          "mesh.gltf:1: buffers[0].uri: names the file a.bin, which an input without a folder can't "
          "have; give its path, or convert it to GLB"},
-        {GLTF_HEAD "'buffers':[" GLTF_TRIANGLE_BUFFER
-                   "],'bufferViews':[{'buffer':0,'byteOffset':4,'byteLength':36}],"
-                   "'accessors':[" ACCESSOR(
-                       0, 5126, 3,
-                       "VEC3") "],"
-                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                               "}",
+        {"$head'buffers':[$triangle_buffer],'bufferViews':[$view(4,36)],"
+         "'accessors':[$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
          "mesh.gltf:1: bufferViews[0]: reaches to byte 40 of a buffer of 36"},
-        {GLTF_HEAD
-         "'buffers':[" GLTF_TRIANGLE_BUFFER "],'bufferViews':[{'buffer':0,'byteLength':36}],"
-         "'accessors':[" ACCESSOR(
-             0, 5126, 4,
-             "VEC3") "],"
-                     "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+        {"$head'buffers':[$triangle_buffer],'bufferViews':[$view(0,36)],"
+         "'accessors':[$accessor(0,5126,4,VEC3)],$mesh('POSITION':0),$node}",
          "mesh.gltf:1: accessors[0]: 4 elements do not fit into bufferViews[0] of 36 bytes; the "
          "file is damaged"},
-        {GLTF_HEAD "'buffers':[" GLTF_TRIANGLE_BUFFER
-                   "],'bufferViews':[{'buffer':0,'byteLength':36,'byteStride':4}],"
-                   "'accessors':[" ACCESSOR(
-                       0, 5126, 3,
-                       "VEC3") "],"
-                               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE
-                               "}",
+        {"$head'buffers':[$triangle_buffer],'bufferViews':[{'buffer':0,"
+         "'byteLength':36,'byteStride':4}],'accessors':[$accessor(0,5126,3,VEC3)],"
+         "$mesh('POSITION':0),$node}",
          "mesh.gltf:1: accessors[0]: its elements have 12 bytes, but lie 4 apart in "
          "bufferViews[0]"},
-        {GLTF_HEAD "'accessors':[{'componentType':5126,'count':1000000000,'type':'VEC3'}],"
-                   "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+        {"$head'accessors':[{'componentType':5126,'count':1000000000,'type':'VEC3'}],"
+         "$mesh('POSITION':0),$node}",
          "mesh.gltf:1: accessors[0]: sparse accessors unpack to 12000000000 bytes, of a file of "
          "176; write them in full"},
-        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
-         ",'meshes':[{'primitives':[{'indices':0,'attributes':{'POSITION':0}}]}]," ONE_NODE "}",
+        {"$head$triangle_accessors,'meshes':[{'primitives':[{'indices':0,"
+         "'attributes':{'POSITION':0}}]}],$node}",
          "mesh.gltf:1: meshes[0].primitives[0].indices: accessors[0] has another type than what is "
          "needed here"},
     };
@@ -1239,9 +1023,8 @@ static void test_instances_are_bounded(void) {
     byte_list list = {.size = 0};
     burnish_mesh_data s;
     burnish_error e;
-    put_json(&list, GLTF_HEAD
-             "'accessors':[{'componentType':5126,'count':3000000,'type':'VEC3'}],"
-             "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],'nodes':[{'mesh':0}");
+    put_json(&list, "$head'accessors':[{'componentType':5126,'count':3000000,'type':'VEC3'}],"
+                    "$mesh('POSITION':0),'nodes':[{'mesh':0}");
     for (int i = 0; i < 50; ++i) {
         put_json(&list, ",{'mesh':0}");
     }
@@ -1266,12 +1049,9 @@ static void test_damage(void) {
     put_floats(&binary, 9, positions);
     put_bits(&binary, 0x020100, 4, 0);
     put_glb(&list,
-            GLTF_HEAD "'buffers':[{'byteLength':40}],'bufferViews':[{'buffer':0,'byteLength':36},"
-                      "{'buffer':0,'byteOffset':36,'byteLength':3}],"
-                      "'accessors':[" ACCESSOR(0, 5126, 3, "VEC3") "," ACCESSOR(
-                          1, 5121, 3, "SCALAR") "],"
-                                                "'meshes':[{'primitives':[{'attributes':{'POSITION'"
-                                                ":0},'indices':1}]}]," ONE_NODE "}",
+            "$head$buffer(40),'bufferViews':[$view(0,36),$view(36,3)],"
+            "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5121,3,SCALAR)],"
+            "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'indices':1}]}],$node}",
             &binary);
     for (size_t i = 0; i < 9 * list.size; ++i) {
         burnish_mesh_data s;
@@ -1319,16 +1099,12 @@ static burnish_status read_many(int threads, burnish_mesh_data *s, burnish_error
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, NULL, threads);
     snprintf(json, sizeof json,
-             GLTF_HEAD "'buffers':[{'byteLength':%d,'uri':'many'}],'bufferViews':["
-                       "{'buffer':0,'byteLength':%d,'byteStride':32},"
-                       "{'buffer':0,'byteOffset':%d,'byteLength':%d}],'accessors':["
-                       "{'bufferView':0,'componentType':5126,'count':%d,'type':'VEC3'},"
-                       "{'bufferView':0,'byteOffset':12,'componentType':5126,'count':%d,"
-                       "'type':'VEC3'},{'bufferView':0,'byteOffset':24,'componentType':5126,"
-                       "'count':%d,'type':'VEC2'},{'bufferView':1,'componentType':5125,"
-                       "'count':%d,'type':'SCALAR'}],'meshes':[{'primitives':[{'attributes':"
-                       "{'POSITION':0,'NORMAL':1,'TEXCOORD_0':2},'indices':3,'mode':5}]}],"
-                       "'nodes':[{'mesh':0,'scale':[1,2,-1]}]}",
+             "$head'buffers':[{'byteLength':%d,'uri':'many'}],'bufferViews':[{'buffer':0,"
+             "'byteLength':%d,'byteStride':32},$view(%d,%d)],'accessors':["
+             "$accessor(0,5126,%d,VEC3),$part(12,5126,%d,VEC3),$part(24,5126,%d,VEC2),"
+             "$accessor(1,5125,%d,SCALAR)],'meshes':[{'primitives':[{'attributes':{'POSITI"
+             "ON':0,'NORMAL':1,'TEXCOORD_0':2},'indices':3,'mode':5}]}],"
+             "'nodes':[{'mesh':0,'scale':[1,2,-1]}]}",
              36 * MANY, 32 * MANY, 32 * MANY, 4 * MANY, MANY, MANY, MANY, MANY);
     list.size = 0;
     put_json(&list, json);
@@ -1400,7 +1176,7 @@ static void test_threads(void) {
 #define MATERIALS(first, second)                                                                   \
     "'materials':[{" first "},{" second "}],'meshes':[{'primitives':["                             \
     "{'attributes':{'POSITION':0},'material':0},{'attributes':{'POSITION':0},'material':1}]}]"     \
-    "," ONE_NODE "}"
+    ",$node}"
 #define CLEAR "'alphaMode':'BLEND','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
 #define CLEAR_MASK "'alphaMode':'MASK','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
 
@@ -1409,15 +1185,13 @@ static void test_invisible(void) {
     static const struct {
         const char *json;
         int is_opaque;
-    } cases[] = {
-        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, "'name':'visible'"), 0},
-        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, CLEAR), 1},
-        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, CLEAR_MASK), 1},
-        {GLTF_HEAD GLTF_TRIANGLE_ACCESSORS "," MATERIALS(CLEAR, CLEAR_MASK ",'alphaCutoff':0"), 0}};
+    } cases[] = {{"$head$triangle_accessors," MATERIALS(CLEAR, "'name':'visible'"), 0},
+                 {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR), 1},
+                 {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR_MASK), 1},
+                 {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR_MASK ",'alphaCutoff':0"), 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_mesh_data s;
-        burnish_error e;
-        CHECK(read_gltf(cases[i].json, &s, &e) == BURNISH_STATUS_OK, "%zu: %s", i, e.text);
+        read_good(cases[i].json, NULL, &s);
         check_warning(&s, (size_t)cases[i].is_opaque,
                       "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque");
         CHECK(s.material_count == 2 && s.materials[0].transparency == !cases[i].is_opaque, "%zu",
@@ -1431,24 +1205,17 @@ static void test_invisible_vertices(void) {
     for (int visible = 0; visible < 2; ++visible) {
         static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
         burnish_mesh_data s;
-        burnish_error e;
         byte_list binary = {.size = 0};
         put_floats(&binary, 9, positions);
         for (int i = 0; i < 3; ++i) {
             put_bits(&binary, 0x00334455u | (visible && i == 2 ? 0x80000000u : 0), 4, 0);
         }
-        CHECK(
-            read_glb(
-                GLTF_HEAD
-                "'buffers':[{'byteLength':48}],'bufferViews':[{'buffer':0,'byteLength':36},"
-                "{'buffer':0,'byteOffset':36,'byteLength':12}],'accessors':[" ACCESSOR(
-                    0, 5126, 3,
-                    "VEC3") ",{'bufferView':1,'componentType':5121,'count':3,"
-                            "'type':'VEC4','normalized':true}],'materials':[{'alphaMode':'BLEND'}],"
-                            "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'COLOR_0':1},"
-                            "'material':0}]}]," ONE_NODE "}",
-                &binary, &s, &e) == BURNISH_STATUS_OK,
-            "%s", e.text);
+        read_good("$head$buffer(48),'bufferViews':[$view(0,36),$view(36,12)],"
+                  "'accessors':[$accessor(0,5126,3,VEC3),{'bufferView':1,'componentType':5121,"
+                  "'count':3,'type':'VEC4','normalized':true}],"
+                  "'materials':[{'alphaMode':'BLEND'}],'meshes':[{'primitives':[{'attributes':{"
+                  "'POSITION':0,'COLOR_0':1},'material':0}]}],$node}",
+                  &binary, &s);
         check_warning(&s, !visible,
                       "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque");
         if (CHECK1(s.streams[BURNISH_COLOR].count == 3)) {

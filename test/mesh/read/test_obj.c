@@ -403,8 +403,9 @@ static void check_libraries(const char *lines, size_t opened, const char *warnin
     burnish_error e;
     snprintf(text, sizeof text, "%susemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", lines);
     libraries_opened = 0;
-    CHECK(run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, count_library, &s, &e) ==
-              BURNISH_STATUS_OK,
+    CHECK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
+                                .load_companion = count_library},
+                  &s, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
     CHECK(libraries_opened == opened, "%zu of %zu: %s", libraries_opened, opened, lines);
     if (CHECK(s.warning_count == (warning != NULL), "%zu", s.warning_count) && warning) {
@@ -439,8 +440,9 @@ static void test_library_line(void) {
     }
     strcpy(text + 7 + 2 * NAMES, "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     libraries_opened = 0;
-    CHECK(run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, count_library, &s, &e) ==
-              BURNISH_STATUS_OK,
+    CHECK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
+                                .load_companion = count_library},
+                  &s, &e) == BURNISH_STATUS_OK,
           "%s", e.text);
     CHECK(libraries_opened == 1, "%zu", libraries_opened);
     burnish_mesh_data_destroy(&s);

@@ -1,7 +1,6 @@
 /* A model part of 3MF: its elements become arrays. What they refer to is looked for later, once all
  * parts are there. */
 #include "mesh/read/threemf/threemf_model.h"
-
 #include "mesh/read/threemf/threemf.h"
 #include "mesh/read/threemf/threemf_xml.h"
 

@@ -1,9 +1,8 @@
 /* 3MF's build: objects that stand in it, and in each other. Once all are counted, without looking
  * at any of them twice, what is drawn is written to the mesh. */
+#include "mesh/read/threemf/threemf_scene.h"
 
 #if BURNISH_HAS_3MF
-
-#include "mesh/read/threemf/threemf_scene.h"
 
 #include "mesh/read/common/origin.h"
 #include "mesh/read/common/textures.h"

@@ -1,9 +1,8 @@
 /* What 3MF's properties mean for a mesh: materials for bases and textures, colours and texture
  * coordinates of corners. */
+#include "mesh/read/threemf/threemf_values.h"
 
 #if BURNISH_HAS_3MF
-
-#include "mesh/read/threemf/threemf_values.h"
 
 #include "core/srgb.h"
 #include "mesh/read/common/textures.h"

@@ -3,10 +3,9 @@
  * expat takes no pointer for its memory functions, so that its memory comes from malloc. That is
  * bounded here: by the depth of elements, by the size of one tag, and by what parts unpack to. A
  * document type is refused where it begins, so there are no entities but XML's five. */
+#include "mesh/read/threemf/threemf_xml.h"
 
 #if BURNISH_HAS_3MF
-
-#include "mesh/read/threemf/threemf_xml.h"
 
 #include <expat.h>
 #include <stdarg.h>
