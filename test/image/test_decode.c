@@ -553,8 +553,7 @@ static void test_side_by_side(void) {
         put_floats(&binary, 9, (const float[]){0, 0, 0, 1, 0, 0, 0, 1, 0});
         put(&binary, png, size);
         snprintf(json, sizeof json,
-                 GLTF_HEAD
-                 "'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'meshes':[{'primitives':[{"
+                 "$head'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'meshes':[{'primitives':[{"
                  "'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0}]}],'accessors':[{"
                  "'bufferView':0,'componentType':5126,'count':3,'type':'VEC3','min':[0,0,0],'max':"
                  "[1,1,0]},{'bufferView':0,'componentType':5126,'count':3,'type':'VEC2'}],"

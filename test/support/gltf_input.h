@@ -115,22 +115,16 @@ static inline burnish_status read_gltf(const char *json, burnish_mesh_data *mesh
     return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, mesh, error);
 }
 
+static inline void read_good(const char *json, const byte_list *binary, burnish_mesh_data *s) {
+    burnish_error e;
+    const burnish_status status = binary ? read_glb(json, binary, s, &e) : read_gltf(json, s, &e);
+    CHECK(status == BURNISH_STATUS_OK, "%s: %s", json, e.text);
+}
+
 static inline void put_floats(byte_list *list, size_t count, const float *values) {
     for (size_t i = 0; i < count; ++i) {
         put_float(list, values[i], 0);
     }
 }
-
-#define GLTF_HEAD "{'asset':{'version':'2.0'},"
-
-/* Three positions (0 0 0, 1 0 0, 0 2 0) as a data URI, and what draws them. */
-#define GLTF_TRIANGLE_BUFFER                                                                       \
-    "{'byteLength':36,'uri':'data:application/octet-stream;base64,"                                \
-    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA'}"
-#define GLTF_TRIANGLE_ACCESSORS                                                                    \
-    "'buffers':[" GLTF_TRIANGLE_BUFFER "],'bufferViews':[{'buffer':0,'byteLength':36}],"           \
-    "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3'}]"
-#define GLTF_TRIANGLE                                                                              \
-    GLTF_TRIANGLE_ACCESSORS ",'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}]"
 
 #endif

@@ -149,6 +149,29 @@ static inline int triangle_is(const burnish_mesh_data *s, size_t i, uint32_t a, 
            s->streams[BURNISH_POSITION].corners[3 * i + 2] == c;
 }
 
+/* Whether corner k of triangle i is at x, y, z, to 1e-5. */
+static inline int corner_is(const burnish_mesh_data *s, size_t i, size_t k, double x, double y,
+                            double z) {
+    const double expected[3] = {x, y, z};
+    for (size_t axis = 0; axis < 3 && i < s->triangle_count; ++axis) {
+        const uint32_t corner = s->streams[BURNISH_POSITION].corners[3 * i + k];
+        const double value = (double)burnish_positions(s)[3 * (size_t)corner + axis];
+        if (!(value - expected[axis] < 1e-5 && expected[axis] - value < 1e-5)) {
+            return 0;
+        }
+    }
+    return i < s->triangle_count;
+}
+
+/* text: the only warning; NULL: there is none */
+static inline void check_warning(const burnish_mesh_data *s, const char *text) {
+    CHECK(s->warning_count == (text != NULL), "%zu warnings: %s", s->warning_count,
+          s->warning_count > 0 ? s->warnings[0] : "");
+    if (text && s->warning_count == 1) {
+        CHECK_TEXT(s->warnings[0], text);
+    }
+}
+
 /* Whether a linear colour is that of sRGB values. */
 static inline int color_is(const float color[3], float r, float g, float b) {
     return color[0] == burnish_srgb_value_to_linear(r) &&

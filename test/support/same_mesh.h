@@ -113,11 +113,11 @@ static inline void same_put_gltf(byte_list *list, int is_binary) {
         same_put_corners(&corners, i);
     }
     if (is_binary) {
-        put_glb(list, GLTF_HEAD "'buffers':[{'byteLength':144}]," SAME_SCENE, &corners);
+        put_glb(list, "$head'buffers':[{'byteLength':144}]," SAME_SCENE, &corners);
         return;
     }
-    put_json(list, GLTF_HEAD "'buffers':[{'byteLength':144,'uri':"
-                             "'data:application/octet-stream;base64,");
+    put_json(list, "$head'buffers':[{'byteLength':144,'uri':"
+                   "'data:application/octet-stream;base64,");
     for (size_t i = 0; i < corners.size; i += 3) {
         const uint8_t *b = corners.bytes + i;
         const unsigned bits = (unsigned)b[0] << 16 | (unsigned)b[1] << 8 | b[2];

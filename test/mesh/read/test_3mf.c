@@ -33,24 +33,6 @@ static const uint32_t *corners_of(const burnish_mesh_data *s, burnish_attribute 
     return s->streams[attribute].corners;
 }
 
-/* Whether corner k of triangle i lies at x, y, z. */
-static int corner_is(const burnish_mesh_data *s, size_t i, size_t k, double x, double y, double z) {
-    if (i >= s->triangle_count) {
-        return 0;
-    }
-    const float *p = burnish_positions(s) + 3 * (size_t)corners_of(s, BURNISH_POSITION)[3 * i + k];
-    return fabs((double)p[0] - x) < 1e-5 && fabs((double)p[1] - y) < 1e-5 &&
-           fabs((double)p[2] - z) < 1e-5;
-}
-
-static void check_warning(const burnish_mesh_data *s, const char *text) {
-    CHECK(s->warning_count == (text != NULL), "%zu warnings: %s", s->warning_count,
-          s->warning_count > 0 ? s->warnings[0] : "");
-    if (text && s->warning_count == 1) {
-        CHECK_TEXT(s->warnings[0], text);
-    }
-}
-
 /* Reads a model that is fine, but for one warning at most; 1 where it could be read. */
 static int read_fine(const char *model, const char *warning, burnish_mesh_data *s) {
     burnish_error e;

@@ -4,8 +4,8 @@
 
 /* Of two streams at bytes 0 and `second` of the binary chunk. */
 #define DRACO(second, size, primitives)                                                            \
-    GLTF_HEAD                                                                                      \
-    "'extensionsRequired':['KHR_draco_mesh_compression'],'buffers':[{'byteLength':" size "}],"     \
+    "$head'extensionsRequired':['KHR_draco_mesh_compression'],'buffers':[{'byteLength':" size      \
+    "}],"                                                                                          \
     "'bufferViews':[{'buffer':0,'byteLength':" second "},"                                         \
     "{'buffer':0,'byteOffset':" second ",'byteLength':16}],"                                       \
     "'accessors':[{'componentType':5126,'count':3,'type':'VEC3'},"                                 \
@@ -114,8 +114,8 @@ static void test_values(void) {
 static void test_plain(void) {
     burnish_mesh_data s;
     burnish_error e;
-    CHECK(read_gltf(GLTF_HEAD GLTF_TRIANGLE_ACCESSORS
-                    ",'meshes':[{'primitives':[{'attributes':{'POSITION':0},'extensions':{"
+    CHECK(read_gltf("$head$triangle_accessors,'meshes':[{'primitives':[{'attributes':{'POSITION':0}"
+                    ",'extensions':{"
                     "'KHR_draco_mesh_compression':{'bufferView':0,'attributes':{}}}}]}],"
                     "'nodes':[{'mesh':0}]}",
                     &s, &e) == BURNISH_STATUS_OK,

@@ -1,0 +1,519 @@
+/* glTF: nodes, animations, cameras, lights, materials and textures. */
+#include <math.h>
+
+#include "gltf_input.h"
+
+/* ---- Nodes ---- */
+
+/* A chain of a matrix, a turn about z, and a mirror, against the same by hand. */
+static void test_hierarchy(void) {
+    burnish_mesh_data s;
+    /* p -> 2 p + (10, 20, 30); a quarter turn: (x, y) -> (-y, x); then x mirrored, y times 3. */
+    read_good("$head$triangle,'scene':1,'scenes':[{'nodes':[3]},{'nodes':[2]}],"
+              "'nodes':[{'mesh':0,'scale':[-1,3,1]},{'children':[0],'rotation':[0,0,"
+              "0.70710678118654757,0.70710678118654757]},{'children':[1],'matrix':[2,0,0,"
+              "0, 0,2,0,0, 0,0,2,0, 10,20,30,1]},{'mesh':0}]}",
+              NULL, &s);
+    /* The mirror turns the winding: corners 0, 2, 1. */
+    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 10, 20, 30) &&
+           corner_is(&s, 0, 2, 10, 18, 30) && corner_is(&s, 0, 1, -2, 20, 30));
+    burnish_mesh_data_destroy(&s);
+    /* Without scenes all roots are drawn, but for what is hidden. */
+    read_good("$head$triangle,'extensionsUsed':['KHR_node_visibility'],"
+              "'nodes':[{'mesh':0},{'children':[2],'extensions':{'KHR_node_visibility':{'vi"
+              "sible':false}}},{'mesh':0},{'mesh':0,'translation':[5,0,0]}]}",
+              NULL, &s);
+    CHECK1(s.triangle_count == 2 && corner_is(&s, 1, 0, 5, 0, 0));
+    check_warning(&s, NULL);
+    burnish_mesh_data_destroy(&s);
+    /* A scene that is not there is none. */
+    read_good("$head$triangle,'scene':3,'nodes':[{'mesh':0}]}", NULL, &s);
+    CHECK1(s.triangle_count == 1);
+    check_warning(&s, "mesh.gltf:1: scene: 3 is not in scenes, of which there are 0; ignored");
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Normals keep at right angles to a surface that is stretched, and on its side in a mirror. */
+static void test_normals_of_nodes(void) {
+    static const float positions[9] = {0, 0, 0, 1, 1, 0, 0, 0, 1};
+    static const float normals[9] = {1, -1, 0, 1, -1, 0, 1, -1, 0};
+    for (int mirror = 0; mirror < 2; ++mirror) {
+        byte_list binary = {.size = 0};
+        burnish_mesh_data s;
+        char json[1024];
+        put_floats(&binary, 9, positions);
+        put_floats(&binary, 9, normals);
+        snprintf(json, sizeof json,
+                 "$head$buffer(72),'bufferViews':[$view(0,36),$view(36,36)],"
+                 "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5126,3,VEC3)],"
+                 "$mesh('POSITION':0,'NORMAL':1),'nodes':[{'mesh':0,'scale':[%d,1,1]}]}",
+                 mirror ? -4 : 4);
+        read_good(json, &binary, &s);
+        /* (1/4, -1, 0), the 1/4 mirrored, made a unit vector */
+        const double x = (mirror ? -0.25 : 0.25) / sqrt(0.0625 + 1), y = -1 / sqrt(0.0625 + 1);
+        for (size_t i = 0; i < 3; ++i) {
+            const float *n = burnish_normals(&s) + 3 * i;
+            CHECK(fabs((double)n[0] - x) < 1e-7 && fabs((double)n[1] - y) < 1e-7 && n[2] == 0,
+                  "%g %g %g", (double)n[0], (double)n[1], (double)n[2]);
+        }
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* ---- What moves vertices ---- */
+
+/* Views over one buffer: positions, then whatever follows. */
+static burnish_status read_posed(const char *rest, const byte_list *binary, double time,
+                                 const char *animation, burnish_mesh_data *s, burnish_error *e) {
+    static byte_list list;
+    static char json[4096];
+    burnish_load_options options = burnish_load_options_default();
+    options.animation_time = time;
+    options.animation = animation;
+    snprintf(json, sizeof json, "$head$buffer(%zu),%s}", binary->size, rest);
+    list.size = 0;
+    put_glb(&list, json, binary);
+    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, s, e);
+}
+
+/* p + 0.5 (0, 0, 4) for vertex 1; the node's weights go before the mesh's, weight 0 counts for
+ * nothing, and normals move too. */
+static void test_morph_targets(void) {
+    static const float floats[] = {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 1,  0, 0, 1,
+                                   0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0};
+    static const struct {
+        const char *weights;
+        double z, n[3];
+    } cases[] = {{"]}],'nodes':[{'mesh':0", 0, {0, 0, 1}},
+                 {"],'weights':[0.5,9]}],'nodes':[{'mesh':0", 2, {0.5, 0, 0.5}},
+                 {"],'weights':[7,0]}],'nodes':[{'mesh':0,'weights':[1,0]", 4, {1, 0, 0}}};
+    byte_list binary = {.size = 0};
+    put_floats(&binary, 36, floats);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char rest[1024];
+        burnish_mesh_data s;
+        burnish_error e;
+        snprintf(rest, sizeof rest,
+                 "'bufferViews':[{'buffer':0,'byteLength':144,'byteStride':12}],"
+                 "'accessors':[$accessor(0,5126,3,VEC3),$part(36,5126,3,VEC3),"
+                 "$part(72,5126,3,VEC3),$part(108,5126,3,VEC3)],"
+                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1},"
+                 "'targets':[{'POSITION':2,'NORMAL':3},{}]}%s}]",
+                 cases[i].weights);
+        if (!CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
+                   "%s", e.text)) {
+            continue;
+        }
+        CHECK1(corner_is(&s, 0, 1, 1, 0, cases[i].z) && corner_is(&s, 0, 2, 0, 2, 0));
+        const float *n = burnish_normals(&s) + 3;
+        const double length = sqrt(cases[i].n[0] * cases[i].n[0] + cases[i].n[2] * cases[i].n[2]);
+        CHECK(fabs((double)n[0] - cases[i].n[0] / length) < 1e-6 &&
+                  fabs((double)n[2] - cases[i].n[2] / length) < 1e-6,
+              "%g %g", (double)n[0], (double)n[2]);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Two joints, of which the second is turned by 90 degrees about z around its place (1, 0, 0) and
+ * bound there: vertices follow joint 0, joint 1, and both by half. The node's own matrix counts for
+ * nothing. */
+static void test_skin(void) {
+    static const float positions[9] = {5, 0, 0, 2, 0, 0, 2, 0, 0};
+    static const float weights[12] = {1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0};
+    static const float bind[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1,
+                                   1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1};
+    byte_list binary = {.size = 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    put_floats(&binary, 9, positions);
+    put_floats(&binary, 12, weights);
+    put_floats(&binary, 32, bind);
+    put(&binary, "\0\1\0\0\0\1\0\0\0\1\0\0", 12);
+    static const char rest[] =
+        "'bufferViews':[$view(0,36),$view(36,48),$view(84,128),$view(212,12)],"
+        "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5126,3,VEC4),"
+        "$accessor(2,5126,2,MAT4),$accessor(3,5121,3,VEC4)],"
+        "$mesh('POSITION':0,'WEIGHTS_0':1,'JOINTS_0':3),'skins':[{'joints':[1,2],"
+        "'inverseBindMatrices':2}],'nodes':[{'mesh':0,'skin':0,'translation':[100,0,"
+        "0]},{},{'translation':[1,0,0],'rotation':[0,0,0.70710678118654757,"
+        "0.70710678118654757]}]";
+    CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK, "%s",
+          e.text);
+    /* (5, 0, 0); (1, 0, 0) + (0, 1, 0); the middle of (2, 0, 0) and (1, 1, 0) */
+    CHECK1(corner_is(&s, 0, 0, 5, 0, 0) && corner_is(&s, 0, 1, 1, 1, 0) &&
+           corner_is(&s, 0, 2, 1.5, 0.5, 0));
+    burnish_mesh_data_destroy(&s);
+    binary.bytes[212] = 2;
+    CHECK1(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_FORMAT);
+    CHECK1(strstr(e.text, "accessors[3]: joint 2 of vertex 0 is not below the skin's 2"));
+    burnish_mesh_data_destroy(&s);
+}
+
+static void test_instances(void) {
+    static const float floats[] = {0, 0,  0, 1, 0, 0, 0, 2,  0, 10, 0,
+                                   0, 20, 0, 0, 2, 2, 2, -1, 1, 1};
+    byte_list binary = {.size = 0};
+    burnish_mesh_data s;
+    burnish_error e;
+    put_floats(&binary, sizeof floats / sizeof *floats, floats);
+    CHECK(read_posed("'bufferViews':[$view(0,84)],'accessors':[$accessor(0,5126,3,VEC3),"
+                     "$part(36,5126,2,VEC3),$part(60,5126,2,VEC3)],"
+                     "'extensionsRequired':['EXT_mesh_gpu_instancing'],$mesh('POSITION':0),"
+                     "'nodes':[{'mesh':0,'translation':[0,0,5],"
+                     "'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':1,"
+                     "'SCALE':2}}}}]",
+                     &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
+          "%s", e.text);
+    CHECK1(s.triangle_count == 2 && corner_is(&s, 0, 1, 12, 0, 5) &&
+           corner_is(&s, 0, 2, 10, 4, 5) && corner_is(&s, 1, 2, 19, 0, 5) &&
+           corner_is(&s, 1, 1, 20, 2, 5)); /* a mirror */
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Translations 0 at 1 s and (8, 0, 0) at 3 s by each interpolation; a rotation of a quarter turn,
+ * whose middle is an eighth of one, and whose quarters are equal angles. */
+static void test_animation(void) {
+    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0}, times[2] = {1, 3};
+    static const float steps[6] = {0, 0, 0, 8, 0, 0};
+    /* in-tangent, value, out-tangent, twice */
+    static const float cubic[18] = {9, 9, 9, 0, 0, 0, 1, 0, 0, 2, 0, 0, 8, 0, 0, 9, 9, 9};
+    static const float turns[8] = {0, 0, 0, 1, 0, 0, -0.70710678f, -0.70710678f};
+    static const struct {
+        const char *animation, *path;
+        double time, x;
+    } cases[] = {{"0", "", 0, 0},
+                 {"0", "", 2, 4},
+                 {"0", "", 2.5, 6},
+                 {"linear", "", 9, 8},
+                 {"step", "", 2.9, 0},
+                 {"1", "", 3, 8},
+                 {"cubic", "", 1, 0},
+                 {"cubic", "", 3, 8},
+                 /* t = 1/2: 8/2 + 2 (1/8 1) - 2 (1/8 2) */
+                 {"cubic", "", 2, 4 + 0.25 - 0.5}};
+    byte_list binary = {.size = 0};
+    put_floats(&binary, 9, positions);
+    put_floats(&binary, 2, times);
+    put_floats(&binary, 6, steps);
+    put_floats(&binary, 18, cubic);
+    put_floats(&binary, 8, turns);
+    static const char rest[] =
+        "'bufferViews':[$view(0,172)],'accessors':[$accessor(0,5126,3,VEC3),"
+        "$part(36,5126,2,SCALAR),$part(44,5126,2,VEC3),$part(68,5126,6,VEC3),"
+        "$part(140,5126,2,VEC4)],$mesh('POSITION':0),'nodes':[{'mesh':0,"
+        "'translation':[0,7,0]}],'animations':[{'name':'linear',"
+        "'samplers':[{'input':1,'output':2}],'channels':[{'sampler':0,"
+        "'target':{'node':0,'path':'translation'}}]},{'name':'step',"
+        "'samplers':[{'input':1,'output':2,'interpolation':'STEP'}],"
+        "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]},"
+        "{'name':'cubic','samplers':[{'input':1,'output':3,"
+        "'interpolation':'CUBICSPLINE'}],'channels':[{'sampler':0,"
+        "'target':{'node':0,'path':'translation'}}]},{'name':'turn',"
+        "'samplers':[{'input':1,'output':4}],'channels':[{'sampler':0,"
+        "'target':{'node':0,'path':'rotation'}}]}]";
+    burnish_mesh_data s;
+    burnish_error e;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        CHECK(read_posed(rest, &binary, cases[i].time, cases[i].animation, &s, &e) ==
+                  BURNISH_STATUS_OK,
+              "%s", e.text);
+        CHECK(corner_is(&s, 0, 0, cases[i].x, 0, 0), "%zu: %g", i,
+              (double)burnish_positions(&s)[0]);
+        burnish_mesh_data_destroy(&s);
+    }
+    CHECK1(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK);
+    CHECK1(corner_is(&s, 0, 0, 0, 7, 0));
+    burnish_mesh_data_destroy(&s);
+    /* From no turn to one of 90 degrees about z, whose quaternion has the other sign. */
+    for (int quarter = 0; quarter <= 4; ++quarter) {
+        CHECK1(read_posed(rest, &binary, 1 + quarter / 2.0, "turn", &s, &e) == BURNISH_STATUS_OK);
+        const double angle = quarter * acos(0) / 4;
+        CHECK(corner_is(&s, 0, 1, cos(angle), 7 + sin(angle), 0), "%d", quarter);
+        burnish_mesh_data_destroy(&s);
+    }
+    CHECK1(read_posed(rest, &binary, 0, "4", &s, &e) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(e.text,
+               "mesh.gltf: animation \"4\" is none of its 4; give a name or a number from 0 "
+               "to 3");
+    burnish_mesh_data_destroy(&s);
+    read_good("$head$triangle,$node}", NULL, &s);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Cameras and lights ---- */
+
+static void test_cameras(void) {
+    burnish_mesh_data s;
+    read_good("$head$triangle,'cameras':[{'type':'perspective','perspective':{'yfov':0.5,"
+              "'znear':1}},{'name':'plan','type':'orthographic',"
+              "'orthographic':{'ymag':3}}],'nodes':[{'mesh':0},{'name':'front','camera':0,"
+              "'translation':[0.5,1,10]},{'camera':1,'translation':[0,50,0],"
+              "'rotation':[-0.70710678118654757,0,0,0.70710678118654757]}]}",
+              NULL, &s);
+    if (CHECK1(s.camera_count == 2)) {
+        const burnish_camera *c = &s.cameras[0].camera;
+        CHECK_TEXT(s.cameras[0].name, "front");
+        CHECK1(c->position[0] == 0.5 && c->position[2] == 10 && c->view_up[1] == 1 &&
+               c->orthographic_height == 0 && fabs(c->view_angle - 90 / acos(0) * 0.5) < 1e-9);
+        /* as far away as the middle of the triangle's box */
+        CHECK1(fabs(c->focal_point[0] - 0.5) < 1e-9 && fabs(c->focal_point[2]) < 1e-9);
+        CHECK_TEXT(s.cameras[1].name, "plan");
+        c = &s.cameras[1].camera;
+        CHECK1(c->orthographic_height == 6 && fabs(c->focal_point[1] - 1) < 1e-9 &&
+               fabs(c->view_up[2] + 1) < 1e-9 && fabs(c->view_up[1]) < 1e-9);
+    }
+    burnish_mesh_data_destroy(&s);
+}
+
+/* Lux at the middle of the triangle's box, (0.5, 1, 0): 2 from +z, and from -x 18 / 3^2 = 2, of
+ * which green is half. None faces the other, so that 2 becomes 1; the light that is not drawn, the
+ * dark one and the one that is not there are left out. */
+static void test_lights(void) {
+    burnish_mesh_data s;
+    burnish_error e;
+    read_good("$head$triangle,'extensionsUsed':['KHR_lights_punctual'],"
+              "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'directional',"
+              "'intensity':2},{'type':'spot','intensity':18,'color':[1,0.5,0]},"
+              "{'type':'point','intensity':0}]}},'nodes':[{'mesh':0},"
+              "{'extensions':{'KHR_lights_punctual':{'light':0}},'translation':[7,8,9]},"
+              "{'extensions':{'KHR_lights_punctual':{'light':1}},'translation':[-2.5,1,"
+              "0]},{'extensions':{'KHR_lights_punctual':{'light':2}}},"
+              "{'extensions':{'KHR_lights_punctual':{'light':3}}},"
+              "{'extensions':{'KHR_lights_punctual':{'light':0},"
+              "'KHR_node_visibility':{'visible':false}}}]}",
+              NULL, &s);
+    if (CHECK1(s.light_count == 2)) {
+        const burnish_light *sun = &s.lights[0].light, *lamp = &s.lights[1].light;
+        CHECK1(sun->kind == BURNISH_LIGHT_DIRECTIONAL && !s.lights[0].is_spot &&
+               !sun->follows_camera);
+        CHECK1(sun->vector[0] == 0 && sun->vector[1] == 0 && sun->vector[2] == 1);
+        CHECK1(lamp->kind == BURNISH_LIGHT_POINT && s.lights[1].is_spot);
+        CHECK1(lamp->vector[0] == -2.5 && lamp->vector[1] == 1 && lamp->vector[2] == 0);
+        for (int k = 0; k < 3; ++k) {
+            CHECK1(sun->color[k] == 1 && fabsf(lamp->color[k] - (1 - 0.5f * (float)k)) < 1e-6f);
+        }
+    }
+    CHECK1(s.warning_count == 0);
+    burnish_mesh_data_destroy(&s);
+    CHECK1(read_gltf("$head$triangle,$node}", &s, &e) == BURNISH_STATUS_OK && s.light_count == 0);
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Materials ---- */
+
+static void test_materials(void) {
+    burnish_mesh_data s;
+    read_good("$head$triangle_accessors,'materials':[{'pbrMetallicRoughness':{'baseColorFac"
+              "tor':[0.5,0.25,1,0.5],'metallicFactor':0,'roughnessFactor':0.5}},"
+              "{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.5],"
+              "'roughnessFactor':1},'alphaMode':'BLEND'},"
+              "{'extensions':{'KHR_materials_pbrSpecularGlossiness':{'diffuseFactor':[1,"
+              "0.5,0,1],'specularFactor':[0.1,0.1,0.1],'glossinessFactor':0.5}}},"
+              "{'pbrMetallicRoughness':{'metallicFactor':'x'},"
+              "'extensions':{'KHR_materials_unlit':{}}}],"
+              "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0},"
+              "{'attributes':{'POSITION':0},'material':1},{'attributes':{'POSITION':0}},"
+              "{'attributes':{'POSITION':0},'material':3}]}],$node}",
+              NULL, &s);
+    CHECK1(s.material_count == 5 && s.triangle_count == 4 && s.triangle_materials[1] == 1 &&
+           s.triangle_materials[2] == 4 && s.triangle_materials[3] == 3);
+    const burnish_material *m = s.materials;
+    /* alpha 1/4: n = 2 * 16 - 2 = 30, and a height of 0.04 * 32 / 8 */
+    CHECK1(m->exponent == 30 && m->diffuse[0] == 0.5f && m->diffuse[2] == 1 &&
+           m->ambient[1] == 0.25f && m->transparency == 0);
+    CHECK1(fabsf(m->specular[0] - 0.16f) < 1e-6f);
+    ++m; /* a metal: no diffuse, its colour is the highlight's, 3/8 as high as n = 1 has it */
+    CHECK1(m->exponent == 1 && m->diffuse[2] == 0 && m->transparency == 0.5f &&
+           m->ambient[2] == 1 && m->specular[0] == 0.1875f);
+    ++m;
+    CHECK1(m->exponent == 30 && m->diffuse[1] == 0.5f && fabsf(m->specular[1] - 0.4f) < 1e-6f);
+    ++m;
+    CHECK1(m->is_unlit && m->diffuse[0] == 1 && m->specular[0] == 0);
+    check_warning(&s, "mesh.gltf:1: materials[3].pbrMetallicRoughness.metallicFactor: expected a "
+                      "number, found \"x\"; ignored");
+    burnish_mesh_data_destroy(&s);
+}
+
+/* ---- Textures ---- */
+
+/* One image as colours and as numbers is two textures, however often it is used. The transform of
+ * (u, v) = (1/4, 1/4 from above) is checked by hand. */
+static void test_textures(void) {
+    burnish_mesh_data s;
+    read_good("$head$triangle_accessors,'images':[$image],'samplers':[{'wrapS':33071,"
+              "'wrapT':33648,'magFilter':9728}],'textures':[{'source':0,'sampler':0},"
+              "{'source':0}],'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'ind"
+              "ex':0,'extensions':{'KHR_texture_transform':{'offset':[0.5,0.25],"
+              "'scale':[2,4],'rotation':1.5707963267948966}}},"
+              "'metallicRoughnessTexture':{'index':1}},'normalTexture':{'index':1,"
+              "'scale':0.5},'emissiveTexture':{'index':1},'occlusionTexture':{'index':1,"
+              "'texCoord':1},'emissiveFactor':[1,0,0.5],"
+              "'extensions':{'KHR_materials_emissive_strength':{'emissiveStrength':3}},"
+              "'alphaMode':'MASK','alphaCutoff':0.25}],"
+              "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
+              "$node}",
+              NULL, &s);
+    const burnish_material *m = s.materials;
+    const burnish_texture_use *color = &m->textures[BURNISH_TEXTURE_COLOR];
+    CHECK1(s.texture_count == 2 && s.textures[color->texture - 1].is_color &&
+           m->textures[BURNISH_TEXTURE_EMISSIVE].texture == color->texture &&
+           m->textures[BURNISH_TEXTURE_NORMAL].texture ==
+               m->textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture &&
+           m->textures[BURNISH_TEXTURE_OCCLUSION].texture == 0);
+    CHECK1(color->wrap[0] == BURNISH_WRAP_CLAMP && color->wrap[1] == BURNISH_WRAP_MIRROR &&
+           color->is_nearest && m->textures[BURNISH_TEXTURE_NORMAL].strength == 0.5f &&
+           m->textures[BURNISH_TEXTURE_NORMAL].wrap[0] == BURNISH_WRAP_REPEAT);
+    CHECK1(m->is_metallic && m->emissive[0] == 3 && m->emissive[2] == 1.5f &&
+           m->alpha_mode == BURNISH_ALPHA_MASK && m->alpha_cutoff == 0.25f && m->diffuse[0] == 1);
+    /* Scaled (1/2, 1), turned to (1, -1/2), moved to (3/2, -1/4), which is 5/4 from below. */
+    const float *t = color->transform, u = 0.25f, v = 0.75f;
+    CHECK(color->has_transform && fabsf(t[0] * u + t[1] * v + t[2] - 1.5f) < 1e-6f &&
+              fabsf(t[3] * u + t[4] * v + t[5] - 1.25f) < 1e-6f,
+          "%g %g", (double)(t[0] * u + t[1] * v + t[2]), (double)(t[3] * u + t[4] * v + t[5]));
+    check_warning(&s, "mesh.gltf:1: materials[0].occlusionTexture: left out, as it has texture "
+                      "coordinates of its own (set 1)");
+    burnish_mesh_data_destroy(&s);
+}
+/* A vertex has one set of texture coordinates: that which most of its material's textures use, of
+ * two that of the base colour. The accessor of set 1 is the positions' x and y, turned. */
+static void test_texture_sets(void) {
+    static const struct {
+        const char *sets[3]; /* of base colour, normals, occlusion */
+        int has[3];
+        double u; /* of the second corner */
+    } cases[] = {{{"0", "0", "0"}, {1, 1, 1}, 0.5}, {{"1", "1", "1"}, {1, 1, 1}, 1},
+                 {{"0", "1", "1"}, {0, 1, 1}, 1},   {{"1", "0", "1"}, {1, 0, 1}, 1},
+                 {{"0", "1", "9"}, {1, 0, 0}, 0.5}, {{"1", "2", "0"}, {1, 0, 0}, 1}};
+    static const int slots[3] = {BURNISH_TEXTURE_COLOR, BURNISH_TEXTURE_NORMAL,
+                                 BURNISH_TEXTURE_OCCLUSION};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char json[2048];
+        burnish_mesh_data s;
+        byte_list binary = {.size = 0};
+        static const float values[] = {0,    0, 0, 1,    0, 0, 0, 2, 0, 0, 0,
+                                       0.5f, 0, 0, 0.5f, 0, 0, 1, 0, 0, 1};
+        put_floats(&binary, sizeof values / sizeof *values, values);
+        snprintf(json, sizeof json,
+                 "$head$buffer(84),'bufferViews':[$view(0,36),$view(36,24),$view(60,24)],"
+                 "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5126,3,VEC2),"
+                 "$accessor(2,5126,3,VEC2)],'images':[$image],'textures':[{'source':0}],"
+                 "'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'index':0,"
+                 "'texCoord':%s}},'normalTexture':{'index':0,'texCoord':%s},"
+                 "'occlusionTexture':{'index':0,'texCoord':7,"
+                 "'extensions':{'KHR_texture_transform':{'texCoord':%s}}}}],"
+                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1,"
+                 "'TEXCOORD_1':2},'material':0}]}],$node}",
+                 cases[i].sets[0], cases[i].sets[1], cases[i].sets[2]);
+        read_good(json, &binary, &s);
+        for (int k = 0; k < 3 && s.material_count > 0; ++k) {
+            CHECK((s.materials[0].textures[slots[k]].texture > 0) == cases[i].has[k],
+                  "%zu: slot %d", i, k);
+        }
+        const float *uv = s.streams[BURNISH_TEXCOORD].items;
+        CHECK(s.streams[BURNISH_TEXCOORD].count == 3 && (double)uv[2] == cases[i].u, "%zu", i);
+        CHECK(s.warning_count == (i > 1), "%zu: %zu warnings", i, s.warning_count);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Images that can't be had leave the mesh as it is without them; after some that are damaged, no
+ * further ones are tried. */
+static void test_damaged_images(void) {
+    static const char *const images[] = {"{'uri':'data:image/png;base64,AAAA'}",
+                                         "{'uri':'data:image/png;base64,A*'}",
+                                         "{'bufferView':7}",
+                                         "{'uri':5}",
+                                         "{}",
+                                         "{'uri':'../a.png'}"};
+    for (size_t i = 0; i < sizeof images / sizeof *images; ++i) {
+        char json[2048];
+        burnish_mesh_data s;
+        snprintf(json, sizeof json,
+                 "$head$triangle_accessors,'images':[%s,%s],'textures':[{'source':0},"
+                 "{'source':1}],'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'ind"
+                 "ex':0}},'normalTexture':{'index':1},'emissiveTexture':{'index':9}}],"
+                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
+                 "$node}",
+                 images[i], images[i]);
+        read_good(json, NULL, &s);
+        CHECK1(s.triangle_count == 1 && s.texture_count == 0 && s.warning_count >= 1 &&
+               s.materials[0].textures[BURNISH_TEXTURE_COLOR].texture == 0);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* ---- Nothing to be seen ---- */
+
+#define MATERIALS(first, second)                                                                   \
+    "'materials':[{" first "},{" second "}],'meshes':[{'primitives':["                             \
+    "{'attributes':{'POSITION':0},'material':0},{'attributes':{'POSITION':0},'material':1}]}]"     \
+    ",$node}"
+#define CLEAR "'alphaMode':'BLEND','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
+#define CLEAR_MASK "'alphaMode':'MASK','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
+
+/* A wholly transparent part of something visible stays so; if everything is, all is opaque. */
+static void test_invisible(void) {
+    static const struct {
+        const char *json;
+        int is_opaque;
+    } cases[] = {{"$head$triangle_accessors," MATERIALS(CLEAR, "'name':'visible'"), 0},
+                 {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR), 1},
+                 {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR_MASK), 1},
+                 {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR_MASK ",'alphaCutoff':0"), 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        burnish_mesh_data s;
+        read_good(cases[i].json, NULL, &s);
+        check_warning(&s,
+                      cases[i].is_opaque
+                          ? "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque"
+                          : NULL);
+        CHECK(s.material_count == 2 && s.materials[0].transparency == !cases[i].is_opaque, "%zu",
+              i);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+/* Alpha of vertices, which a blended material multiplies: 0 for all of them, or for all but one. */
+static void test_invisible_vertices(void) {
+    for (int visible = 0; visible < 2; ++visible) {
+        static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+        burnish_mesh_data s;
+        byte_list binary = {.size = 0};
+        put_floats(&binary, 9, positions);
+        for (int i = 0; i < 3; ++i) {
+            put_bits(&binary, 0x00334455u | (visible && i == 2 ? 0x80000000u : 0), 4, 0);
+        }
+        read_good("$head$buffer(48),'bufferViews':[$view(0,36),$view(36,12)],"
+                  "'accessors':[$accessor(0,5126,3,VEC3),{'bufferView':1,'componentType':5121,"
+                  "'count':3,'type':'VEC4','normalized':true}],"
+                  "'materials':[{'alphaMode':'BLEND'}],'meshes':[{'primitives':[{'attributes':{"
+                  "'POSITION':0,'COLOR_0':1},'material':0}]}],$node}",
+                  &binary, &s);
+        check_warning(
+            &s, visible ? NULL
+                        : "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque");
+        if (CHECK1(s.streams[BURNISH_COLOR].count == 3)) {
+            CHECK1(burnish_colors(&s)[3] == (visible ? 0 : 255));
+        }
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(test_invisible());
+    RUN(test_invisible_vertices());
+    RUN(test_hierarchy());
+    RUN(test_normals_of_nodes());
+    RUN(test_materials());
+    RUN(test_morph_targets());
+    RUN(test_skin());
+    RUN(test_instances());
+    RUN(test_animation());
+    RUN(test_cameras());
+    RUN(test_lights());
+    RUN(test_textures());
+    RUN(test_texture_sets());
+    RUN(test_damaged_images());
+    return test_end("gltf_scene");
+}
