@@ -1,5 +1,5 @@
-/* The built-in objects: y up, round the origin (the teapot stands on y = 0). Closed but for
- * the teapot, whose body, lid, handle and spout pass into each other. */
+/* The built-in objects: y up, centred on the origin (the base of the teapot is at y = 0). Closed
+ * but for the teapot, whose body, lid, handle and spout pass into each other. */
 #include <string.h>
 
 #include "core/numbers.h"
@@ -48,9 +48,9 @@ static void turn(uint32_t i, uint32_t n, double *sine, double *cosine) {
     burnish_sincos(2 * BURNISH_PI * i / n, sine, cosine);
 }
 
-/* Two triangles for each cell of a grid whose both directions close on themselves; vertex (i, j) is
- * number i * nj + j, and (i, j), (i + 1, j), (i, j + 1) are counter-clockwise seen from outside, or
- * clockwise where mirrored is 1. */
+/* Two triangles for each cell of a grid that is closed in both directions. Vertex (i, j) is number
+ * i * nj + j. (i, j), (i + 1, j), (i, j + 1) are counter-clockwise seen from outside, or clockwise
+ * if mirrored is 1. */
 static void close_grid(burnish_mesh_data *data, uint32_t ni, uint32_t nj, int mirrored) {
     for (uint32_t i = 0; i < ni; ++i) {
         for (uint32_t j = 0; j < nj; ++j) {
@@ -107,7 +107,7 @@ static void make_sphere_face(burnish_mesh_data *data, int axis, int sign, int n)
 }
 
 /* Radius 1: a blown-up cube, 2n segments a quarter (n the tessellation), 48 n^2 triangles. A point
- * depends on its lattice coordinates only, so that the six faces meet exactly. */
+ *        depends on its lattice coordinates only: the six faces meet exactly. */
 static burnish_status make_sphere(const burnish_load_options *options, burnish_mesh_data *data,
                                   burnish_error *error) {
     size_t side = 2 * (size_t)options->tessellation + 1;
@@ -147,9 +147,9 @@ static burnish_status make_torus(const burnish_load_options *options, burnish_me
 
 /* A tube of radius 0.6 around the (2, 3) torus knot
  *   p(a) = ((2 + cos 3a) cos 2a, (2 + cos 3a) sin 2a, sin 3a),
- * facing +z; 16n segments along, 4n around. The torus that the knot lies on gives the frame: its
- * normal is perpendicular to the knot everywhere and closes on itself. A circular tube's normal is
- * the spoke of the circle, whichever frame it is measured from. */
+ * facing +z; 16n segments along, 4n around. The frame comes from the torus that contains the knot:
+ * the normal of the torus is perpendicular to the knot everywhere and closes on itself. A circular
+ * tube's normal is the spoke of the circle, whichever frame it is measured from. */
 static burnish_status make_knot(const burnish_load_options *options, burnish_mesh_data *data,
                                 burnish_error *error) {
     const double radius = 0.6;
@@ -184,7 +184,7 @@ static burnish_status make_knot(const burnish_load_options *options, burnish_mes
 /* ---- Newell's teapot: 32 bicubic Bezier patches, evaluated in double in a fixed order ---- */
 
 /* Cubic Bernstein polynomials at i / n, and their derivatives. The numerators are exact integers,
- * so that the values at i and at n - i mirror each other bit for bit. */
+ * so the values at i and at n - i mirror each other bit for bit. */
 typedef struct bernstein {
     double value[4], slope[4];
 } bernstein;

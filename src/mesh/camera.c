@@ -1,4 +1,4 @@
-/* Where to stand so that the whole mesh is in the picture, as large as the margin allows. */
+/* Camera framing: the whole mesh in the picture, as large as the margin allows. */
 #include <float.h>
 
 #include "core/environment.h"
@@ -40,7 +40,7 @@ static burnish_status check_number(double value, double low, double high, const 
                         value, low, high);
 }
 
-/* Vectors are taken up to 1e100, so that their squares stay finite. */
+/* Vectors are accepted up to 1e100, which keeps their squares finite. */
 static burnish_status check_vector(const double v[3], const char *name, burnish_error *error) {
     for (int i = 0; i < 3; ++i) {
         if (!(v[i] >= -1e100 && v[i] <= 1e100)) {
@@ -132,8 +132,8 @@ static burnish_vec3 direction_of(const double v[3]) {
 }
 
 /* The side from which an object with this up axis is seen from the front: where the smallest
- * rotation that takes +Y to up takes +Z. Up +Y: +Z; up +Z: -Y, as in CAD; up -Y, where no rotation
- * is the smallest: -Z, so that +X stays on the right. */
+ * rotation that takes +Y to up takes +Z. Up +Y: +Z; up +Z: -Y, as in CAD; up -Y, for which no
+ * rotation is the smallest: -Z, which keeps +X on the right. */
 static burnish_vec3 front_of(burnish_vec3 up) {
     burnish_vec3 z = {0, 0, 1};
     burnish_vec3 axis = {up.z, 0, -up.x}; /* Y x up, as long as the sine of the angle */
@@ -189,7 +189,7 @@ static view_frame choose_frame(const burnish_framing *options, const float mesh_
     } else {
         frame = look_against(burnish_vec3_scale(direction_of(d), -1), up, front);
     }
-    /* Lifting the camera tilts the picture's up with it, so that nothing jumps at the poles. */
+    /* Lifting the camera also tilts the picture's up vector, to avoid a jump at the poles. */
     frame.back = rotate(frame.back, frame.right, -elevation);
     frame.right = burnish_vec3_normalize(rotate(frame.right, up, azimuth));
     frame.back = burnish_vec3_normalize(rotate(frame.back, up, azimuth));
@@ -266,9 +266,9 @@ static void push_group(const view_mesh *view, size_t group, const double t[4], e
     }
 }
 
-/* side[0] = max(x + t[0] z), side[1] = max(-x + t[1] z), side[2], side[3] the same in y: the planes
- * of the four sides of a pyramid of view with these slopes >= 0, pushed against the mesh.
- * Rounding is monotone, so that no vertex is beyond what the bounds of its group give. */
+/* side[0] = max(x + t[0] z), side[1] = max(-x + t[1] z), and side[2], side[3] the same in y: the
+ * four side planes of a view frustum with these slopes >= 0, pushed against the mesh. Rounding is
+ * monotone, so no vertex exceeds the bounds of its group. */
 static void push_sides(const view_mesh *view, const double t[4], extreme side[4]) {
     for (int k = 0; k < 4; ++k) {
         side[k] = (extreme){-DBL_MAX, 0};
@@ -295,11 +295,12 @@ static void measure_depth(const view_mesh *view, double *near_depth, double *far
 /* The position across the view, at distance cz, with room on both sides in the proportion of the
  * weights, in both axes.
  *
- * In x, with the weights v and w of right and left: with slope s the sides touch the mesh at cz =
- * (a(v s) + b(w s)) / (v + w) s, a and b the maxima of push_sides. g(s) = a(v s) + b(w s) -
- * (v + w) s cz is convex, falls strictly because cz is larger than every z, and is not negative at
- * 0; its zero is the slope that fits this cz, and (w a - v b) / (v + w) the position. Newton's
- * steps from 0 never overshoot and end on the zero, since g is piecewise linear. */
+ * In x, let v and w be the weights of right and left, and a and b the maxima of push_sides. With
+ * slope s the sides touch the mesh at cz = (a(v s) + b(w s)) / (v + w) s. The function g(s) = a(v
+ * s) + b(w s) - (v + w) s cz is convex, falls strictly because cz is larger than every z, and is
+ * not negative at 0. Its zero is the slope that fits this cz, and (w a - v b) / (v + w) is the
+ * position. Newton's steps from 0 never overshoot and end on the zero, since g is piecewise linear.
+ */
 static void center_axes(const view_mesh *view, double cz, const double weight[4],
                         double center[2]) {
     double slope[2] = {0, 0};

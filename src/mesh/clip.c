@@ -1,9 +1,8 @@
 /* Cutting a mesh by a plane.
  *
- * A triangle is cut where its edges are: a cut point depends on the two ends of its edge alone,
- * taken from the one that is kept, so that both triangles of an edge get the same bits and no gap
- * opens between them. What a cut opens is not closed by triangles: drawing fills it
- * (render/caps.h). */
+ * A cut point depends only on the two ends of its edge, starting from the end that is kept. Both
+ * triangles of an edge therefore get the same bits, and no gap opens between them. No triangles
+ * close the cut: drawing fills it (render/frame/caps.h). */
 #include <string.h>
 
 #include "core/numbers.h"
@@ -142,7 +141,7 @@ static int same_position(const cutter *cut, uint32_t a, uint32_t b) {
     return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/* Part of triangle `source`, unless two corners meet: where a corner lies in the plane. */
+/* Part of triangle `source`, unless two corners coincide because a corner is in the plane. */
 static void add_triangle(cutter *cut, size_t source, uint32_t a, uint32_t b, uint32_t c) {
     if (same_position(cut, a, b) || same_position(cut, b, c) || same_position(cut, c, a)) {
         return;
@@ -262,8 +261,9 @@ static double volume_of(const burnish_mesh_view *view) {
     return sum / 6;
 }
 
-/* The side of its triangles that an uncut mesh's inside sees: known where it is closed, wound
- * consistently, and no triangle was turned to its normals, which the volume tells. */
+/* The side of the triangles that faces the inside of an uncut mesh. It is known if the mesh is
+ * closed and wound consistently, and no triangle was turned to match its normals; the volume shows
+ * that. */
 static burnish_inside find_inside(const burnish_mesh *mesh) {
     const burnish_mesh_facts *facts = mesh->has_facts ? &mesh->facts : NULL;
     const double volume = facts && facts->is_solid ? volume_of(&mesh->view) : 0;
@@ -285,10 +285,10 @@ static burnish_status check(const burnish_mesh *mesh, const burnish_clip_plane *
     const double *n = plane->normal;
     const double sum = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     if (!(sum > 0 && sum < __builtin_inf()) || !burnish_is_finite(plane->offset)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "clip: %g,%g,%g,%g is no plane; expected finite numbers, and a normal "
-                            "that is not 0",
-                            n[0], n[1], n[2], plane->offset);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "clip: %g,%g,%g,%g is not a plane; expected finite numbers, and a normal that is not 0",
+            n[0], n[1], n[2], plane->offset);
     }
     if (mesh->view.cut_count == BURNISH_CUTS_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -186,7 +186,7 @@ static void make_edges(void *context, size_t first, size_t end) {
     }
 }
 
-/* A counting sort with the counts two entries on, so that filling leaves the starts behind. */
+/* A counting sort with its counts two entries ahead, so filling leaves the starts in place. */
 static burnish_status list_sides(finder *f, burnish_tasks *tasks, burnish_error *error) {
     const size_t triangles = f->mesh->triangle_count, vertices = f->mesh->vertex_count;
     burnish_tasks_in_order(tasks, triangles, BURNISH_BUILD_STEP, count_sides, f);

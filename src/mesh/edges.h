@@ -1,5 +1,4 @@
-/* Edges of a mesh and the triangles at them, over welded positions: what line drawing starts from.
- */
+/* Edges of a mesh and their triangles, over welded positions, for line drawing. */
 #ifndef BURNISH_MESH_EDGES_H
 #define BURNISH_MESH_EDGES_H
 
@@ -31,10 +30,9 @@ typedef struct burnish_edges {
 
 /* Finds the edges of a mesh.
  *
- * An edge is sharp where the normals of its two triangles differ by more than 8 degrees at a corner
- * of theirs there, as the crease rule or the file wants it, and the triangles themselves do. Of
- * more than two triangles the first stands for all together with that which is bent most against
- * it.
+ * An edge is sharp if the normals of its two triangles differ by more than 8 degrees at one of its
+ * ends, by the crease rule or by the file's normals, and the faces differ too. Of more than two
+ * triangles the first stands for all together with that which is bent most against it.
  *
  * O(n log n) for any input; 20 bytes per edge remain, and 24 per triangle and 12 per vertex are
  * used meanwhile. The result does not depend on the number of threads. Errors: MEMORY, CANCELLED;

@@ -1,4 +1,5 @@
-/* From a path, standard input or memory to a mesh: gets the bytes, has them read, builds. */
+/* Loads a mesh from a path, standard input or memory: gets the bytes, reads them, builds the mesh.
+ */
 #include <errno.h>
 #include <string.h>
 
@@ -15,7 +16,7 @@
 
 enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
 
-/* A file's bytes, and who gives them. */
+/* A file's bytes and their source. */
 typedef struct opened_file {
     const char *name; /* for messages */
     uint64_t max_bytes;
@@ -24,7 +25,7 @@ typedef struct opened_file {
     uint8_t *bytes;
     size_t size;
     int may_be_pieces;     /* 1: of a file that may be read in pieces only the head is read */
-    burnish_format pieces; /* that of such a file; AUTO: for any other */
+    burnish_format pieces; /* the format of such a file; AUTO for any other */
     size_t whole;          /* its size */
 } opened_file;
 
@@ -40,8 +41,7 @@ static burnish_status fail_size(burnish_error *error, const char *name, uint64_t
                         burnish_show_name(name).text, (unsigned long long)max_bytes);
 }
 
-/* Reads up to size bytes after those that are there; fewer at the end of the file. Returns errno,
- * 0 for success. */
+/* Appends up to `size` bytes; fewer at the end of the file. Returns errno, 0 for success. */
 static int read_fully(int descriptor, opened_file *file, size_t size) {
     while (size > 0) {
         ssize_t count =
@@ -75,7 +75,8 @@ static burnish_status read_sized(int descriptor, opened_file *file, size_t size)
 
 /* ---- Streams ---- */
 
-/* Parts of a stream whose size nobody knows: so it lies in memory once, also while it is joined. */
+/* Parts of a stream of unknown size. They keep it in memory only once, also while they are joined.
+ */
 typedef struct stream_parts {
     uint8_t **items;
     size_t count, capacity, size; /* size: of each but the last one */
@@ -108,8 +109,8 @@ static burnish_status read_part(int descriptor, opened_file *file, stream_parts 
     return code != 0 ? fail_errno(file, "can't be read", code) : BURNISH_STATUS_OK;
 }
 
-/* Joins the parts behind the file's first bytes; each goes as soon as it is copied, so that pages
- * of both are not needed at the same time. */
+/* Appends the parts to the file's first bytes. Each part is released as soon as it is copied, so
+ * the pages of both are not needed at the same time. */
 static burnish_status join_parts(opened_file *file, stream_parts *parts, size_t size) {
     uint8_t *joined = burnish_allocate(&file->memory, file->size + size, 1, file->name);
     if (!joined) {
@@ -154,8 +155,8 @@ static burnish_status read_rest(int descriptor, opened_file *file) {
     return status;
 }
 
-/* A pipe, a device, or a file that does not tell its size. What can't be a mesh is refused by its
- * first bytes: it may have no end. */
+/* A pipe, a device, or a file of unknown size. It may be endless, so input that can't be a mesh is
+ * rejected by its first bytes. */
 static burnish_status read_stream(int descriptor, opened_file *file) {
     const size_t first = file->max_bytes < FIRST_READ ? (size_t)file->max_bytes + 1 : FIRST_READ;
     burnish_status status = read_sized(descriptor, file, first);
@@ -174,7 +175,7 @@ static burnish_status read_stream(int descriptor, opened_file *file) {
     return read_rest(descriptor, file);
 }
 
-/* fstat, or what a sandbox leaves of it: the size of what has one. */
+/* fstat, or what a sandbox permits of it: the size of a seekable file. */
 static int find_state(int descriptor, struct stat *info) {
     if (fstat(descriptor, info) == 0) {
         return 1;
@@ -235,7 +236,7 @@ static int open_path(const char *path) {
     return descriptor;
 }
 
-/* ---- Files beside the input ---- */
+/* ---- Files next to the input ---- */
 
 typedef struct folder {
     const char *input; /* the path of a file in it */
@@ -279,23 +280,24 @@ static void release_beside(void *user_data, const void *bytes, size_t size) {
 
 /* ---- Loading ---- */
 
-/* What is strict takes no mesh that there was something to say about. */
+/* Strict loading rejects a mesh with warnings. */
 static burnish_status refuse_warnings(burnish_mesh **mesh, burnish_error *error) {
     const size_t count = burnish_mesh_get_warning_count(*mesh);
     if (count == 0) {
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = burnish_fail(error, BURNISH_STATUS_FORMAT,
-                                         "%s: refused, as loading is strict; mend it, or load it "
-                                         "with a warning",
-                                         burnish_mesh_get_warning(*mesh, 0));
+    burnish_status status =
+        burnish_fail(error, BURNISH_STATUS_FORMAT,
+                     "%s: rejected, as loading is strict; repair the file, or allow warnings",
+                     burnish_mesh_get_warning(*mesh, 0));
     burnish_mesh_destroy(*mesh);
     *mesh = NULL;
     return status;
 }
 
-/* Reads and builds; releases *owned, the bytes of a file, as soon as it has been read. start: when
- * it was opened. *again becomes 1 where that failed and is to be tried with all bytes in memory. */
+/* Reads and builds. Releases *owned, the bytes of a file, as soon as they have been read. start:
+ * when the file was opened. *again becomes 1 if reading in pieces failed and should be retried with
+ * all bytes in memory. */
 static burnish_status load(const burnish_reader_input *input, burnish_format format, uint8_t *owned,
                            double start, burnish_mesh **mesh, int *again, burnish_error *error) {
     const burnish_context *context = input->options->context;
@@ -347,7 +349,7 @@ static burnish_status load_builtin(const char *name, const burnish_load_options 
     return status;
 }
 
-/* A file in pieces. Where they do not do, *again is 1, and all of it is in memory. */
+/* Reads a file in pieces. If that fails, *again is 1 and the whole file is in memory. */
 static burnish_status load_pieces(int descriptor, opened_file *file, burnish_reader_input *input,
                                   double start, burnish_mesh **mesh, int *again,
                                   burnish_error *error) {
@@ -367,7 +369,7 @@ static burnish_status load_pieces(int descriptor, opened_file *file, burnish_rea
     return read_sized(descriptor, file, file->whole);
 }
 
-/* From an open descriptor, which path closes once it is read. */
+/* From an open descriptor, which is closed after reading if there is a path. */
 static burnish_status load_opened(const char *path, int descriptor, opened_file *file,
                                   burnish_reader_input *input, double start, burnish_mesh **mesh,
                                   burnish_error *error) {

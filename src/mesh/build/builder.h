@@ -1,4 +1,4 @@
-/* What the steps of building a mesh share; build.c calls them in their order. */
+/* The state of building a mesh. build.c calls the steps in their order. */
 #ifndef BURNISH_MESH_BUILD_BUILDER_H
 #define BURNISH_MESH_BUILD_BUILDER_H
 
@@ -8,9 +8,8 @@
 #include "mesh/data/mesh.h"
 
 enum {
-    BURNISH_BUILD_GRAIN = 8192,   /* triangles, positions or vertices that are
-                                     worth a thread */
-    BURNISH_BUILD_STEP = 1 << 16, /* items of a serial loop before it asks whether to end */
+    BURNISH_BUILD_GRAIN = 8192,   /* triangles, positions or vertices per thread, at least */
+    BURNISH_BUILD_STEP = 1 << 16, /* items of a serial loop between checks for cancellation */
     BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1, /* the first one that is only passed on */
     BURNISH_ATTRIBUTE_BYTES = 16,                  /* of the largest attribute's items */
     BURNISH_TRIPLE = 3 * sizeof(uint32_t)          /* bytes of a triangle's corners */
@@ -49,12 +48,12 @@ typedef struct burnish_builder {
 
     size_t position_count;      /* welded positions, at the head of data's positions */
     size_t triangle_count;      /* triangles with area, at the head of data's arrays */
-    uint32_t *corner_positions; /* 3 per triangle: welded positions; may be those of data's
+    uint32_t *corner_positions; /* 3 per triangle: welded positions; may be the corners of data's
                                    positions */
     int has_extras;             /* attributes besides position and normal */
     int normals_complete;       /* every corner has a normal of the file's */
 
-    uint32_t *order; /* of each triangle of the mesh, its number at present; NULL: as they are */
+    uint32_t *order; /* for each triangle of the mesh, its present number; NULL: unchanged */
 
     uint32_t *first_corner; /* position_count + 1: where a position's corners start in ... */
     uint32_t *corners;      /* ... all corners, by position */

@@ -1,6 +1,6 @@
-/* The corners of every welded position: a counting sort. Slices of the corners are counted
- * separately, so that threads share the work; the corners of a position stand in the order of the
- * slices, and so in that of the triangles. */
+/* The corners of every welded position: a counting sort. Threads count slices of the corners
+ *     separately. The corners of a position are listed in the order of the slices, which is the
+ *     order of the triangles. */
 #include "mesh/build/corners.h"
 #include "mesh/build/builder.h"
 
@@ -12,8 +12,8 @@ enum {
 typedef struct corner_lister {
     burnish_builder *b;
     size_t slices;
-    uint32_t *counts[SLICES_MAX]; /* of each slice, per position: its corners; then where the
-                                          next one goes, so that the last slice leaves the ends */
+    uint32_t *counts[SLICES_MAX]; /* for each slice and position, the count of its corners; later
+                                     where the next one goes, so the last slice leaves the ends */
     size_t ranges;                /* of positions, with ... */
     size_t sums[RANGES_MAX];      /* ... their corners, then those before them, and ... */
     size_t most[RANGES_MAX];      /* ... the most of one position */

@@ -1,6 +1,6 @@
-/* The edges that are smooth where the caller gives no crease angle. Angles alone can't tell a
- * cylinder of 12 sides (30 degrees) from a chamfer of 30: what lies beyond both faces can. Only
- * edges between SMOOTH and SHARP degrees ask, so that a dense mesh costs nothing. */
+/* The edges that are smooth if the caller gives no crease angle. Angles alone can't distinguish a
+ * cylinder of 12 sides (30 degrees) from a chamfer of 30 degrees, but the faces beyond them can.
+ * Only edges between SMOOTH and SHARP degrees are examined, so a dense mesh costs nothing. */
 #include "mesh/build/creases.h"
 #include "mesh/build/builder.h"
 
@@ -98,7 +98,7 @@ static int is_flat_beyond(const burnish_surface *s, const face *f, const uint32_
 
 /* Whether two faces that bend at all their edges belong to a curved surface. All edges of an
  * icosahedron are steep, and facets of a pocket have edges around them and larger flat faces beyond
- * these; few edges of a scan are that sharp, so that it seldom asks for flat ones. */
+ * these. Few edges of a scan are that sharp, so the search for flat faces is rare. */
 static int is_curved(const burnish_surface *s, const face faces[2], const uint32_t edge[2],
                      face outer[2][2], double cosine) {
     int steep = 0, sharp = 0, flat = 0;
@@ -117,7 +117,7 @@ static int is_curved(const burnish_surface *s, const face faces[2], const uint32
 
 /* ---- steps of a curve ---- */
 
-/* What lies at the far side of a flat face. */
+/* The surface at the far side of a flat face. */
 typedef enum far_side { CONTINUES, ENDS, DIFFERS } far_side;
 
 typedef struct crossing {

@@ -13,11 +13,12 @@
 
 /* Whether an edge between 20 and 60 degrees is smooth.
  *
- * It is where both faces bend at all their edges and none is sharp: scans, spheres, decimated
- * shapes. Where one of them belongs to a larger flat face, or has a sharp edge or none beyond it,
- * only up to 40 degrees and only as a step of a curve: the flat faces on both sides are about as
- * wide, and beyond them the surface goes on bending in the same sense. So a cylinder of 12 sides is
- * round, and a chamfer or a pocket of flat facets keeps its edges.
+ * It is smooth if both faces bend at all their edges and no edge is sharp, as in scans, spheres and
+ * decimated shapes. If a face belongs to a larger flat face, or has an edge that is sharp or open,
+ * the edge is smooth only up to 40 degrees and only as a step of a curve: the flat faces on both
+ * sides are about equally wide, and beyond them the surface keeps bending in the same direction. A
+ * cylinder of 12 sides is therefore round, while a chamfer or a pocket of flat facets keeps its
+ * edges.
  *
  * triangles: the two at the edge; their order does not matter
  * edge:      numbers of its positions, in any order */

@@ -1,9 +1,9 @@
-/* Vertices of a mesh that has all normals in its file, and at most one attribute besides: a vertex
- * is a position with a normal and an item of that attribute, found by their numbers in the order of
- * the triangles. vertices.c would find the same by what corners hold, which takes longer.
+/* Vertices of a mesh whose file has all normals, and at most one other attribute. A vertex is a
+ * position, a normal and an item of that attribute, and is found by their numbers in the order of
+ * the triangles. vertices.c finds the same vertices by comparing values, which takes longer.
  *
- * Threads take slices of the triangles, each with vertices of its own. Those that no slice before
- * has too are numbered after the ones before: as one slice of all triangles would number them. */
+ * Threads take slices of the triangles, each with vertices of its own. Vertices that no earlier
+ * slice has are numbered after the earlier ones, exactly as a single slice would number them. */
 #include "mesh/build/indexed.h"
 #include "mesh/build/builder.h"
 #include "mesh/build/triangles.h"
@@ -104,7 +104,7 @@ static inline int has_room(indexer *x) {
     return memory->status == BURNISH_STATUS_OK;
 }
 
-/* items NULL: there is no attribute besides. */
+/* items NULL: no other attribute. */
 static inline __attribute__((always_inline)) void index_range(indexer *x, size_t first, size_t end,
                                                               const uint32_t *items) {
     const uint32_t *positions = x->b->corner_positions;

@@ -43,7 +43,7 @@ static int join(burnish_rings *rings, uint32_t i, uint32_t j) {
     return i != j;
 }
 
-/* For each face of a few, as bits, those that it shares an edge with.
+/* For each of a few faces, as bits, the faces that it shares an edge with.
  *   smooth    across a smooth edge
  *   doubtful  across one that may be smooth */
 typedef struct neighbors {
@@ -174,7 +174,7 @@ static int find_many_neighbors(const burnish_rings *rings, size_t first, size_t 
     return 1;
 }
 
-/* The faces joined with those of a set, so far. */
+/* The faces joined with a set so far. */
 static uint32_t grow_set(const neighbors *n, size_t count, uint32_t set) {
     uint32_t before;
     if (count > BURNISH_PAIRWISE_MAX) {
@@ -258,8 +258,8 @@ size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
 #define SORT_INSERTION_MAX 40
 #include "mesh/build/sort.h"
 
-/* Joins the faces of `count` edges of one other end: those that are smooth, or the doubtful ones.
- * Returns how many sets went. */
+/* Joins the faces of `count` edges with one other end, across smooth edges or across doubtful ones.
+ * Returns how many sets disappeared. */
 static size_t join_at_end(burnish_rings *rings, size_t first, const uint64_t *edges, size_t count,
                           int doubtful) {
     const size_t reach = count <= BURNISH_PAIRWISE_MAX ? BURNISH_PAIRWISE_MAX : 1;

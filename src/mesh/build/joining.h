@@ -4,15 +4,14 @@
 
 #include "mesh/build/normals.h"
 
-/* Edges with at most this many faces at a vertex are compared face by face, so that the order of
- * the faces does not matter; beyond it only neighbors in that order are, so that the cost stays
- * linear. */
+/* Edges with at most this many faces at a vertex are compared face by face, regardless of the order
+ * of the faces. Beyond it only neighbours in that order are compared, to keep the cost linear. */
 enum { BURNISH_PAIRWISE_MAX = 8 };
 
 /* Faces of a vertex that have bits in sets. */
 enum { BURNISH_SETS_MAX = 32 };
 
-/* Answers that are kept: a power of two. No triangle is its own neighbour, so that zeros are none.
+/* Cached answers: a power of two. Zeros are not an answer, since no triangle is its own neighbour.
  */
 enum { BURNISH_ANSWERS = 1024 };
 

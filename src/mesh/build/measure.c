@@ -1,6 +1,6 @@
 /* Area, volume and centre of mass by the divergence theorem.
  *
- * Sums are compensated and belong to blocks of triangles, which are added in their order, so that
+ * Sums are compensated, and taken per block of triangles. The blocks are added in their order, so
  * no digit depends on threads. Coordinates count from the middle of the bounding box: a part far
  * from the origin keeps its digits. */
 #include "mesh/build/measure.h"

@@ -1,11 +1,11 @@
-/* What the two halves of measuring share: sizes in measure.c, edges and shells in measure_edges.c.
+/* Measuring a mesh: sizes in measure.c, edges and shells in measure_edges.c.
  */
 #ifndef BURNISH_MESH_BUILD_MEASURE_H
 #define BURNISH_MESH_BUILD_MEASURE_H
 
 #include "mesh/build/builder.h"
 
-/* Triangles as they were read: welded, none turned, none left out. */
+/* Triangles after welding, before any is turned or dropped. */
 typedef struct burnish_measured {
     const float *positions;  /* welded */
     const uint32_t *corners; /* 3 per triangle */

@@ -18,7 +18,7 @@
 /* A set's triangles that are to be turned: no choice makes the windings agree. */
 #define UNORIENTABLE UINT32_MAX
 
-/* A triangle in its set: a tree, whose root stands for it. */
+/* A triangle in its set: a tree, identified by its root. */
 typedef struct member {
     uint32_t link;         /* twice the parent, + 1: turned against it; a root is its own parent */
     uint32_t size, turned; /* of a root: triangles in the set, and those turned against the root */
@@ -83,8 +83,8 @@ static void sort_sides(void *context, size_t first, size_t end) {
     }
 }
 
-/* The sides of every position, sorted: a counting sort with the counts two entries on, so that
- * filling leaves the starts behind. */
+/* The sides of every position, sorted. The counting sort keeps its counts two entries ahead, so
+ * filling leaves the starts in place. */
 static burnish_status list_sides(edges *e) {
     const burnish_measured *m = e->m;
     burnish_tasks_in_order(m->tasks, m->triangle_count, BURNISH_BUILD_STEP, count_sides, e);
@@ -257,7 +257,7 @@ static void join_the_rest(void *context, size_t first, size_t end) {
     }
 }
 
-/* Every pass over positions or triangles, in an order of which each step needs the one before. */
+/* Every pass over positions or triangles. Each step needs the one before it. */
 static burnish_status count_all(edges *e) {
     const burnish_measured *m = e->m;
     const struct {

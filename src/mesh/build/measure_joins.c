@@ -1,12 +1,12 @@
-/* Joins vertices that only rounding keeps apart, so that a closed surface is found to be closed.
+/* Joins vertices that differ only by rounding, to recognise closed surfaces.
  *
  * Exporters write one vertex with different last digits for different triangles. Only vertices on
  * edges with an odd number of triangles are candidates. They are sorted by the cells of a grid that
  * is as wide as the tolerance, and taken in this order: a candidate joins the nearest leader within
- * the tolerance, or becomes one. So no vertex moves by more than the tolerance along an axis, there
- * are no chains, and threads do not matter. Points of a cell are within the tolerance of each other
- * but for rounding, so a cell has few leaders, and the cost is that of the sort: O(n log n) for any
- * input. */
+ * the tolerance, or becomes one. No vertex moves by more than the tolerance along an axis, chains
+ * can not form, and the result does not depend on threads. Points of a cell are within the
+ * tolerance of each other but for rounding, so a cell has few leaders, and sorting dominates the
+ * cost: O(n log n) for any input. */
 #include <float.h>
 
 #include "mesh/build/measure.h"

@@ -32,7 +32,7 @@ static void store_unit(burnish_vec3 v, double length, float unit[3]) {
     double scale = length > 0 && length <= DBL_MAX ? 1 / length : 0;
     unit[0] = unit[1] = unit[2] = 0;
     if (scale > 0) {
-        /* Adding 0 turns -0 into 0, so that equal normals have equal bits. */
+        /* Adding 0 turns -0 into 0: equal normals then have equal bits. */
         unit[0] = (float)(v.x * scale) + 0.0f;
         unit[1] = (float)(v.y * scale) + 0.0f;
         unit[2] = (float)(v.z * scale) + 0.0f;
@@ -120,8 +120,8 @@ void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t 
     }
 }
 
-/* What the corners a little later in the list will be measured by comes into the cache: first the
- * numbers of their positions, then these. */
+/* Prefetches data for corners a little later in the list: first the numbers of their positions,
+ *            then the positions. */
 static inline void fetch_ahead(const burnish_surface *surface, const uint32_t *corners, size_t i,
                                size_t count) {
     enum { NUMBERS_AHEAD = 24, POSITIONS_AHEAD = 8 };
@@ -222,7 +222,7 @@ static void add_if_flat(burnish_face_set *set, const burnish_rings *rings, size_
     }
 }
 
-/* Of a few faces in one set, as bits, those that give it its normal: all, or the flat face. Four
+/* The faces of a set that determine its normal, as bits: all of them, or the flat face. Four
  * partial sums, as vectors have them. */
 static uint32_t choose_faces(const burnish_rings *rings, size_t first, size_t count) {
     double areas[4] = {0}, flat_areas[4] = {0};

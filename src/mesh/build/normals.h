@@ -23,7 +23,7 @@ typedef struct burnish_rings {
     int flat;                /* crease angle 0: no edge is smooth */
     int wide;                /* eight faces are compared at once: as burnish_atan2_array has it */
     size_t capacity;
-    /* arrays of `capacity` and eight more, so that eight can be read from anywhere */
+    /* arrays of `capacity` + 8 items: eight can be read from any index */
     double *x, *y, *z;         /* unit normals of the corners' faces */
     double *lengths, *dots;    /* |a x b| and a . b of the edges at the corner */
     double *angles;            /* between them */
@@ -32,7 +32,7 @@ typedef struct burnish_rings {
     burnish_face_set *sets;    /* ... what is known of them */
     uint64_t *edges;           /* 2 per corner: other end and face */
     struct burnish_answer
-        *answers; /* what the surface said last: an edge is asked from both ends */
+        *answers; /* the latest answers of the surface: each edge is asked for from both ends */
 } burnish_rings;
 
 /* Scratch for one thread and `capacity` corners at a time. crease_angle is in degrees, [0, 180], or
@@ -55,14 +55,14 @@ void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t
 void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t end,
                            burnish_face *faces);
 
-/* Unit normals of the corners that meet in one vertex, O(count log count).
+/* Computes unit normals of the corners that meet in one vertex, in O(count log count).
  *
  * Two faces are joined when they share an edge at this vertex and their normals differ by less than
- * the crease angle, or as burnish_surface_is_smooth says; each set of joined faces has one normal,
- * the sum of its unit face normals times their angles at the vertex (Thuermer and Wuethrich 1998),
- * which does not depend on how a flat face is cut into triangles. With BURNISH_CREASE_AUTO a flat
- * face with four times the area of the rest of its set gives its normal to the set, so that the
- * slivers of a fillet do not bend it. Where the sum cancels to nothing, each face keeps its own.
+ * the crease angle, or as burnish_surface_is_smooth decides. Each set of joined faces has one
+ * normal: the sum of its unit face normals times their angles at the vertex (Thuermer and Wuethrich
+ * 1998). It does not depend on how a flat face is cut into triangles. With BURNISH_CREASE_AUTO a
+ * flat face with four times the area of the rest of its set determines the normal, so the slivers
+ * of a fillet do not bend it. If the sum cancels to zero, each face keeps its own normal.
  *
  * first, count: where the vertex's corners stand among those measured
  * normals:      3 per corner, in their order, written

@@ -1,12 +1,12 @@
-/* Triangles in an order in which neighbours in space are neighbours in memory, so that sixteen
- * neighbours mostly fall into one tile and share vertices. They are sorted by cells of space, which
+/* Orders triangles so neighbours in space are neighbours in memory: sixteen neighbours then mostly
+ *        fall into one tile and share vertices. They are sorted by cells of space, which
  * follow one another along a Z-order curve (G. M. Morton, "A computer oriented geodetic data base",
- * IBM, 1966); within a cell they keep their order. O(n). Most files come in such an order already,
- * as modellers, meshers and scanners go over a surface; those stay as they are.
+ * IBM, 1966); within a cell they keep their order. O(n). Most files are in such an order already,
+ * because modellers, meshers and scanners go over a surface. They are not reordered.
  *
- * meshoptimizer's vertex cache order is left out on purpose: it helps hardware that transforms a
- * vertex once per use, burnish transforms each once, and its cost is quadratic in the faces around
- * a vertex (a fan of 80,000 takes 5 s, version 0.18). */
+ * meshoptimizer's vertex cache order is not used on purpose. It helps hardware that transforms a
+ * vertex once per use, while burnish transforms each vertex once. Its cost is quadratic in the
+ * faces around a vertex (a fan of 80,000 takes 5 s, version 0.18). */
 #include "mesh/build/order.h"
 #include "mesh/build/builder.h"
 
@@ -20,8 +20,8 @@ enum {
     GROUPS_SEEN = 512    /* of the file, at even distances */
 };
 
-/* Sorted groups are about as wide as a cell. Files whose groups are no wider than this many cells
- * on average draw as fast as sorted ones (bench/NOTES.md). */
+/* Sorted groups are about as wide as a cell. Files whose groups span at most this many cells on
+ * average draw as fast as sorted ones (bench/NOTES.md). */
 static const double WIDEST = 1.5;
 
 typedef struct sorter {
@@ -70,7 +70,7 @@ static void make_grid(sorter *s, size_t position_count) {
     }
 }
 
-/* The least corner is where a triangle is, so that the same triangles are in the same cell. */
+/* A triangle is in the cell of its least corner, so equal triangles are in one cell. */
 static uint32_t cell_of(const sorter *s, const uint32_t *corners) {
     uint32_t least = corners[0] < corners[1] ? corners[0] : corners[1], cell = 0;
     least = corners[2] < least ? corners[2] : least;
@@ -225,8 +225,8 @@ static void move_materials(void *context, size_t first, size_t end) {
     }
 }
 
-/* An array with one item of `size` bytes per triangle in that order; NULL stays. Returns where it
- * is now; on failure as it was. */
+/* An array with one item of `size` bytes per triangle in that order; NULL stays. Returns its new
+ * address; on failure the old one. */
 static void *permute(burnish_builder *b, void *array, size_t size, burnish_range_task *task) {
     void *made = array ? burnish_allocate(b->memory, b->triangle_count, size, "ordering") : NULL;
     if (!made) {

@@ -4,12 +4,12 @@
 
 #include "mesh/build/builder.h"
 
-/* Finds an order of the triangles in space, so that neighbours there are neighbours in memory; it
- * depends on positions and corners only. Errors: MEMORY, CANCELLED. */
+/* Orders the triangles so neighbours in space are neighbours in memory. The order depends on
+ * positions and corners only. Errors: MEMORY, CANCELLED. */
 burnish_status burnish_build_order(burnish_builder *b);
 
-/* Moves what there is per triangle into the order, which is released.
- *   corners  0: what only corners have stays where it is, since it was used in that order
+/* Moves per-triangle data into the order, and releases the order. corners 0: what only corners have
+ * stays where it is, since it was used in that order
  * Errors: MEMORY, CANCELLED. */
 burnish_status burnish_build_move(burnish_builder *b, int corners);
 

@@ -1,9 +1,10 @@
-/* Which textures and coordinates a mesh keeps, and tangents for those that have normal textures.
+/* Which textures and coordinates a mesh keeps, and tangents for meshes with normal textures.
  *
- * Tangents are MikkTSpace's (Mikkelsen 2008): of a triangle the direction in which u grows, seen in
- * the plane at right angles to the vertex normal, unit, weighted by the triangle's angle at the
- * vertex there; of a vertex their sum. Triangles whose image is mirrored have vertices of their
- * own. MikkTSpace also parts triangles of one vertex that no edge joins: here they share. */
+ * Tangents follow MikkTSpace (Mikkelsen 2008). The tangent of a triangle is the unit direction in
+ * which u grows, projected onto the plane at right angles to the vertex normal, and weighted by the
+ * triangle's angle at the vertex. The tangent of a vertex is their sum. Triangles whose image is
+ * mirrored get separate vertices. MikkTSpace also separates triangles of one vertex that no edge
+ * joins; here they share it. */
 #include <string.h>
 
 #include "mesh/build/builder.h"
@@ -168,7 +169,7 @@ static burnish_vec3 normal_of(const burnish_mesh *mesh, uint32_t vertex) {
     return burnish_vec3_loadf((const float *)mesh->attributes[BURNISH_NORMAL] + 3 * (size_t)vertex);
 }
 
-/* What of v is at right angles to the unit vector n, as a unit vector. */
+/* The part of v at right angles to the unit vector n, as a unit vector. */
 static burnish_vec3 beside(burnish_vec3 v, burnish_vec3 n) {
     return burnish_vec3_normalize(
         burnish_vec3_sub(v, burnish_vec3_scale(n, burnish_vec3_dot(n, v))));

@@ -7,7 +7,7 @@
 /* Drops what the mesh does not need of textures, coordinates and tangents, before it is built. */
 void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_options *options);
 
-/* Generates tangents where they are needed and the file has none; makes them unit vectors at right
+/* Generates tangents that are needed but missing from the file. Makes them unit vectors at right
  * angles to the normals. Mirrored triangles may get vertices of their own. Errors: MEMORY, LIMIT,
  * CANCELLED. */
 burnish_status burnish_build_tangents(burnish_builder *b);

@@ -88,8 +88,8 @@ static burnish_vec3 cross_of(const burnish_builder *b, size_t triangle) {
     return burnish_face_cross(burnish_positions(b->data), b->corner_positions + 3 * triangle);
 }
 
-/* Triangles with area move to the head of their range as they are looked at; where one thread takes
- * one range after the other, to that of all. */
+/* Triangles with area move to the head of their range. If a single thread takes the ranges in turn,
+ * they move to the head of the whole array. */
 typedef struct triangles_context {
     burnish_builder *b;
     const uint32_t *corners, *remap; /* remap NULL: corner_positions are there */
@@ -238,8 +238,8 @@ static void release_corners_of(burnish_builder *b, burnish_attribute attribute) 
     stream->corner_capacity = 0;
 }
 
-/* Corners get the numbers of welded positions in place, unless some attribute still needs those of
- * the file. */
+/* Corners get the numbers of welded positions in place, unless an attribute still needs the numbers
+ * of the file. */
 static burnish_status place_corners(burnish_builder *b, triangles_context *context) {
     burnish_stream *stream = &b->data->streams[BURNISH_POSITION];
     const int shared = shares_corners(b->data), all_differ = b->position_count == stream->count;

@@ -1,7 +1,7 @@
 /* Vertices of any mesh: the corners that meet in a position share one where normal, colour and
- * texture coordinates are equal. Normals that the file lacks are generated. Threads take positions;
- * vertices are then numbered in the order in which the triangles first use them, so that the result
- * does not depend on who made them. */
+ * texture coordinates are equal. Normals that the file lacks are generated. Threads take positions.
+ * Vertices are then numbered in the order in which triangles first use them, so the result does not
+ * depend on the threads. */
 #include "mesh/build/vertices.h"
 #include "mesh/build/builder.h"
 #include "mesh/build/corners.h"

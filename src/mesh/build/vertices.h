@@ -4,8 +4,8 @@
 
 #include "mesh/build/builder.h"
 
-/* The mesh's vertices and indices: generates normals where the file has none. Errors: MEMORY,
- * CANCELLED. */
+/* Makes the vertices and indices of the mesh. Generates missing normals. Errors: MEMORY, CANCELLED.
+ */
 burnish_status burnish_build_vertices(burnish_builder *b);
 
 burnish_status burnish_build_allocate_indices(burnish_builder *b);

@@ -1,12 +1,13 @@
 /* Finding equal positions: within slices, whose tables stay in the first-level cache, then among
- * what the slices keep, by a table per thread for its part of the hashes. Neighbours in a file
- * mostly are neighbours in space, so that the slices of a soup keep few.
+ * what the slices keep, by a table per thread for its part of the hashes. Neighbours in a file are
+ * usually neighbours in space, so the slices of a triangle soup keep few positions.
  *
- * Why not meshopt_generateVertexRemap: its hash has no seed and is easily inverted, so that a file
- * of 80,000 positions made for it takes 6.9 s, four times that for each doubling (measured,
- * version 0.18), and it ends the process when memory runs out. Here the hash only makes the usual
- * case fast: a slice in which looking up takes too many steps keeps all, a part in which it does is
- * sorted, so that the worst case is O(n log n), and every failed allocation is reported. */
+ * Why not meshopt_generateVertexRemap: its hash has no seed and is easily inverted. A file of
+ *     80,000 positions made to collide takes 6.9 s, and four times as long for each doubling
+ *     (measured, version 0.18). It also ends the process when memory runs out. Here the hash only
+ *     makes the usual case fast. A slice whose look-ups take too many steps keeps all its
+ *     positions, and a part whose look-ups do is sorted, which makes the worst case O(n log n).
+ *     Every failed allocation is reported. */
 #include "mesh/build/weld.h"
 #include "mesh/build/builder.h"
 
@@ -41,7 +42,7 @@ void burnish_weld_sort(burnish_weld_record *records, size_t count) {
     sort_record_array(records, count);
 }
 
-/* What a thread takes memory with. */
+/* The memory of one thread, with its errors. */
 typedef struct weld_thread {
     burnish_memory memory;
     burnish_error error;
@@ -87,7 +88,7 @@ static int same_position(const float a[3], const float b[3]) {
     return same_key(x, y);
 }
 
-/* -0 becomes 0, so that equal positions have equal bits. */
+/* -0 becomes 0: equal positions then have equal bits. */
 static inline void load_position(const welder *w, size_t i, float position[3]) {
     for (size_t k = 0; k < 3; ++k) {
         position[k] = w->from[3 * i + k] + 0.0f;
@@ -114,8 +115,8 @@ static void keep_rest(const welder *w, size_t slice, size_t i, size_t kept) {
     w->kept[slice] = (uint16_t)kept;
 }
 
-/* Where a slice seems to have nothing equal, as the vertices of an indexed mesh, or takes too many
- * steps, it keeps all that follows. */
+/* A slice keeps all remaining positions if it seems to have no equal ones, like the vertices of an
+ * indexed mesh, or if look-ups take too many steps. */
 static void weld_slice(const welder *w, size_t slice) {
     enum { SLOTS = 2 * SLICE };
     const size_t first = slice * SLICE, count = slice_size(w, slice);
@@ -161,8 +162,8 @@ typedef struct part {
     const welder *w;
     size_t number;
     int thread;
-    uint32_t *slots;    /* an item and, in the bits above, what fits of its hash, so that most
-                           others are told apart without looking at them; BURNISH_NONE: free */
+    uint32_t *slots;    /* an item and, in the bits above it, part of its hash, which rules out most
+                           others without reading them; BURNISH_NONE: free */
     uint32_t item_bits; /* a mask: no item is all of them */
     size_t mask;        /* slots - 1: a power of two */
     size_t steps;       /* that looking up may still take; 0: too many */

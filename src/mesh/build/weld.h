@@ -7,8 +7,7 @@
 
 /* Numbers bitwise equal positions alike, in the order of their first appearance.
  *
- * O(n) for meshes as they are, O(n log n) for any input whatsoever; the result depends on the
- * positions only.
+ * O(n) for real meshes, O(n log n) for any input. The result depends on the positions only.
  *
  * from:   3 floats per position; -0 counts as 0
  * count:  [0, 2^32 - 2]
@@ -20,15 +19,15 @@
 burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *tasks,
                             burnish_memory *memory, uint32_t *remap, float *to, size_t *unique);
 
-/* Of items that each tell the first one equal to it, no later than itself: numbers them in the
- * order of those first ones, in place. Returns how many there are; when cancelled, too few. */
+/* heads[i] is the first item equal to item i, at most i. Numbers the items in place, in the order
+ * of those first ones. Returns the number of different items; fewer if cancelled. */
 size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count);
 
 /* Words that a vertex of one position can differ in: normal, colour, texture coordinates, tangent.
  */
 enum { BURNISH_WELD_KEY_WORDS = 10 };
 
-/* Something to be sorted by words; the value breaks ties, so that the order is total. */
+/* Something to be sorted by words; the value breaks ties, which makes the order total. */
 typedef struct burnish_weld_record {
     uint32_t key[BURNISH_WELD_KEY_WORDS];
     uint32_t value;

@@ -1,4 +1,4 @@
-/* What readers fill and building takes over: room, release, warnings. */
+/* Mesh data: allocation, release, warnings. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

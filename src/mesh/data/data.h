@@ -13,13 +13,13 @@
 #include "core/memory.h"
 #include "core/tasks.h"
 
-/* A corner without a value of its own. */
+/* The index of a corner that has no value. */
 #define BURNISH_NONE UINT32_MAX
 
 /* Corner indices stop below BURNISH_NONE. */
 #define BURNISH_VALUE_LIMIT ((size_t)UINT32_MAX - 1)
 
-/* What a vertex has. */
+/* The attributes of a vertex. */
 typedef enum burnish_attribute {
     BURNISH_POSITION, /* 3 floats, finite */
     BURNISH_NORMAL,   /* 3 floats of any length, possibly 0 or not finite */
@@ -36,9 +36,9 @@ static inline size_t burnish_attribute_size(burnish_attribute attribute) {
     return sizes[attribute];
 }
 
-/* The values of one attribute, and which of them each corner has. */
+/* The values of one attribute, and the value that each corner uses. */
 typedef struct burnish_stream {
-    void *items; /* `count` of them; 0: the file has none */
+    void *items; /* `count` of them; 0: absent from the file */
     size_t count, capacity;
     uint32_t *corners; /* 3 per triangle, BURNISH_NONE: no value; NULL: as positions are numbered */
     size_t corner_capacity; /* triangles */
@@ -50,7 +50,7 @@ typedef struct burnish_stream {
 typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
     size_t triangle_count;
-    size_t point_count, line_count;     /* that triangles stand for */
+    size_t point_count, line_count;     /* drawn as triangles */
     float points_min[3], points_max[3]; /* bounds of these points, or of the lines' ends */
     float up_axis[3];                   /* unit length; all 0: the format's */
     const char *unit;                   /* burnish_mesh_info.unit */
@@ -72,11 +72,11 @@ typedef struct burnish_mesh_data {
 
     char **warnings;
     size_t warning_count, warning_capacity;
-    int is_silent; /* 1: warnings have been told, by an earlier reading */
+    int is_silent; /* 1: an earlier reading has already reported the warnings */
 
     double origin[3]; /* of the positions, in the file's coordinates: burnish_mesh_view.origin */
 
-    burnish_memory memory; /* where all arrays come from, and whom errors are told */
+    burnish_memory memory; /* allocates all arrays and receives errors */
     burnish_tasks *tasks;  /* of the load call, not owned; NULL: the caller alone */
     double start;          /* when reading began, burnish_seconds_now() */
 } burnish_mesh_data;
@@ -94,19 +94,18 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh);
 /* Releases the values and corners of one attribute. */
 void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute);
 
-/* Appends a line and tells the context's log; of more than 16 lines the further ones are dropped.
- */
+/* Appends a warning and sends it to the context's log. At most 16 warnings are kept. */
 __attribute__((format(printf, 2, 3))) void burnish_mesh_data_warn(burnish_mesh_data *mesh,
                                                                   const char *format, ...);
 
-/* Room for `count` items of an attribute, or for the corners of `triangles` triangles; what was
- * there is dropped. Returns the status of mesh->memory. */
+/* Makes room for `count` items of an attribute, or for the corners of `triangles` triangles.
+ * Discards the present contents. Returns the status of mesh->memory. */
 burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
                                          size_t count);
 burnish_status burnish_mesh_data_reserve_corners(burnish_mesh_data *mesh,
                                                  burnish_attribute attribute, size_t triangles);
 
-/* Typed views; NULL where there are none. */
+/* Typed views; NULL if the mesh lacks the attribute. */
 static inline float *burnish_positions(const burnish_mesh_data *mesh) {
     return mesh->streams[BURNISH_POSITION].items;
 }

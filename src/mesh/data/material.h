@@ -8,14 +8,14 @@
 void burnish_textures_release(const burnish_context *context, burnish_texture *textures,
                               size_t count);
 
-/* Appends a texture; pixels, of 4 bytes a texel, become the data's, also on failure.
+/* Appends a texture. Takes ownership of `pixels`, 4 bytes per texel, also on failure.
  *   name  copied; may be NULL
  * Returns 1 + its number, 0 on failure: mesh->memory has the status. */
 int burnish_mesh_data_add_texture(burnish_mesh_data *mesh, const char *name, int width, int height,
                                   uint8_t *pixels, int is_color);
 
-/* ARGUMENT, with its line, where a number of a material is out of range, or a texture is not one of
- * `texture_count`; `name` is what the line starts with. */
+/* Fails with ARGUMENT if a number of a material is out of range, or a texture is not one of
+ * `texture_count`. The message starts with `name`. */
 burnish_status burnish_check_material(const burnish_material *material, size_t texture_count,
                                       const char *name, burnish_error *error);
 

@@ -40,7 +40,7 @@ static burnish_status check_options(const burnish_load_options *options, burnish
     }
     if (!format || (!format->is_file && options->format != BURNISH_FORMAT_AUTO)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: format %d is no format of files; use one of %s",
+                            "options: format %d is not a file format; use one of %s",
                             (int)options->format, names);
     }
     if (options->crease_angle != BURNISH_CREASE_AUTO &&

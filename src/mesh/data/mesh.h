@@ -37,21 +37,20 @@ void burnish_mesh_update_view(burnish_mesh *mesh);
 
 /* ---- Checks ---- */
 
-/* What the ..._default() functions leave in `cookie`: the struct's name and version. One that was
- * not started from them is refused instead of being read as garbage. */
+/* The ..._default() functions store these in `cookie`: the name and version of the struct. A struct
+ * that was not initialised by them is rejected instead of being read as garbage. */
 #define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6436u /* "lod6" */
 #define BURNISH_DESCRIPTION_COOKIE 0x6d736832u  /* "msh2" */
 #define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
 
-/* What every public function that loads looks at first: the place for the mesh, which becomes NULL,
- * and the options.
+/* Checks the arguments of every public function that loads. *mesh becomes NULL.
  * Errors: ARGUMENT (NULL, not started from burnish_load_options_default(), a field out of range).
  */
 burnish_status burnish_check_load(const burnish_load_options *options, burnish_mesh **mesh,
                                   burnish_error *error);
 
-/* LIMIT, with its line, where `count` triangles are more than the options allow. `where` is what
- * the line starts with: the input's name, and a location in it. */
+/* Fails with LIMIT if `count` triangles exceed the options. The message starts with `where`: the
+ * name of the input and a location in it. */
 burnish_status burnish_check_triangle_count(const burnish_load_options *options, const char *where,
                                             uint64_t count, burnish_error *error);
 

@@ -479,7 +479,7 @@ static void test_files(void) {
     options.strict = 1;
     check_load("bad.obj", &options, BURNISH_STATUS_FORMAT,
                "bad.mtl:2: Kd \"x\" is not a number; write it like 1.5 or -2e-3; the statement was "
-               "ignored: refused, as loading is strict; mend it, or load it with a warning");
+               "ignored: rejected, as loading is strict; repair the file, or allow warnings");
     options.strict = 0;
     CHECK1(mkfifo("pipe.mtl", 0600) == 0);
     write_file("pipe.obj", "mtllib pipe.mtl\nf 1 2 3\n");
