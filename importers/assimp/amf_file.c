@@ -348,7 +348,7 @@ static void XMLCALL end(void *user_data, const char *name) {
 static void XMLCALL refuse_document_type(void *user_data, const char *name, const char *system,
                                          const char *public, int has_internal) {
     (void)name, (void)system, (void)public, (void)has_internal;
-    fail(user_data, "a document type (DOCTYPE), which is not read");
+    fail(user_data, "a document type (DOCTYPE), which is not supported");
 }
 
 /* Text in UTF-16 is UTF-8 by now, whatever its first line says. */

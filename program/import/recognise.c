@@ -76,9 +76,8 @@ const char *import_describe_other(const unsigned char *bytes, size_t size) {
                         begins(bytes + at, size - at, "<html", 0);
     return size == 0 ? "the file is empty"
            : is_lfs_pointer(bytes, size)
-               ? "a pointer of Git LFS, not the file; fetch that (git lfs "
-                 "pull)"
-           : is_page ? "a web page, not what its name says; fetch or export it again"
+               ? "a Git LFS pointer, not the file; fetch the file (git lfs pull)"
+           : is_page ? "a web page, which contradicts its name; fetch or export it again"
                      : NULL;
 }
 

@@ -168,9 +168,9 @@ static burnish_status read_stream(int descriptor, opened_file *file) {
     }
     if (!burnish_may_be(file->format, file->bytes, file->size, file->name)) {
         return burnish_fail(file->memory.error, BURNISH_STATUS_FORMAT,
-                            "%s: its first %d bytes are of no format that is read%s; give a mesh",
+                            "%s: its first %d bytes match no supported format%s; give a mesh",
                             burnish_show_name(file->name).text, FIRST_READ,
-                            file->format != BURNISH_FORMAT_AUTO ? ", or not of the one named" : "");
+                            file->format != BURNISH_FORMAT_AUTO ? ", or not the named one" : "");
     }
     return read_rest(descriptor, file);
 }

@@ -53,7 +53,7 @@ stream_refused() { # what a stream says comes after the importer's name and a co
 }
 stream_refused 4 'text'
 importer "echo 'what an importer says when it is something else, more than 64 bytes of it'"
-stream_refused 4 'byte 0: no mesh stream: its first 8 bytes are others, or it ends before 64'
+stream_refused 4 'byte 0: not a mesh stream: its first 8 bytes are wrong, or it is shorter than 64 bytes'
 importer "head -c 200 '$bin/all.bms'"
 stream_refused 4 'byte 16: the stream states 400 bytes and needs at least 384 for its counts, but has 200; it is truncated or damaged'
 
@@ -66,16 +66,16 @@ for there in yes no; do
     [ $there = yes ] || rm "$bin/$name"
     for ending in fbx dae 3ds amf; do
         printf '%s\n' "$lfs" >p.$ending
-        expect 4 "burnish: p.$ending: a pointer of Git LFS, not the file; fetch that (git lfs pull)" info p.$ending
-        expect 4 "burnish: p.$ending: a pointer of Git LFS, not the file; fetch that (git lfs pull)" render p.$ending -o p.png
+        expect 4 "burnish: p.$ending: a Git LFS pointer, not the file; fetch the file (git lfs pull)" info p.$ending
+        expect 4 "burnish: p.$ending: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$ending -o p.png
         [ -z "$boxed" ] ||
-            expect 4 "burnish: p.$ending: a pointer of Git LFS, not the file; fetch that (git lfs pull)" render p.$ending --sandbox -o p.png
+            expect 4 "burnish: p.$ending: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$ending --sandbox -o p.png
         rm p.$ending
     done
     printf '%s\n' "$lfs" >p.step
-    expect 4 'burnish: p.step: a pointer of Git LFS, not the file; fetch that (git lfs pull)' info p.step
+    expect 4 'burnish: p.step: a Git LFS pointer, not the file; fetch the file (git lfs pull)' info p.step
     printf '\n<!DOCTYPE html>\n<html></html>\n' >p.fbx
-    expect 4 'burnish: p.fbx: a web page, not what its name says; fetch or export it again' info p.fbx
+    expect 4 'burnish: p.fbx: a web page, which contradicts its name; fetch or export it again' info p.fbx
     : >p.fbx
     expect 4 'burnish: p.fbx: the file is empty' info p.fbx
     check "no importer was started" [ ! -e "$bin/started" ]

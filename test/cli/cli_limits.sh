@@ -5,7 +5,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
 
 # Streams: refused by their first 64 KiB, unless they may be a mesh.
-refusal='burnish: standard input: its first 65536 bytes are of no format that is read; give a mesh'
+refusal='burnish: standard input: its first 65536 bytes match no supported format; give a mesh'
 stream() { # COMMAND FLAGS...: what the command writes
     command=$1
     shift
@@ -20,7 +20,7 @@ stream 'cat /dev/urandom'
 for first in v '{' '#' '\376\377' '\037\213'; do # what a mesh may begin with, and no mesh behind it
     stream "printf '$first ' && cat /dev/zero"
 done
-refusal='burnish: standard input: its first 65536 bytes are of no format that is read, or not of the one named; give a mesh'
+refusal='burnish: standard input: its first 65536 bytes match no supported format, or not the named one; give a mesh'
 stream yes --input-format=obj
 stream yes --input-format=ply
 stream 'cat /dev/zero' --input-format=stl

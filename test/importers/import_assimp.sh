@@ -138,7 +138,7 @@ head -c 700 all.amf >cut.amf
 run info cut.amf
 check "cut: $(cat "$err")" grep -q '^burnish: cut.amf: burnish-import-assimp: line [0-9]*: the XML is not well formed (' "$err"
 sed '1s/$/<!DOCTYPE amf>/' all.amf >type.amf
-expect 4 "burnish: type.amf: burnish-import-assimp: line 1: a document type (DOCTYPE), which is not read; repair the file" info type.amf
+expect 4 "burnish: type.amf: burnish-import-assimp: line 1: a document type (DOCTYPE), which is not supported; repair the file" info type.amf
 rm -f ./*.amf p.png
 
 # Packed, and damaged so.

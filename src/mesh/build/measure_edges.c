@@ -1,8 +1,8 @@
-/* Edges and what triangles make of them: openings, shells, windings that disagree, duplicates.
+/* Edges, and what they reveal: openings, shells, inconsistent windings, duplicates.
  *
- * A triangle that lies in a line but has three different corners has edges like any other: exports
- * fill T-junctions with such, and without them a closed surface would seem to have slits. One with
- * a repeated corner has none: its two sides are one edge, there and back.
+ * A degenerate triangle with three different corners has edges like any other: exporters fill
+ * T-junctions with such triangles, and without them a closed surface would seem to have slits. A
+ * triangle with a repeated corner has no edges, since its two sides are one edge, there and back.
  *
  * Each edge is listed once per triangle with the lesser of its positions, and the list of a
  * position is sorted by the greater. Triangles are joined in sets by union-find, in which each

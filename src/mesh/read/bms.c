@@ -1,5 +1,5 @@
-/* The mesh stream of importers (bms.h). They are other programs, and what they read may have been
- * made to harm: nothing in a stream is believed. */
+/* The mesh stream of importers (bms.h). They are other programs and may read hostile files, so a
+ * stream is not trusted. */
 #include "mesh/read/bms.h"
 
 #include <float.h>
@@ -103,7 +103,7 @@ static burnish_status read_error(const bms_state *s, uint32_t kind) {
         [BURNISH_BMS_LIMIT_ERROR] = BURNISH_STATUS_LIMIT,
         [BURNISH_BMS_MEMORY_ERROR] = BURNISH_STATUS_MEMORY};
     if (s->text_size == 0) {
-        return fail(s, NULL, "an error without a text");
+        return fail(s, NULL, "an error without a message");
     }
     return burnish_reader_fail(s->reader, statuses[kind], NULL, "%.*s", (int)s->text_size,
                                (const char *)s->next);
@@ -129,14 +129,16 @@ static burnish_status read_head(bms_state *s) {
     const uint8_t *bytes = input->bytes;
     if (input->size < BURNISH_BMS_HEAD_SIZE ||
         memcmp(bytes, BURNISH_BMS_MAGIC, sizeof BURNISH_BMS_MAGIC - 1) != 0) {
-        return fail(s, bytes, "no mesh stream: its first 8 bytes are others, or it ends before 64");
+        return fail(
+            s, bytes,
+            "not a mesh stream: its first 8 bytes are wrong, or it is shorter than 64 bytes");
     }
     const uint32_t version = burnish_load32(bytes + BURNISH_BMS_AT_VERSION);
     const uint32_t kind = burnish_load32(bytes + BURNISH_BMS_AT_KIND);
     if (version != BURNISH_BMS_VERSION) {
         return burnish_reader_fail(
             s->reader, BURNISH_STATUS_FORMAT, bytes + BURNISH_BMS_AT_VERSION,
-            "version %u of the mesh stream, not %d; take importers of this burnish",
+            "version %u of the mesh stream, not %d; use the importers of this version of burnish",
             (unsigned)version, BURNISH_BMS_VERSION);
     }
     s->vertices = burnish_load32(bytes + BURNISH_BMS_AT_VERTICES);
@@ -226,7 +228,7 @@ static burnish_status read_texture(bms_state *s, size_t number, size_t *damaged)
         (texture.width < 1 || texture.width > BURNISH_TEXTURE_SIZE_MAX || texture.height < 1 ||
          texture.height > BURNISH_TEXTURE_SIZE_MAX ||
          (uint64_t)texture.width * texture.height * 4 != texture.size)) {
-        return fail(s, head, "a texture whose size is not that of its pixels");
+        return fail(s, head, "a texture whose size does not match its pixels");
     }
     memcpy(texture.name, s->next, name_size);
     texture.name[name_size] = 0;
@@ -342,8 +344,8 @@ static burnish_status go_on(const bms_state *s, size_t i) {
                                 : BURNISH_STATUS_OK;
 }
 
-/* `width` floats per vertex. What is not finite ends the run for positions, and is 0 elsewhere: a
- * normal that is 0 is generated. */
+/* `width` floats per vertex. A position that is not finite is an error. Other values become 0; a
+ * normal of 0 is generated. */
 static burnish_status read_floats(bms_state *s, burnish_attribute attribute, size_t width,
                                   int keep) {
     burnish_status status = BURNISH_STATUS_OK;
@@ -439,7 +441,7 @@ static burnish_status read_triangle_materials(bms_state *s) {
     return status;
 }
 
-/* What is left after the textures has to be exactly what the counts say. */
+/* The size of the rest after the textures must match the counts exactly. */
 static burnish_status check_rest(const bms_state *s) {
     const uint64_t rest = size_of_rest(s);
     return rest == left(s)

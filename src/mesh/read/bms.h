@@ -61,7 +61,7 @@ enum {
 
 /* What a texture's bytes are. */
 typedef enum burnish_bms_picture {
-    BURNISH_BMS_FILE,    /* none: its name is a file's beside the input */
+    BURNISH_BMS_FILE,    /* no pixels: its name is a file next to the input */
     BURNISH_BMS_ENCODED, /* PNG, JPEG, ... */
     BURNISH_BMS_PIXELS   /* 4 per texel: red, green, blue, alpha; rows from the top */
 } burnish_bms_picture;

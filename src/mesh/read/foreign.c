@@ -1,4 +1,4 @@
-/* What files are that burnish does not read, by their first bytes. */
+/* Recognises unsupported files by their first bytes. */
 #include "mesh/read/foreign.h"
 
 #include <string.h>
@@ -12,7 +12,7 @@ typedef struct foreign_row {
     const char *what;
 } foreign_row;
 
-/* Of two rows that fit the first counts. */
+/* If two rows match, the first counts. */
 static const foreign_row rows[] = {
     {"ISO-10303-21", 0, "a STEP file"},
     {"Kaydara FBX Binary", 0, "an FBX file"},
@@ -87,7 +87,7 @@ static int is_windows_program(const uint8_t *bytes, size_t size) {
            begins(bytes, size, burnish_load24(p), "PE");
 }
 
-/* XML tells by its elements, of which the first stand early. */
+/* XML is recognised by its first elements. */
 static const char *describe_xml(const uint8_t *bytes, size_t size) {
     static const foreign_row elements[] = {
         {"<COLLADA", 0, "a COLLADA file"}, {"<X3D", 0, "an X3D file"},

@@ -36,7 +36,8 @@ const burnish_format_info *burnish_format_get_info(burnish_format format) {
     return (unsigned)format < BURNISH_FORMAT_COUNT ? &formats[format].info : NULL;
 }
 
-/* One of the endings, which blanks separate, in any case, and perhaps ".gz" after it. */
+/* Whether a name has one of the extensions, which blanks separate, in any case and with or without
+ * ".gz". */
 static int has_ending(const char *name, const char *endings) {
     size_t length = strlen(name);
     if (length > 3 &&
@@ -78,7 +79,7 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
     const burnish_format named = format_of_name(name);
     burnish_format guess = BURNISH_FORMAT_AUTO;
     int most = 0;
-    /* text, or an archive, that begins as another format does and not as the named one */
+    /* text or an archive that starts like another format, not like the named one */
     if (named != BURNISH_FORMAT_AUTO && !formats[named].reader->recognise(bytes, size) &&
         (burnish_reader_3mf.recognise(bytes, size) ||
          is_all_text(bytes, size < LOOKED_AT ? size : LOOKED_AT))) {
@@ -86,7 +87,7 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
     }
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0; --i) {
         if (formats[i].reader) {
-            /* Sure bytes, then the name's ending, then bytes that are not sure. */
+            /* Certain bytes, then the file extension, then bytes that are not certain. */
             const int sure = formats[i].reader->recognise(bytes, size);
             const int votes = sure == 2 ? 3 : name && named == (burnish_format)i ? 2 : sure;
             guess = votes > most ? (burnish_format)i : guess;
@@ -98,8 +99,8 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
     return most > 0 && !(is_brace && named != BURNISH_FORMAT_AUTO) ? guess : named;
 }
 
-/* A binary STL is recognised by its size, which a stream does not tell: here by its coordinates,
- * which are finite and not all 0. */
+/* A binary STL is recognised by its size, which is unknown for a stream. Here it is recognised by
+ * its coordinates, which are finite and not all 0. */
 static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
     enum { HEADER = 84, FACET = 50, VERTICES_AT = 12, COORDINATES = 9 };
     uint32_t any = 0;
@@ -161,7 +162,7 @@ burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head,
     if (burnish_is_gzip(head, size)) {
         return BURNISH_FORMAT_AUTO;
     }
-    if (is_stl) { /* surely, by its size, unless its bytes tell of something else */
+    if (is_stl) { /* certain by its size, unless its bytes indicate another format */
         const burnish_format other =
             is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, NULL) : format;
         return other == BURNISH_FORMAT_STL || (is_any && other == BURNISH_FORMAT_AUTO)
@@ -180,7 +181,8 @@ static const char *shown_format(burnish_format format) {
     return format == BURNISH_FORMAT_GLTF ? "glTF" : names[format];
 }
 
-/* A file that is not what its name says. In pieces this is no reason to read it whole. */
+/* A file that is not what its name says. For an input in pieces, this is not a reason to read all
+ * of it. */
 static void warn_misnamed(burnish_reader *reader, burnish_format format) {
     const burnish_format named = format_of_name(reader->input->name);
     if (reader->input->options->format == BURNISH_FORMAT_AUTO && named != BURNISH_FORMAT_AUTO &&
@@ -194,14 +196,14 @@ static void warn_misnamed(burnish_reader *reader, burnish_format format) {
 /* FORMAT for bytes of another kind of file. */
 static burnish_status refuse_foreign(burnish_reader *reader, const char *what) {
     return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                               "%s, not what its name says; fetch or export it again", what);
+                               "%s, which contradicts its name; fetch or export it again", what);
 }
 
 /* ---- Invisible inputs ---- */
 
-/* An input in which everything is fully transparent would give an empty image. Most such files
- * come from exporters that write transparency for opacity or leave alpha at 0. A single
- * transparent part among visible ones is left as it is. */
+/* An input in which everything is fully transparent would give an empty image. Most such files come
+ * from exporters that write transparency for opacity or leave alpha at 0. A single transparent part
+ * among visible ones stays transparent. */
 static int is_invisible(const burnish_material *material) {
     const int is_kept = material->alpha_mode == BURNISH_ALPHA_MASK && !(material->alpha_cutoff > 0);
     return material->transparency >= 1 && !is_kept;
@@ -243,8 +245,7 @@ static void show_transparent(burnish_reader *reader) {
     for (size_t i = 0; i < mesh->streams[BURNISH_COLOR].count; ++i) {
         burnish_colors(mesh)[4 * i + 3] = 255;
     }
-    burnish_reader_warn(reader, NULL,
-                        "everything is wholly transparent (alpha 0) and drawn opaque");
+    burnish_reader_warn(reader, NULL, "everything is fully transparent (alpha 0) and drawn opaque");
 }
 
 /* ---- Reading ---- */
@@ -267,7 +268,7 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     if (burnish_is_lfs_pointer(input->bytes, input->size)) {
         status =
             burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                                "a pointer of Git LFS, not the file; fetch that (git lfs pull)");
+                                "a Git LFS pointer, not the file; fetch the file (git lfs pull)");
     } else if (formats[*format].reader) {
         const char *what =
             is_guessed && !formats[*format].reader->recognise(input->bytes, input->size)
@@ -288,12 +289,12 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         const char *what = burnish_describe_foreign(input->bytes, input->size, input->name);
         status =
             what ? burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                                       "%s, which is not read; convert it to one of %s", what,
-                                       names + 2)
-                 : burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                                       "neither its name nor its first bytes tell the format; name "
-                                       "it, one of %s",
-                                       names + 2);
+                                       "%s, which burnish can't read; convert it to one of %s",
+                                       what, names + 2)
+                 : burnish_reader_fail(
+                       reader, BURNISH_STATUS_FORMAT, NULL,
+                       "neither its name nor its first bytes identify the format; name one of %s",
+                       names + 2);
     }
     burnish_reader_close(reader);
     if (status == BURNISH_STATUS_OK && !input->options->origin && reader->is_wide) {

@@ -4,20 +4,19 @@
 
 #include "mesh/read/io/reader.h"
 
-/* Reads an input of a format, or of the one that its bytes and name tell where that is AUTO:
- * *format says which it was. Errors: FORMAT, LIMIT, MEMORY, CANCELLED. */
+/* Reads an input of a format. If *format is AUTO, it is set to the format recognised from the bytes
+ * and the name. Errors: FORMAT, LIMIT, MEMORY, CANCELLED. */
 burnish_status burnish_read(burnish_reader *reader, burnish_format *format);
 
-/* The format that bytes and name tell of; AUTO when neither does. */
+/* The format recognised from bytes and name; AUTO if unknown. */
 burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);
 
-/* Whether a stream that begins with some bytes, and is longer, may be of a format, or of any where
- * that is AUTO; keeps an endless stream of something else from filling the memory. Says yes where
- * it can't know.
- *   format  BURNISH_FORMAT_COUNT: any bytes will do */
+/* Whether a longer stream that begins with these bytes may be of a format, or of any format if that
+ * is AUTO. This keeps an endless stream of other data from filling the memory. Returns 1 in case of
+ * doubt, and for BURNISH_FORMAT_COUNT. */
 int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, const char *name);
 
-/* The format of a file of `size` bytes that may be read in pieces; AUTO: it is to be read whole.
+/* The format of a file of `size` bytes that may be read in pieces; AUTO: it must be read whole.
  *
  * format: what the caller says that it is, or AUTO
  * head:   its first BURNISH_PIECES_HEAD bytes, fewer than size

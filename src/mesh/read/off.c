@@ -1,9 +1,9 @@
 /* OFF (Geomview, "OFF Files"): vertices and faces, each on a line of its own; normals, colours and
  * texture coordinates of vertices, colours of faces.
  *
- * The first word says what a vertex has: [ST][C][N]OFF. Many files have plain OFF and colours all
- * the same, as MeshLab writes it, or normals: what the rows hold tells (see settle_values). Colours
- * count to 255 where they are written without a point, to 1 with one. */
+ * The first word says what a vertex has: [ST][C][N]OFF. Many files say plain OFF but have colours,
+ * as MeshLab writes them, or normals, which settle_values recognises from the rows. Colours count
+ * to 255 if written without a decimal point, to 1 with one. */
 #include "mesh/read/common/origin.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/polygon.h"
@@ -76,8 +76,8 @@ static burnish_status fail(off_state *off, const burnish_lexer *lexer, const cha
     return burnish_reader_fail(off->reader, BURNISH_STATUS_FORMAT, lexer->next, "%s", text);
 }
 
-/* The keyword, which may be missing, and the counts of vertices and faces, with that of edges,
- * which says nothing and may be missing too. */
+/* The keyword, which may be missing, and the counts of vertices, faces and edges. The count of
+ * edges is ignored and may be missing. */
 static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
     burnish_token word = {0};
     int has_dimensions = 0;
@@ -88,19 +88,19 @@ static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
     const size_t keyword = read_keyword(off, word, &has_dimensions);
     lexer->next = keyword > 0 ? word.bytes + keyword : before.next;
     if (keyword > 0 && has_dimensions) {
-        return fail(off, lexer, "vertices of other than 3 dimensions are not read; export OFF");
+        return fail(off, lexer, "only vertices of 3 dimensions are supported; export OFF");
     }
     for (int i = 0; i < 2; ++i) {
         if (!skip_empty_lines(lexer) || !burnish_lexer_token(lexer, &word)) {
             return fail(off, lexer, "the file ends before its counts; the file is truncated");
         }
         if (i == 0 && burnish_token_is(word, "BINARY")) {
-            return fail(off, lexer, "binary OFF is not read; export it as text");
+            return fail(off, lexer, "binary OFF is not supported; export it as text");
         }
         if (burnish_parse_integer(word, &counts[i]) != BURNISH_NUMBER_OK || counts[i] < 0) {
             return burnish_reader_fail(
                 off->reader, BURNISH_STATUS_FORMAT, word.bytes,
-                "\"%s\" is no count; write OFF, then the counts of vertices, "
+                "\"%s\" is not a count; write OFF, then the counts of vertices, "
                 "faces and edges",
                 burnish_token_quote(word).text);
         }
@@ -148,8 +148,8 @@ static int read_values(off_parser *p, double *values, uint8_t *is_whole, int mos
     return count;
 }
 
-/* `count` numbers, 3 or 4: sRGB and alpha. Where all are written as whole numbers they count to
- * 255. */
+/* `count` numbers, 3 or 4: sRGB and alpha. If all are written as whole numbers, they count to 255.
+ */
 static void write_color(const double *values, const uint8_t *is_whole, int count, int counts_to_1,
                         uint8_t *rgba) {
     int to_255 = !counts_to_1;
@@ -217,8 +217,8 @@ static int are_normals(const off_sample *sample) {
             (sample->of_unit_length == sample->rows && sample->on_axes < sample->rows));
 }
 
-/* What the first word leaves open. Where it is plain OFF, three or four numbers behind the
- * coordinates are normals or colours; others, and what fits neither, are passed over. */
+/* What the first word leaves open. In plain OFF, three or four numbers after the coordinates are
+ * normals or colours. Any other numbers are ignored. */
 static void settle_values(off_state *off, const uint8_t *at) {
     const int is_plain = !off->has_normals && !off->has_colors;
     const off_sample sample =
@@ -302,8 +302,8 @@ static void read_vertex(off_parser *p) {
     }
 }
 
-/* A face's colour for each of its triangles: alpha 0 says that it has none. One number is that of a
- * colour in a table that the file does not have. */
+/* A face's colour for each of its triangles; alpha 0 means no colour. A single number is an index
+ * into a colour table, which the file lacks. */
 static void append_face_colors(off_parser *p, size_t triangles) {
     double values[4];
     uint8_t is_whole[4], rgba[4] = {255, 255, 255, 0};
@@ -369,7 +369,7 @@ static void read_face(off_parser *p) {
     if (!burnish_lexer_token(&p->lexer, &token) ||
         burnish_parse_integer(token, &count) != BURNISH_NUMBER_OK || count < 0) {
         burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "\"%s\" is no count of corners; repair the file",
+                           "\"%s\" is not a count of corners; repair the file",
                            burnish_token_quote(token).text);
         return;
     }
@@ -496,7 +496,7 @@ static burnish_status read_input(burnish_reader *reader) {
     return status == BURNISH_STATUS_OK ? burnish_cut_polygons(reader) : status;
 }
 
-/* By its first word that is no comment. */
+/* By its first word that is not a comment. */
 static int recognise(const uint8_t *bytes, size_t size) {
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
     burnish_token word;

@@ -2,12 +2,13 @@
  *
  * One in seven binary files on sharing sites starts with "solid", so the size decides first. It
  * also decides how many facets there are, where the header's count contradicts it: programs that
- * write facets as they come never go back to fill it in. Facet normals are passed over: they are
+ * write facets as they come never go back to fill it in. Facet normals are ignored: they are
  * redundant and often wrong.
  *
  * Colours of a binary file's facets are 5 bits each in its two attribute bytes, in one of two ways.
- * VisCAM and SolidView: blue lowest, valid where bit 15 is set. Magics, told by "COLOR=" and 4
- * bytes RGBA in the header: red lowest, valid where bit 15 is not set; others have the header's. */
+ * VisCAM and SolidView: blue lowest, valid if bit 15 is set. Magics, recognised by "COLOR=" and 4
+ * bytes RGBA in the header: red lowest, valid if bit 15 is not set; other facets have the header's
+ * colour. */
 #include <stdatomic.h>
 #include <stdio.h>
 
@@ -145,7 +146,7 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
     return BURNISH_STATUS_OK;
 }
 
-/* What follows "COLOR=" in the header; NULL where that does not stand there. */
+/* The bytes after "COLOR=" in the header; NULL without it. */
 static const uint8_t *find_announced_color(const uint8_t *bytes) {
     static const char announcement[] = "COLOR=";
     const size_t length = sizeof announcement - 1;
@@ -186,7 +187,7 @@ static void convert_colors(void *user_data, const uint8_t *facets, size_t first,
     }
 }
 
-/* One colour for all facets: that of the material. */
+/* One colour for all facets becomes the material's. */
 static burnish_status set_material(burnish_mesh_data *mesh, const uint8_t rgba[4]) {
     mesh->materials = burnish_reserve(&mesh->memory, mesh->materials, &mesh->material_capacity, 1,
                                       sizeof *mesh->materials, "materials");
@@ -259,7 +260,7 @@ static burnish_status read_binary(burnish_reader *reader) {
 /* ---- ASCII ---- */
 
 /* What is noted in the order of the file. */
-enum { NORMAL, EXTRA, END, BEHIND, NOTE_COUNT };
+enum { NORMAL, EXTRA, END, AFTER, NOTE_COUNT };
 
 typedef struct stl_state {
     burnish_reader *reader;
@@ -280,7 +281,7 @@ static int fail_end(stl_parser *stl, const char *expected) {
 }
 
 static int fail_expected(stl_parser *stl, const char *expected, burnish_token word) {
-    if (word.bytes + word.size == stl->chunk->text_end) { /* what is cut off is no fault */
+    if (word.bytes + word.size == stl->chunk->text_end) { /* a partial token here is not an error */
         return fail_end(stl, expected);
     }
     burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, word.bytes,
@@ -289,7 +290,7 @@ static int fail_expected(stl_parser *stl, const char *expected, burnish_token wo
     return 0;
 }
 
-/* Reads one keyword, in any case, or says what stands there instead. */
+/* Reads one keyword, in any case, or fails with what is there instead. */
 static int expect_slowly(stl_parser *stl, const char *expected) {
     burnish_token word;
     char quoted[16];
@@ -334,7 +335,7 @@ static void skip_extra(stl_parser *stl) {
     burnish_lexer_rest(&stl->lexer);
 }
 
-/* The three numbers of a normal: passed over, whatever they are, and "outer" after them. */
+/* Skips the three numbers of a normal, whatever they are, and "outer" after them. */
 static int skip_normal(stl_parser *stl) {
     enum { MOST_WORDS = 16 };
     burnish_token word;
@@ -432,7 +433,7 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
 }
 
 /* A chunk but the first begins at a "facet", so within a solid, and ends before one. "facet" at the
- * start of a line is within a solid wherever it stands, so that chunks may begin at any. */
+ * start of a line is always within a solid, so a chunk may begin at any of them. */
 static void parse(const void *state, burnish_chunk *chunk) {
     const stl_state *file = state;
     stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}, file->reader->mesh->origin};
@@ -465,7 +466,7 @@ static void parse(const void *state, burnish_chunk *chunk) {
         } else if (in_solid || !seen) {
             fail_expected(&stl, in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", word);
         } else {
-            burnish_chunk_note(chunk, BEHIND, word.bytes);
+            burnish_chunk_note(chunk, AFTER, word.bytes);
         }
         burnish_lexer_rest(&stl.lexer); /* of a solid a name, which may be anything */
     }
@@ -489,7 +490,7 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
     static const char *const warnings[] = {[NORMAL] = "a normal is not 3 numbers; it was ignored",
                                            [EXTRA] = "text in a facet's line was ignored",
                                            [END] = "\"endsolid\" is missing",
-                                           [BEHIND] = "text after \"endsolid\" was ignored"};
+                                           [AFTER] = "text after \"endsolid\" was ignored"};
     stl_state *stl = state;
     for (size_t i = 0; i < chunk->event_count; ++i) {
         const burnish_chunk_event *event = &chunk->events[i];
@@ -551,7 +552,7 @@ static int has_no_controls(const uint8_t *bytes, size_t size) {
     return 1;
 }
 
-/* A size that fits the count is no accident, whatever the file is called. */
+/* A size that matches the count is not an accident, whatever the file is called. */
 static int recognise(const uint8_t *bytes, size_t size) {
     return burnish_is_binary_stl(bytes, size) ? 1 + (size > HEADER_SIZE)
                                               : starts_as_text(bytes, size);
@@ -566,9 +567,10 @@ static burnish_status read_input(burnish_reader *reader) {
     if (is_text && starts_as_text(input->bytes, head)) {
         status = read_text(reader);
     } else if (is_text && input->size >= HEADER_SIZE) {
-        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
-                                   "text that does not begin with \"solid\" is no STL; export the "
-                                   "mesh again");
+        return burnish_reader_fail(
+            reader, BURNISH_STATUS_FORMAT, input->bytes,
+            "text that does not begin with \"solid\" is not an STL file; export the "
+            "mesh again");
     } else if (input->size < HEADER_SIZE) {
         reader->is_binary = 1;
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes + input->size,

@@ -119,8 +119,8 @@ static void test_left_out(void) {
                     "<vertex x='0' y='1' z='0'/></vertices><triangles>"
                     "<triangle v1='1' v2='3' v3='4'/></triangles></mesh></object>",
                     ITEM_1 "<item objectid='2'/><item objectid='3'/>" ITEM_1),
-              "mesh.3mf: 3D/a.model:4: an object that is no model (a support or the like) is left "
-              "out (and 1 more like it)",
+              "mesh.3mf: 3D/a.model:4: an object that is not a model (a support, for example) is "
+              "not drawn (and 1 more like it)",
               &s);
     CHECK1(s.triangle_count == 1 && s.streams[BURNISH_POSITION].count == 3 &&
            corner_is(&s, 0, 1, 1, 0, 0) && corner_is(&s, 0, 2, 0, 1, 0));
@@ -152,7 +152,7 @@ static void test_production(void) {
                                        "</object>\n" ONE_TRIANGLE("partnumber='2'", ""),
                                        ITEM_1)));
     CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_FORMAT, "one id twice");
-    CHECK_TEXT(e.text, "mesh.3mf: 3D/X/b.model:5: the id 1 is that of line 4 too; give each "
+    CHECK_TEXT(e.text, "mesh.3mf: 3D/X/b.model:5: the id 1 is also used in line 4; give each "
                        "resource its own");
     burnish_mesh_data_destroy(&s);
     zip = begin_3mf(MODEL(
@@ -253,7 +253,7 @@ static void test_colors(void) {
 static void test_invisible(void) {
     burnish_mesh_data s;
     read_fine(MODEL(INVISIBLE ONE_TRIANGLE("pid='5' pindex='0'", ""), ITEM_1),
-              "mesh.3mf: 1 colour is wholly transparent (alpha 00) and drawn opaque", &s);
+              "mesh.3mf: 1 colour is fully transparent (alpha 00) and drawn opaque", &s);
     CHECK1(s.material_count == 2 && material_of(&s, 0)->transparency == 0 &&
            material_of(&s, 0)->diffuse[0] == burnish_srgb_to_linear[0xCA]);
     CHECK1(s.material_count == 2 && s.materials[1].transparency > 0.4f);
@@ -263,7 +263,7 @@ static void test_invisible(void) {
                               "<triangle v1='0' v2='1' v3='3' pid='5' p1='0'/>"
                               "</triangles></mesh></object>",
                     ITEM_1),
-              "mesh.3mf: 2 colours are wholly transparent (alpha 00) and drawn opaque", &s);
+              "mesh.3mf: 2 colours are fully transparent (alpha 00) and drawn opaque", &s);
     if (CHECK1(s.streams[BURNISH_COLOR].count > 0)) {
         CHECK1(color_at(&s, 0) == 0x112233FF && color_at(&s, 1) == 0x44556677);
     }
@@ -321,7 +321,7 @@ static void test_multiples(void) {
                     "<m:multi pindices=''/></m:multiproperties>" BASES COLORS ONE_TRIANGLE(
                         "pid='8'", "p1='0' p2='1' p3='1'"),
                     ITEM_1),
-              "mesh.3mf: of multiple properties only the uppermost texture or colour is drawn", &s);
+              "mesh.3mf: only the uppermost texture or colour of multiple properties is drawn", &s);
     CHECK1(s.triangle_count == 1 && color_at(&s, 0) == 0x44556677 && color_at(&s, 1) == 0x112233FF);
     burnish_mesh_data_destroy(&s);
 }
@@ -408,11 +408,11 @@ static void test_refused(void) {
         {"<model>\n<resources></model>",
          "3D/a.model:2: the XML is not well formed (mismatched tag); repair the file"},
         {MODEL("<object id='x'/>", ""),
-         "3D/a.model:4: id \"x\" is no number from 0 to 4294967294; repair the file"},
+         "3D/a.model:4: id \"x\" is not a number from 0 to 4294967294; repair the file"},
         {MODEL("<object id='4294967295'/>", ""),
-         "3D/a.model:4: id \"4294967295\" is no number from 0 to 4294967294; repair the file"},
+         "3D/a.model:4: id \"4294967295\" is not a number from 0 to 4294967294; repair the file"},
         {MODEL("<object/>", ""),
-         "3D/a.model:4: id \"\" is no number from 0 to 4294967294; repair the file"},
+         "3D/a.model:4: id \"\" is not a number from 0 to 4294967294; repair the file"},
         {MODEL("<object id='1'><mesh><vertices>\n<vertex x='0' y='nan' z='0'/>", ""),
          "3D/a.model:5: y \"nan\" is not finite; repair or remove it"},
         {MODEL("<object id='1'><mesh><vertices><vertex x='0' y='1e39' z='0'/>", ""),
@@ -563,13 +563,12 @@ static void test_archives(void) {
         size_t at; /* in the model's entry of the directory */
         uint8_t value;
         const char *text;
-    } cases[] = {
-        {8, 1, "the part is encrypted; export it without a password"},
-        {10, 14, "the part is packed in a way that is not read; pack it by deflate"},
-        {16, 0x5a, "the part's bytes are not those that were packed; fetch the file again"},
-        {24, 0x5a, "the part's bytes are not those that were packed; fetch the file again"},
-        {22, 0x5a, "the part reaches beyond the archive; the file is truncated"},
-        {44, 0x5a, "the part is not where the archive says; the file is damaged"}};
+    } cases[] = {{8, 1, "the part is encrypted; export it without a password"},
+                 {10, 14, "the part is packed in a way that is not read; pack it by deflate"},
+                 {16, 0x5a, "the part's size or checksum does not match; fetch the file again"},
+                 {24, 0x5a, "the part's size or checksum does not match; fetch the file again"},
+                 {22, 0x5a, "the part reaches beyond the archive; the file is truncated"},
+                 {44, 0x5a, "the part is not where the archive says; the file is damaged"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char line[200];
         zip->size = zip->directory_size = zip->count = 0;
@@ -681,8 +680,8 @@ static void test_without(void) {
     burnish_mesh_data s;
     burnish_error e;
     CHECK1(read_3mf("<model/>", &s, &e) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(e.text, "mesh.3mf: a ZIP archive; 3MF is read where burnish was built with expat, "
-                       "which this one was not");
+    CHECK_TEXT(e.text,
+               "mesh.3mf: a ZIP archive; this build of burnish lacks expat and can't read 3MF");
     burnish_mesh_data_destroy(&s);
 }
 

@@ -170,13 +170,15 @@ static void test_messages(void) {
     const stream s = make("");
     const damage cases[] = {
         {0, 0, BURNISH_STATUS_FORMAT,
-         "a: byte 0: no mesh stream: its first 8 bytes are others, or it ends before 64"},
+         "a: byte 0: not a mesh stream: its first 8 bytes are wrong, or it is shorter than 64 "
+         "bytes"},
         {BURNISH_BMS_AT_VERSION, 2, BURNISH_STATUS_FORMAT,
-         "a: byte 8: version 2 of the mesh stream, not 1; take importers of this burnish"},
+         "a: byte 8: version 2 of the mesh stream, not 1; use the importers of this version of "
+         "burnish"},
         {BURNISH_BMS_AT_KIND, 4, BURNISH_STATUS_FORMAT,
          "a: byte 12: an unknown kind of mesh stream"},
         {BURNISH_BMS_AT_KIND, BURNISH_BMS_FORMAT_ERROR, BURNISH_STATUS_FORMAT,
-         "a: an error without a text"},
+         "a: an error without a message"},
         {BURNISH_BMS_AT_SIZE + 4, 1, BURNISH_STATUS_FORMAT,
          "a: byte 16: the stream states 4294967868 bytes and needs at least 552 for its counts, "
          "but "
@@ -207,7 +209,7 @@ static void test_messages(void) {
         {s.textures_at + 20, 0xffffffff, BURNISH_STATUS_FORMAT,
          "a: byte 64: a texture goes beyond the end of the stream"},
         {s.textures_at + 8, 0x40000002, BURNISH_STATUS_FORMAT,
-         "a: byte 64: a texture whose size is not that of its pixels"},
+         "a: byte 64: a texture whose size does not match its pixels"},
         {s.materials_at + 4, 0xbf800000, BURNISH_STATUS_FORMAT,
          "a: byte 108: material 0: ambient[1] is -1, not in [0, 1]"},
         {s.materials_at + BURNISH_BMS_AT_EXPONENT, 0x7fc00000, BURNISH_STATUS_FORMAT,

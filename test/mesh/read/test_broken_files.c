@@ -148,7 +148,7 @@ static const struct {
      "mesh.ply:3: property type \"quad\" is unknown; use char, uchar, short, ushort, int, uint, "
      "float or double"},
     {BURNISH_FORMAT_PLY, "ply\nelement face 3\nproperty list float int vertex_indices\n",
-     "mesh.ply:3: list count type \"float\" is no integer type; use uchar or int"},
+     "mesh.ply:3: list count type \"float\" is not an integer type; use uchar or int"},
     {BURNISH_FORMAT_PLY, "ply\nproperty float x\n",
      "mesh.ply:2: property before the first element; declare its element first"},
     {BURNISH_FORMAT_PLY, "ply\nnonsense\n",
@@ -167,7 +167,7 @@ static const struct {
     {BURNISH_FORMAT_PLY,
      "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
      "property float z\nend_header\n",
-     "mesh.ply: no vertices and no faces; export the mesh again"},
+     "mesh.ply: no vertices or faces; export the mesh again"},
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n2 0 1\n",
      "mesh.ply: no face has 3 different corners; export the mesh again"},
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
@@ -181,7 +181,7 @@ static const struct {
      "mesh.ply:13: element face, row 1: vertex index -1 is out of range; there are 3 vertices, "
      "counted from 0"},
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n-1 0 1 2\n",
-     "mesh.ply:13: element face, row 1: list length -1 is no count; repair the file"},
+     "mesh.ply:13: element face, row 1: list length -1 is not a count; repair the file"},
     {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n250 0 1 2\n",
      "mesh.ply:13: element face, row 1: a list of 250 values does not fit its line; the file is "
      "truncated or damaged"},
@@ -207,7 +207,7 @@ static void test_mtl_messages(void) {
     static const struct {
         const char *text, *message;
     } cases[] = {
-        {"Kd 1 1 1\n", "a.mtl:1: Kd stands before the first newmtl and was ignored"},
+        {"Kd 1 1 1\n", "a.mtl:1: Kd before the first newmtl was ignored"},
         {"newmtl\n", "a.mtl:1: newmtl has no name; faces without a material have this one"},
         {"newmtl a\nKd 1 1\n", "a.mtl:2: Kd has 2 numbers, not 3; the statement was ignored"},
         {"newmtl a\n\nKs 1 red 1\n", "a.mtl:3: Ks \"red\" is not a number; write it like 1.5 or "
@@ -472,7 +472,7 @@ static void test_files(void) {
                "empty.stl: byte 0: the file is empty");
     write_file("note.txt", "hello");
     check_load("note.txt", &options, BURNISH_STATUS_FORMAT,
-               "note.txt: neither its name nor its first bytes tell the format; name it, one of "
+               "note.txt: neither its name nor its first bytes identify the format; name one of "
                "gltf, obj, off, ply, stl, 3mf, bms");
     write_file("bad.mtl", "newmtl a\nKd x\n");
     write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");

@@ -74,19 +74,24 @@ static void test_companions(void) {
         {"b\\u002ebin", "b.bin", NULL},
         {"other.bin", "a.bin", "mesh.gltf:1: buffers[0].uri: other.bin: asked for"},
         {"../a.bin", "../a.bin",
-         "mesh.gltf:1: buffers[0].uri: \"../a.bin\" is no file in the folder of the input; put it "
+         "mesh.gltf:1: buffers[0].uri: \"../a.bin\" is not a file in the folder of the input; put "
+         "it "
          "there"},
         {"a/%2e%2E/../b", "",
-         "mesh.gltf:1: buffers[0].uri: \"a/../../b\" is no file in the folder of the input; put it "
+         "mesh.gltf:1: buffers[0].uri: \"a/../../b\" is not a file in the folder of the input; put "
+         "it "
          "there"},
         {"/etc/passwd", "",
-         "mesh.gltf:1: buffers[0].uri: \"/etc/passwd\" is no file in the folder of the input; put "
+         "mesh.gltf:1: buffers[0].uri: \"/etc/passwd\" is not a file in the folder of the input; "
+         "put "
          "it there"},
         {"http://a/b.bin", "",
-         "mesh.gltf:1: buffers[0].uri: \"http://a/b.bin\" is no file in the folder of the input; "
+         "mesh.gltf:1: buffers[0].uri: \"http://a/b.bin\" is not a file in the folder of the "
+         "input; "
          "put it there"},
         {"a%00b", "",
-         "mesh.gltf:1: buffers[0].uri: \"\" is no file in the folder of the input; put it there"},
+         "mesh.gltf:1: buffers[0].uri: \"\" is not a file in the folder of the input; put it "
+         "there"},
     };
     const burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
@@ -262,7 +267,7 @@ static void test_modes(void) {
         }
         CHECK1(s.warning_count == (modes[m].count == 7));
         if (s.warning_count > 0) {
-            CHECK1(strstr(s.warnings[0], "7 corners make no whole triangles; the last 1 are "));
+            CHECK1(strstr(s.warnings[0], "7 corners do not make whole triangles; the last 1 are "));
         }
         burnish_mesh_data_destroy(&s);
     }
@@ -338,10 +343,10 @@ static void test_lines(void) {
         CHECK1(!colors || (colors[0] == 255 && colors[1] == 0 && colors[2] == 255));
         if (CHECK1(s.warning_count == (i == 0 ? 2 : 1))) {
             CHECK_TEXT(s.warnings[s.warning_count - 1],
-                       i == 0 ? "mesh.gltf:1: meshes[0].primitives[0]: 3 corners make no whole "
+                       i == 0 ? "mesh.gltf:1: meshes[0].primitives[0]: 3 corners do not make whole "
                                 "lines; the last 1 are passed over"
-                              : "mesh.gltf:1: meshes[0].primitives[1]: points are not drawn beside "
-                                "lines");
+                              : "mesh.gltf:1: meshes[0].primitives[1]: points are not drawn in a "
+                                "file with lines");
         }
         burnish_mesh_data_destroy(&s);
     }
@@ -374,8 +379,9 @@ static void test_points(void) {
                      "0}},{'mode':3,'attributes':{'POSITION':0}}]}],$node}",
                      &s, &e) == BURNISH_STATUS_OK &&
            s.triangle_count == 1 && s.warning_count == 1);
-    CHECK_TEXT(s.warnings[0],
-               "mesh.gltf:1: meshes[0].primitives[1]: lines are not drawn beside triangles");
+    CHECK_TEXT(
+        s.warnings[0],
+        "mesh.gltf:1: meshes[0].primitives[1]: lines are not drawn in a file with triangles");
     burnish_mesh_data_destroy(&s);
 }
 

@@ -45,9 +45,9 @@ static void test_compressed_views(void) {
         {"$packed(1,237,18,'mode':'ATTRIBUTES','filter':'QUATERNION','byteStride':12,'count':3)",
          "byteStride of OCTAHEDRAL and COLOR must be 4 or 8, of QUATERNION 8"},
         {"$packed(1,237,18,'mode':'SOME','byteStride':2,'count':3)",
-         "its mode is none that is known; export the file without meshopt's compression"},
+         "its mode is unknown; export the file without meshopt's compression"},
         {"$packed(1,237,18,'mode':'ATTRIBUTES','filter':'X','byteStride':4,'count':3)",
-         "its filter is none that is known; export the file without meshopt's compression"},
+         "its filter is unknown; export the file without meshopt's compression"},
         {"$packed(1,237,17,'mode':'TRIANGLES','byteStride':2,'count':3)",
          "its 17 bytes are no 3 elements compressed as TRIANGLES; the file is damaged"},
         {"$packed(1,237,99,'mode':'TRIANGLES','byteStride':2,'count':3)",
@@ -98,8 +98,8 @@ static void test_faults(void) {
     static const struct {
         const char *json, *message;
     } cases[] = {
-        {"{}", "mesh.gltf:1: the JSON has no \"asset\"; this is no glTF 2.0"},
-        {"[]", "mesh.gltf:1: the JSON has no \"asset\"; this is no glTF 2.0"},
+        {"{}", "mesh.gltf:1: the JSON has no \"asset\"; this is not glTF 2.0"},
+        {"[]", "mesh.gltf:1: the JSON has no \"asset\"; this is not glTF 2.0"},
         {"{'asset':{'version':'1.0'}}",
          "mesh.gltf:1: asset: version \"1.0\" is not supported; convert the file to glTF 2.0"},
         {"{'asset':{'version':'2.0'}}", "mesh.gltf: no triangles; export the scene's meshes"},
@@ -123,8 +123,8 @@ static void test_faults(void) {
          "mesh.gltf:1: accessors[0]: position 0 is not finite, or beyond 3.4e38; repair the mesh"},
         {"$head$buffer(36),'bufferViews':[$view(0,36)],'accessors':["
          "$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
-         "mesh.gltf:1: buffers[0]: has no uri, and there is no binary chunk for it; write the file "
-         "anew"},
+         "mesh.gltf:1: buffers[0]: has no uri, and there is no binary chunk for it; export the "
+         "file again"},
         {"$head'buffers':[{'byteLength':37,'uri':'data:;base64,AAAA'}],"
          "'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"
          "$mesh('POSITION':0),$node}",
@@ -132,13 +132,13 @@ static void test_faults(void) {
         {"$head'buffers':[{'byteLength':3,'uri':'data:;base64,AA*A'}],"
          "'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"
          "$mesh('POSITION':0),$node}",
-         "mesh.gltf:1: buffers[0].uri: its base64 holds a character that base64 has not; the file "
+         "mesh.gltf:1: buffers[0].uri: its base64 data contains an invalid character; the file "
          "is damaged"},
         {"$head'buffers':[{'byteLength':3,'uri':'a.bin'}],'bufferViews':["
          "$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),"
          "$node}",
-         "mesh.gltf:1: buffers[0].uri: names the file a.bin, which an input without a folder can't "
-         "have; give its path, or convert it to GLB"},
+         "mesh.gltf:1: buffers[0].uri: names the file a.bin, but the input has no folder; give its "
+         "path, or convert it to GLB"},
         {"$head'buffers':[$triangle_buffer],'bufferViews':[$view(4,36)],"
          "'accessors':[$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
          "mesh.gltf:1: bufferViews[0]: reaches to byte 40 of a buffer of 36"},
@@ -149,7 +149,7 @@ static void test_faults(void) {
         {"$head'buffers':[$triangle_buffer],'bufferViews':[{'buffer':0,"
          "'byteLength':36,'byteStride':4}],'accessors':[$accessor(0,5126,3,VEC3)],"
          "$mesh('POSITION':0),$node}",
-         "mesh.gltf:1: accessors[0]: its elements have 12 bytes, but lie 4 apart in "
+         "mesh.gltf:1: accessors[0]: its elements have 12 bytes, but are 4 apart in "
          "bufferViews[0]"},
         {"$head'accessors':[{'componentType':5126,'count':1000000000,'type':'VEC3'}],"
          "$mesh('POSITION':0),$node}",
@@ -157,8 +157,8 @@ static void test_faults(void) {
          "176; write them in full"},
         {"$head$triangle_accessors,'meshes':[{'primitives':[{'indices':0,"
          "'attributes':{'POSITION':0}}]}],$node}",
-         "mesh.gltf:1: meshes[0].primitives[0].indices: accessors[0] has another type than what is "
-         "needed here"},
+         "mesh.gltf:1: meshes[0].primitives[0].indices: accessors[0] has the wrong type for this "
+         "use"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_mesh_data s;

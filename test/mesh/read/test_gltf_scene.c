@@ -232,9 +232,8 @@ static void test_animation(void) {
         burnish_mesh_data_destroy(&s);
     }
     CHECK1(read_posed(rest, &binary, 0, "4", &s, &e) == BURNISH_STATUS_ARGUMENT);
-    CHECK_TEXT(e.text,
-               "mesh.gltf: animation \"4\" is none of its 4; give a name or a number from 0 "
-               "to 3");
+    CHECK_TEXT(e.text, "mesh.gltf: animation \"4\" does not exist; give a name or a number from 0 "
+                       "to 3");
     burnish_mesh_data_destroy(&s);
     read_good("$head$triangle,$node}", NULL, &s);
     burnish_mesh_data_destroy(&s);
@@ -370,8 +369,8 @@ static void test_textures(void) {
     CHECK(color->has_transform && fabsf(t[0] * u + t[1] * v + t[2] - 1.5f) < 1e-6f &&
               fabsf(t[3] * u + t[4] * v + t[5] - 1.25f) < 1e-6f,
           "%g %g", (double)(t[0] * u + t[1] * v + t[2]), (double)(t[3] * u + t[4] * v + t[5]));
-    check_warning(&s, "mesh.gltf:1: materials[0].occlusionTexture: left out, as it has texture "
-                      "coordinates of its own (set 1)");
+    check_warning(&s, "mesh.gltf:1: materials[0].occlusionTexture: ignored, as it uses another set "
+                      "of texture coordinates (set 1)");
     burnish_mesh_data_destroy(&s);
 }
 /* A vertex has one set of texture coordinates: that which most of its material's textures use, of
@@ -465,7 +464,7 @@ static void test_invisible(void) {
         read_good(cases[i].json, NULL, &s);
         check_warning(&s,
                       cases[i].is_opaque
-                          ? "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque"
+                          ? "mesh.gltf: everything is fully transparent (alpha 0) and drawn opaque"
                           : NULL);
         CHECK(s.material_count == 2 && s.materials[0].transparency == !cases[i].is_opaque, "%zu",
               i);
@@ -491,7 +490,7 @@ static void test_invisible_vertices(void) {
                   &binary, &s);
         check_warning(
             &s, visible ? NULL
-                        : "mesh.gltf: everything is wholly transparent (alpha 0) and drawn opaque");
+                        : "mesh.gltf: everything is fully transparent (alpha 0) and drawn opaque");
         if (CHECK1(s.streams[BURNISH_COLOR].count == 3)) {
             CHECK1(burnish_colors(&s)[3] == (visible ? 0 : 255));
         }

@@ -185,8 +185,9 @@ static void test_obj_colors(void) {
         "%s", e.text);
     CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), expected, sizeof expected) == 0);
     if (CHECK(s.warning_count == 2, "%zu", s.warning_count)) {
-        CHECK_TEXT(s.warnings[0],
-                   "mesh.obj:6: lines and points are not drawn beside faces (and 1 more like it)");
+        CHECK_TEXT(
+            s.warnings[0],
+            "mesh.obj:6: lines and points are not drawn in a file with faces (and 1 more like it)");
         CHECK_TEXT(s.warnings[1], "mesh.obj:8: a face with fewer than 3 corners was ignored");
     }
     CHECK1(!s.streams[BURNISH_NORMAL].corners && s.triangle_count == 1);
@@ -359,14 +360,14 @@ static void test_missing_libraries(void) {
     } cases[] = {
         {"mtllib x.mtl", "mesh.obj:1: material library \"x.mtl\" was not read (x.mtl: No such "
                          "file); its materials are burnish's grey"},
-        {"mtllib ../x.mtl", "mesh.obj:1: material library \"../x.mtl\" was not read (it lies "
-                            "outside the folder of the file); its materials are burnish's grey"},
-        {"mtllib /etc/passwd", "mesh.obj:1: material library \"/etc/passwd\" was not read (it lies "
+        {"mtllib ../x.mtl", "mesh.obj:1: material library \"../x.mtl\" was not read (it is outside "
+                            "the folder of the file); its materials are burnish's grey"},
+        {"mtllib /etc/passwd", "mesh.obj:1: material library \"/etc/passwd\" was not read (it is "
                                "outside the folder of the file); its materials are burnish's grey"},
-        {"mtllib a\\..\\x", "mesh.obj:1: material library \"a\\..\\x\" was not read (it lies "
-                            "outside the folder of the file); its materials are burnish's grey"},
-        {"mtllib C:\\x", "mesh.obj:1: material library \"C:\\x\" was not read (it lies "
-                         "outside the folder of the file); its materials are burnish's grey"},
+        {"mtllib a\\..\\x", "mesh.obj:1: material library \"a\\..\\x\" was not read (it is outside "
+                            "the folder of the file); its materials are burnish's grey"},
+        {"mtllib C:\\x", "mesh.obj:1: material library \"C:\\x\" was not read (it is outside the "
+                         "folder of the file); its materials are burnish's grey"},
         {"# none", "mesh.obj: usemtl without mtllib: its materials are burnish's grey"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {

@@ -184,10 +184,10 @@ static void test_messages(void) {
         const char *text, *message;
     } cases[] = {
         {"OFF\n", "a.off:1: the file ends before its counts; the file is truncated"},
-        {"OFF BINARY\n", "a.off:1: binary OFF is not read; export it as text"},
-        {"4OFF\n1 1 1\n", "a.off:1: vertices of other than 3 dimensions are not read; export OFF"},
+        {"OFF BINARY\n", "a.off:1: binary OFF is not supported; export it as text"},
+        {"4OFF\n1 1 1\n", "a.off:1: only vertices of 3 dimensions are supported; export OFF"},
         {"OFF\n3 -1 0\n",
-         "a.off:2: \"-1\" is no count; write OFF, then the counts of vertices, faces and edges"},
+         "a.off:2: \"-1\" is not a count; write OFF, then the counts of vertices, faces and edges"},
         {"OFF\n99999999999 1 0\n",
          "a.off:2: 99999999999 vertices are more than 4294967294; split or simplify the mesh"},
         {"OFF\n3 1 0\n0 0 0\n1 0\n", "a.off:4: vertex has 2 numbers, not 3; repair the file"},
@@ -203,7 +203,7 @@ static void test_messages(void) {
         {"OFF\n4 1 0\n" SQUARE "9999999999 0 1 2\n",
          "a.off:7: the file ends after 3 of 9999999999 corners; the file is truncated"},
         {"OFF\n4 1 0\n" SQUARE "x 0 1 2\n",
-         "a.off:7: \"x\" is no count of corners; repair the file"},
+         "a.off:7: \"x\" is not a count of corners; repair the file"},
         {"OFF\n0 0 0\n", "a.off: no faces among 0 vertices; export the mesh with its faces"},
     };
     burnish_load_options options = burnish_load_options_default();

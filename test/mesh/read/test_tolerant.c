@@ -158,10 +158,11 @@ static int color_at_is(const burnish_mesh *mesh, float x, float y, uint8_t r, ui
 }
 
 static void test_obj_colors(void) {
-    burnish_mesh *mesh = load_text(
-        "a.obj", "v 0 0 0 1 nan 0\nv 1 0 0 0 1 0\nv 0 1 0 1 0\nf 1 2 3\n",
-        "a.obj:1: what follows a vertex's coordinates is no colour; it is white (and 1 more like "
-        "it)");
+    burnish_mesh *mesh =
+        load_text("a.obj", "v 0 0 0 1 nan 0\nv 1 0 0 0 1 0\nv 0 1 0 1 0\nf 1 2 3\n",
+                  "a.obj:1: the values after a vertex's coordinates are not a colour; it is white "
+                  "(and 1 more like "
+                  "it)");
     CHECK1(color_at_is(mesh, 0, 0, 255, 255, 255) && color_at_is(mesh, 1, 0, 0, 255, 0) &&
            color_at_is(mesh, 0, 1, 255, 255, 255));
     burnish_mesh_destroy(mesh);
@@ -169,7 +170,7 @@ static void test_obj_colors(void) {
      */
     mesh = load_text("a.obj",
                      "v 0 0 0 255 128 0\nv 1 0 0 1 0.4 1\nv 0 1 0\nv 1 1 0 300 -4 7\nf 1 2 4 3\n",
-                     "a.obj: colours of vertices are beyond 1 and were taken to count to 255");
+                     "a.obj: vertex colours exceed 1 and were read as 0 to 255");
     CHECK1(color_at_is(mesh, 0, 0, 255, 128, 0) && color_at_is(mesh, 1, 0, 1, 0, 1) &&
            color_at_is(mesh, 0, 1, 255, 255, 255) && color_at_is(mesh, 1, 1, 255, 0, 7));
     burnish_mesh_destroy(mesh);
@@ -246,7 +247,7 @@ static void test_stl_count(void) {
 static void test_ply_header(void) {
     burnish_mesh *mesh = load_text(
         "a.ply", PLY_HEAD("Created by hand\n") "0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n",
-        "a.ply:3: \"Created\" begins no line of a PLY header; it was ignored");
+        "a.ply:3: \"Created\" does not start a line of a PLY header; ignored");
     CHECK1(triangles_of(mesh) == 1);
     burnish_mesh_destroy(mesh);
     static const float xyz[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -302,10 +303,10 @@ static void test_ply_comments(void) {
         const char *body, *warning;
     } cases[] = {
         {"comment by hand\n0 0 0 9 2 3\n1 0 0 9 2 3\n0 1 0 9 2 3\n3 0 1 2\n",
-         "a.ply:13: a comment among the rows was passed over"},
+         "a.ply:13: a comment among the rows was ignored"},
         {"0 0 0 9 2 3\n\n# 1\n1 0 0 9 2 3\r\n  comment 5 5 5\r\n0 1 0 9 2 3\n\nobj_info 3 0 1 2\n"
          "3 0 1 2\n",
-         "a.ply:15: a comment among the rows was passed over (and 2 more like it)"},
+         "a.ply:15: a comment among the rows was ignored (and 2 more like it)"},
         {"0 0 0 9 2 3\n\n\n1 0 0 9 2 3\n0 1 0 9 2 3\n   \n3 0 1 2\n", NULL},
         {"0 0 0 9 2 3\n1 0 0 9 2 3\n0 1 0 9 2 3\n3 0 1 2\ncomment the end\n", NULL},
     };
@@ -377,14 +378,15 @@ static void test_face_colors(void) {
             burnish_mesh_destroy(mesh);
         }
     }
-    burnish_mesh *mesh = load_text("a.ply",
-                                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
-                                   "property float y\nproperty float z\nproperty uchar r\n"
-                                   "property uchar g\nproperty uchar b\nelement face 1\n"
-                                   "property list uchar int vertex_indices\nproperty uchar red\n"
-                                   "property uchar green\nproperty uchar blue\nend_header\n"
-                                   "0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 7\n3 0 1 2 1 2 3\n",
-                                   "a.ply: colours of faces are not drawn, those of vertices are");
+    burnish_mesh *mesh =
+        load_text("a.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                  "property float y\nproperty float z\nproperty uchar r\n"
+                  "property uchar g\nproperty uchar b\nelement face 1\n"
+                  "property list uchar int vertex_indices\nproperty uchar red\n"
+                  "property uchar green\nproperty uchar blue\nend_header\n"
+                  "0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 7\n3 0 1 2 1 2 3\n",
+                  "a.ply: colours of faces are not drawn, the colours of vertices are");
     CHECK1(color_at_is(mesh, 1, 0, 9, 8, 7));
     burnish_mesh_destroy(mesh);
 }
@@ -566,7 +568,7 @@ static void test_foreign(void) {
         {"a.stl",
          "# made by hand, and so\nsolid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
          "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n",
-         "a.stl:1: text that does not begin with \"solid\" is no STL"},
+         "a.stl:1: text that does not begin with \"solid\" is not an STL file"},
         {"a.stl", "\r\n <html>", "a.stl: a web page, not what its name says"},
         {"a.obj", "ISO-10303-21;\nHEADER;\n", "a STEP file, not what its name says"}};
     burnish_load_options options = burnish_load_options_default();

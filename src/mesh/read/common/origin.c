@@ -71,7 +71,7 @@ int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]) {
                              ? 3 * mesh->triangle_count
                              : mesh->streams[BURNISH_POSITION].count;
     if (old[0] == 0 && old[1] == 0 && old[2] == 0) {
-        /* a part of the box is no larger than the box, and no further away than half its size */
+        /* a part of the box is at most as large as the box, and at most half its size away */
         const box sampled = measure(mesh, count / SAMPLES + 1);
         if (!(sampled.distance > (FAR - 1) * sampled.size)) {
             return 0;

@@ -12,7 +12,7 @@ enum {
     POINTS_ROUND = 100000,
     SAMPLES = 1024,       /* points whose nearest neighbour is looked for */
     CELLS_MOST = 1 << 22, /* of the grid that finds it */
-    PER_CELL = 2048,      /* points of a cell that are looked at: more stand in one place */
+    PER_CELL = 2048,      /* points of a cell that are examined: more are at one position */
     SIDES = 6,            /* of a prism */
     GRAIN = 1 << 10
 };
@@ -38,7 +38,7 @@ static box bounds_of(const float *positions, size_t count) {
     return bounds;
 }
 
-/* Points sorted by cell: those of cell c are order[first[c]] to order[first[c + 1]]. */
+/* Points sorted by cell: cell c has order[first[c]] to order[first[c + 1]]. */
 typedef struct grid {
     const float *positions;
     box bounds;
@@ -337,7 +337,7 @@ static void bound_points(burnish_mesh_data *mesh, const burnish_segment *segment
     }
 }
 
-/* What stands for a point; lines have prisms. */
+/* The solid of a point; lines become prisms. */
 static const solid *shape_of(const burnish_reader *reader, size_t points) {
     return points <= POINTS_ROUND && points * 20 <= reader->input->options->max_triangles
                ? &icosahedron

@@ -1,5 +1,5 @@
 /* Point clouds and lines as meshes: a small round solid for each point, a thin prism for each line.
- * So all that is done with triangles is done with them. */
+ * Everything that works with triangles then works with them. */
 #ifndef BURNISH_MESH_READ_COMMON_POINTS_H
 #define BURNISH_MESH_READ_COMMON_POINTS_H
 
@@ -10,20 +10,20 @@ typedef struct burnish_segment {
     uint32_t from, to;
 } burnish_segment;
 
-/* Replaces mesh data without triangles by solids that stand for its positions, or for lines between
- * them. Colours are kept. A point's solid is shaded by the point's normal where the file has
- * normals, numbered as positions are, else as a ball; texture coordinates are dropped.
+/* Replaces mesh data without triangles by solids at its positions, or along lines between them.
+ * Colours are kept. If the file has normals, numbered like positions, a point's solid is shaded by
+ * the point's normal, otherwise as a ball. Texture coordinates are dropped.
  *
- * Their diameter is the option point_size. Where that is 0: for points twice the median distance to
- * the nearest other point, so that a scanned surface closes, and for lines a 300th of the bounding
- * box's diagonal; in both cases from a 2000th to a 25th of that.
+ * Their diameter is the option point_size. If that is 0, the diameter of points is twice the median
+ * distance to the nearest other point, which closes a scanned surface. Lines use 1/300 of the
+ * bounding box's diagonal. Both are clamped to 1/2000 to 1/25 of the diagonal.
  *
- *   segments  count of them, of positions that are there; count 0: every position is a point
+ *   segments  `count` lines between positions; count 0: every position is a point
  * Errors: LIMIT (max_triangles, budget, positions), MEMORY, CANCELLED. */
 burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment *segments,
                                    size_t count);
 
-/* Whether so many points, or lines, would be made. Errors: LIMIT. */
+/* Checks that so many points, or lines, may be made. Errors: LIMIT. */
 burnish_status burnish_check_points(burnish_reader *reader, size_t count, int are_lines);
 
 #endif

@@ -26,7 +26,7 @@ static int same(point a, point b) {
     return a.x == b.x && a.y == b.y;
 }
 
-/* Projects along the dominant axis of Newell's normal, so that the polygon runs to the left.
+/* Projects along the dominant axis of Newell's normal, which makes the polygon run to the left.
  * Returns 0 when the polygon has no normal. */
 static int project(const float *positions, const uint32_t *corners, size_t count, point *points) {
     double normal[3] = {0, 0, 0};
@@ -171,7 +171,7 @@ int burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t 
 
 /* ---- Of a mesh ---- */
 
-/* Cuts one face; its fan tells its corners. */
+/* Cuts one face, whose corners are taken from its fan. */
 static void cut_polygon(const burnish_mesh_data *mesh, burnish_polygon polygon) {
     enum { MOST = BURNISH_POLYGON_CORNERS };
     uint16_t cut[3 * (MOST - 2)];

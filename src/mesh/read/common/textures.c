@@ -12,7 +12,7 @@ enum {
     TABLE_SIZE = 8192,          /* a power of two */
     NAMES_MAX = TABLE_SIZE / 2, /* files that one input may name */
     NAME_SIZE = 4096,
-    AHEAD_MAX = 256,      /* pictures that are decoded before they are asked for */
+    AHEAD_MAX = 256,      /* pictures that are decoded ahead */
     WAVE_MAX = 64,        /* pictures that are decoded at the same time */
     AHEAD_REFUSED = 8,    /* so many that can't be had, and the others wait: each may take long */
     MOST_TEXELS = 1 << 28 /* BURNISH_TEXTURE_PIXELS_AUTO */
@@ -124,15 +124,15 @@ static uint64_t texels_of(const burnish_image *picture) {
     return (uint64_t)picture->width * (uint64_t)picture->height;
 }
 
-/* A picture of one colour takes a byte for 1,000 texels; what so many of them cost in time and
- * memory must have some proportion to the bytes that were read. */
+/* A picture of one colour takes a byte for 1,000 texels; their cost in time and memory must stay
+ * proportional to the bytes that were read. */
 static uint64_t texels_most(const burnish_reader *reader) {
     const uint64_t asked = reader->input->options->max_texture_pixels;
     const uint64_t most = burnish_budget_of(burnish_budget_bytes(reader), BURNISH_TEXELS_PER_BYTE);
     return asked != BURNISH_TEXTURE_PIXELS_AUTO ? asked : most < MOST_TEXELS ? most : MOST_TEXELS;
 }
 
-/* That textures may still have, but for those that pictures decoded ahead hold. */
+/* Texels that further textures may have, without those of pictures decoded ahead. */
 static uint64_t texels_left(const burnish_reader *reader) {
     const uint64_t most = texels_most(reader);
     const uint64_t used = reader->textures->texels + reader->textures->ahead_texels;
@@ -198,7 +198,7 @@ static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *b
     return 1;
 }
 
-/* Errors go to *why; only those of memory are the reader's. Returns 1 + number, or 0. */
+/* Errors go to *why; only memory errors are the reader's. Returns 1 + number, or 0. */
 static int decode(burnish_reader *reader, const char *name, const uint8_t *bytes, size_t size,
                   int is_color, burnish_error *why) {
     burnish_memory memory = burnish_memory_of(reader->mesh->memory.context, why);
@@ -291,12 +291,12 @@ static void close_file(const burnish_reader *reader, const file_bytes *file) {
     }
 }
 
-/* The file as it is named, or else its last part beside the input. */
+/* The file of that name, or else its last part next to the input. */
 static file_bytes find_file(burnish_reader *reader, const char *name, burnish_error *why) {
     char path[NAME_SIZE];
     file_bytes file = {0};
     if (strlen(name) >= sizeof path) {
-        burnish_fail(why, BURNISH_STATUS_READ, "its name is no file name");
+        burnish_fail(why, BURNISH_STATUS_READ, "its name is not a file name");
         return file;
     }
     if (!reader->input->companions.load) {
@@ -310,7 +310,7 @@ static file_bytes find_file(burnish_reader *reader, const char *name, burnish_er
     if (*path && burnish_stays_beside(path)) {
         file = open_file(reader, path, why);
     } else if (!slash || !slash[1] || !burnish_stays_beside(slash + 1)) {
-        burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
+        burnish_fail(why, BURNISH_STATUS_READ, "it is outside the folder of the file");
     }
     if (!file.is_found && slash && slash[1] && burnish_stays_beside(slash + 1) &&
         reader->mesh->memory.status == BURNISH_STATUS_OK) {

@@ -177,7 +177,7 @@ static void check_asset(burnish_gltf *gltf) {
     char version[16];
     if (asset == BURNISH_JSON_NONE) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, 0,
-                          "the JSON has no \"asset\"; this is no glTF 2.0");
+                          "the JSON has no \"asset\"; this is not glTF 2.0");
         return;
     }
     burnish_json_text(&gltf->json, burnish_json_member(&gltf->json, asset, "version"), version,

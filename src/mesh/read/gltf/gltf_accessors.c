@@ -101,7 +101,7 @@ static const uint8_t *locate(burnish_gltf *gltf, uint32_t object, uint32_t view,
         *stride = element_size;
     } else if (*stride < element_size) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, object,
-                          "its elements have %zu bytes, but lie %zu apart in bufferViews[%u]",
+                          "its elements have %zu bytes, but are %zu apart in bufferViews[%u]",
                           element_size, *stride, view);
         return NULL;
     }
@@ -199,7 +199,7 @@ static void read_kind(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     }
     if (accessor->stride == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                          "its type or componentType is none that can be drawn; expected SCALAR, "
+                          "its type or componentType is not supported; expected SCALAR, "
                           "VEC2, VEC3, VEC4 or MAT4, and 5120 to 5126");
     } else if (accessor->count == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
@@ -271,7 +271,7 @@ const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t a
     }
     if (gltf->status == BURNISH_STATUS_OK && !(widths >> at->width & 1)) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, user,
-                          "accessors[%u] has another type than what is needed here", accessor);
+                          "accessors[%u] has the wrong type for this use", accessor);
     }
     return gltf->status == BURNISH_STATUS_OK ? at : NULL;
 }

@@ -46,8 +46,8 @@ static uint32_t find_animation(burnish_gltf *gltf) {
         return values[number];
     }
     burnish_gltf_fail(gltf, BURNISH_STATUS_ARGUMENT, BURNISH_JSON_NONE,
-                      "animation \"%s\" is none of its %zu; give a name or a number from 0 to %zu",
-                      burnish_token_quote(token).text, count, count - 1);
+                      "animation \"%s\" does not exist; give a name or a number from 0 to %zu",
+                      burnish_token_quote(token).text, count - 1);
     return BURNISH_GLTF_NONE;
 }
 
@@ -197,7 +197,7 @@ static void apply_channel(burnish_gltf *gltf, uint32_t channel, const uint32_t *
     }
     if (sampler >= sampler_count) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, channel,
-                          "its sampler is none of the animation's %zu", sampler_count);
+                          "its sampler is not one of the animation's %zu", sampler_count);
         return;
     }
     burnish_gltf_node *node = &gltf->nodes[number];

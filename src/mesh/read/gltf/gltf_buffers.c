@@ -81,12 +81,12 @@ static int decode_data(burnish_gltf *gltf, uint32_t uri, uint8_t *text, size_t s
     buffer->owned = text;
     if (head < mark_size || memcmp(comma - mark_size, mark, mark_size) != 0) {
         return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri,
-                                 "a data URI without \";base64,\"; write the file anew");
+                                 "a data URI without \";base64,\"; export the file again");
     }
     const size_t written = decode_base64(comma + 1, size - head - 1, text);
     if (written == SIZE_MAX) {
         return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri,
-                                 "its base64 holds a character that base64 has not; the file is "
+                                 "its base64 data contains an invalid character; the file is "
                                  "damaged");
     }
     buffer->bytes = (burnish_gltf_bytes){text, written};
@@ -101,7 +101,7 @@ static int load_file(burnish_gltf *gltf, uint32_t uri, const char *name, uint64_
     size_t size = 0;
     if (!companions->load) {
         return burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri,
-                                 "names the file %s, which an input without a folder can't have; "
+                                 "names the file %s, but the input has no folder; "
                                  "give its path, or convert it to GLB",
                                  burnish_show_name(name).text);
     }
@@ -151,7 +151,7 @@ static int load_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer *buffe
     int good = 0;
     if (!is_beside(name)) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri,
-                          "\"%s\" is no file in the folder of the input; put it there",
+                          "\"%s\" is not a file in the folder of the input; put it there",
                           burnish_show_name(name).text);
     } else {
         good = load_file(gltf, uri, name, gltf->bytes_left, buffer);
@@ -188,7 +188,7 @@ static const burnish_gltf_bytes *load_buffer(burnish_gltf *gltf, uint32_t number
         buffer->bytes = gltf->binary;
     } else {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                          "has no uri, and there is no binary chunk for it; write the file anew");
+                          "has no uri, and there is no binary chunk for it; export the file again");
         return NULL;
     }
     if (gltf->status == BURNISH_STATUS_OK && size > buffer->bytes.size) {
@@ -263,7 +263,7 @@ static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
     }
     if (mode < 0 || mode > 2 || filter > 5) {
         return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                                 "%s is none that is known; export the file without "
+                                 "%s is unknown; export the file without "
                                  "meshopt's compression",
                                  filter > 5 ? "its filter" : "its mode");
     }

@@ -338,8 +338,8 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     static const char *const kinds[] = {"points", "lines", "triangles"};
     const burnish_gltf_kind kind = burnish_gltf_kind_of(primitive);
     if (kind != drawer->kind) {
-        burnish_gltf_note(gltf, &gltf->undrawn, primitive->value, "%s are not drawn beside %s",
-                          kinds[kind], kinds[drawer->kind]);
+        burnish_gltf_note(gltf, &gltf->undrawn, primitive->value,
+                          "%s are not drawn in a file with %s", kinds[kind], kinds[drawer->kind]);
         return;
     }
     const size_t vertices = gltf->accessors[primitive->position].count;

@@ -155,7 +155,7 @@ burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t objec
     set = burnish_gltf_whole(gltf, transform, "texCoord", set, 1000);
     if (set != gltf->texture_set) {
         burnish_gltf_note(gltf, &gltf->other_sets, info,
-                          "left out, as it has texture coordinates of its own (set %u)",
+                          "ignored, as it uses another set of texture coordinates (set %u)",
                           (unsigned)set);
         return none;
     }

@@ -1,4 +1,4 @@
-/* What binary STL consists of. */
+/* The layout of binary STL. */
 #ifndef BURNISH_MESH_READ_IO_BINARY_STL_H
 #define BURNISH_MESH_READ_IO_BINARY_STL_H
 
@@ -13,7 +13,7 @@ enum {
     BURNISH_STL_FACET_SIZE = 50
 };
 
-/* Whether the size of a file is the one that its header tells. */
+/* Whether the size of a file matches the count in its header. */
 static inline int burnish_is_binary_stl(const uint8_t *head, size_t size) {
     const size_t rest = size - BURNISH_STL_HEADER_SIZE;
     return size >= BURNISH_STL_HEADER_SIZE && rest % BURNISH_STL_FACET_SIZE == 0 &&

@@ -1,10 +1,10 @@
-/* What an input may become: one rule for every reader and every kind of growth.
+/* Limits for the growth of an input: one rule for every reader and every kind of growth.
  *
- * Files are small beside what they can name again and again: copies, points that become solids,
- * packed bytes, pixels of one colour. So each of these has a factor per byte of the input, as it is
- * before anything is unpacked, and of the different files that it names. An input of less than
- * BURNISH_BUDGET_LEAST bytes counts as so many. Time and memory are then in proportion to the bytes
- * that were read, and what 1 MB may become is drawn within 2 seconds. */
+ * A small file can expand enormously by repeated copies, points that become solids, packed bytes,
+ * or pixels of one colour. Each kind of growth has a limit per byte of the input, before anything
+ * is unpacked, and of the different files that it names. An input of less than BURNISH_BUDGET_LEAST
+ * bytes counts as that many. Time and memory are then proportional to the bytes that were read, and
+ * anything that 1 MB may expand to is drawn within 2 seconds. */
 #ifndef BURNISH_MESH_READ_IO_BUDGET_H
 #define BURNISH_MESH_READ_IO_BUDGET_H
 
@@ -12,15 +12,15 @@
 
 enum {
     BURNISH_BUDGET_LEAST = 1 << 20,
-    BURNISH_ELEMENTS_PER_BYTE = 5,  /* vertices and triangles; plain files have up to 4.7, those of
-                                       points in three bytes; meshes of 20 bytes a triangle 0.1 */
+    BURNISH_ELEMENTS_PER_BYTE = 5,  /* vertices and triangles; plain files have up to 4.7 if a point
+                                       takes three bytes, or 0.1 if a triangle takes 20 */
     BURNISH_UNPACKED_PER_BYTE = 64, /* text of meshes packs to a fifth or a thirtieth, seldom to a
                                        fiftieth */
     BURNISH_TEXELS_PER_BYTE = 32,   /* JPEG has 4 to 16 */
     BURNISH_SUMS_PER_BYTE = 16      /* values of morph targets that are added up */
 };
 
-/* What so many for each byte come to. */
+/* The limit for `bytes` bytes. */
 static inline uint64_t burnish_budget_of(uint64_t bytes, uint64_t per_byte) {
     bytes = bytes > BURNISH_BUDGET_LEAST ? bytes : BURNISH_BUDGET_LEAST;
     return bytes < UINT64_MAX / per_byte ? bytes * per_byte : UINT64_MAX;
@@ -32,7 +32,7 @@ static inline uint64_t burnish_budget_bytes(const burnish_reader *reader) {
     return (input->packed_size ? input->packed_size : input->size) + reader->companion_bytes;
 }
 
-/* Bytes that may still be unpacked, after those of gzip and burnish_reader.unpacked_bytes. */
+/* Bytes that may still be unpacked, after gzip and burnish_reader.unpacked_bytes. */
 static inline uint64_t burnish_budget_unpacked_left(const burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     const uint64_t most =
@@ -42,15 +42,15 @@ static inline uint64_t burnish_budget_unpacked_left(const burnish_reader *reader
     return used < most ? most - used : 0;
 }
 
-/* Which file a companion's name means: equal for names that differ in case, and in parts that are
- * empty or ".". */
+/* Identifies the file of a companion's name: equal for names that differ only in case, or in parts
+ * that are empty or ".". */
 uint64_t burnish_companion_key(const char *name);
 
-/* Counts the bytes of a companion that was read: those of each file once, and those of one that is
- * read again as unpacked ones. Returns 0 where these are too many, or memory is out. */
+/* Counts the bytes of a companion that was read: each file once, and a repeated reading as unpacked
+ * bytes. Returns 0 if these are too many, or memory is out. */
 int burnish_budget_companion(burnish_reader *reader, uint64_t key, uint64_t size);
 
-/* Triangles that may be made: the caller's limit, or where there is none the budget. */
+/* Triangles that may be made: the caller's limit, or else the budget. */
 static inline uint64_t burnish_budget_triangles(const burnish_reader *reader) {
     const uint64_t limit = reader->input->options->max_triangles;
     const uint64_t most =
@@ -58,8 +58,8 @@ static inline uint64_t burnish_budget_triangles(const burnish_reader *reader) {
     return limit < BURNISH_TRIANGLES_MAX || most > limit ? limit : most;
 }
 
-/* Whether vertices and triangles may be made; any number where the caller sets max_triangles.
- * Errors: LIMIT, with its line. */
+/* Checks that vertices and triangles are within the budget. There is no budget if the caller sets
+ * max_triangles. Errors: LIMIT, with its line. */
 burnish_status burnish_budget_check(burnish_reader *reader, uint64_t vertices, uint64_t triangles);
 
 #endif

@@ -36,7 +36,7 @@ int burnish_chunk_grow(burnish_chunk *chunk, burnish_attribute attribute) {
     return has_memory(chunk);
 }
 
-/* Where the chunk is exact, says whether the file's limit or its budget is exceeded. */
+/* If the chunk is exact, the message says whether the file's limit or its budget is exceeded. */
 static burnish_status fail_triangles(burnish_chunk *chunk, const uint8_t *at, uint64_t triangles) {
     chunk->status = BURNISH_STATUS_LIMIT;
     if (chunk->exact && burnish_budget_check(chunk->exact, 0, triangles) == BURNISH_STATUS_OK) {

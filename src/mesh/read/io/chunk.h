@@ -4,7 +4,7 @@
 
 #include "mesh/read/io/reader.h"
 
-/* Something to be done in the order of the file. */
+/* An event, to be handled in the order of the file. */
 typedef struct burnish_chunk_event {
     const uint8_t *at;
     int kind;                  /* the grammar's */
@@ -35,7 +35,7 @@ typedef struct burnish_chunk {
     size_t polygon_count, polygon_capacity;
     burnish_chunk_event *events;
     size_t event_count, event_capacity;
-    size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* index + 1 of those that are not relative */
+    size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* highest absolute index + 1 */
     size_t back[BURNISH_ATTRIBUTE_COUNT];    /* how far before the chunk relative ones reach */
     size_t rows;
     const uint8_t *rows_end; /* where the last row ends */
@@ -61,7 +61,8 @@ __attribute__((format(printf, 4, 5))) burnish_status burnish_chunk_fail(burnish_
 /* Makes room for one more item. */
 int burnish_chunk_grow(burnish_chunk *chunk, burnish_attribute attribute);
 
-/* Where the next item of an attribute goes; NULL: out of memory, chunk->status says so. */
+/* Returns the address of the next item of an attribute; NULL with chunk->status if memory is out.
+ */
 static inline void *burnish_chunk_append(burnish_chunk *chunk, burnish_attribute attribute) {
     burnish_stream *stream = &chunk->data.streams[attribute];
     if (stream->count == stream->capacity && !burnish_chunk_grow(chunk, attribute)) {
@@ -75,17 +76,18 @@ static inline void *burnish_chunk_append(burnish_chunk *chunk, burnish_attribute
  * at:       the face, for messages
  * corners:  per corner `stride` numbers, that of an attribute at [attribute]
  * count:    corners, >= 3
- * used:     bits 1 << attribute: which have a value at any corner; those that are left out get none
+ * used:     bits 1 << attribute: attributes with a value at any corner; other attributes get no
+ *           values
  * Errors: LIMIT where the chunk is exact, MEMORY. */
 burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at,
                                          const uint32_t *corners, size_t stride, size_t count,
                                          unsigned used);
 
-/* Notes something to be done in the order of the file. */
+/* Records an event, to be handled in the order of the file. */
 void burnish_chunk_note(burnish_chunk *chunk, int kind, const uint8_t *at);
 
-/* The scratch array with room for `count` numbers; NULL: out of memory, or more than the corners of
- * a face of all triangles. */
+/* The scratch array with room for `count` numbers; NULL if memory is out, or if the face would
+ * exceed the triangle limit. */
 uint32_t *burnish_chunk_scratch(burnish_chunk *chunk, size_t count);
 
 #endif

@@ -55,7 +55,7 @@ static void parse_task(void *user_data, size_t index, int thread) {
 
 /* ---- The text ---- */
 
-/* Where a byte of the text stands in the input. */
+/* The offset of a byte of the text in the input. */
 static size_t offset_of(const chunk_driver *driver, const uint8_t *at) {
     return driver->window.bytes ? driver->window.offset + (size_t)(at - driver->window.bytes)
                                 : (size_t)(at - driver->reader->input->bytes);
@@ -70,7 +70,7 @@ static int ends_input(const chunk_driver *driver) {
     return offset_of(driver, driver->text_end) == driver->reader->input->size;
 }
 
-/* Bytes that a wave may take, and those that are looked at beyond to find its end. */
+/* Bytes of a wave, and bytes after it that are examined to find its end. */
 static size_t wave_size(const chunk_driver *driver) {
     enum { LONGEST = BURNISH_PIECES_HEAD }; /* statement, or lines without a start */
     return driver->most * driver->chunk_size + LONGEST;
@@ -179,7 +179,7 @@ static void parse_fewer(const chunk_driver *driver, burnish_chunk *chunk) {
     }
 }
 
-/* Whether what was read stands where it may. */
+/* Whether the indices that were read refer to existing values. */
 static int is_in_order(const chunk_driver *driver, const burnish_chunk *chunk,
                        const forward_chunk *known) {
     int good = chunk->status == BURNISH_STATUS_OK && chunk->rows <= driver->rows_left &&
@@ -214,7 +214,7 @@ static burnish_status note_forward(chunk_driver *driver, const burnish_chunk *ch
     return BURNISH_STATUS_OK;
 }
 
-/* What stands before the error of a chunk comes first: one in a material library is the file's
+/* Events before the error of a chunk come first: an error in a material library is then the file's
  * first error, wherever chunks end. */
 static burnish_status accept_before_error(chunk_driver *driver, const burnish_chunk *chunk,
                                           burnish_status status) {
@@ -284,7 +284,7 @@ static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *mo
 
 /* ---- Appending ---- */
 
-/* What a value is that the file does not give: white, or nothing. */
+/* The default of a missing value: white, or 0. */
 static void fill_values(burnish_stream *stream, burnish_attribute attribute, size_t first,
                         size_t count) {
     const size_t size = burnish_attribute_size(attribute);
@@ -306,7 +306,7 @@ static burnish_status reserve_wave(chunk_driver *driver, size_t count,
                                    const size_t before[BURNISH_ATTRIBUTE_COUNT],
                                    size_t triangles_before) {
     burnish_mesh_data *mesh = driver->reader->mesh;
-    const uint64_t most = burnish_budget_triangles(driver->reader); /* vertices are no more */
+    const uint64_t most = burnish_budget_triangles(driver->reader); /* limits vertices as well */
     const double bytes = (double)(driver->next - driver->chunks[0].first);
     double left = (double)bytes_left(driver) / (bytes > 0 ? bytes : 1);
     if (driver->wave_rows > 0 && (double)driver->rows_left < left * (double)driver->wave_rows) {

@@ -1,17 +1,17 @@
 /* Text in chunks, which threads read side by side; a small file is one chunk.
  *
- * Each chunk is parsed into arrays of its own, as if nothing stood before it, and then appended to
- * the whole in the order of the file. A chunk that holds an error is parsed once more, with all
- * that stands before it known: that gives the message. So the first error of the file is the one
- * that is reported, be it of a statement or of what grammar->accept does, whatever the number of
- * threads. */
+ * Each chunk is parsed into separate arrays, as if it were the start of the file, and then appended
+ * to the whole in the order of the file. A chunk with an error is parsed again when everything
+ * before it is known, which gives the message. The first error of the file is therefore the one
+ * that is reported, whether it is in a statement or in grammar->accept, for any number of threads.
+ */
 #ifndef BURNISH_MESH_READ_IO_CHUNKS_H
 #define BURNISH_MESH_READ_IO_CHUNKS_H
 
 #include "mesh/read/io/chunk.h"
 
-/* Bytes of a chunk, up to the end of its last statement: some 0.2 ms of work, far more than it
- * takes to hand one out, and what is read of it stays in the second-level cache. */
+/* Bytes of a chunk, up to the end of its last statement. This is about 0.2 ms of work, far more
+ * than the cost of scheduling it, and its data fits into the second-level cache. */
 #ifndef BURNISH_CHUNK_SIZE
 #define BURNISH_CHUNK_SIZE 65536
 #endif
@@ -24,8 +24,8 @@ typedef struct burnish_grammar {
     void (*parse)(const void *state, burnish_chunk *chunk);
     /* In the order of the file, before the chunk is appended; may be NULL. */
     burnish_status (*accept)(void *state, const burnish_chunk *chunk);
-    unsigned indexed; /* bits 1 << attribute: those with corners of their own */
-    unsigned lenient; /* those whose corners may refer to values that are not there */
+    unsigned indexed; /* bits 1 << attribute: attributes with separate corners */
+    unsigned lenient; /* attributes whose corners may refer to missing values */
 } burnish_grammar;
 
 /* Appends what is read to reader->mesh.

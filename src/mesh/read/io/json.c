@@ -69,7 +69,7 @@ static int is_hex(uint8_t c) {
     return (c >= '0' && c <= '9') || ((c | 32) >= 'a' && (c | 32) <= 'f');
 }
 
-/* What follows a backslash: how many bytes, 0 for what is no escape. */
+/* The length of an escape after a backslash; 0 if it is not valid. */
 static size_t escape_size(const uint8_t *p, const uint8_t *end) {
     if (p < end && memchr("\"\\/bfnrt", *p, 8)) {
         return 1;

@@ -1,8 +1,7 @@
-/* JSON (RFC 8259), strictly: nothing that the grammar does not have is passed over.
+/* JSON (RFC 8259), strictly by its grammar.
  *
- * A document becomes one array of small nodes in the order of the text, which stays where it is:
- * 12 bytes a value, however deep it lies. Numbers and strings are looked at when they are asked
- * for. */
+ * A document becomes one array of small nodes in the order of the text, which is not copied: 12
+ *   bytes per value at any depth. Numbers and strings are parsed on access. */
 #ifndef BURNISH_MESH_READ_IO_JSON_H
 #define BURNISH_MESH_READ_IO_JSON_H
 
@@ -39,7 +38,8 @@ typedef struct burnish_json {
     size_t count, capacity;
 } burnish_json;
 
-/* Parses `size` bytes, which must stay. Errors: FORMAT, LIMIT (4 GiB, 2^29 values), MEMORY. */
+/* Parses `size` bytes, which must remain valid. Errors: FORMAT, LIMIT (4 GiB, 2^29 values), MEMORY.
+ */
 burnish_status burnish_json_parse(burnish_reader *reader, const uint8_t *bytes, size_t size,
                                   burnish_json *json);
 void burnish_json_destroy(const burnish_context *context, burnish_json *json);
@@ -66,7 +66,7 @@ uint32_t burnish_json_member(const burnish_json *json, uint32_t object, const ch
  * nodes[i].next. */
 size_t burnish_json_length(const burnish_json *json, uint32_t array);
 
-/* The nearest double; 0 where the value is no number or beyond the range of doubles. */
+/* The nearest double; returns 0 if the value is not a number or exceeds the range of doubles. */
 int burnish_json_number(const burnish_json *json, uint32_t value, double *number);
 
 /* Whether a value is a string of this text. */
@@ -74,7 +74,7 @@ int burnish_json_is_text(const burnish_json *json, uint32_t value, const char *t
 
 /* Writes a string without its escapes, in UTF-8, with a 0 at the end. Room for the node's size + 1
  * bytes is enough. Returns the bytes written but for the 0; what does not fit is cut off. A value
- * that is no string gives an empty one. */
+ * of another kind gives an empty string. */
 size_t burnish_json_text(const burnish_json *json, uint32_t value, char *text, size_t room);
 
 /* "accessors[5].byteOffset": where a value stands, for messages; "" for the document. */

@@ -12,8 +12,8 @@
 /* ---- Numbers ---- */
 
 enum {
-    /* No double and no midpoint between two doubles has more than 767 significant digits; digits
-     * beyond decide only by being zero or not, which one further digit tells. */
+    /* No double and no midpoint between two doubles has more than 767 significant digits; of the
+     * digits beyond, only whether any is not zero matters, which one more digit represents. */
     SIGNIFICANT_DIGITS = 770,
     EXPONENT_LIMIT = 99999 /* with 771 digits far beyond the range of double on both sides */
 };
@@ -280,7 +280,7 @@ int burnish_lexer_token(burnish_lexer *lexer, burnish_token *token) {
         return 0;
     }
     const uint8_t *p = find_token_end(first, end);
-    /* A '\' that joins lines belongs to no token, nor was it passed over as the first byte. */
+    /* A '\' that joins lines is not part of a token, and was not skipped as the first byte. */
     p -= lexer->obj_rules && p < end && burnish_is_line_end(*p) && p[-1] == '\\';
     *token = (burnish_token){first, (size_t)(p - first)};
     lexer->next = p;
@@ -405,7 +405,7 @@ int burnish_token_is_caseless(burnish_token token, const char *word) {
            burnish_bytes_are_caseless(token.bytes, (const uint8_t *)word, token.size);
 }
 
-/* Sums of bytes, as many as one holds, so that the compiler compares as many as a vector holds. */
+/* Adds up to 255 comparisons per byte, so the compiler can compare a vector of bytes at a time. */
 size_t burnish_count_lines(const uint8_t *first, const uint8_t *end) {
     size_t count = 0;
     while (first < end) {

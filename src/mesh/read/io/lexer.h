@@ -71,7 +71,7 @@ size_t burnish_count_lines(const uint8_t *first, const uint8_t *end);
 
 typedef enum burnish_number_status {
     BURNISH_NUMBER_OK,
-    BURNISH_NUMBER_GARBAGE,    /* empty, hexadecimal, or with anything that is no decimal number */
+    BURNISH_NUMBER_GARBAGE,    /* empty, hexadecimal, or not a decimal number */
     BURNISH_NUMBER_NOT_FINITE, /* nan or inf in one of the spellings that C libraries print */
     BURNISH_NUMBER_RANGE       /* rounds to infinity, or an integer beyond 18 digits */
 } burnish_number_status;
@@ -115,9 +115,9 @@ int burnish_lexer_count(burnish_lexer *lexer, uint64_t *value);
 
 /* ---- Common decimals ---- */
 
-/* Bytes that must follow the start of a decimal or of a face's corner for these functions to look
- * at it, so that none of them tests for the end of the text: the longest form that they take, and
- * the eight that they look at beyond. */
+/* Bytes that must follow the start of a decimal or of a face's corner. These functions then need
+ * not test for the end of the text: it is the longest form that they accept, plus the eight bytes
+ * that they read beyond it. */
 enum { BURNISH_DECIMAL_ROOM = 96 };
 
 /* Digits that 64 bits hold whatever they are. */
@@ -141,8 +141,8 @@ static inline uint64_t burnish_join_digits(uint64_t word) {
     return (word * 10000 + (word >> 32)) & UINT64_C(0xFFFFFFFF);
 }
 
-/* Bits in the bytes that are no digits, of eight characters that '0' was taken from: in the first
- * one for certain, since carries go upwards. */
+/* Bits in the bytes that are not digits, for eight characters minus '0'. They are reliable for the
+ * first such byte, since carries go upwards. */
 static inline uint64_t burnish_find_other(uint64_t word) {
     return ((word + UINT64_C(0x7676767676767676)) | word) & UINT64_C(0x8080808080808080);
 }
@@ -285,9 +285,9 @@ static inline double burnish_set_sign(double absolute, int negative) {
     return absolute;
 }
 
-/* "-1.234567e+00", with two or three digits of exponent: what C's "%e" prints. Everything stands
- * where it always stands, so that the next number need not wait for this one's digits to be
- * counted. As burnish_scan_decimal. */
+/* "-1.234567e+00", with two or three digits of exponent: what C's "%e" prints. All fields have
+ * fixed positions, so the next number need not wait until the digits of this one are counted. As
+ * burnish_scan_decimal. */
 static inline size_t burnish_scan_scientific(const uint8_t *text, double *value) {
     enum { DECIMALS = 6 };
     const int negative = *text == '-';

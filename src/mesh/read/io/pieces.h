@@ -1,9 +1,9 @@
 /* Files that are read piece by piece, straight into the arrays that their rows or lines become: so
  * the file itself takes no memory, and what is read stays in the second-level cache.
  *
- * Of such an input only the first bytes are there. It is read so where all is as it should be:
- * whatever else a reader finds makes it return an error or a warning, and the input is read once
- * more with all its bytes in memory. That gives the mesh, or the message. */
+ * Only the first bytes of such an input are in memory. A reader that finds anything unusual returns
+ * an error or a warning, and the input is read again with all its bytes in memory, which gives the
+ * mesh or the message. */
 #ifndef BURNISH_MESH_READ_IO_PIECES_H
 #define BURNISH_MESH_READ_IO_PIECES_H
 
@@ -42,7 +42,7 @@ typedef struct burnish_window {
  * file can't be read. */
 int burnish_window_move(burnish_window *window, size_t offset);
 
-/* Rows [first, end) of those that are read; the first one is at `rows`. */
+/* Handles rows [first, end); row `first` is at `rows`. */
 typedef void burnish_rows_task(void *user_data, const uint8_t *rows, size_t first, size_t end);
 
 /* Runs the task for `count` rows of row_size bytes each, some at a time, by all threads. They are

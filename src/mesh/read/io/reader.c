@@ -1,5 +1,5 @@
-/* Messages that say what is wrong, and where in the input. A file of its own, so that programs that
- * take a part of the readers do not get all formats. */
+/* Messages with a location in the input. They are separate from the table of formats, so programs
+ * that use only some reader functions do not link every format. */
 #include "mesh/read/io/reader.h"
 
 #include <stdarg.h>
@@ -23,7 +23,7 @@ static size_t line_at(burnish_reader *reader, const uint8_t *at) {
     return reader->line;
 }
 
-/* "NAME:LINE: message" into out. A long name loses its beginning, so that the message fits. */
+/* "NAME:LINE: message" into out. A long name loses its beginning to make room for the message. */
 static void write_line(char *out, burnish_reader *reader, const uint8_t *at, const char *format,
                        va_list arguments) {
     char message[MESSAGE_SIZE];

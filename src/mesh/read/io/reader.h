@@ -6,15 +6,15 @@
 #include "mesh/read/io/lexer.h"
 
 typedef struct burnish_reader_input {
-    const uint8_t *bytes; /* size > 0 bytes; nothing is assumed to follow them */
+    const uint8_t *bytes; /* size > 0 bytes, not necessarily followed by a 0 */
     size_t size;
-    size_t packed_size; /* bytes that these were before they were unpacked; 0: just so many */
+    size_t packed_size; /* bytes before unpacking; 0: was not packed */
     const char *name;   /* for messages */
     const burnish_load_options *options;
-    burnish_file_loader companions;      /* load NULL: there are none */
+    burnish_file_loader companions;      /* load NULL: not available */
     const struct burnish_pieces *pieces; /* pieces.h: only the head is at `bytes`; NULL: all */
     size_t chunk_size; /* bytes of a chunk of text; 0: BURNISH_CHUNK_SIZE. Only tests set it. */
-    double *told;      /* the progress that the context knows of; NULL: none */
+    double *told;      /* the progress last reported to the context; NULL: not reported */
 } burnish_reader_input;
 
 /* A face of 4 corners or more: a fan until all positions are there, then cut by them. */
@@ -30,15 +30,16 @@ typedef struct burnish_reader {
     const burnish_reader_input *input;
     burnish_mesh_data *mesh; /* what is filled; its memory and tasks are the reader's */
     burnish_error *error;
-    int is_binary;          /* messages tell bytes, not lines */
-    int is_wide;            /* 1: the file's coordinates may be more than floats hold */
-    int has_warned;         /* 1: of an input in pieces, which is read whole then to say it */
+    int is_binary;  /* messages give bytes, not lines */
+    int is_wide;    /* 1: the file's coordinates may exceed float precision */
+    int has_warned; /* 1: an input in pieces has a warning, and must be read whole to report it */
     const uint8_t *counted; /* lines are counted up to here: NULL before the first */
     size_t line;
     burnish_polygon *polygons;
     size_t polygon_count, polygon_capacity;
-    struct burnish_texture_names *textures; /* textures.h: those asked for; NULL before the first */
-    uint64_t companion_bytes; /* of buffers and textures that the input names, read so far */
+    struct burnish_texture_names
+        *textures;            /* textures.h: requested textures; NULL before the first */
+    uint64_t companion_bytes; /* bytes of buffers and textures that the input names, read so far */
     uint64_t *companions;     /* budget.h: which files these were */
     size_t companion_count, companion_capacity;
     uint64_t unpacked_bytes; /* of parts, views and the like, so far: budget.h */
@@ -53,7 +54,7 @@ __attribute__((format(printf, 4, 5))) burnish_status burnish_reader_fail(burnish
 __attribute__((format(printf, 3, 4))) void
 burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *format, ...);
 
-/* Warnings of one kind, which make one line: the first, and how many more there were. All zero
+/* Warnings of one kind, reported in one line: the first, and how many more there were. All zero
  * before the first. */
 typedef struct burnish_warning_group {
     size_t count;
@@ -65,10 +66,10 @@ __attribute__((format(printf, 4, 5))) void burnish_reader_note(burnish_reader *r
                                                                burnish_warning_group *group,
                                                                const uint8_t *at,
                                                                const char *format, ...);
-/* Warns of a group, once it is complete; of an empty one not. */
+/* Reports a complete group; does nothing if it is empty. */
 void burnish_reader_warn_group(burnish_reader *reader, const burnish_warning_group *group);
 
-/* What to say of a number that can't be taken, and of `what` ("coordinate", "Kd" ...) it is. */
+/* A message for a number that can't be used; `what` names it ("coordinate", "Kd" ...). */
 typedef struct burnish_number_text {
     char text[160];
 } burnish_number_text;

@@ -82,12 +82,13 @@ static burnish_status find_directory(burnish_zip *zip, directory *found) {
     }
     if (found->offset > at || found->size > at - found->offset ||
         found->count > found->size / ENTRY_SIZE) {
-        return fail(zip, end, "the archive's directory does not lie in it; the file is damaged");
+        return fail(zip, end,
+                    "the archive's directory is outside the archive; the file is damaged");
     }
     return BURNISH_STATUS_OK;
 }
 
-/* Numbers of 64 bits stand in an extra field, those that are needed, in this order. */
+/* An extra field has the 64-bit numbers that are needed, in this order. */
 static void read_extra(burnish_zip_part *part, const uint8_t *extra, size_t size) {
     enum { FIELD_64 = 1, FIELD_HEADER = 4 };
     uint64_t *const numbers[3] = {&part->size, &part->packed_size, &part->header};
@@ -255,7 +256,7 @@ static burnish_status step(burnish_zip_stream *stream, uint8_t *to, size_t room,
     if (result == BURNISH_INFLATE_DAMAGED ||
         (stream->has_ended &&
          (stream->crc != stream->part->crc || stream->written != stream->part->size))) {
-        return fail_part(stream, "the part's bytes are not those that were packed; fetch the file "
+        return fail_part(stream, "the part's size or checksum does not match; fetch the file "
                                  "again");
     }
     return BURNISH_STATUS_OK;

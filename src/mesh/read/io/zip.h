@@ -1,10 +1,10 @@
 /* ZIP archives in memory (PKWARE, APPNOTE.TXT 6.3.9), as far as Open Packaging uses them: parts
- * stored or deflated, also of more than 4 GiB: for 3MF, and for importers. Nothing of an archive is
- * believed: what a part unpacks to is bounded, together with all others, and its size and checksum
- * are compared.
+ * stored or deflated, also of more than 4 GiB: for 3MF, and for importers. An archive is not
+ * trusted: the unpacked size of all parts together is limited, and the size and checksum of each
+ * part are compared.
  *
- * libzip was measured: with what it loads (OpenSSL, bzip2) every run of the program would take a
- * millisecond longer, twice as long; and it takes memory from nobody but malloc. */
+ * libzip was measured: the libraries that it loads (OpenSSL, bzip2) double the time that the
+ * program takes to start and end, by a millisecond. It can only allocate with malloc. */
 #ifndef BURNISH_MESH_READ_IO_ZIP_H
 #define BURNISH_MESH_READ_IO_ZIP_H
 
@@ -16,7 +16,7 @@ typedef struct burnish_zip_part {
     uint32_t name_size;
     uint32_t crc;
     uint16_t method, flags;
-    uint64_t packed_size, size, header; /* header: where its local header stands */
+    uint64_t packed_size, size, header; /* header: offset of its local header */
     uint32_t user_data;                 /* the caller's; 0 at first */
 } burnish_zip_part;
 

@@ -208,7 +208,7 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
         ++which;
     }
     if (which < 6 && mtl->library->count == mtl->first) {
-        NOTE_FAULT(mtl, "%s stands before the first newmtl and was ignored", known[which]);
+        NOTE_FAULT(mtl, "%s before the first newmtl was ignored", known[which]);
         return BURNISH_STATUS_OK;
     }
     switch (which) {

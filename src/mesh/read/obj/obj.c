@@ -94,7 +94,7 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
         burnish_lexer lexer = {event->at, chunk->text_end, 1};
         if (event->kind == BURNISH_OBJ_ELEMENT) {
             burnish_reader_note(obj->reader, &obj->elements, event->at,
-                                "lines and points are not drawn beside faces");
+                                "lines and points are not drawn in a file with faces");
             if (triangle == 0 && *event->at == 'l') {
                 status = read_line(obj, &lexer, chunk->before[BURNISH_POSITION] + event->position);
             }
@@ -106,8 +106,9 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
             continue;
         }
         if (event->kind == BURNISH_OBJ_COLOR) {
-            burnish_reader_note(obj->reader, &obj->colors, event->at,
-                                "what follows a vertex's coordinates is no colour; it is white");
+            burnish_reader_note(
+                obj->reader, &obj->colors, event->at,
+                "the values after a vertex's coordinates are not a colour; it is white");
             continue;
         }
         if (event->kind == BURNISH_OBJ_NORMAL) {
@@ -175,8 +176,7 @@ static void settle_colors(obj_state *obj) {
         rgba[3] = 255;
     }
     if (count_to_255) {
-        burnish_reader_warn(obj->reader, NULL,
-                            "colours of vertices are beyond 1 and were taken to count to 255");
+        burnish_reader_warn(obj->reader, NULL, "vertex colours exceed 1 and were read as 0 to 255");
     }
 }
 

@@ -185,14 +185,14 @@ static burnish_status open_library(burnish_obj_materials *materials, burnish_tok
     burnish_status status = BURNISH_STATUS_OK;
     *missing = 1;
     if (!is_file_name(token)) {
-        burnish_fail(why, BURNISH_STATUS_READ, "its name is no file name");
+        burnish_fail(why, BURNISH_STATUS_READ, "its name is not a file name");
         return status;
     }
     const int escaped = write_name(token, 0, name);
     if (burnish_stays_beside(name)) {
         status = load_library(materials, name, why, missing);
     } else {
-        burnish_fail(why, BURNISH_STATUS_READ, "it lies outside the folder of the file");
+        burnish_fail(why, BURNISH_STATUS_READ, "it is outside the folder of the file");
     }
     if (status == BURNISH_STATUS_OK && *missing && escaped) {
         write_name(token, 1, name);
@@ -380,7 +380,7 @@ static void warn_invisible(burnish_obj_materials *materials) {
     }
     if (invisible > 0) {
         burnish_reader_warn(materials->reader, NULL,
-                            "%zu material%s wholly transparent (d 0 or Tr 1) and drawn opaque",
+                            "%zu material%s fully transparent (d 0 or Tr 1) and drawn opaque",
                             invisible, invisible == 1 ? " is" : "s are");
     }
 }

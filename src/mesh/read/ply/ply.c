@@ -421,7 +421,7 @@ static burnish_status read_body(burnish_ply_state *ply) {
         status =
             burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, NULL,
                                 has_faces ? "no face has 3 different corners; export the mesh again"
-                                          : "no vertices and no faces; export the mesh again");
+                                          : "no vertices or faces; export the mesh again");
     }
     return status;
 }
@@ -433,7 +433,7 @@ static void warn_undrawn(const burnish_ply_state *ply) {
     burnish_reader_warn_group(ply->reader, &ply->comments);
     if (ply->header.has_face_colors && !ply->takes_face_colors) {
         burnish_reader_warn(ply->reader, NULL, "colours of faces are not drawn%s",
-                            ply->header.has_vertex_colors ? ", those of vertices are" : "");
+                            ply->header.has_vertex_colors ? ", the colours of vertices are" : "");
     }
 }
 

@@ -65,7 +65,7 @@ burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any) {
     }
     memcpy(copy, input->bytes, input->size);
     for (; at < end; at = find_comment(last, end, &last)) {
-        burnish_reader_note(reader, &ply->comments, at, "a comment among the rows was passed over");
+        burnish_reader_note(reader, &ply->comments, at, "a comment among the rows was ignored");
         memset(copy + (at - input->bytes), ' ', (size_t)(last - at));
     }
     ply->with_comments = input;

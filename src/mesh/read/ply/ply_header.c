@@ -175,7 +175,7 @@ static burnish_status read_property(header_state *ply) {
         burnish_lexer_token(&ply->lexer, &count_type);
         property.count_type = type_of(count_type);
         if (property.count_type == BURNISH_PLY_NONE || property.count_type >= BURNISH_PLY_FLOAT32) {
-            return FAIL(ply, "list count type \"%s\" is no integer type; use uchar or int",
+            return FAIL(ply, "list count type \"%s\" is not an integer type; use uchar or int",
                         burnish_token_quote(count_type).text);
         }
         type = (burnish_token){0};
@@ -267,7 +267,7 @@ static burnish_status read_line(header_state *ply, int *done) {
         return BURNISH_STATUS_OK;
     }
     burnish_reader_note(ply->reader, &ply->unknown, keyword.bytes,
-                        "\"%s\" begins no line of a PLY header; it was ignored",
+                        "\"%s\" does not start a line of a PLY header; ignored",
                         burnish_token_quote(keyword).text);
     return BURNISH_STATUS_OK;
 }

@@ -130,7 +130,7 @@ static inline int read_length(ply_parser *p, burnish_ply_encoding encoding,
     }
     *count = value >= 0 && value <= UINT32_MAX ? (uint64_t)value : UINT64_MAX;
     if ((double)*count != value) {
-        FAIL(p, "element %s, row %llu: list length %g is no count; repair the file",
+        FAIL(p, "element %s, row %llu: list length %g is not a count; repair the file",
              burnish_token_quote(p->ply->element->name).text, row_number(p), value);
         return 0;
     }

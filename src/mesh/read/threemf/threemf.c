@@ -129,7 +129,7 @@ static void sort_resources(burnish_threemf *threemf) {
         if (items[i].part == items[i - 1].part && items[i].id == items[i - 1].id) {
             threemf->status = burnish_reader_fail(
                 threemf->reader, BURNISH_STATUS_FORMAT, NULL,
-                "%s: the id %u is that of line %u too; give each resource its own",
+                "%s: the id %u is also used in line %u; give each resource its own",
                 burnish_threemf_show(threemf, items[i].part, items[i].line).text, items[i].id,
                 items[i - 1].line);
         }
@@ -223,9 +223,9 @@ static burnish_status read_input(burnish_reader *reader) {
 #else
 
 static burnish_status read_input(burnish_reader *reader) {
-    return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                               "a ZIP archive; 3MF is read where burnish was built with expat, "
-                               "which this one was not");
+    return burnish_reader_fail(
+        reader, BURNISH_STATUS_FORMAT, NULL,
+        "a ZIP archive; this build of burnish lacks expat and can't read 3MF");
 }
 
 #endif

@@ -337,7 +337,7 @@ static int count_all(scene_writer *writer) {
         if (!object->is_model) {
             burnish_reader_note(
                 threemf->reader, &threemf->not_drawn, NULL,
-                "%s: an object that is no model (a support or the like) is left out",
+                "%s: an object that is not a model (a support, for example) is not drawn",
                 burnish_threemf_show(threemf, object->part, object->line).text);
             item->object = BURNISH_THREEMF_NONE;
             continue;

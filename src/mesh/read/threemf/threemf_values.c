@@ -225,7 +225,7 @@ static int use_group(burnish_threemf *threemf, burnish_threemf_group *group) {
 static void note_mixed(burnish_threemf *threemf, burnish_threemf_group *group) {
     if (!group->is_noted && group->kind == BURNISH_THREEMF_MULTIPLES) {
         burnish_reader_note(threemf->reader, &threemf->mixed, NULL,
-                            "of multiple properties only the uppermost texture or colour is drawn");
+                            "only the uppermost texture or colour of multiple properties is drawn");
     }
     group->is_noted = 1;
 }
@@ -254,10 +254,10 @@ static void resolve(burnish_threemf *threemf, const burnish_threemf_object *obje
     }
     triangle->group = is_good ? (uint32_t)(group - threemf->groups.items) : BURNISH_THREEMF_NONE;
     if (!is_good) {
-        burnish_reader_note(threemf->reader, &threemf->bad_properties, NULL,
-                            "%s: a triangle of the object has properties that are not there; it is "
-                            "drawn without",
-                            burnish_threemf_show(threemf, object->part, object->line).text);
+        burnish_reader_note(
+            threemf->reader, &threemf->bad_properties, NULL,
+            "%s: a triangle of the object refers to missing properties; it is drawn without them",
+            burnish_threemf_show(threemf, object->part, object->line).text);
     }
 }
 
@@ -268,7 +268,7 @@ void burnish_threemf_settle_values(burnish_threemf *threemf) {
     }
     if (threemf->invisible_colors > 0) {
         burnish_reader_warn(
-            threemf->reader, NULL, "%zu colour%s wholly transparent (alpha 00) and drawn opaque",
+            threemf->reader, NULL, "%zu colour%s fully transparent (alpha 00) and drawn opaque",
             threemf->invisible_colors, threemf->invisible_colors == 1 ? " is" : "s are");
     }
 }

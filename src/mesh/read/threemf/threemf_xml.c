@@ -151,9 +151,10 @@ int burnish_threemf_whole(burnish_threemf_xml *xml, const char *const *attribute
     const burnish_token token = token_of(text ? text : "");
     if (burnish_parse_integer(token, &number) != BURNISH_NUMBER_OK || number < 0 ||
         number >= BURNISH_THREEMF_NONE) {
-        return burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT,
-                                    "%s \"%s\" is no number from 0 to 4294967294; repair the file",
-                                    name, burnish_token_quote(token).text);
+        return burnish_threemf_fail(
+            xml, BURNISH_STATUS_FORMAT,
+            "%s \"%s\" is not a number from 0 to 4294967294; repair the file", name,
+            burnish_token_quote(token).text);
     }
     *value = (uint32_t)number;
     return 1;
