@@ -21,7 +21,8 @@ static int ends_with(const burnish_zip_part *part, const char *ending) {
     return 1;
 }
 
-/* The first part of that ending, else the only one there is; NULL: the format packs by itself. */
+/* The first part with that extension, or else the only part; NULL: the format is an archive itself.
+ */
 static const burnish_zip_part *find_part(const burnish_zip *zip, const char *ending) {
     for (size_t i = 0; i < zip->count; ++i) {
         if (ends_with(&zip->parts[i], ending)) {

@@ -5,9 +5,9 @@
 #include "importer.h"
 #include "mesh/read/io/zip.h"
 
-/* Where the file is an archive that holds a file of its own ending, or is AMF and holds one file,
- * the input becomes that; formats that are archives themselves (.zae, .ifczip) stay. It may unpack
- * to BURNISH_UNPACKED_PER_BYTE bytes per byte. Errors: FORMAT, LIMIT, MEMORY. */
+/* If the file is an archive with a file of the same extension, or AMF with a single file, the input
+ * becomes that file. Formats that are archives themselves (.zae, .ifczip) are not unpacked. It may
+ * unpack to BURNISH_UNPACKED_PER_BYTE bytes per byte. Errors: FORMAT, LIMIT, MEMORY. */
 burnish_status importer_unpack_archive(importer_input *input, burnish_error *error);
 
 #endif

@@ -115,7 +115,7 @@ static void put_head(const importer_mesh *mesh, burnish_bms_kind kind, const cha
     importer_put_padded(text, text_size);
 }
 
-/* In [low, high]; low for what is no number. */
+/* Clamps to [low, high]; low for NaN. */
 static float between(float value, float low, float high) {
     return value > low ? value < high ? value : high : low;
 }

@@ -1,4 +1,4 @@
-/* What all importers share: they get a file as standard input, lock themselves in, and write a mesh
+/* Shared by all importers: they receive a file as standard input, enter a sandbox, and write a mesh
  * stream to standard output. docs/importers.md */
 #ifndef BURNISH_IMPORTER_H
 #define BURNISH_IMPORTER_H
@@ -16,7 +16,7 @@ extern "C" {
 typedef struct importer_input {
     const uint8_t *bytes;
     size_t size;
-    const char *ending; /* of its name, lower case, without the point: "fbx" */
+    const char *ending; /* the file extension, lower case, without the dot: "fbx" */
 } importer_input;
 
 /* In the order of the stream. Numbers out of range are brought into it when they are written. */
@@ -60,11 +60,11 @@ typedef struct importer_mesh {
 
 extern const char importer_name[];
 
-/* Loads what it will need of the system: before the lock. */
+/* Loads what it needs of the system, before the sandbox closes. */
 void importer_prepare(void);
 
-/* After the lock: no file, no network, no process. Ends by importer_fail where it can't, or by
- * importer_finish when it has written what it has to say; else the mesh is written. */
+/* Runs in the sandbox: no files, network or processes. Ends with importer_fail on errors, or with
+ * importer_finish if it has written its own output. Otherwise the mesh is written. */
 void importer_import(importer_input *input, importer_mesh *mesh);
 
 /* ---- What it may use ---- */
@@ -78,7 +78,7 @@ _Noreturn
 #endif
 void importer_fail(burnish_bms_kind kind, const char *text);
 
-/* What writes something else than a mesh: bytes, a little-endian word, bytes and up to 3 zeros. */
+/* For output other than a mesh: bytes, a little-endian word, bytes and up to 3 zeros. */
 void importer_put(const void *bytes, size_t size);
 void importer_put_word(uint32_t word);
 void importer_put_padded(const void *bytes, size_t size);
@@ -91,14 +91,14 @@ _Noreturn
 #endif
 void importer_finish(void);
 
-/* Takes gzip and zip off, and makes UTF-8 of UTF-16 with a mark; ends the process where it can't.
- */
+/* Unpacks gzip and zip, and converts UTF-16 with a byte order mark to UTF-8; ends the process on
+ * errors. */
 void importer_unpack(importer_input *input);
 
 /* Adds a line to the warnings, once. */
 void importer_warn(importer_mesh *mesh, const char *text);
 
-/* count * size bytes of zeros; ends the process when there is no memory. */
+/* count * size bytes of zeros; ends the process if memory is out. */
 void *importer_zeroed(uint64_t count, size_t size);
 
 /* The arrays of counts and parts. */

@@ -21,7 +21,7 @@ static const tint *color_of_material(const amf *a, uint32_t id) {
     return &none;
 }
 
-/* Of a triangle that has none, nor have its vertices: the nearest around it. */
+/* The colour of a triangle if it and its vertices have no colour: the nearest enclosing one. */
 static tint color_of_volume(const amf *a, const amf_volume *volume) {
     const tint *object = &a->objects.items[volume->object].color;
     tint grey = {.rgba = {GREY, GREY, GREY, 255}};
@@ -111,7 +111,7 @@ static void put_constellation(amf *a, const amf_constellation *constellation,
     }
 }
 
-/* Constellations that no other holds, and objects that none does. */
+/* Constellations and objects that are not part of another constellation. */
 static void put_all(amf *a) {
     static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     uint64_t steps = 0;

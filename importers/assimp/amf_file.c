@@ -220,7 +220,7 @@ static void XMLCALL keep_text(void *user_data, const char *text, int size) {
     }
 }
 
-/* Formulas of colours are no numbers: what they say is not drawn. */
+/* Formulas of colours are not evaluated. */
 static void end_number(amf *a) {
     char *end = a->text;
     const int fits = a->text_size < sizeof a->text;
@@ -231,7 +231,7 @@ static void end_number(amf *a) {
         a->numbers[a->slot] = value;
         a->has_number[a->slot] = 1;
     } else if (a->elements[a->depth] != COLOR) {
-        fail(a, "what should be a number is none");
+        fail(a, "a value is not a number");
     }
 }
 
@@ -351,7 +351,7 @@ static void XMLCALL refuse_document_type(void *user_data, const char *name, cons
     fail(user_data, "a document type (DOCTYPE), which is not supported");
 }
 
-/* Text in UTF-16 is UTF-8 by now, whatever its first line says. */
+/* Text in UTF-16 has already been converted to UTF-8, whatever its first line says. */
 static const char *encoding_of(const importer_input *input) {
     for (size_t i = 0; i + 6 <= input->size && i < 100 && input->bytes[i] != '>'; ++i) {
         if (memcmp(input->bytes + i, "UTF-16", 6) == 0 ||

@@ -78,7 +78,7 @@ static void flush(struct aiFile *file) {
 
 static char file_name[48];
 
-/* Any other name is a file's that is not there: what lies beside the input is not read here. */
+/* Any other name is a missing file: files next to the input are not read here. */
 static struct aiFile *open_one(struct aiFileIO *io, const char *name, const char *mode) {
     const size_t size = strlen(name), own = strlen(file_name);
     if (size < own || strcmp(name + size - own, file_name) != 0 || strchr(mode, 'w')) {
@@ -111,7 +111,7 @@ typedef struct walk {
     int has_opaque_colors;
     uint64_t vertices, triangles, points;
     int is_damaged;
-    int has_no_normals; /* those that are there are not meant */
+    int has_no_normals; /* the present ones are not intended */
 } walk;
 
 typedef void use_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix);
@@ -170,8 +170,8 @@ static const struct aiVector3D *coordinates_of(const walk *w, const struct aiMes
                : mesh->mTextureCoords[0];
 }
 
-/* Colours that are wholly transparent everywhere stand for none: .amf and .blend files without
- * have such. So does libassimp's grey of what has none in .dxf. */
+/* Colours that are fully transparent everywhere mean "no colours": libassimp returns them for .amf
+ * and .blend files without colours. The same applies to its default grey for .dxf. */
 static const struct aiColor4D *colors_of(const struct aiMesh *mesh) {
     for (unsigned i = 0; i < mesh->mNumVertices && mesh->mColors[0]; ++i) {
         const struct aiColor4D *c = &mesh->mColors[0][i];
@@ -199,8 +199,8 @@ static void count_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix
                       (coordinates_of(w, mesh) ? BURNISH_BMS_TEXCOORDS : 0);
 }
 
-/* What normals are multiplied by: the cofactors, which are the inverse's transpose times the
- * determinant. */
+/* The matrix for normals: the cofactors, which are the inverse's transpose times the determinant.
+ */
 static void find_cofactors(const struct aiMatrix4x4 *m, double c[9], double *determinant) {
     const double a[9] = {m->a1, m->a2, m->a3, m->b1, m->b2, m->b3, m->c1, m->c2, m->c3};
     for (int row = 0; row < 3; ++row) {
@@ -213,7 +213,7 @@ static void find_cofactors(const struct aiMatrix4x4 *m, double c[9], double *det
     *determinant = a[0] * c[0] + a[1] * c[1] + a[2] * c[2];
 }
 
-/* Not finite numbers become 0, and are told of. */
+/* Numbers that are not finite become 0, with a warning. */
 static void put_vector(walk *w, const double v[3], float *to) {
     for (int i = 0; i < 3; ++i) {
         to[i] = (float)v[i];
@@ -333,8 +333,8 @@ static void flatten(const struct aiScene *scene, const char *ending, const unsig
 
 /* ---- The scene ---- */
 
-/* Which way is up. libassimp turns most formats to +Y; of others it leaves +Z as it is, or turns
- * them away from it. */
+/* Which way is up. libassimp turns most formats to +Y. For others it keeps +Z, or turns them away
+ * from it. */
 static void find_up(const struct aiScene *scene, const char *ending, float up[3]) {
     static const struct {
         const char *ending;
@@ -362,7 +362,7 @@ static void find_up(const struct aiScene *scene, const char *ending, float up[3]
 static _Noreturn void fail_by_library(void) {
     static const struct {
         const char *part, *advice;
-    } rows[] = {{"Missing file input", "; parts in files beside it are not read: convert it whole"},
+    } rows[] = {{"Missing file input", "; parts in other files are not read: convert it whole"},
                 {"old format version", "; save it as one of these, or as glTF"}};
     const char *text = aiGetErrorString(), *advice = "";
     char line[400];

@@ -16,12 +16,12 @@ typedef struct reading {
     const struct aiMaterial *material;
     importer_mesh *mesh;
     int has_textures;
-    unsigned set; /* of texture coordinates: that of the first texture */
+    unsigned set; /* the set of texture coordinates, from the first texture */
 } reading;
 
 /* ---- Textures ---- */
 
-/* The texture in the file that a name stands for: "*3", or a file's name. */
+/* The embedded texture of a name: "*3", or a file name. */
 static const struct aiTexture *find_embedded(const struct aiScene *scene, const char *name) {
     if (name[0] == '*') {
         const unsigned long number = strtoul(name + 1, NULL, 10);
@@ -41,7 +41,7 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
     return NULL;
 }
 
-/* Texels as they are in memory: blue, green, red, alpha. */
+/* Texels in memory order: blue, green, red, alpha. */
 static const uint8_t *turn_pixels(const struct aiTexture *texture, uint64_t count) {
     uint8_t *pixels = importer_zeroed(count, 4);
     for (uint64_t i = 0; i < count; ++i) {
@@ -214,9 +214,9 @@ static int has_property(const reading *r, const char *key) {
     return aiGetMaterialProperty(r->material, key, UINT_MAX, UINT_MAX, &found) == aiReturn_SUCCESS;
 }
 
-/* Whether the library made a material up: the file has none. Readers call theirs by its default
- * name, so does that of NFF all of them, or leave it empty; that of 3DS has a name of its own, and
- * that of MDL5 makes black of a skin that it does not find. */
+/* Whether the library invented a material that the file lacks. Most of its readers use the default
+ * name or an empty one, and NFF uses the default name for all materials. 3DS has its own name, and
+ * MDL5 turns a missing skin black. */
 static int is_made_up(const reading *r, const char *ending) {
     float color[3] = {-1, -1, -1}, specular[3] = {0, 0, 0};
     struct aiString title = {0};
@@ -231,8 +231,8 @@ static int is_made_up(const reading *r, const char *ending) {
             !has_property(r, KEY(AI_MATKEY_TEXTURE_DIFFUSE(0))));
 }
 
-/* Of formats that were drawn by OpenGL as it once was, whose textures multiply all light, that of
- * the material too. */
+/* For formats of classic OpenGL, whose textures multiply all light, including the material's own.
+ */
 static int glows_through_texture(const char *ending) {
     return strcmp(ending, "ms3d") == 0 || strcmp(ending, "x") == 0 || strncmp(ending, "ac", 2) == 0;
 }
@@ -252,7 +252,7 @@ static void read_material(reading *r, const char *ending, importer_material *to)
     read_metal(r, to);
     if (read_texture(r, aiTextureType_BASE_COLOR, SLOT_COLOR, 1, to, name) ||
         read_texture(r, aiTextureType_DIFFUSE, SLOT_COLOR, 1, to, name)) {
-        color[0] = color[1] = color[2] = 1; /* exporters mean the image as it is */
+        color[0] = color[1] = color[2] = 1; /* exporters intend the unmodified image */
     }
     importer_linear(color, to->diffuse);
     memcpy(to->ambient, to->diffuse, sizeof to->ambient);

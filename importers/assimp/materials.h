@@ -6,8 +6,8 @@
 
 #include "importer.h"
 
-/* One material for each of the scene's, and the textures that they use: those that the file holds,
- * and names of those beside it. Returns for each the set of texture coordinates that they have. */
+/* One material for each of the scene's, and the textures that they use: embedded textures, and
+ * names of texture files. Returns for each the set of texture coordinates that they have. */
 const unsigned *assimp_read_materials(const struct aiScene *scene, const char *ending,
                                       importer_mesh *mesh);
 

@@ -118,7 +118,7 @@ uint64_t key_of(const color &c) {
     return key;
 }
 
-// The material of a colour, which is linear light; that of nothing is number 0, burnish's grey.
+// The material of a colour, which is linear light; number 0, burnish's grey, without a colour.
 uint32_t material_of(scene &s, const color_of &c) {
     if (!c.is_there) {
         return 0;
@@ -143,7 +143,7 @@ uint32_t material_of(scene &s, const color_of &c) {
     return number;
 }
 
-// A label's own colour, of its surface where that is told apart.
+// A label's own colour, or its surface colour if there is one.
 color_of find_color(const scene &s, const TDF_Label &label) {
     color_of found = {false, color()};
     found.is_there = s.colors->GetColor(label, XCAFDoc_ColorSurf, found.value) ||
@@ -153,7 +153,7 @@ color_of find_color(const scene &s, const TDF_Label &label) {
 
 using face_colors = NCollection_DataMap<TopoDS_Shape, color_of, TopTools_ShapeMapHasher>;
 
-// Colours of solids, shells and faces within a part: those of faces come last and count.
+// Colours of solids, shells and faces within a part. Face colours come last and take precedence.
 void find_face_colors(const scene &s, const TDF_Label &label, face_colors &colors) {
     TDF_LabelSequence parts;
     XCAFDoc_ShapeTool::GetSubShapes(label, parts);
@@ -179,7 +179,7 @@ void add_shape(scene &s, const TopoDS_Shape &shape, const gp_Trsf &place, const 
     }
 }
 
-// A part, an assembly, or where one stands in another. What is further out counts less, but a
+// A part, an assembly, or an instance of one in another. What is further out counts less, but a
 // colour of where a part stands counts more than the part's own.
 void add_label(scene &s, const TDF_Label &label, const gp_Trsf &place, const color_of &inherited, int depth) {
     if (depth > depth_max) {
@@ -230,7 +230,7 @@ Handle(Poly_Triangulation) triangles_of(const drawn_face &drawn, TopLoc_Location
     return BRep_Tool::Triangulation(drawn.face, location);
 }
 
-// The surface's normal at a node; 0, to be generated, where it has none.
+// The surface's normal at a node; 0 if it is undefined and must be generated.
 void put_normal(const Handle(Geom_Surface) & surface, const gp_Pnt2d &at, const gp_Trsf &place, bool is_turned,
                 float *to) {
     gp_Pnt point;
@@ -299,7 +299,7 @@ void draw_face(scene &s, const drawn_face &drawn, uint64_t &vertices, uint64_t &
                 static_cast<uint32_t>(vertices + static_cast<uint64_t>(corners[corner]) - 1);
         }
         s.mesh->triangle_materials[triangles] = drawn.material;
-        triangles += has_area(*s.mesh, triangles) ? 1 : 0; // there are such at poles, which is no fault of the file
+        triangles += has_area(*s.mesh, triangles) ? 1 : 0; // poles have such triangles; this is not an error of the file
     }
     vertices += static_cast<uint64_t>(net->NbNodes());
 }

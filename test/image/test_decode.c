@@ -480,7 +480,7 @@ static void test_obj(void) {
     CHECK(burnish_mesh_get_warning_count(mesh) == 2, "%zu", burnish_mesh_get_warning_count(mesh));
     CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), "a.mtl:4: map_Kd: -mm is not drawn");
     CHECK_TEXT(burnish_mesh_get_warning(mesh, 1),
-               "m.obj: texture \"C:\\missing\\missing.png\" is left out: not there");
+               "m.obj: texture \"C:\\missing\\missing.png\" was skipped: not there");
     burnish_mesh_destroy(mesh);
 }
 
@@ -621,7 +621,7 @@ static void test_limit_of_bytes(void) {
         const size_t left = i == 2 ? 1000 : 32 * (strlen(obj) + size);
         snprintf(
             text, sizeof text,
-            "m.obj: texture \"x.png\" is left out: x.png: 16384 x 5887 pixels, and %zu are left "
+            "m.obj: texture \"x.png\" was skipped: x.png: 16384 x 5887 pixels, and %zu are left "
             "of the limit of all textures; raise it, or make them smaller",
             left);
         CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), text);

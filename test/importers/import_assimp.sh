@@ -133,7 +133,7 @@ check "UTF-16" [ "$(hash wide.amf)" = "$(hash all.amf)" ]
 sed 's/<v3>3/<v3>4/' all.amf >far.amf
 expect 4 "burnish: far.amf: burnish-import-assimp: line 6: a triangle names a vertex that is not there; repair the file" info far.amf
 sed 's/<x>1/<x>nan/' all.amf >nan.amf
-expect 4 "burnish: nan.amf: burnish-import-assimp: line 3: what should be a number is none; repair the file" info nan.amf
+expect 4 "burnish: nan.amf: burnish-import-assimp: line 3: a value is not a number; repair the file" info nan.amf
 head -c 700 all.amf >cut.amf
 run info cut.amf
 check "cut: $(cat "$err")" grep -q '^burnish: cut.amf: burnish-import-assimp: line [0-9]*: the XML is not well formed (' "$err"
@@ -172,7 +172,7 @@ expect 5 "burnish: bomb.amf: burnish-import-assimp: zip: bomb.xml: the archive's
 rm -f ./*.amf ./*.xml p.png
 rm -rf BOX.FBX.GZ cut.fbx.gz large.fbx.gz out
 
-expect 4 "burnish: $models/MDL/MDL (HL1)/man.mdl: burnish-import-assimp: Missing file inputT.mdl; parts in files beside it are not read: convert it whole" \
+expect 4 "burnish: $models/MDL/MDL (HL1)/man.mdl: burnish-import-assimp: Missing file inputT.mdl; parts in other files are not read: convert it whole" \
     info "$models/MDL/MDL (HL1)/man.mdl"
 
 # By hand: a stream is a file like others.

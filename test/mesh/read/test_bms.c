@@ -295,7 +295,7 @@ static void test_textures(void) {
     CHECK1(load(&s.list, &options, &mesh, &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_mesh_get_texture_count(mesh) == 0);
     CHECK_TEXT(burnish_mesh_get_warning_count(mesh) == 1 ? burnish_mesh_get_warning(mesh, 0) : "",
-               "a: texture \"abc\" is left out: too many texels; raise the limit or make textures "
+               "a: texture \"abc\" was skipped: too many texels; raise the limit or make textures "
                "smaller");
     burnish_mesh_destroy(mesh);
     options = burnish_load_options_default();

@@ -344,7 +344,7 @@ static void test_lines(void) {
         if (CHECK1(s.warning_count == (i == 0 ? 2 : 1))) {
             CHECK_TEXT(s.warnings[s.warning_count - 1],
                        i == 0 ? "mesh.gltf:1: meshes[0].primitives[0]: 3 corners do not make whole "
-                                "lines; the last 1 are passed over"
+                                "lines; the last 1 are ignored"
                               : "mesh.gltf:1: meshes[0].primitives[1]: points are not drawn in a "
                                 "file with lines");
         }

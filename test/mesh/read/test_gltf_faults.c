@@ -123,7 +123,7 @@ static void test_faults(void) {
          "mesh.gltf:1: accessors[0]: position 0 is not finite, or beyond 3.4e38; repair the mesh"},
         {"$head$buffer(36),'bufferViews':[$view(0,36)],'accessors':["
          "$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
-         "mesh.gltf:1: buffers[0]: has no uri, and there is no binary chunk for it; export the "
+         "mesh.gltf:1: buffers[0]: has no uri, and the binary chunk is missing; export the "
          "file again"},
         {"$head'buffers':[{'byteLength':37,'uri':'data:;base64,AAAA'}],"
          "'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"

@@ -533,7 +533,7 @@ static void test_undrawn(void) {
         "%s", e.text);
     if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
         CHECK_TEXT(s.warnings[0],
-                   "mesh.obj: texture \"my parts/mars.png\" is left out: mars.png: No "
+                   "mesh.obj: texture \"my parts/mars.png\" was skipped: mars.png: No "
                    "such file (and 2 more like it)");
     }
     burnish_mesh_data_destroy(&s);
@@ -545,7 +545,7 @@ static void test_undrawn(void) {
                      "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n",
                      &s, &e) == BURNISH_STATUS_OK);
     if (CHECK(s.warning_count == 1, "%zu", s.warning_count)) {
-        CHECK_TEXT(s.warnings[0], "mesh.ply:3: texture \"moon.png\" is left out: vertices have no "
+        CHECK_TEXT(s.warnings[0], "mesh.ply:3: texture \"moon.png\" was skipped: vertices have no "
                                   "s and t, faces no texcoord");
     }
     burnish_mesh_data_destroy(&s);

@@ -103,7 +103,7 @@ static void close_textures(burnish_reader *reader) {
 
 static void note_missing(burnish_reader *reader, const uint8_t *at, const char *name,
                          const char *why) {
-    burnish_reader_note(reader, &reader->textures->missing, at, "texture \"%.80s\" is left out: %s",
+    burnish_reader_note(reader, &reader->textures->missing, at, "texture \"%.80s\" was skipped: %s",
                         name, why);
 }
 

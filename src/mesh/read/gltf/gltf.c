@@ -67,7 +67,7 @@ static int next_chunk(burnish_gltf *gltf, size_t *next, uint32_t *kind, burnish_
     return 1;
 }
 
-/* The JSON of the file, and its binary chunk. What stands after these is passed over. */
+/* The JSON of the file, and its binary chunk. Anything after these is ignored. */
 static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
     const burnish_reader_input *input = gltf->reader->input;
     burnish_gltf_bytes text = {input->bytes, input->size}, chunk;
@@ -146,7 +146,7 @@ static void refuse_required(burnish_gltf *gltf) {
     }
 }
 
-/* One line for all extensions that are passed over. */
+/* One line for all ignored extensions. */
 static void warn_used(burnish_gltf *gltf) {
     const uint32_t names = burnish_gltf_array(gltf, 0, "extensionsUsed");
     char text[200] = "";

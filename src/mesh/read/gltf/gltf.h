@@ -1,15 +1,15 @@
-/* What the parts of the glTF 2.0 reader share (Khronos, "glTF 2.0 Specification", 2.0.1).
+/* The state of the glTF 2.0 reader (Khronos, "glTF 2.0 Specification", 2.0.1).
  *
  * gltf.c has the container, the extensions and the order of the steps.
  *
- * The first failure stays in gltf->status; after it functions give defaults, so that callers may
- * ask for all they need and look once. */
+ * The first failure is kept in gltf->status. After it functions return defaults, so a caller can
+ * make several calls and check the status once. */
 #ifndef BURNISH_MESH_READ_GLTF_GLTF_H
 #define BURNISH_MESH_READ_GLTF_GLTF_H
 
 #include "mesh/read/io/json.h"
 
-/* Items of one top-level array: more are refused. */
+/* The most items of one top-level array. */
 #define BURNISH_GLTF_LIST_MAX ((size_t)1 << 22)
 
 #define BURNISH_GLTF_NONE UINT32_MAX
@@ -48,7 +48,7 @@ typedef struct burnish_gltf_buffer {
     burnish_gltf_bytes bytes;
     int is_loaded;
     void *owned;                  /* decoded from a data URI; NULL: not */
-    burnish_gltf_bytes companion; /* of a file beside the input */
+    burnish_gltf_bytes companion; /* of a file next to the input */
 } burnish_gltf_buffer;
 
 /* The values of component_type: OpenGL's. */
@@ -73,7 +73,7 @@ typedef struct burnish_gltf_accessor {
     void *owned;    /* with sparse values filled in; NULL: bytes are a buffer's */
 } burnish_gltf_accessor;
 
-/* A node of the scene: what of it is needed later. */
+/* A node of the scene. */
 typedef struct burnish_gltf_node {
     double matrix[12];                 /* to the world: rows x, y, z of a 3 x 4 matrix */
     uint32_t parent;                   /* NONE: a root */
@@ -83,7 +83,7 @@ typedef struct burnish_gltf_node {
     int is_drawn;                      /* of the scene, and visible */
 } burnish_gltf_node;
 
-/* What an animation says of a node at a moment. */
+/* The pose that an animation gives a node at a given time. */
 typedef struct burnish_gltf_pose {
     int has_translation, has_rotation, has_scale;
     double translation[3], rotation[4], scale[3];
@@ -95,7 +95,7 @@ typedef struct burnish_gltf_pose {
 /* Sets of texture coordinates that a material may choose from: TEXCOORD_0 to TEXCOORD_3. */
 enum { BURNISH_GLTF_TEXCOORDS = 4 };
 
-/* A primitive: numbers of accessors, NONE for those that it has not. */
+/* A primitive: numbers of accessors; NONE if absent. */
 typedef struct burnish_gltf_primitive {
     uint32_t value; /* its JSON value */
     uint32_t position, normal, tangent, color, texcoord, indices;
@@ -123,12 +123,12 @@ typedef struct burnish_gltf {
     size_t counts[BURNISH_GLTF_LIST_COUNT];
     burnish_gltf_bytes binary; /* the GLB's chunk */
     int is_glb;
-    int is_lenient; /* 1: what is wrong gives a note, and the default */
+    int is_lenient; /* 1: an error becomes a note, and the default is used */
 
     burnish_gltf_buffer *buffers; /* one per item of BUFFERS */
     void **decoded;               /* one per item of VIEWS: what was compressed; NULL: nothing */
     burnish_gltf_accessor *accessors; /* one per item of ACCESSORS */
-    uint64_t bytes_left;              /* that files beside the input may have, all together */
+    uint64_t bytes_left;              /* that files next to the input may have in total */
     burnish_gltf_bytes draco;         /* what the decoder has unpacked */
     burnish_gltf_node *nodes;         /* one per item of NODES */
     uint32_t *node_order;             /* parents before children */
@@ -144,9 +144,9 @@ typedef struct burnish_gltf {
 
     int *image_textures; /* two per item of IMAGES, as numbers and as colours: 1 + number of the
                             texture, 0: it can't be had, -1: not asked for yet */
-    int damaged_images;  /* of those whose bytes the file holds */
+    int damaged_images;  /* damaged images in the file itself */
     struct burnish_gltf_ahead *ahead;
-    unsigned texture_set; /* of texture coordinates, that of the material that is being read */
+    unsigned texture_set; /* the set of texture coordinates of the current material */
     int has_colors;       /* 1: a primitive has colours of vertices */
     burnish_warning_group odd_values, undrawn, rests, other_sets;
 } burnish_gltf;

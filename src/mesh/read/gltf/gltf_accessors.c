@@ -1,6 +1,6 @@
 /* glTF's accessors: numbers of six types in buffer views, some of them overwritten by sparse ones.
  *
- * Bounds are checked once, so that elements are read without asking. An accessor with sparse values
+ * Bounds are checked once; reading an element then needs no check. An accessor with sparse values
  * or without a view has an array of its own, made once; all of these together are bounded by the
  * input's size, because many may share one view. */
 #include "mesh/read/gltf/gltf_accessors.h"
@@ -88,8 +88,8 @@ void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, doubl
 
 /* ---- Bounds ---- */
 
-/* Where `count` elements of element_size bytes lie in the view that `object` names with its
- * byteOffset; *stride is the view's, or packed. */
+/* Finds `count` elements of element_size bytes in the view that `object` names with its byteOffset.
+ * *stride is the view's, or packed. */
 static const uint8_t *locate(burnish_gltf *gltf, uint32_t object, uint32_t view, size_t count,
                              size_t element_size, size_t *stride) {
     burnish_gltf_bytes bytes;
@@ -119,7 +119,7 @@ static const uint8_t *locate(burnish_gltf *gltf, uint32_t object, uint32_t view,
 
 /* ---- Arrays of their own ---- */
 
-/* A packed copy of the elements, 0 where there is no view. */
+/* A packed copy of the elements; 0 without a view. */
 static void own_elements(burnish_gltf *gltf, burnish_gltf_accessor *accessor, size_t element_size) {
     const uint64_t bytes = (uint64_t)accessor->count * element_size; /* < 2^32 * 64 */
     if (!burnish_gltf_fill(gltf, accessor->value, bytes, "sparse accessors")) {
@@ -185,7 +185,7 @@ static void fill_sparse(burnish_gltf *gltf, burnish_gltf_accessor *accessor, uin
     }
 }
 
-/* What an accessor's elements are. */
+/* The type of an accessor's elements. */
 static void read_kind(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     const uint32_t value = accessor->value;
     accessor->count =

@@ -5,24 +5,23 @@
 #include "core/bytes.h"
 #include "mesh/read/gltf/gltf.h"
 
-/* An accessor with its bounds checked and its sparse values in place. NULL on failure.
- *   user   what asks for it, for messages
- *   widths bits 1 << width: those that it may have */
+/* An accessor with its bounds checked and its sparse values in place. NULL on failure. user what
+ * requests it, for messages widths bits 1 << width: permitted widths */
 const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t accessor,
                                                   uint32_t user, unsigned widths);
 
-/* Gives an accessor that has no values yet those of bytes, count, component and width; fails where
- * they are not what it describes. Scalars may be of another component. */
+/* Sets the bytes, count, component and width of an accessor that has no values yet; fails if they
+ * do not match its description. Scalars may have another component. */
 void burnish_gltf_give(burnish_gltf *gltf, uint32_t number, uint32_t user,
                        const burnish_gltf_accessor *values);
 
-/* Bytes of a burnish_gltf_component; 0 for what is none. */
+/* Bytes of a burnish_gltf_component; 0 if it is invalid. */
 size_t burnish_gltf_component_size(int component);
 
-/* The components of element i, normalised ones in [-1, 1] or [0, 1]. */
+/* The components of element i; normalised components are in [-1, 1] or [0, 1]. */
 void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, double *components);
 
-/* Element i of one of integers, as it stands. */
+/* A component of element i of an accessor of integers, not normalised. */
 static inline uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accessor, size_t i,
                                             int component) {
     const uint8_t *p = accessor->bytes + i * accessor->stride;

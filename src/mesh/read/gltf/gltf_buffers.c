@@ -1,4 +1,4 @@
-/* glTF's bytes: buffers from the binary chunk, from data URIs and from files beside the input. */
+/* glTF's bytes: buffers from the binary chunk, from data URIs and from files next to the input. */
 #include "mesh/read/gltf/gltf_buffers.h"
 
 #include "mesh/read/gltf/gltf_values.h"
@@ -54,7 +54,7 @@ static int hex_digit(char c) {
                                                 : -1;
 }
 
-/* Percent-decodes in place. Returns the length; a stray '%' stands for itself. */
+/* Percent-decodes in place. Returns the length. A stray '%' is kept. */
 static size_t decode_percents(char *text, size_t size) {
     size_t written = 0;
     for (size_t i = 0; i < size; ++i) {
@@ -188,7 +188,7 @@ static const burnish_gltf_bytes *load_buffer(burnish_gltf *gltf, uint32_t number
         buffer->bytes = gltf->binary;
     } else {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                          "has no uri, and there is no binary chunk for it; export the file again");
+                          "has no uri, and the binary chunk is missing; export the file again");
         return NULL;
     }
     if (gltf->status == BURNISH_STATUS_OK && size > buffer->bytes.size) {

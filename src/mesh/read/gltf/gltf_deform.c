@@ -22,7 +22,7 @@ static double weight_of(burnish_gltf *gltf, const burnish_gltf_node *node, uint3
     return weight;
 }
 
-/* A target's accessor of an attribute, NULL where it has none. */
+/* A target's accessor of an attribute; NULL if absent. */
 static const burnish_gltf_accessor *target_accessor(burnish_gltf *gltf, uint32_t target,
                                                     const char *name, size_t count) {
     const uint32_t number = burnish_gltf_reference(gltf, target, name, BURNISH_GLTF_ACCESSORS);

@@ -10,7 +10,7 @@ typedef struct burnish_gltf_target {
     double weight;
 } burnish_gltf_target;
 
-/* How vertices of what is drawn at the moment go to the world. */
+/* How the vertices of the current primitive are placed in the world. */
 typedef struct burnish_gltf_shape {
     double matrix[12];
     double cofactors[9]; /* turn normals, to their side where the matrix mirrors */
@@ -22,13 +22,14 @@ typedef struct burnish_gltf_shape {
     const burnish_gltf_accessor *joints[BURNISH_GLTF_SETS], *weights[BURNISH_GLTF_SETS];
 } burnish_gltf_shape;
 
-/* How a primitive of a node goes to the world by a matrix, that of the node or of an instance. */
+/* Sets how a primitive of a node is placed in the world by the matrix of the node or of an
+ * instance. */
 void burnish_gltf_set_shape(burnish_gltf *gltf, burnish_gltf_shape *shape,
                             const burnish_gltf_node *node, const double matrix[12],
                             const burnish_gltf_primitive *primitive);
 
-/* Moves a vertex by morph targets, and sets the shape's matrices to those of its joints. Returns 0
- * on failure. */
+/* Moves a vertex by morph targets, and sets the shape's matrices from its joints. Returns 0 on
+ * failure. */
 int burnish_gltf_move(burnish_gltf *gltf, burnish_gltf_shape *shape, size_t vertex,
                       double position[3], double normal[3]);
 

@@ -61,7 +61,7 @@ uint32_t burnish_gltf_draco(burnish_gltf *gltf, uint32_t primitive) {
     if (extension == BURNISH_JSON_NONE) {
         return BURNISH_JSON_NONE;
     }
-    /* where positions stand in the file as they are too, these are taken */
+    /* if the file also has uncompressed positions, they are used */
     const uint32_t attributes = burnish_gltf_object(gltf, primitive, "attributes");
     const uint32_t number =
         burnish_gltf_reference(gltf, attributes, "POSITION", BURNISH_GLTF_ACCESSORS);
@@ -121,7 +121,7 @@ static void visit_primitives(draco *d,
 static void find_stream(draco *d, uint32_t primitive, uint32_t extension) {
     if (!d->gltf->reader->input->options->decoder.decode) {
         burnish_gltf_fail(d->gltf, BURNISH_STATUS_FORMAT, primitive,
-                          "is compressed by KHR_draco_mesh_compression, and there is no decoder of "
+                          "is compressed by KHR_draco_mesh_compression, but there is no decoder of "
                           "that here; export the file without");
         return;
     }
@@ -239,7 +239,7 @@ static void read_answer(draco *d) {
 
 /* ---- Accessors ---- */
 
-/* Gives an accessor the values of a stream, unless it has some already. */
+/* Gives an accessor the values of a stream, unless it already has values. */
 static void give(burnish_gltf *gltf, uint32_t number, uint32_t value, const uint8_t *bytes,
                  size_t count, uint32_t component, uint32_t width) {
     const burnish_gltf_accessor accessor = {

@@ -4,7 +4,7 @@
 
 #include "mesh/read/gltf/gltf.h"
 
-/* What a decoder's answer begins with. */
+/* The first bytes of a decoder's answer. */
 #define BURNISH_DRACO_MAGIC                                                                        \
     "\x89"                                                                                         \
     "BDA\r\n\x1a\n"
@@ -13,7 +13,7 @@
 void burnish_gltf_decode_draco(burnish_gltf *gltf);
 void burnish_gltf_release_draco(burnish_gltf *gltf);
 
-/* The extension of a primitive that has to be unpacked; NONE: it stands in the file as it is. */
+/* The extension of a primitive that must be unpacked; NONE: it is not compressed. */
 uint32_t burnish_gltf_draco(burnish_gltf *gltf, uint32_t primitive);
 
 #endif

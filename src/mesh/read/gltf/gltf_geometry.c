@@ -1,8 +1,8 @@
 /* From glTF's nodes to the streams of mesh data: once to count, once to fill them.
  *
- * Only vertices that a triangle uses are taken: files often have one large array of vertices, of
- * which each primitive uses some. A scene without triangles is drawn as its lines, and one without
- * lines as its points: solids, of the material's base colour. */
+ * Only vertices that a triangle uses are read: files often have one large array of vertices, of
+ * which each primitive uses a part. A scene without triangles is drawn as its lines, and a scene
+ * without lines as its points: solids of the material's base colour. */
 #include "mesh/read/gltf/gltf_geometry.h"
 
 #include <stdatomic.h>
@@ -35,7 +35,7 @@ typedef struct gltf_drawer {
     size_t most_used;                 /* vertices that one primitive can use */
     uint32_t *slots;                  /* 1 + the vertex that became of one of the primitive's, where
                                          that is above `base` */
-    uint32_t *sources;                /* those of the primitive's, from `base` on */
+    uint32_t *sources;                /* the primitive's vertices, from `base` on */
     uint32_t base;                    /* vertices before the primitive */
     uint16_t material;
     double base_color[4];      /* of lines and points */
@@ -61,7 +61,7 @@ static void put_unit(const double *direction, float *to) {
 /* ---- Vertices ---- */
 
 /* Writes position and normal; a normal that the file has not is 0: it will be generated. Returns 0
- * where single precision does not hold the position. p, n: as they are in the file, or moved */
+ * if the position exceeds single precision. p, n: of the file, or moved */
 static int put_place(const gltf_drawer *drawer, const double p[3], const double n[3], float *to,
                      float *to_normal) {
     double turned[3];
@@ -104,7 +104,7 @@ static void put_color(const gltf_drawer *drawer, size_t vertex, uint8_t *to) {
     for (int i = 0; i < 3; ++i) {
         to[i] = burnish_linear_to_srgb((float)(color[i] * drawer->base_color[i]));
     }
-    to[3] = 255; /* alpha counts only where the material says so */
+    to[3] = 255; /* alpha counts only if the material enables it */
     if (drawer->kind == BURNISH_GLTF_TRIANGLES &&
         drawer->mesh->materials[drawer->material].alpha_mode != BURNISH_ALPHA_IGNORE &&
         drawer->color && drawer->color->width == 4) {
@@ -148,7 +148,7 @@ static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
     return 1;
 }
 
-/* Ends at the first that can't be placed, and tells which of all those is the first. */
+/* Ends at the first vertex that can't be placed, and records the first of all threads. */
 static void convert_range(void *context, size_t first, size_t end) {
     gltf_drawer *drawer = context;
     for (size_t i = first; i < end; ++i) {

@@ -22,7 +22,7 @@ static double clamp(double value, double low, double high) {
 typedef struct gltf_surface {
     double base[4];
     double metallic, roughness;
-    double reflectance[3]; /* at normal incidence, of what is no metal */
+    double reflectance[3]; /* at normal incidence, for a dielectric */
 } gltf_surface;
 
 /* KHR_materials_ior and KHR_materials_specular: f0 = ((ior - 1) / (ior + 1))^2, times strength and
@@ -60,7 +60,7 @@ static void read_glossy(burnish_gltf *gltf, uint32_t glossy, gltf_surface *surfa
     }
 }
 
-/* What the surface is without textures. */
+/* The surface without textures. */
 static burnish_material make_material(const gltf_surface *surface) {
     burnish_material material = {.has_diffuse = 1,
                                  .metallic = (float)surface->metallic,
@@ -104,8 +104,8 @@ static void read_alpha(burnish_gltf *gltf, uint32_t value, double alpha,
     }
 }
 
-/* Textures that multiply what glTF's numbers say need the base colour and the rest as they are;
- * so do colours of vertices on a metal. */
+/* Textures that multiply glTF's factors need the original base colour and factors; so do vertex
+ * colours on a metal. */
 static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
                           burnish_material *material) {
     const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");

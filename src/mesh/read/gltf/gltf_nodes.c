@@ -89,7 +89,7 @@ static void find_parents(burnish_gltf *gltf) {
     }
 }
 
-/* Parents before children. A loop of nodes has no root, so that none of it is ever reached. */
+/* Parents before children. A loop of nodes has no root and is never reached. */
 static void find_order(burnish_gltf *gltf) {
     const size_t count = gltf->counts[BURNISH_GLTF_NODES];
     size_t known = 0;

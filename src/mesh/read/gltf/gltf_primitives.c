@@ -107,7 +107,7 @@ static void count_elements(burnish_gltf *gltf, burnish_gltf_primitive *primitive
     }
     if (corners % of_each != 0) {
         burnish_gltf_note(gltf, &gltf->rests, primitive->value,
-                          "%zu corners do not make whole %s; the last %zu are passed over", corners,
+                          "%zu corners do not make whole %s; the last %zu are ignored", corners,
                           primitive->mode == LINES ? "lines" : "triangles", corners % of_each);
     }
 }

@@ -4,7 +4,7 @@
 
 #include "mesh/read/gltf/gltf.h"
 
-/* What a primitive is made of, its elements. */
+/* The elements of a primitive. */
 typedef enum burnish_gltf_kind {
     BURNISH_GLTF_POINTS,
     BURNISH_GLTF_LINES,

@@ -23,7 +23,7 @@ static void find_middle(const burnish_mesh_data *mesh, double middle[3]) {
     }
 }
 
-/* Returns 0 where a node's matrix leaves no direction, or numbers are beyond what is drawn. */
+/* Returns 0 if a node's matrix leaves no direction, or numbers exceed the range that is drawn. */
 static int place_camera(const double matrix[12], const double origin[3], const double middle[3],
                         burnish_camera *camera) {
     double lengths[2] = {0, 0}, distance = 0;
@@ -44,7 +44,7 @@ static int place_camera(const double matrix[12], const double origin[3], const d
     for (int row = 0; row < 3; ++row) {
         distance += forward * matrix[4 * row + 2] * (middle[row] - camera->position[row]);
     }
-    distance = distance > 1e-6 ? distance : 1; /* what it looks at may lie behind it */
+    distance = distance > 1e-6 ? distance : 1; /* the object may be behind the camera */
     for (int row = 0; row < 3; ++row) {
         camera->focal_point[row] = camera->position[row] + distance * forward * matrix[4 * row + 2];
     }
@@ -106,7 +106,7 @@ void burnish_gltf_read_cameras(burnish_gltf *gltf) {
 
 /* ---- Lights ---- */
 
-/* Intensities outside are none of a light that anyone means, and would lose the others. */
+/* Intensities outside this range are not intended, and would make other lights vanish. */
 #define INTENSITY_MIN 1e-30
 #define INTENSITY_MAX 1e30
 
@@ -117,7 +117,7 @@ typedef struct gltf_lights {
     size_t count;
 } gltf_lights;
 
-/* Returns the length; 0 where there is no direction, or numbers are beyond what is drawn. */
+/* Returns the length; 0 without a direction, or if numbers exceed the range that is drawn. */
 static double normalize(double direction[3]) {
     double square = 0;
     for (int i = 0; i < 3; ++i) {
@@ -130,7 +130,7 @@ static double normalize(double direction[3]) {
     return length;
 }
 
-/* Where a light stands, as seen from the middle. Returns 0 where it can't be used. */
+/* The position of a light relative to the middle. Returns 0 if it can't be used. */
 static int place_light(const double matrix[12], const double origin[3], const double middle[3],
                        burnish_light *light, double toward[3], double *fall_off) {
     for (int row = 0; row < 3; ++row) {

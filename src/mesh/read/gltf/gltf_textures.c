@@ -249,7 +249,7 @@ static burnish_gltf_bytes binary_image(const burnish_gltf *gltf, uint32_t image)
     return (burnish_gltf_bytes){gltf->binary.bytes + offset, size};
 }
 
-/* Whether a URI is a file's name; one with escapes waits until it is asked for. */
+/* Whether a URI is a plain file name. A name with escapes is not decoded ahead. */
 static int is_plain_name(const burnish_gltf *gltf, uint32_t uri) {
     if (!burnish_json_is_kind(&gltf->json, uri, BURNISH_JSON_STRING)) {
         return 0;

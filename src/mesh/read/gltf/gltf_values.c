@@ -1,5 +1,5 @@
-/* Members of glTF's objects: each is of the kind that the specification says, or a line tells where
- * it is not. */
+/* Members of glTF's objects. A member that is not of the specified kind fails, with its location.
+ */
 #include "mesh/read/gltf/gltf_values.h"
 
 #include <stdarg.h>
@@ -95,8 +95,8 @@ uint32_t burnish_gltf_extension(burnish_gltf *gltf, uint32_t object, const char 
     return burnish_gltf_object(gltf, burnish_gltf_object(gltf, object, "extensions"), name);
 }
 
-/* Whether a value is a whole number of [0, most]. Doubles hold all of those that matter exactly:
- * most is at most 2^53. */
+/* Whether a value is a whole number of [0, most]. Doubles represent these numbers exactly, as
+ * `most` is at most 2^53. */
 static int read_whole(burnish_gltf *gltf, uint32_t value, uint64_t most, uint64_t *whole) {
     double number;
     if (burnish_json_number(&gltf->json, value, &number) && number >= 0 && number <= (double)most &&

@@ -4,13 +4,14 @@
 
 #include "mesh/read/gltf/gltf.h"
 
-/* Fails with "NAME:LINE: PATH: ..."; value NONE: without place. The first failure stays. Where the
- * file is lenient, what is no matter of limits is noted instead, and status stays. Returns 0. */
+/* Fails with "NAME:LINE: PATH: ..."; value NONE: without a location. The first failure is kept. If
+ * the file is read leniently, anything but a limit becomes a note, and the status is unchanged.
+ * Returns 0. */
 __attribute__((format(printf, 4, 5))) int burnish_gltf_fail(burnish_gltf *gltf,
                                                             burnish_status status, uint32_t value,
                                                             const char *format, ...);
 
-/* Notes what was passed over, in the same form. */
+/* Notes what was ignored, in the same form. */
 __attribute__((format(printf, 4, 5))) void burnish_gltf_note(burnish_gltf *gltf,
                                                              burnish_warning_group *group,
                                                              uint32_t value, const char *format,
@@ -19,7 +20,7 @@ __attribute__((format(printf, 4, 5))) void burnish_gltf_note(burnish_gltf *gltf,
 /* Takes over a failure of memory. Returns whether all is well. */
 int burnish_gltf_is_fine(burnish_gltf *gltf);
 
-/* The member of an object, NONE where it is not there; one of another kind fails. */
+/* The member of an object; NONE if it is missing. A member of another kind fails. */
 uint32_t burnish_gltf_object(burnish_gltf *gltf, uint32_t object, const char *key);
 uint32_t burnish_gltf_array(burnish_gltf *gltf, uint32_t object, const char *key);
 
@@ -31,12 +32,12 @@ uint64_t burnish_gltf_whole(burnish_gltf *gltf, uint32_t object, const char *key
                             uint64_t otherwise, uint64_t most);
 double burnish_gltf_number(burnish_gltf *gltf, uint32_t object, const char *key, double otherwise);
 
-/* `count` numbers; where the member is not there, they stay. Returns whether it is. */
+/* `count` numbers, unchanged if the member is missing. Returns whether it is present. */
 int burnish_gltf_numbers(burnish_gltf *gltf, uint32_t object, const char *key, int count,
                          double *numbers);
 int burnish_gltf_flag(burnish_gltf *gltf, uint32_t object, const char *key, int otherwise);
 
-/* The number of an item of a list; NONE where the member is not there, or on failure. */
+/* The number of an item of a list; NONE if the member is missing, or on failure. */
 uint32_t burnish_gltf_reference(burnish_gltf *gltf, uint32_t object, const char *key,
                                 burnish_gltf_list list);
 

@@ -60,7 +60,7 @@ static const uint8_t *read_group(const uint8_t *p, const uint8_t *end, unsigned 
         bits == 0 ? (void)memset(out, 0, GROUP) : (void)memcpy(out, p, GROUP);
         return p + packed;
     }
-    const unsigned most = (1u << bits) - 1; /* stands for a byte behind the packed ones */
+    const unsigned most = (1u << bits) - 1; /* means a byte after the packed ones */
     const uint8_t *more = p + packed;
     for (unsigned i = 0; i < GROUP; ++i) {
         const unsigned at = i * bits, shift = bits == 1 ? i % 8 : 8 - bits - at % 8;
@@ -94,7 +94,7 @@ static void put_differences(const uint8_t *differences, size_t first, size_t cou
     }
 }
 
-/* Returns the byte after those that were read; NULL where there are too few. */
+/* Returns the next byte; NULL if there are too few. */
 static const uint8_t *read_column(const uint8_t *p, const uint8_t *end, unsigned control,
                                   byte_column *to) {
     static const uint8_t all_bits[][4] = {[CONTROL_SMALL] = {0, 1, 2, 4},
@@ -130,8 +130,8 @@ static const uint8_t *read_column(const uint8_t *p, const uint8_t *end, unsigned
     return p;
 }
 
-/* What the differences of four bytes are of: each of them, two of 16 bits, or one of 32 bits that
- * is combined by XOR and rotated. */
+/* The unit of the differences of four bytes: each byte, two 16-bit numbers, or one 32-bit number
+ * that is combined by XOR and rotated. */
 enum { CHANNEL_BYTES, CHANNEL_PAIRS, CHANNEL_XOR };
 
 static uint32_t get_bytes(const uint8_t *p, size_t size) {
@@ -294,7 +294,7 @@ static uint32_t read_index(history *h) {
     return h->last;
 }
 
-/* A triangle beside an edge seen before. */
+/* A triangle next to an earlier edge. */
 static void read_beside(history *h, unsigned code, unsigned first_free, uint32_t triangle[3]) {
     const uint32_t *edge = h->edges[(h->edge - 1 - (code >> 4)) & 15];
     const unsigned third = code & 15;

@@ -1,15 +1,15 @@
 /* MTL: the material library of an OBJ (Wavefront, "MTL material format", 1995).
  *
  * Read: newmtl, Ka, Kd, Ks, Ke (sRGB values, made linear; outside [0, 1] clamped), Ns, illum, d, Tr
- * and textures (mtl_maps.c). All else is passed over. A faulty statement is passed over as
- * well, with one warning for all of them: a wrong colour is no reason not to draw a mesh.
+ * and textures (mtl_maps.c). Everything else is ignored. A faulty statement is also ignored, with
+ * one warning for all of them: a mesh with a wrong colour should still be drawn.
  *
  * Ka is unreliable: exporters write 1 1 1 or 0 0 0 whatever the material is. So the ambient colour
  * is Kd when Ka is absent, all 0 or all 1.
  *
  * d is opacity, Tr mostly 1 - d, but older exporters (3ds Max) write d 1 and Tr 1 for what is
- * opaque: where both are given, d counts. What would be wholly transparent would not have been
- * exported to be seen so: it is opaque. */
+ * opaque: where both are given, d counts. A material that is fully transparent is not intended, and
+ *         becomes opaque. */
 #include "mesh/read/obj/mtl.h"
 
 #include <string.h>
@@ -185,7 +185,7 @@ static void read_illumination(mtl_state *mtl) {
     }
 }
 
-/* d FACTOR, d -halo FACTOR, or Tr FACTOR. A factor that is no number is passed over. */
+/* d FACTOR, d -halo FACTOR, or Tr FACTOR. A factor that is not a number is ignored. */
 static void read_opacity(mtl_state *mtl, float *value, int *has) {
     burnish_token token;
     int found = burnish_lexer_token(&mtl->lexer, &token);

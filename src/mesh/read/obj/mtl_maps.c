@@ -33,7 +33,7 @@ static const struct {
     {"-blendu", 1, 1}, {"-blendv", 1, 1},  {"-mm", 2, 2},   {"-boost", 1, 1}, {"-cc", 1, 1},
     {"-texres", 1, 1}, {"-imfchan", 1, 1}, {"-type", 1, 1},
 };
-enum { SCALE, OFFSET, BUMP, CLAMP, READ /* ... and the others passed over */ };
+enum { SCALE, OFFSET, BUMP, CLAMP, READ /* ... and the others ignored */ };
 
 static int is_word(burnish_token token, const char *word) {
     return token.size == strlen(word) &&
@@ -78,7 +78,7 @@ int burnish_mtl_is_map(burnish_token keyword) {
            is_word(keyword, "refl") || is_word(keyword, "norm");
 }
 
-/* The name of the file, beside the library's where that lies in a folder. */
+/* The name of the file, relative to the folder of the library. */
 static char *copy_name(burnish_memory *memory, const char *library, burnish_token file) {
     const char *slash = strrchr(library, '/');
     const size_t folder = slash && *library != '/' ? (size_t)(slash - library) + 1 : 0;
@@ -226,8 +226,8 @@ static void make_white(float color[3]) {
     color[0] = color[1] = color[2] = 1;
 }
 
-/* Colours of 0 beside their map are what exporters write for "see the map". Others are factors of
- * its light, not colours: Blender's 0.64 must not halve it twice. */
+/* Exporters write a colour of 0 next to a map to mean "see the map". Others are factors of its
+ * light, not colours: Blender's 0.64 must not halve it twice. */
 static void set_factors(const burnish_mtl_entry *entry, int slot, burnish_material *material) {
     if (slot == BURNISH_TEXTURE_COLOR) {
         if (is_black(entry->diffuse)) {

@@ -7,7 +7,7 @@
 /* Whether a statement names a texture. */
 int burnish_mtl_is_map(burnish_token keyword);
 
-/* Reads one; lexer: after the keyword. What is not drawn goes to `unsupported`. Errors: the mesh's
+/* Reads one; lexer: after the keyword. Unsupported maps go to `unsupported`. Errors: the mesh's
  * memory. */
 void burnish_mtl_read_map(burnish_reader *reader, burnish_mtl_entry *entry, burnish_token keyword,
                           burnish_lexer *lexer, burnish_warning_group *unsupported);

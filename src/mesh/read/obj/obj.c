@@ -56,8 +56,8 @@ static void note_other(obj_state *obj, const burnish_chunk_event *event, burnish
     }
 }
 
-/* l v v ...: lexer at the keyword, `before` positions stand before it. A number that is no vertex's
- * becomes BURNISH_NONE. */
+/* l v v ...: lexer at the keyword, `before` positions stand before it. An index that is out of
+ * range becomes BURNISH_NONE. */
 static burnish_status read_line(obj_state *obj, burnish_lexer *lexer, size_t before) {
     burnish_memory *memory = &obj->reader->mesh->memory;
     burnish_token token;
@@ -264,7 +264,7 @@ static burnish_status read_input(burnish_reader *reader) {
     return status;
 }
 
-/* The first word of the first line that is no comment is one of the format's. */
+/* The first word of the first line that is not a comment is a keyword of the format. */
 static int recognise(const uint8_t *bytes, size_t size) {
     static const char *const words[] = {"v", "vn", "vt", "f",      "o",      "g",
                                         "s", "l",  "p",  "mtllib", "usemtl", "vp"};

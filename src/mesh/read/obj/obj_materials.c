@@ -1,7 +1,7 @@
 /* Material libraries of an OBJ file, and which of its triangles have which material.
  *
- * Names are resolved at the end, sorted, so that a file of nothing but usemtl stays O(n log n); of
- * two materials with one name the first counts. */
+ * Names are sorted and resolved at the end, so a file of nothing but usemtl stays O(n log n). Of
+ * two materials with one name, the first counts. */
 
 #include "mesh/read/obj/obj_materials.h"
 
@@ -59,8 +59,8 @@ static int is_separator(uint8_t c) {
     return c == '/' || c == '\\';
 }
 
-/* The next byte of a path, separators and parts "." between its parts passed over; '/' stands for
- * them. *at moves past it. 0 at the end, before which separators don't count. */
+/* The next byte of a path, with separators and "." parts folded into one '/'. *at moves past it.
+ * Returns 0 at the end; trailing separators don't count. */
 static uint8_t next_byte(burnish_token path, size_t *at) {
     size_t i = *at;
     int separated = i == 0;
@@ -176,9 +176,9 @@ static int write_name(burnish_token token, int unescape, char *name) {
     return escaped;
 }
 
-/* Reads one library: as it is named, with escaped blanks, or else its last part beside the input,
- * where the name is a path of another machine. *missing becomes 1 when the file is not there;
- * nothing is reported then. */
+/* Reads one library: the file of that name, with escaped blanks, or else its last part next to the
+ * input, if the name is a path of another machine. *missing becomes 1 without a report if the file
+ * does not exist. */
 static burnish_status open_library(burnish_obj_materials *materials, burnish_token token,
                                    burnish_error *why, int *missing) {
     char name[LIBRARY_NAME_SIZE];
@@ -207,7 +207,7 @@ static burnish_status open_library(burnish_obj_materials *materials, burnish_tok
         status = load_library(materials, slash + 1, &unused, missing);
         if (status == BURNISH_STATUS_OK && !*missing) {
             burnish_reader_note(materials->reader, &materials->elsewhere, token.bytes,
-                                "material library \"%s\" is beside the file",
+                                "material library \"%s\" is next to the file",
                                 burnish_token_quote(token).text);
         }
     }
@@ -340,7 +340,7 @@ static int compare_key(const void *name, const void *entry) {
     return -compare_names(*(const burnish_mtl_entry *const *)entry, *(const burnish_token *)name);
 }
 
-/* Gives heads whose whole name is that of no entry the one that is named before a comment. */
+/* For heads whose whole name matches no entry, takes the entry that is named before a comment. */
 static void match_before_comments(burnish_obj_materials *materials, void **entries, size_t count) {
     for (size_t i = 0; i < materials->run_count && count > 0; ++i) {
         burnish_obj_run *run = &materials->runs[i];

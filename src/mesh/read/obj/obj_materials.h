@@ -27,8 +27,8 @@ typedef struct burnish_obj_materials {
     burnish_mtl library;
     burnish_token libraries[BURNISH_OBJ_LIBRARIES]; /* names already asked for */
     size_t library_count;
-    int library_missing;             /* said so already: no word about the materials in it */
-    int library_limit;               /* said so already: no further one is read */
+    int library_missing;             /* already reported: no warning about the materials in it */
+    int library_limit;               /* already reported: no more are read */
     burnish_warning_group missing;   /* materials that are in no library */
     burnish_warning_group elsewhere; /* libraries whose paths lead elsewhere */
 } burnish_obj_materials;
@@ -45,7 +45,7 @@ burnish_status burnish_obj_begin_run(burnish_obj_materials *materials, size_t fi
  * Errors: MEMORY. */
 burnish_status burnish_obj_read_libraries(burnish_obj_materials *materials, burnish_lexer *lexer);
 
-/* At the end: the mesh's materials and those of its triangles. Errors: LIMIT, MEMORY. */
+/* At the end: sets the materials of the mesh and of its triangles. Errors: LIMIT, MEMORY. */
 burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials);
 
 #endif

@@ -3,8 +3,8 @@
 
 #include "mesh/read/common/origin.h"
 
-/* Numbers of a corner: those of its attributes, by attribute. No corner has a colour of its own, so
- * that in its column stands which of the others are relative, as bits 1 << attribute. */
+/* The indices of a corner, by attribute. No corner has a colour of its own, so that in its column
+ * stands which of the others are relative, as bits 1 << attribute. */
 enum { COLUMNS = BURNISH_TEXCOORD + 1, RELATIVE = BURNISH_COLOR };
 
 typedef struct obj_parser {
@@ -99,8 +99,8 @@ static void read_vertex(obj_parser *obj, const uint8_t *at) {
     }
 }
 
-/* Numbers that are not finite become 0: exporters write nan for faces without area. What is no
- * normal at all is 0, 0, 0, which is generated again. */
+/* Numbers that are not finite become 0: exporters write nan for faces without area. An unreadable
+ * normal becomes 0, 0, 0 and is generated. */
 static void read_normal(obj_parser *obj, const uint8_t *at) {
     burnish_token token;
     burnish_number_status number;
@@ -380,7 +380,7 @@ static void read_face(obj_parser *obj, const uint8_t *at) {
 /* They make geometry that is not drawn. */
 static const char *const free_form_words[] = {"curv", "curv2", "surf", "bzp",
                                               "bsp",  "cdc",   "cdp",  NULL};
-/* They make none of their own, or belong to those that do. */
+/* They produce no triangles, or belong to statements that do. */
 static const char *const silent_words[] = {
     "mg",     "usemap", "maplib", "bevel", "lod",  "c_interp",   "d_interp",  "call", "csh",
     "cstype", "deg",    "bmat",   "step",  "parm", "trim",       "hole",      "scrv", "sp",

@@ -1,4 +1,4 @@
-/* OBJ inside its reader: what parsing a chunk leaves for the file to settle. */
+/* The statements of OBJ: parsing a chunk, and its events. */
 #ifndef BURNISH_MESH_READ_OBJ_OBJ_STATEMENTS_H
 #define BURNISH_MESH_READ_OBJ_OBJ_STATEMENTS_H
 
@@ -16,8 +16,8 @@ enum {
     BURNISH_OBJ_OTHER
 };
 
-/* While the file is read, alpha says what a colour's numbers counted to, as the file's largest
- * tells only at its end: a vertex without a colour has 255. */
+/* The range of a colour is known only at the end of the file. Until then alpha records what the
+ * colour's numbers counted to; a vertex without a colour has 255. */
 enum { BURNISH_OBJ_COUNTS_TO_1 = 1, BURNISH_OBJ_COUNTS_TO_255 = 2 };
 
 /* Reads statements from chunk->first on until one ends at chunk->end or after it.

@@ -1,8 +1,8 @@
 /* PLY (G. Turk, "The PLY Polygon File Format", 1994): the body, element by element.
  *
  * Rows are read one after the other (ply_rows.c). Binary rows that all have one size need no
- * decoding to be found: those of vertices are converted column by column, those of triangles at
- * once, by all threads (ply_binary.c). */
+ * decoding to be found: all threads convert vertices column by column, and triangles row by row
+ * (ply_binary.c). */
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"
@@ -17,7 +17,7 @@
 
 /* ---- Binary rows of one size ---- */
 
-/* All values of the vertices, whose rows are all there. What is odd is left for
+/* All values of the vertices, whose rows are all there. Unusual rows are left to
  * burnish_ply_read_rows(). */
 static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *rows,
                                     const uint8_t **at) {
@@ -244,7 +244,7 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
     if (!is_ascii && lists == 0 && element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
         return read_vertices(ply, &rows, at);
     }
-    if (!is_ascii && lists == 0) { /* no face has none */
+    if (!is_ascii && lists == 0) { /* every face has corners */
         *at += element->count * rows.row_size;
         return BURNISH_STATUS_OK;
     }
@@ -254,8 +254,8 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
     return burnish_ply_read_rows(ply, at, (size_t)element->count);
 }
 
-/* Whether the first line of an element's rows holds one: the rows' ends are looked at as they are
- * read, but rows with fewer values than the header says may end where lines do. */
+/* Whether the first line of an element's rows is a whole row. Rows that are too short may still end
+ * where lines do, so each row's end is checked again while reading. */
 static int first_line_is_row(const burnish_ply_state *ply, const uint8_t *at) {
     enum { LONG = 1 << 12 };
     const burnish_ply_element *element = ply->element;
@@ -341,7 +341,7 @@ static burnish_status read_again(burnish_ply_state *ply, int by_lines, size_t *l
     return read_elements(ply, left);
 }
 
-/* What could not be read may have comments, or lines that hold too little or too much. */
+/* A body that could not be read may have comments, or lines with too few or too many values. */
 static burnish_status read_otherwise(burnish_ply_state *ply, burnish_status first, size_t *left) {
     int any;
     burnish_status status = burnish_ply_hide_comments(ply, &any);

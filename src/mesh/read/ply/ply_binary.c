@@ -57,7 +57,7 @@ void burnish_ply_convert_face_colors(void *user_data, const uint8_t *bytes, size
                    burnish_colors(rows->mesh) + 4 * (rows->first_triangle + first));
 }
 
-/* Rows [first, end) of vertices, some at a time, so that they stay in the first-level cache. */
+/* Rows [first, end) of vertices, in groups that fit into the first-level cache. */
 void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t first, size_t end) {
     enum { ROWS = 512 };
     burnish_ply_rows *rows = user_data;
@@ -86,8 +86,8 @@ void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t 
     }
 }
 
-/* Triangles whose rows are as most files have them, a byte and three words in the order of this
- * machine; negative corners are too large as they are. Returns the first odd row. */
+/* Triangles in the most common layout: a byte and three words in the byte order of this machine.
+ * Negative corners read as too large. Returns the first odd row. */
 static size_t convert_common(const burnish_ply_rows *rows, const uint8_t *bytes, size_t count,
                              uint32_t *to) {
     const size_t row_size = rows->row_size;

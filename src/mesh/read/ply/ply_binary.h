@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-/* Where a value stands in a row. */
+/* The position of a value in a row. */
 typedef struct burnish_ply_column {
     size_t offset;
     burnish_ply_type type; /* NONE: absent */

@@ -1,13 +1,12 @@
-/* PLY: comments among the rows of an ASCII body, where the format has none. Rows are read as if
- * there were none; only what can't be read so is looked through, and read again from a copy in
- * which they are blanks, so that every line keeps its number. */
+/* PLY: comments among the rows of an ASCII body, which the format does not permit. Rows are first
+ *      read normally. A body that can't be read is searched for comments, and read again from a
+ *      copy with blanks in their place, which keeps the line numbers. */
 #include "mesh/read/ply/ply_comments.h"
 
 #include "mesh/read/ply/ply_header.h"
 #include "mesh/read/ply/ply_rows.h"
 
-/* Of the words that begin lines of a header those that say nothing, and what other programs know.
- */
+/* The first words of header lines without meaning, and comments of other programs. */
 static int is_comment(const uint8_t *line, const uint8_t *end) {
     static const char *const words[] = {"comment", "obj_info"};
     while (line < end && burnish_is_blank(*line)) {

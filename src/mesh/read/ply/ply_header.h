@@ -28,7 +28,7 @@ static inline size_t burnish_ply_type_size(burnish_ply_type type) {
     return sizes[type];
 }
 
-/* What a property is to burnish. Those of a vertex before ROLE_COUNT are columns of a row. */
+/* The role of a property. Roles before ROLE_COUNT are columns of a vertex's row. */
 typedef enum burnish_ply_role {
     BURNISH_PLY_X,
     BURNISH_PLY_Y,
@@ -46,7 +46,7 @@ typedef enum burnish_ply_role {
     BURNISH_PLY_CORNERS,   /* vertex_indices of a face or of triangle strips */
     BURNISH_PLY_TEXCOORDS, /* texcoord of a face: u and v of each corner */
     BURNISH_PLY_TEXNUMBER, /* which of the header's textures it shows, from 0 */
-    BURNISH_PLY_OTHER      /* passed over */
+    BURNISH_PLY_OTHER      /* ignored */
 } burnish_ply_role;
 
 typedef struct burnish_ply_property {

@@ -25,7 +25,7 @@ typedef struct ply_parser {
     int has_normals, has_coordinates, has_colors; /* of vertices */
 } ply_parser;
 
-/* What of a face's row is used once all of it is known. */
+/* The part of a face's row that is used after all of it has been read. */
 typedef struct face_row {
     size_t corner_count;
     const uint8_t *coordinates; /* the values of texcoord */
@@ -62,7 +62,8 @@ static int fail_truncated(ply_parser *p) {
     return 0;
 }
 
-/* An ASCII value. What is not finite is NaN: whether that matters is the property's to say. */
+/* An ASCII value. A value that is not finite becomes NaN; the property decides whether that is an
+ * error. */
 static int read_word(ply_parser *p, double *value) {
     burnish_token word;
     burnish_number_status number;
@@ -211,8 +212,8 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
     }
 }
 
-/* Triangles between three corners in a row, every second one the other way round; those that only
- * turn the strip (two corners the same) are left out. */
+/* Triangles of three successive corners, every second one reversed. Triangles that only turn the
+ * strip (two equal corners) are skipped. */
 static void append_strips(ply_parser *p, const uint8_t *at, const uint32_t *corners, size_t count) {
     size_t start = 0;
     for (size_t i = 0; i < count && p->chunk->status == BURNISH_STATUS_OK; ++i) {
@@ -304,7 +305,7 @@ static int at_line_end(ply_parser *p) {
     return p->lexer.next == p->lexer.end || burnish_is_line_end(*p->lexer.next);
 }
 
-/* What a value is that its line does not have: colours are white, the rest 0. */
+/* The default of a missing value: white for colours, 0 for the rest. */
 static double missing_value(const burnish_ply_property *property) {
     return property->role < BURNISH_PLY_RED || property->role > BURNISH_PLY_ALPHA ? 0
            : property->type >= BURNISH_PLY_FLOAT32                                ? 1
@@ -450,8 +451,8 @@ static int read_line_row(ply_parser *p) {
     return good && p->chunk->status == BURNISH_STATUS_OK;
 }
 
-/* Rows that begin before the chunk's end. In ASCII one that reaches beyond a start that was found
- * shows that rows are no lines there. */
+/* Rows that begin before the chunk's end. In ASCII, a row that reaches beyond the start that was
+ * found shows that rows are not lines there. */
 static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
     burnish_chunk *chunk = p->chunk;
     while (chunk->rows < chunk->rows_left) {

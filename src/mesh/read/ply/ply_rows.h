@@ -5,7 +5,7 @@
 #include "mesh/read/ply/ply_header.h"
 #include <string.h>
 
-/* What is known of the file while its body is read. */
+/* The state of reading the body of a file. */
 typedef struct burnish_ply_state {
     burnish_reader *reader;
     burnish_ply_header header;

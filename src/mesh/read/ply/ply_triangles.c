@@ -8,8 +8,8 @@
 
 /* ---- Values ---- */
 
-/* The corners of an attribute of which each triangle appended `each` values; those that not all
- * triangles have are dropped. Returns 0 then. */
+/* The corners of an attribute of which each triangle appended `each` values. The attribute is
+ * dropped if some triangles lack it. Returns 0 then. */
 static int settle(burnish_mesh_data *mesh, burnish_attribute attribute, size_t each) {
     burnish_stream *stream = &mesh->streams[attribute];
     if (stream->count == 0 || stream->count != each * mesh->triangle_count) {
@@ -73,8 +73,8 @@ static int limit_numbers(burnish_mesh_data *mesh, size_t count) {
     return any;
 }
 
-/* A texture's name, in which <this> is the input's own without its folder and ending; 0 where that
- * is too long. */
+/* A texture's name, in which <this> is the input's name without folder and extension; 0 if it is
+ * too long. */
 static int write_name(const burnish_ply_state *ply, burnish_token file, char *name, size_t size) {
     static const char this[] = "<this>";
     const size_t length = sizeof this - 1;
@@ -142,7 +142,7 @@ burnish_status burnish_ply_load_textures(burnish_ply_state *ply) {
     }
     if (mesh->streams[BURNISH_TEXCOORD].count == 0) {
         burnish_reader_warn(ply->reader, header->textures[0].bytes,
-                            "texture \"%s\" is left out: vertices have no s and t, faces no "
+                            "texture \"%s\" was skipped: vertices have no s and t, faces no "
                             "texcoord",
                             burnish_token_quote(header->textures[0]).text);
         return BURNISH_STATUS_OK;

@@ -1,4 +1,4 @@
-/* What triangles have and vertices do not. */
+/* Attributes of triangles that vertices lack. */
 #ifndef BURNISH_MESH_READ_PLY_PLY_TRIANGLES_H
 #define BURNISH_MESH_READ_PLY_PLY_TRIANGLES_H
 
@@ -7,8 +7,8 @@
 /* From a triangle on, texture n of the header is shown; BURNISH_PLY_TEXTURES_MAX: none. */
 burnish_status burnish_ply_use_texture(burnish_ply_state *ply, size_t triangle, int texture);
 
-/* Once all triangles are there: gives them the colours and texture coordinates that were read for
- * them, where all have some. */
+/* After all triangles: gives them the colours and texture coordinates that were read for them, if
+ * every triangle has them. */
 burnish_status burnish_ply_settle_triangles(burnish_ply_state *ply);
 
 /* Loads the header's textures, and makes the materials that show them. */

@@ -89,7 +89,7 @@ static void begin_relationship(burnish_threemf_xml *xml, burnish_threemf_element
     }
 }
 
-/* The start part is that of the relationship, else the one that all programs write. */
+/* The start part is named by the relationship, or else by the name that all programs use. */
 static void find_start(burnish_threemf *threemf) {
     static const char usual[] = "3D/3dmodel.model";
     const burnish_threemf_handler handler = {begin_relationship, NULL, NULL};

@@ -1,5 +1,5 @@
-/* 3MF (3MF Consortium, "3D Manufacturing Format: Core Specification" 1.3, "Materials and
- * Properties Extension" 1.2, "Production Extension" 1.1): inside its reader.
+/* 3MF (3MF Consortium, "3D Manufacturing Format: Core Specification" 1.3, "Materials and Properties
+ * Extension" 1.2, "Production Extension" 1.1): the state of its reader.
  *
  *   zip.h           the archive, whose parts are unpacked piece by piece
  *   threemf_xml     a part's XML, by expat: elements with what they stand in, and messages
@@ -89,7 +89,7 @@ typedef struct burnish_threemf_texture {
     uint32_t part;
     char *path; /* of the archive; owned */
     int wrap[2], is_nearest;
-    int number; /* 1 + that of the mesh; 0: not had; -1: not tried yet */
+    int number; /* 1 + the mesh's texture; 0: not loaded; -1: not tried yet */
 } burnish_threemf_texture;
 
 typedef struct burnish_threemf_triangle {
@@ -115,7 +115,7 @@ typedef struct burnish_threemf_object {
     int is_component;         /* 1: another object holds it */
     int has_beams, has_slices;
     int state;                    /* while all are counted: 0, 1 on the way down, 2 done */
-    uint64_t triangles, vertices; /* with those of its components */
+    uint64_t triangles, vertices; /* including its components */
     uint64_t visits;              /* objects that are seen on the way to these */
 } burnish_threemf_object;
 
@@ -147,15 +147,15 @@ typedef struct burnish_threemf {
     burnish_warning_group missing, not_drawn, bad_properties, mixed, slices;
 } burnish_threemf;
 
-/* The number of the part of a name, which is listed where it is new; NONE where the archive has
- * none, after a note. */
+/* The number of the part of a name, which is listed if it is new; NONE after a note if the archive
+ * lacks it. */
 uint32_t burnish_threemf_add_part(burnish_threemf *threemf, const char *name);
 
 /* A copy of a part's name as archives have it: no slash in front, no "." and "..". NULL on failure.
  */
 char *burnish_threemf_copy_name(burnish_threemf *threemf, const char *name);
 
-/* What an id of a part names; NULL: nothing of the kind. Once all parts have been read. */
+/* The resource of an id of a part; NULL: not found. For use after all parts have been read. */
 const burnish_threemf_resource *burnish_threemf_find(const burnish_threemf *threemf, uint32_t part,
                                                      uint32_t id, int kind);
 

@@ -1,5 +1,5 @@
-/* A model part of 3MF: its elements become arrays. What they refer to is looked for later, once all
- * parts are there. */
+/* A model part of 3MF: its elements become arrays. References are resolved later, when all parts
+ * have been read. */
 #include "mesh/read/threemf/threemf_model.h"
 #include "mesh/read/threemf/threemf.h"
 #include "mesh/read/threemf/threemf_xml.h"
@@ -33,7 +33,7 @@ static void add_resource(model_state *model, burnish_threemf_xml *xml, int kind,
 
 /* ---- The model ---- */
 
-/* Whether a namespace is that of an extension that is drawn, or says nothing of what is:
+/* Whether a namespace belongs to an extension that is drawn, or that does not affect drawing:
  * ".../3dmanufacturing/material/2015/02". */
 static int is_known_space(const char *uri) {
     static const char *const known[] = {"/core/",  "/material/",    "/production/",
@@ -46,7 +46,7 @@ static int is_known_space(const char *uri) {
     return 0;
 }
 
-/* A model tells by prefixes which extensions it must not be read without. */
+/* A model lists its required extensions by their prefixes. */
 static void check_required(burnish_threemf_xml *xml, const char *const *attributes,
                            const char *prefixes) {
     burnish_lexer lexer = burnish_lexer_open((const uint8_t *)prefixes, strlen(prefixes), 0);

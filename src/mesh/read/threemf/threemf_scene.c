@@ -1,5 +1,5 @@
-/* 3MF's build: objects that stand in it, and in each other. Once all are counted, without looking
- * at any of them twice, what is drawn is written to the mesh. */
+/* 3MF's build: objects placed in it, and in each other. Objects are first counted, each only once,
+ * and then written to the mesh. */
 #include "mesh/read/threemf/threemf_scene.h"
 
 #if BURNISH_HAS_3MF
@@ -12,7 +12,7 @@
 
 enum {
     NESTING_MOST = 64,     /* objects in objects */
-    VISITS_MOST = 1 << 22, /* objects that are placed, also those that hold others only */
+    VISITS_MOST = 1 << 22, /* objects that are placed, including those that only contain others */
     STEP = 1 << 16         /* triangles after which it asks whether to end */
 };
 
@@ -34,7 +34,7 @@ static void resolve(burnish_threemf *threemf, burnish_threemf_placement *placeme
     placement->object = resource ? resource->index : BURNISH_THREEMF_NONE;
     if (!resource && placement->part != BURNISH_THREEMF_NONE) {
         burnish_reader_note(
-            threemf->reader, &threemf->missing, NULL, "%s: there is no object %u; it is left out",
+            threemf->reader, &threemf->missing, NULL, "%s: object %u does not exist and is ignored",
             burnish_threemf_show(threemf, part, placement->line).text, placement->id);
     }
 }
@@ -182,8 +182,9 @@ static void multiply(const double a[12], const double b[12], double product[12])
     }
 }
 
-/* Calls `use` for an object of the build and all that it holds, wherever it does; what has no
- * triangles is passed over, so that there are no more steps than visits. Returns 0 on failure. */
+/* Calls `use` for an object of the build and for everything that it contains, at each place.
+ * Objects without triangles are skipped, which limits the steps to the visits. Returns 0 on
+ * failure. */
 static int walk(scene_writer *writer, const burnish_threemf_placement *item, use_object *use) {
     burnish_threemf *threemf = writer->threemf;
     struct {
@@ -367,7 +368,7 @@ static int count_all(scene_writer *writer) {
     return threemf->status == BURNISH_STATUS_OK;
 }
 
-/* Colours and coordinates are numbered by corners, so that those of the file serve all. */
+/* Corners index colours and coordinates, so all placements share the file's values. */
 static int copy_values(scene_writer *writer, burnish_attribute attribute, const void *items,
                        size_t count) {
     burnish_mesh_data *mesh = writer->mesh;

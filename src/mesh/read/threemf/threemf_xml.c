@@ -1,8 +1,8 @@
 /* XML of 3MF by expat: a part is unpacked and parsed piece by piece.
  *
- * expat takes no pointer for its memory functions, so that its memory comes from malloc. That is
- * bounded here: by the depth of elements, by the size of one tag, and by what parts unpack to. A
- * document type is refused where it begins, so there are no entities but XML's five. */
+ * expat's memory functions take no context, so its memory comes from malloc. It is limited here by
+ * the depth of elements, by the size of one tag, and by the unpacked size of parts. A document type
+ * is rejected at its start, so only XML's five entities exist. */
 #include "mesh/read/threemf/threemf_xml.h"
 
 #if BURNISH_HAS_3MF
@@ -18,8 +18,8 @@ enum {
     TOKEN_MOST = 1 << 20 /* bytes of a tag, comment ...: expat scans it again for each piece */
 };
 
-/* Each element: its name, and what it stands in. Prefixes are passed over, for files of the
- * format's own makers use some without declaring them, or leave them out. */
+/* Each element: its name and its parent. Prefixes are ignored, because even files of the format's
+ * authors use some without declaring them, or omit them. */
 static const struct element_row {
     burnish_threemf_element element, parent;
     const char *name;

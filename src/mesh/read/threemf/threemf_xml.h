@@ -4,9 +4,9 @@
 
 #include "mesh/read/threemf/threemf.h"
 
-/* What the reader knows of elements; each row stands in one other, see threemf_xml.c. */
+/* Known elements. Each has one parent: see threemf_xml.c. */
 typedef enum burnish_threemf_element {
-    BURNISH_THREEMF_FILE, /* what the outermost one stands in */
+    BURNISH_THREEMF_FILE, /* the parent of the outermost element */
     BURNISH_THREEMF_OTHER,
     BURNISH_THREEMF_RELATIONSHIPS,
     BURNISH_THREEMF_RELATIONSHIP,
@@ -38,8 +38,8 @@ typedef enum burnish_threemf_element {
 
 typedef struct burnish_threemf_xml burnish_threemf_xml;
 
-/* Told of each element that is known where it stands: attributes as expat gives them, a name and a
- * value in turn, ended by NULL. `end` comes when it is complete. */
+/* Called for each element that is known in its parent. Attributes are as in expat: names and values
+ * alternate, ended by NULL. `end` follows when the element is complete. */
 typedef struct burnish_threemf_handler {
     void (*begin)(burnish_threemf_xml *xml, burnish_threemf_element element,
                   const char *const *attributes);
@@ -70,7 +70,7 @@ burnish_threemf_fail(burnish_threemf_xml *xml, burnish_status status, const char
 /* The line of the element at hand. */
 uint32_t burnish_threemf_line(const burnish_threemf_xml *xml);
 
-/* The value of an attribute without a prefix; NULL where the element has none. */
+/* The value of an attribute without a prefix; NULL if absent. */
 const char *burnish_threemf_attribute(const char *const *attributes, const char *name);
 
 /* The same of one with a prefix, whatever that is. */
@@ -85,8 +85,8 @@ int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attribute
 int burnish_threemf_whole(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
                           uint32_t fallback, uint32_t *value);
 
-/* Numbers with blanks between them, appended to threemf->numbers; those after the first that is
- * none are left out. Returns their range. */
+/* Appends numbers, separated by blanks, to threemf->numbers, up to the first that is invalid.
+ * Returns their range. */
 burnish_threemf_range burnish_threemf_numbers(burnish_threemf_xml *xml, const char *text);
 
 #endif
