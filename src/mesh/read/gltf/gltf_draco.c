@@ -121,8 +121,8 @@ static void visit_primitives(draco *d,
 static void find_stream(draco *d, uint32_t primitive, uint32_t extension) {
     if (!d->gltf->reader->input->options->decoder.decode) {
         burnish_gltf_fail(d->gltf, BURNISH_STATUS_FORMAT, primitive,
-                          "is compressed by KHR_draco_mesh_compression, but there is no decoder of "
-                          "that here; export the file without");
+                          "is compressed by KHR_draco_mesh_compression, but no decoder is "
+                          "available; export the file without it");
         return;
     }
     add_stream(d, extension);

@@ -1,12 +1,12 @@
 /* glTF's materials: metallic and roughness to the coefficients of the Phong equation.
  *
- * The exponent is that of the Beckmann or GGX distribution of the same alpha (theory.h,
- * burnish_theory_exponent_from_roughness): n = 2 / alpha^2 - 2 with alpha = roughness^2. A lobe of
- * height 1 reflects the less, the narrower it is, (n + 2) / 8 makes up for that (Blinn-Phong,
- * normalised); the height stops at 1, what the picture can show.
+ * The exponent matches the Beckmann or GGX distribution of the same alpha (theory.h,
+ * burnish_theory_exponent_from_roughness): n = 2 / alpha^2 - 2 with alpha = roughness^2. A narrower
+ * lobe of height 1 reflects less: (n + 2) / 8 compensates for that (normalised Blinn-Phong). The
+ * height is limited to 1, the most that an image can show.
  *
- * A metal has no diffuse colour, but there is nothing here that it could mirror: so its colour
- * takes the ambient light, as an OBJ's Ka does. */
+ * A metal has no diffuse colour, but there is no environment to reflect. Its colour therefore
+ * reflects the ambient light, like an OBJ's Ka. */
 #include "mesh/read/gltf/gltf_materials.h"
 
 #include "mesh/read/gltf/gltf_textures.h"

@@ -1,9 +1,9 @@
 /* Decoding of KHR_meshopt_compression and EXT_meshopt_compression, which is version 0: bytes of
- * attributes as packed differences, triangles by the edges and vertices seen last, other indices as
- * differences.
+ * attributes are packed differences, triangles refer to the latest edges and vertices, and other
+ * indices are differences.
  *
- * Not libmeshoptimizer's decoders: that library brings the run-time library of C++, with which the
- * program starts in 1.9 ms instead of 1.3, and it calls libm, on which no pixel may depend. */
+ * libmeshoptimizer is not used: it needs the C++ run-time library, with which the program starts in
+ * 1.9 ms instead of 1.3 ms, and it calls libm, on which no pixel may depend. */
 #include "mesh/read/gltf/meshopt.h"
 
 #include <string.h>

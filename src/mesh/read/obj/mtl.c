@@ -9,7 +9,7 @@
  *
  * d is opacity, Tr mostly 1 - d, but older exporters (3ds Max) write d 1 and Tr 1 for what is
  * opaque: where both are given, d counts. A material that is fully transparent is not intended, and
- *         becomes opaque. */
+ * becomes opaque. */
 #include "mesh/read/obj/mtl.h"
 
 #include <string.h>

@@ -1,9 +1,9 @@
 /* OBJ (Wavefront, "Object Files", 1992): v, vn, vt, f, usemtl, mtllib; polygons; indices from
- * either end, of values that stand anywhere in the file.
+ * either end, which may refer to values anywhere in the file.
  *
- * l and p, curves and surfaces and statements of other programs are passed over, with a warning
- * each; o, g, s and others that make nothing without one. Vertex colours
- * follow the coordinates (v x y z r g b). */
+ * Lines, points, curves, surfaces and statements of other programs are ignored with a warning each;
+ * o, g, s and other statements that draw nothing are ignored silently. Vertex colours follow the
+ * coordinates (v x y z r g b). */
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"

@@ -1,6 +1,6 @@
 /* PLY: comments among the rows of an ASCII body, which the format does not permit. Rows are first
- *      read normally. A body that can't be read is searched for comments, and read again from a
- *      copy with blanks in their place, which keeps the line numbers. */
+ * read normally. A body that can't be read is searched for comments, and read again from a
+ * copy with blanks in their place, which keeps the line numbers. */
 #include "mesh/read/ply/ply_comments.h"
 
 #include "mesh/read/ply/ply_header.h"
