@@ -77,7 +77,7 @@ static void test_flipped(void) {
     check_counts("all but a face flipped", count_facts(&f), expected);
 }
 
-/* Loading turns triangles to their normals; the facts are of those that were given. */
+/* Loading turns triangles to match their normals; the facts describe the triangles of the file. */
 static void test_normals(void) {
     shape s = box_at(-1, -1, -1, 2, 2, 2);
     turn(&s, 0);

@@ -94,7 +94,7 @@ static void test_moebius(void) {
                            .unorientable = 1});
 }
 
-/* ---- Triangles that are no use ---- */
+/* ---- Degenerate triangles ---- */
 
 static void test_degenerate(void) {
     /* A box whose edge from 0 to 1 has a middle that only the front knows: the slit is closed by a

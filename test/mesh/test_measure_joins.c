@@ -92,7 +92,7 @@ static void test_flat(void) {
     CHECK(!f.is_solid, "volume %g", f.volume);
 }
 
-/* Details as small as the tolerance are no rounding: a far triangle does not close a small box. */
+/* Details as small as the tolerance are kept: a far triangle does not close a small box. */
 static void test_details(void) {
     uint64_t random = test_seed(1);
     soup s = jittered_box(low, high, 1e-7, &random);

@@ -370,8 +370,8 @@ static void test_colors(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A sheet of SHEET x SHEET squares, their triangles in random order; square q's corners are its own
- * place and those beside and below it. */
+/* A sheet of SHEET x SHEET squares, with their triangles in random order. Square q's corners are
+ * grid point q and its neighbours. */
 enum {
     SHEET = 132, /* enough triangles for four threads */
     SHEET_VERTICES = (SHEET + 1) * (SHEET + 1),
@@ -526,8 +526,8 @@ static void test_build_by_threads(void) {
     }
 }
 
-/* A file whose neighbours are near each other stays as it is; one whose neighbours are far apart
- * does not, even where every other is the next one in space. */
+/* A file whose neighbours are near each other is not reordered. A file whose neighbours are far
+ * apart is, even if every other triangle is the next one in space. */
 static void test_order_of_files(void) {
     static sheet_mesh sheet;
     for (int apart = 0; apart < 2; ++apart) {

@@ -28,7 +28,7 @@ static const struct {
 
 static inline void put_json(byte_list *list, const char *text);
 
-/* Writes what the word at text + 1 stands for; returns the byte after it and its arguments. */
+/* Writes the replacement of the word at text + 1; returns the byte after it and its arguments. */
 static inline const char *put_gltf_word(byte_list *list, const char *text) {
     char expanded[512];
     const char *from = NULL, *arguments[6];

@@ -1,5 +1,5 @@
-/* For tests of the readers: runs one over a copy of the bytes that ends where they end, so that the
- * address sanitizer sees every read beyond. */
+/* For tests of the readers: runs one over an exact copy of the bytes, to let the address sanitizer
+ * detect reads beyond their end. */
 #ifndef BURNISH_TEST_READER_INPUT_H
 #define BURNISH_TEST_READER_INPUT_H
 
@@ -172,7 +172,7 @@ static inline void check_warning(const burnish_mesh_data *s, const char *text) {
     }
 }
 
-/* Whether a linear colour is that of sRGB values. */
+/* Whether a linear colour equals sRGB values. */
 static inline int color_is(const float color[3], float r, float g, float b) {
     return color[0] == burnish_srgb_value_to_linear(r) &&
            color[1] == burnish_srgb_value_to_linear(g) &&

@@ -107,7 +107,7 @@ static inline void end_zip(zip_list *zip, int is_64) {
     zip->size = (size_t)(p - zip->bytes);
 }
 
-/* Text with ' for ", so that XML can be read in C. */
+/* Text with ' for ", which makes XML readable in C. */
 static inline const char *quoted_text(const char *text) {
     static char quoted[ZIP_ROOM / 8];
     size_t size = 0;

@@ -298,8 +298,8 @@ static void make_geodesic(int level) {
     }
 }
 
-/* A geodesic sphere whose vertices lie in or out at random, as those of decimated scans: its
- * normals are near the sphere's. */
+/* A geodesic sphere with vertices moved in or out at random, like a decimated scan: its normals are
+ * near the sphere's. */
 static void make_noisy_sphere(int level, double noise) {
     make_geodesic(level);
     for (size_t i = 0; i < 3 * corner_count; i += 3) {

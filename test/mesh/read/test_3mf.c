@@ -81,8 +81,8 @@ static void place(const double m[12], const double p[3], double to[3]) {
 #define OUTER "0 1 0 -1 0 0 0 0 2 5 6 7"
 #define INNER "1 0.5 0 0 -1 0.25 0 0 1 10 20 30"
 
-/* A component's transform comes first, the item's last; what mirrors turns the triangles, so that
- * the volume of a solid keeps its sign. */
+/* A component's transform is applied first, the item's last. Mirroring turns the triangles, which
+ * keeps the sign of a solid's volume. */
 static void test_transforms(void) {
     static const double outer[12] = {0, 1, 0, -1, 0, 0, 0, 0, 2, 5, 6, 7},
                         inner[12] = {1, 0.5, 0, 0, -1, 0.25, 0, 0, 1, 10, 20, 30};
@@ -126,7 +126,7 @@ static void test_left_out(void) {
            corner_is(&s, 0, 1, 1, 0, 0) && corner_is(&s, 0, 2, 0, 1, 0));
     burnish_mesh_data_destroy(&s);
     read_fine(MODEL("<object id='1'>" MESH "</object>", ITEM_1 "\n<item objectid='7'/>"),
-              "mesh.3mf: 3D/a.model:5: there is no object 7; it is left out", &s);
+              "mesh.3mf: 3D/a.model:5: object 7 does not exist and is ignored", &s);
     burnish_mesh_data_destroy(&s);
     read_fine(MODEL("<object id='1'>" MESH "</object><object id='2'><components>"
                     "<component objectid='1' transform='1 0 0 0 1 0 0 0 1 0 0 9'/></components>"
@@ -272,7 +272,7 @@ static void test_invisible(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Where no triangle has a colour the look chooses the grey; next to colours it is burnish's. */
+/* If no triangle has a colour, the look chooses the grey; next to colours it is burnish's. */
 static void test_grey(void) {
     burnish_mesh_data s;
     read_fine(MODEL("<object id='1'>" MESH "</object>", ITEM_1), NULL, &s);
@@ -675,7 +675,7 @@ static void test_mesh(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A build without expat says so. */
+/* A build without expat reports that. */
 static void test_without(void) {
     burnish_mesh_data s;
     burnish_error e;

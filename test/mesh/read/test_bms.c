@@ -1,4 +1,4 @@
-/* The mesh stream: what is read, what damaged ones are told, and that no byte of it is believed. */
+/* The mesh stream: valid streams, messages for damaged ones, and random damage. */
 #include "burnish/mesh.h"
 #include "counting_context.h"
 #include "mesh/read/bms.h"
@@ -158,7 +158,7 @@ static void test_least(void) {
     }
 }
 
-/* What a word becomes, and what is said of it. */
+/* A changed word, and the expected message. */
 typedef struct damage {
     size_t at;
     uint32_t word;

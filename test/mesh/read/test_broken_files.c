@@ -1,6 +1,5 @@
 /* Broken files of every kind: each ends with its one line, and none crashes, hangs or takes memory
- * that its size does not warrant. Built with the address sanitizer, reads beyond the end show too.
- */
+ * that its size does not warrant. The address sanitizer also detects reads beyond the end. */
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -202,7 +201,7 @@ static void test_messages(void) {
     }
 }
 
-/* A fault of a library is no reason not to draw. */
+/* A mesh with a faulty library is still drawn. */
 static void test_mtl_messages(void) {
     static const struct {
         const char *text, *message;
@@ -333,8 +332,8 @@ static void test_truncation(sample samples[SAMPLES]) {
         for (size_t size = 0; size < list->size; ++size) {
             burnish_status status =
                 try_bytes(samples[i].format, list->bytes, size, "truncated", size);
-            /* Binary formats announce their size, so that none of their beginnings is a file; of a
-             * binary STL, whole facets are, with a warning. */
+            /* Binary formats announce their size, so a truncated file is invalid. Whole facets of a
+             * binary STL are accepted with a warning. */
             CHECK(status == BURNISH_STATUS_FORMAT ||
                       (status == BURNISH_STATUS_OK &&
                        (i < 2 || i == 3 || i == 4 || (i == 2 && (size - 84) % 50 == 0))),
@@ -343,7 +342,7 @@ static void test_truncation(sample samples[SAMPLES]) {
     }
 }
 
-/* Up to 8 changed bytes, favouring those that mean something, and sometimes a moved piece. */
+/* Up to 8 changed bytes, mostly to significant values, and sometimes a moved piece. */
 static void mutate(byte_list *list, uint64_t *state) {
     static const char telling[] = "0123456789-+.e/\\#\n\r \tvfnp\x00\xff\x7f\x80";
     for (uint32_t count = 1 + test_random32(state) % 8; count > 0; --count) {

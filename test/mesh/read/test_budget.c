@@ -27,7 +27,7 @@ static void put(byte_list *list, const void *bytes, size_t size) {
     list->size += size;
 }
 
-/* Text with ' for ", so that it can be read in C. */
+/* Text with ' for ", which is readable in C. */
 __attribute__((format(printf, 2, 3))) static void put_json(byte_list *list, const char *format,
                                                            ...) {
     char text[400];

@@ -110,7 +110,7 @@ static void test_values(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Values that stand in the file as they are need no decoder. */
+/* Uncompressed values need no decoder. */
 static void test_plain(void) {
     burnish_mesh_data s;
     burnish_error e;

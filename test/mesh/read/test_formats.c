@@ -1,4 +1,4 @@
-/* One object in all formats: the same picture, and what is said of files with wrong names. */
+/* One object in all formats: the same picture, and warnings for files with wrong names. */
 #include "draw_floats.h"
 #include "same_mesh.h"
 
@@ -47,7 +47,7 @@ static void test_same_grey(burnish_look look) {
 
 /* ---- Names ---- */
 
-/* Under the name of each other format: drawn as what it is, with a warning that says so. */
+/* Under the name of each other format: read by its contents, with a warning. */
 static void test_misnamed(void) {
     static const char *const shown[SAME_COUNT] = {"STL", "STL",  "OBJ",  "OFF", "PLY",
                                                   "PLY", "glTF", "glTF", "3MF"};
@@ -144,7 +144,7 @@ static void test_brace(void) {
     check_refused(&list, BURNISH_FORMAT_AUTO, "text that does not begin with \"solid\"");
 }
 
-/* Facets that are none, whatever the first bytes are. Where they are facets a wrong count is a
+/* Facets that are none, whatever the first bytes are. If the bytes are facets, a wrong count is a
  * warning, whatever the title says. */
 static void test_garbage(void) {
     static const char refusal[] = "byte 80: not STL: the count does not fit the file's size, and ";

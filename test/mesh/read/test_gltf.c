@@ -45,7 +45,7 @@ static void test_guess(void) {
     }
 }
 
-/* ---- Files beside the input ---- */
+/* ---- Files next to the input ---- */
 
 static const char *asked_for;
 
@@ -216,7 +216,7 @@ static void test_attributes(void) {
     CHECK1(t[0] == 0 && t[1] == 1 && t[2] == 0.25f && t[3] == 0.25f && t[4] == 1 && t[5] == -1);
     CHECK1(c[0] == 0 && c[1] == burnish_linear_to_srgb(0.5f) && c[2] == 255 && c[3] == 255 &&
            c[4] == burnish_linear_to_srgb(0.25f) && c[5] == 0 && c[6] == 255);
-    for (size_t i = 12; i < 24; ++i) { /* of the second primitive, which has none */
+    for (size_t i = 12; i < 24; ++i) { /* the second primitive lacks the attribute */
         CHECK1(c[i] == 255 && n[i / 4 * 3] == 0);
     }
     burnish_mesh_data_destroy(&s);
@@ -319,7 +319,7 @@ static void test_lines(void) {
         int mode;
         const char *more;
         size_t count, from[3], to[3];
-    } cases[] = {{1, "", 1, {0}, {1}}, /* the third position is passed over */
+    } cases[] = {{1, "", 1, {0}, {1}}, /* the third position is ignored */
                  {2, "", 3, {0, 1, 2}, {1, 2, 0}},
                  {3, "", 2, {0, 1}, {1, 2}},
                  {3, ",'material':0", 2, {0, 1}, {1, 2}}};

@@ -76,8 +76,8 @@ static burnish_status read_posed(const char *rest, const byte_list *binary, doub
     return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, s, e);
 }
 
-/* p + 0.5 (0, 0, 4) for vertex 1; the node's weights go before the mesh's, weight 0 counts for
- * nothing, and normals move too. */
+/* p + 0.5 (0, 0, 4) for vertex 1. The node's weights precede the mesh's, weight 0 has no effect,
+ * and normals also move. */
 static void test_morph_targets(void) {
     static const float floats[] = {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 1,  0, 0, 1,
                                    0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0};
@@ -115,8 +115,8 @@ static void test_morph_targets(void) {
 }
 
 /* Two joints, of which the second is turned by 90 degrees about z around its place (1, 0, 0) and
- * bound there: vertices follow joint 0, joint 1, and both by half. The node's own matrix counts for
- * nothing. */
+ * bound there: vertices follow joint 0, joint 1, and both by half. The node's own matrix has no
+ * effect. */
 static void test_skin(void) {
     static const float positions[9] = {5, 0, 0, 2, 0, 0, 2, 0, 0};
     static const float weights[12] = {1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0};
@@ -265,8 +265,8 @@ static void test_cameras(void) {
 }
 
 /* Lux at the middle of the triangle's box, (0.5, 1, 0): 2 from +z, and from -x 18 / 3^2 = 2, of
- * which green is half. None faces the other, so that 2 becomes 1; the light that is not drawn, the
- * dark one and the one that is not there are left out. */
+ * which green is half. The lights do not face each other, so 2 becomes 1. The invisible, the dark
+ * and the missing light are skipped. */
 static void test_lights(void) {
     burnish_mesh_data s;
     burnish_error e;
@@ -373,8 +373,8 @@ static void test_textures(void) {
                       "of texture coordinates (set 1)");
     burnish_mesh_data_destroy(&s);
 }
-/* A vertex has one set of texture coordinates: that which most of its material's textures use, of
- * two that of the base colour. The accessor of set 1 is the positions' x and y, turned. */
+/* A vertex has one set of texture coordinates: the set that most textures of its material use, or
+ * the base colour's in a tie. The accessor of set 1 is the positions' x and y, turned. */
 static void test_texture_sets(void) {
     static const struct {
         const char *sets[3]; /* of base colour, normals, occlusion */
@@ -415,8 +415,7 @@ static void test_texture_sets(void) {
     }
 }
 
-/* Images that can't be had leave the mesh as it is without them; after some that are damaged, no
- * further ones are tried. */
+/* Missing images are skipped. After several damaged images, no more are tried. */
 static void test_damaged_images(void) {
     static const char *const images[] = {"{'uri':'data:image/png;base64,AAAA'}",
                                          "{'uri':'data:image/png;base64,A*'}",

@@ -57,7 +57,7 @@ static void test_values(void) {
     end(&c);
 }
 
-/* Half a pair of surrogates is no character. */
+/* Half a pair of surrogates is not a character. */
 static void test_surrogates(void) {
     static const char text[] = "[\"\\ud83dx\", \"\\ude00\", \"\\ud83d\\u0041\"]";
     static const char *const expected[3] = {"\xEF\xBF\xBDx", "\xEF\xBF\xBD", "\xEF\xBF\xBD\x41"};
@@ -77,29 +77,29 @@ static void test_faults(void) {
     } cases[] = {
         {" ", "a:1: the JSON ends where a value should follow; the file is truncated"},
         {"{", "a:1: the JSON ends where a key in quotes should follow; the file is truncated"},
-        {"[1,]", "a:1: expected a value, found \"]\"; this is no JSON"},
-        {"[1 2]", "a:1: expected a comma or ], found \"2]\"; this is no JSON"},
-        {"{\"a\":1 \"b\"", "a:1: expected a comma or }, found \"\"b\"\"; this is no JSON"},
-        {"{\"a\" 1}", "a:1: expected a colon, found \"1}\"; this is no JSON"},
-        {"{a:1}", "a:1: expected a key in quotes, found \"a:1}\"; this is no JSON"},
-        {"[1]\n]", "a:2: expected the end of the JSON, found \"]\"; this is no JSON"},
-        {"[01]", "a:1: expected a number such as -1.5e3, found \"01]\"; this is no JSON"},
-        {"[1.]", "a:1: expected a number such as -1.5e3, found \"1.]\"; this is no JSON"},
-        {"[-]", "a:1: expected a number such as -1.5e3, found \"-]\"; this is no JSON"},
-        {"[1e]", "a:1: expected a number such as -1.5e3, found \"1e]\"; this is no JSON"},
-        {"[.5]", "a:1: expected a value, found \".5]\"; this is no JSON"},
-        {"[+1]", "a:1: expected a value, found \"+1]\"; this is no JSON"},
-        {"[NaN]", "a:1: expected a value, found \"NaN]\"; this is no JSON"},
-        {"[tru]", "a:1: expected a value, found \"tru]\"; this is no JSON"},
+        {"[1,]", "a:1: expected a value, found \"]\"; this is not JSON"},
+        {"[1 2]", "a:1: expected a comma or ], found \"2]\"; this is not JSON"},
+        {"{\"a\":1 \"b\"", "a:1: expected a comma or }, found \"\"b\"\"; this is not JSON"},
+        {"{\"a\" 1}", "a:1: expected a colon, found \"1}\"; this is not JSON"},
+        {"{a:1}", "a:1: expected a key in quotes, found \"a:1}\"; this is not JSON"},
+        {"[1]\n]", "a:2: expected the end of the JSON, found \"]\"; this is not JSON"},
+        {"[01]", "a:1: expected a number such as -1.5e3, found \"01]\"; this is not JSON"},
+        {"[1.]", "a:1: expected a number such as -1.5e3, found \"1.]\"; this is not JSON"},
+        {"[-]", "a:1: expected a number such as -1.5e3, found \"-]\"; this is not JSON"},
+        {"[1e]", "a:1: expected a number such as -1.5e3, found \"1e]\"; this is not JSON"},
+        {"[.5]", "a:1: expected a value, found \".5]\"; this is not JSON"},
+        {"[+1]", "a:1: expected a value, found \"+1]\"; this is not JSON"},
+        {"[NaN]", "a:1: expected a value, found \"NaN]\"; this is not JSON"},
+        {"[tru]", "a:1: expected a value, found \"tru]\"; this is not JSON"},
         {"\n\"a", "a:2: the JSON ends where the end of a string should follow; the file is "
                   "truncated"},
-        {"\"\\x\"", "a:1: expected an escape such as \\n or \\u00e9, found \"\\x\"\"; this is no "
-                    "JSON"},
-        {"\"\\u12g4\"", "a:1: expected an escape such as \\n or \\u00e9, found \"\\u12g4\"\"; this "
-                        "is no JSON"},
-        {"\"\t\"", "a:1: expected a string without control characters, found \"\"; this is no "
-                   "JSON"},
-        {"[1]//", "a:1: expected the end of the JSON, found \"//\"; this is no JSON"},
+        {"\"\\x\"",
+         "a:1: expected an escape such as \\n or \\u00e9, found \"\\x\"\"; this is not JSON"},
+        {"\"\\u12g4\"",
+         "a:1: expected an escape such as \\n or \\u00e9, found \"\\u12g4\"\"; this is not JSON"},
+        {"\"\t\"",
+         "a:1: expected a string without control characters, found \"\"; this is not JSON"},
+        {"[1]//", "a:1: expected the end of the JSON, found \"//\"; this is not JSON"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         json_case c;
@@ -124,7 +124,7 @@ static void test_depth_and_truncation(void) {
         end(&c);
     }
     for (size_t size = 0; size < sizeof text - 1; ++size) {
-        char *copy = malloc(size + 1); /* so that the address sanitizer sees reads beyond */
+        char *copy = malloc(size + 1); /* lets the address sanitizer detect reads beyond the end */
         memcpy(copy, text, size);
         copy = realloc(copy, size > 0 ? size : 1);
         CHECK(parse(&c, copy, size) == BURNISH_STATUS_FORMAT, "%zu bytes", size);

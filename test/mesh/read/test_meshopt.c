@@ -15,7 +15,7 @@ static uint8_t data[BYTES], decoded[BYTES], expected[BYTES];
 static unsigned char packed[ROOM];
 static uint32_t indices[3 * ELEMENTS];
 
-/* Decodes from a block of exactly the size, so that sanitizers see what is read beyond. */
+/* Decodes from a block of the exact size, to let sanitizers detect reads beyond it. */
 static int decode(burnish_meshopt_mode mode, size_t size, size_t count, size_t stride) {
     uint8_t *copy = malloc(size + !size);
     memcpy(copy, packed, size);
@@ -25,8 +25,8 @@ static int decode(burnish_meshopt_mode mode, size_t size, size_t count, size_t s
     return good;
 }
 
-/* Whatever is cut off or turned over, it ends; what is cut off is noticed. Where meshoptimizer
- * takes damaged bytes, too, the result is the same. */
+/* Whatever is cut off or turned over, it ends; what is cut off is noticed. If meshoptimizer also
+ * accepts damaged bytes, the result is the same. */
 static void damage(burnish_meshopt_mode mode, size_t size, size_t count, size_t stride,
                    uint64_t *state) {
     for (size_t cut = 0; cut < size; cut += 1 + size / 100) {
@@ -229,7 +229,7 @@ static void test_version_1(void) {
     }
 }
 
-/* Luma, differences and alpha of K bits; what they stand for by hand. */
+/* Luma, differences and alpha of K bits, with the expected values computed by hand. */
 static void test_colors(void) {
     static const struct {
         int16_t in[4];

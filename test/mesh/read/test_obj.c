@@ -65,8 +65,8 @@ static int separated(const float *a, const float *b, const float *c, const float
            (triangle_area(c, d, a) > 0) == (triangle_area(c, d, b) > 0);
 }
 
-/* Random points joined in a ring and untangled: whenever two edges cross, the way between them is
- * turned round, which shortens the ring, so that it ends as a simple polygon. */
+/* Random points joined in a ring and untangled: if two edges cross, the path between them is
+ * reversed, which shortens the ring, until it is a simple polygon. */
 static void untangle(float *positions, size_t count) {
     for (int crossed = 1; crossed;) {
         crossed = 0;
@@ -335,7 +335,7 @@ static void test_many_warnings(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* The first error of the file is told; a fault of a library is none. */
+/* The first error of the file is reported; a fault of a library is not an error. */
 static void test_first_error(void) {
     static const struct {
         const char *mesh, *error;
@@ -519,7 +519,7 @@ static void test_ply_alpha(void) {
     }
 }
 
-/* What materials have and pictures do not: one line for the file, of materials in use only. */
+/* Unsupported properties of materials: one line for the file, for materials in use only. */
 static void test_undrawn(void) {
     static const char library[] =
         "newmtl a\nmap_Kd -s 1 1 1 mars.png\nmap_Ks other.png\nd 0.5\nnewmtl b\nbump moon b.png\n"
@@ -551,7 +551,7 @@ static void test_undrawn(void) {
     burnish_mesh_data_destroy(&s);
     for (int faces = 0; faces < 2; ++faces) { /* of an element without rows nothing is lost */
         char text[400];
-        snprintf(text, sizeof text, /* the strip's triangle has none */
+        snprintf(text, sizeof text, /* the strip's triangle lacks it */
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nelement tristrips 1\nproperty list uchar int vertex_indices\n"
                  "element face %d\nproperty list uchar int vertex_indices\nproperty uchar red\n"

@@ -1,4 +1,4 @@
-/* OBJ with threads: as test_reader_threads.c. */
+/* OBJ with threads and chunks of any size: see test_reader_threads.c. */
 #include "reader_compare.h"
 
 typedef struct obj_plan {
@@ -55,7 +55,7 @@ static void say_face(text *t, const obj_plan *plan, size_t vertices, size_t norm
     end_line(t);
 }
 
-/* What no triangle comes of. */
+/* Statements without triangles. */
 static void say_other(text *t, const obj_plan *plan) {
     static const char *const lines[] = {
         "# a comment \\", "",        "   ", "g group v f", "s off", "vt 0.5 0.5",
@@ -218,7 +218,7 @@ static void test_obj_mutations(void) {
     free(t.bytes);
 }
 
-/* Lines longer than a part, joined over a border too; nothing but line ends. */
+/* Lines longer than a part, also joined across a border; nothing but line ends. */
 static void test_obj_shapes(void) {
     const burnish_load_options options = burnish_load_options_default();
     text t = {.line_end = "\n"};

@@ -1,4 +1,4 @@
-/* OFF: what is read, and what broken files are told. */
+/* OFF: supported files, and messages for broken ones. */
 #include "burnish/mesh.h"
 #include "reader_input.h"
 
@@ -142,7 +142,7 @@ static void test_face_colors(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* What public files have: no blank after the keyword, faces that go on in the next line. */
+/* As in public files: no blank after the keyword, faces that continue in the next line. */
 static void test_odd_lines(void) {
     burnish_mesh *mesh = load("  OFF4 2 0\n" SQUARE "3 0\n1 # c\n 2\n3\n\n0 2 3\n", NULL);
     if (CHECK1(mesh)) {

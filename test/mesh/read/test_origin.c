@@ -1,5 +1,5 @@
-/* Coordinates far from the origin: the mesh is the one that stands there, less an origin that the
- * file's coordinates are exact sums with. */
+/* Coordinates far from the origin: the mesh has the file's coordinates minus an origin, without
+ * rounding. */
 #include <math.h>
 #include <stdarg.h>
 
@@ -265,8 +265,8 @@ static int same_facts(const burnish_mesh *a, const burnish_mesh *b) {
            memcmp(f->center_of_mass, g->center_of_mass, sizeof f->center_of_mass) == 0;
 }
 
-/* Where the shift is a multiple of the origin's grid, here 1/8, the mesh has the bits of the one at
- * the origin, and the origin is the shift: in every format, on any number of threads. */
+/* If the shift is a multiple of the origin's grid, here 1/8, the mesh has the same bits as the mesh
+ * at the origin, and the origin is the shift: in every format, for any number of threads. */
 static void test_same_bits(void) {
     static const double shift[3] = {500000.125, 4100000.25, 300.5};
     static const int threads[3] = {1, 2, 7};
@@ -349,8 +349,7 @@ static void test_near(void) {
     }
 }
 
-/* An origin of the caller's is taken as it is, by every format; one that is no number is refused.
- */
+/* Every format uses the caller's origin unchanged. An origin that is not a number is rejected. */
 static void test_given(void) {
     static const double shift[3] = {500000.125, 4100000.25, 300.5}, other[3] = {0, 4100000, 0};
     static const double wrong[3] = {0, HUGE_VAL, 0};
@@ -409,7 +408,7 @@ static void test_floats(void) {
     }
 }
 
-/* Warnings, materials and the material library are those of one reading. */
+/* Warnings, materials and the material library come from one reading. */
 static burnish_status load_library(void *user_data, const char *name, uint64_t max_bytes,
                                    const void **bytes, size_t *size, burnish_error *error) {
     static const char library[] = "newmtl red\nKd 1 0 0\n";

@@ -138,7 +138,7 @@ static int same_mesh(const burnish_mesh *a, const burnish_mesh *b) {
     return same;
 }
 
-/* Loads the file and its bytes; what a context's log gets is the same, too. */
+/* Loads the file and its bytes. A context's log must also be the same. */
 static void check_same(const char *what, burnish_status expected) {
     static const int threads[] = {1, 2, 5};
     save();
@@ -191,7 +191,7 @@ static void test_ply(void) {
     }
 }
 
-/* What only the whole file can tell: a quad, a corner that is no vertex, no number. */
+/* Contents that need the whole file: a quad, a corner that is not a vertex or not a number. */
 static void test_odd_ply(void) {
     static const size_t rows[] = {0, 1, TRIANGLES / 2, TRIANGLES - 1};
     for (int i = 0; i < 4; ++i) {
@@ -240,7 +240,7 @@ __attribute__((format(printf, 1, 2))) static void print(const char *format, ...)
     va_end(arguments);
 }
 
-/* What stands in the middle of a text, and what at its end. */
+/* Text for the middle of a file, and for its end. */
 typedef struct oddity {
     const char *middle, *end;
     burnish_status status;

@@ -22,7 +22,7 @@ static uint32_t indices[3 * TRIANGLES];
 static uint8_t file[TRIANGLES * 16 + VERTICES * 32 + 1024];
 static size_t file_size, faces_begin, row_size;
 
-/* A wavy sheet. Its corners are numbered so that each triangle's largest is any of the three. */
+/* A wavy sheet. The largest corner of a triangle may be any of the three. */
 static void make_sheet(void) {
     for (uint32_t i = 0; i < VERTICES; ++i) {
         positions[3 * i] = (float)(i % SIDE);
@@ -157,7 +157,7 @@ static void test_layouts(void) {
     }
 }
 
-/* A corner that is no vertex, anywhere: an error that says which face. */
+/* A corner that is not a vertex, in any face: the error names the face. */
 static void test_bad_corners(void) {
     static const size_t rows[] = {0, 1, 777, (1 << 15) - 1, 1 << 15, TRIANGLES - 1};
     static const uint32_t values[] = {VERTICES, VERTICES + 1, INT32_MAX, UINT32_MAX, 1u << 31};

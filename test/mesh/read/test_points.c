@@ -120,7 +120,7 @@ static void test_lines(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* Bounds are of positions, whatever size the solids have; there are no facts of the solids. */
+/* Bounds contain the positions, for any size of the solids. The solids have no facts. */
 static void test_bounds(void) {
     static const struct {
         const char *name, *text;

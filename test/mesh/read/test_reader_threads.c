@@ -173,7 +173,7 @@ typedef struct ply_plan {
     int normals, colors, polygons, extra; /* extra: properties and elements that nobody needs */
 } ply_plan;
 
-/* Rows of vertices begin with 5, those of faces with 77. */
+/* Rows of vertices begin with 5, and rows of faces with 77. */
 static text make_ply(uint64_t seed, const ply_plan *plan, const char *line_end) {
     enum { VERTICES = PART_SIZE / 4, FACES = PART_SIZE / 2 };
     text t = {.random = test_seed(seed), .line_end = line_end};

@@ -52,12 +52,14 @@ static void test_binary_stl(void) {
 /* Colours of facets: those with bit 15 (VisCAM, SolidView), or, where the header announces one,
  * those without it (Magics). One colour of all is the material's. */
 static void test_stl_colors(void) {
-    enum { NONE = 0x3EEF }; /* what put_stl() writes: no colour without a header that says so */
+    enum {
+        NONE = 0x3EEF
+    }; /* the attributes that put_stl() writes: not a colour unless the header says so */
     static const struct {
         const char *header;
         uint16_t attributes[3];
         uint8_t expected[3][3];
-        int materials; /* the colour is that of the material */
+        int materials; /* the material has the colour */
     } cases[] = {
         {"", {NONE, NONE, NONE}, {{0}}, 0},
         {"", {0xFFFF, 0xFFFF, 0xFFFF}, {{0}}, 0},
@@ -178,7 +180,7 @@ static void test_ply_variants(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* What the header does not declare is not there: no colours, no normals, also with some of them. */
+/* Attributes that the header declares only in part, or not at all, are absent. */
 static void test_ply_plain(void) {
     static const char *const extra[] = {"", "property uchar red\nproperty uchar green\n",
                                         "property float nx\nproperty float nz\n"};
@@ -284,9 +286,10 @@ static void test_guess(void) {
     CHECK1(burnish_guess_format(list.bytes, list.size, "x") == BURNISH_FORMAT_STL);
 }
 
-/* Texture coordinates and textures of faces, as MeshLab writes them, in the three encodings: each
- * triangle has those of its corners, also of a concave square that is not cut as a fan; a face with
- * another number of them has 0, 0; numbers beyond the textures are one material more. */
+/* Texture coordinates and textures of faces, as MeshLab writes them, in the three encodings. Each
+ * triangle has the coordinates of its corners, also in a concave square that is not cut as a fan. A
+ * face with a wrong number of coordinates has 0, 0. Texture numbers out of range become one
+ * additional material. */
 static void put_face_rows(byte_list *list, int encoding) {
     static const float xyz[5][3] = {{0, 0, 0}, {2, 0, 0}, {0.5f, 0.5f, 0}, {0, 2, 0}, {1, 1, 1}};
     static const int faces[4][6] = {

@@ -75,7 +75,7 @@ static void test_nameless_material(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A name that has none of the library's names may end before a comment. */
+/* A name that is not in the library may end before a comment. */
 static void test_material_comment(void) {
     library = "newmtl a\nKd 1 0 0\nnewmtl a # b\nKd 0 1 0\n";
     burnish_mesh *mesh = load_text(
@@ -112,8 +112,7 @@ static void test_strict_build(void) {
 
 /* ---- Faces ---- */
 
-/* Normals that a face names and the file does not have are generated, those that it has are kept.
- */
+/* Missing normals that a face names are generated; the present ones are kept. */
 static void test_missing_normals(void) {
     burnish_mesh *mesh = load_text("a.obj", TRIANGLE "vn 1 0 1\nf 1//1 2//7 3//-2\n",
                                    "a.obj: faces refer to normals that the file "
@@ -166,8 +165,8 @@ static void test_obj_colors(void) {
     CHECK1(color_at_is(mesh, 0, 0, 255, 255, 255) && color_at_is(mesh, 1, 0, 0, 255, 0) &&
            color_at_is(mesh, 0, 1, 255, 255, 255));
     burnish_mesh_destroy(mesh);
-    /* One component beyond 2 tells that all count to 255; those up to 1 and white by default too.
-     */
+    /* One component beyond 2 means that all count to 255, including components up to 1 and default
+     * white. */
     mesh = load_text("a.obj",
                      "v 0 0 0 255 128 0\nv 1 0 0 1 0.4 1\nv 0 1 0\nv 1 1 0 300 -4 7\nf 1 2 4 3\n",
                      "a.obj: vertex colours exceed 1 and were read as 0 to 255");
@@ -214,10 +213,10 @@ static void test_stl_text(void) {
     }
 }
 
-/* The size tells how many facets there are, unless nothing fits it. */
+/* The size determines the number of facets, unless nothing matches it. */
 static void test_stl_count(void) {
     static const uint32_t counts[] = {0, 11, 13, UINT32_MAX};
-    byte_list other = {.size = 0}; /* a size that fits is believed whatever the name is */
+    byte_list other = {.size = 0}; /* a size that matches counts, whatever the name is */
     put_stl(&other, "size counts", 12);
     burnish_mesh *named = load_tolerantly("a.obj", other.bytes, other.size,
                                           "a.obj: the file is STL, not OBJ as its name says");
@@ -279,7 +278,7 @@ static void test_ply_lines(void) {
          "a.ply:13: the line has more or fewer values than the header says (and 2 more like it)"},
         {"0 0 0 9 2 3\n1 0 0 9 2 3\n0 1 0 9\n3 0 1 2 255 255 255\n",
          "a.ply:15: the line has more or fewer values than the header says (and 1 more like it)"},
-        /* rows that are no lines, as they may be */
+        /* rows that are not lines, which is valid */
         {"0 0 0\n9 2 3\n1 0 0\n9 2 3\n0 1 0 9 2 3 3 0\n1 2\n", NULL},
         {"0 0 0 9 2 3 1 0 0 9 2 3\n0 1 0\n9 2 3\n3 0 1 2\n", NULL},
     };
@@ -296,8 +295,8 @@ static void test_ply_lines(void) {
     }
 }
 
-/* Comments in the body, where the format has none, and blank lines, which are none. Lines keep
- * their numbers. */
+/* Comments in the body, which the format does not permit, and blank lines, which are not comments.
+ * Lines keep their numbers. */
 static void test_ply_comments(void) {
     static const struct {
         const char *body, *warning;
@@ -320,7 +319,7 @@ static void test_ply_comments(void) {
     burnish_load_options options = options_of(0);
     burnish_mesh *mesh;
     burnish_error error;
-    /* What is said of the header afterwards has its line too. */
+    /* Later messages about the header have its line. */
     snprintf(text, sizeof text, "%s%s", PLY_HEAD("comment TextureFile b.png\n"), cases[0].body);
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
            BURNISH_STATUS_OK);

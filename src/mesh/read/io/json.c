@@ -27,8 +27,8 @@ static int fail(json_parser *parser, const uint8_t *at, const char *expected) {
             "the JSON ends where %s should follow; the file is truncated", expected);
     } else {
         parser->status = burnish_reader_fail(parser->reader, BURNISH_STATUS_FORMAT, at,
-                                             "expected %s, found \"%s\"; this is no JSON", expected,
-                                             burnish_token_quote(rest).text);
+                                             "expected %s, found \"%s\"; this is not JSON",
+                                             expected, burnish_token_quote(rest).text);
     }
     return 0;
 }
