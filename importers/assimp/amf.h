@@ -5,7 +5,7 @@
 
 #include "importer.h"
 
-/* Reads objects, volumes, constellations and colours; ends by importer_fail where it can't. */
+/* Reads objects, volumes, constellations and colours; ends with importer_fail on errors. */
 void assimp_read_amf(const importer_input *input, importer_mesh *mesh);
 
 #endif

@@ -103,7 +103,7 @@ static void close_one(struct aiFileIO *io, struct aiFile *file) {
 
 /* ---- Nodes ---- */
 
-/* A walk over the nodes: of counting, or of drawing where `mesh` has its arrays. */
+/* A walk over the nodes: for counting, or for drawing if `mesh` has its arrays. */
 typedef struct walk {
     const struct aiScene *scene;
     importer_mesh *mesh;
@@ -151,7 +151,7 @@ static int is_triangle(const struct aiFace *face, const struct aiMesh *mesh) {
            face->mIndices[1] < mesh->mNumVertices && face->mIndices[2] < mesh->mNumVertices;
 }
 
-/* A mesh of lines or points alone is drawn only where nothing else is. */
+/* A mesh of only lines or points is drawn only if nothing else is. */
 static int has_triangles(const struct aiMesh *mesh) {
     for (unsigned i = 0; i < mesh->mNumFaces; ++i) {
         if (is_triangle(&mesh->mFaces[i], mesh)) {
@@ -313,7 +313,7 @@ static void draw_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4
     w->vertices += mesh->mNumVertices;
 }
 
-/* Blender's vertices have smooth normals also where faces are flat. DXF knows no transparency, but
+/* Blender's vertices have smooth normals even if faces are flat. DXF knows no transparency, but
  * libassimp's grey of what has no colour there has an alpha of 0.6. */
 static void flatten(const struct aiScene *scene, const char *ending, const unsigned *sets,
                     importer_mesh *mesh) {
@@ -358,7 +358,7 @@ static void find_up(const struct aiScene *scene, const char *ending, float up[3]
     }
 }
 
-/* What the library says, and what to do where it does not say that. */
+/* The library's message, and advice if it has none. */
 static _Noreturn void fail_by_library(void) {
     static const struct {
         const char *part, *advice;

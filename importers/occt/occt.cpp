@@ -87,7 +87,7 @@ bool begins(const char *text) {
 
 using color = Quantity_ColorRGBA;
 
-// A face to be drawn, where it is and what it looks like.
+// A face to be drawn, with its placement and colour.
 struct drawn_face {
     TopoDS_Face face;
     gp_Trsf place;

@@ -107,7 +107,7 @@ static void mix_normals(const float *a, const float *b, double t, float *out) {
     out[2] = (float)unit.z;
 }
 
-/* The point where the edge from a kept vertex leaves. */
+/* The point at which an edge from a kept vertex crosses the plane. */
 static uint32_t add_cut_point(cutter *cut, uint32_t kept, uint32_t beyond) {
     const burnish_mesh_view *view = &cut->mesh->view;
     const double from = distance_of(cut, kept), to = distance_of(cut, beyond);

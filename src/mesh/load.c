@@ -392,7 +392,7 @@ static burnish_status load_opened(const char *path, int descriptor, opened_file 
     return load(input, input->options->format, file->bytes, start, mesh, &again, error);
 }
 
-/* From a path, or where that is NULL from a descriptor. */
+/* From a path, or from a descriptor if that is NULL. */
 static burnish_status load_file(const char *path, int descriptor, const char *name,
                                 const burnish_load_options *options, burnish_mesh **mesh,
                                 burnish_error *error) {

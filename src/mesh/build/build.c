@@ -9,7 +9,8 @@
 #include "mesh/build/triangles.h"
 #include "mesh/build/vertices.h"
 
-/* Moves the materials to the mesh, and their numbers where there is more than one. */
+/* Moves the materials to the mesh, and the triangles' material numbers if there is more than one.
+ */
 static burnish_status take_materials(burnish_builder *b) {
     burnish_mesh_data *data = b->data;
     burnish_mesh *mesh = b->mesh;

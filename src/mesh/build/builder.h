@@ -34,7 +34,7 @@ typedef struct burnish_surface {
     const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
     const uint32_t *first_corner;     /* as the builder has them */
     const uint32_t *corners;
-    burnish_face *faces; /* 1 per triangle; NULL: too many, each is computed where it is needed */
+    burnish_face *faces; /* 1 per triangle; NULL: too many, each is computed when needed */
 } burnish_surface;
 
 typedef struct burnish_builder {
@@ -64,7 +64,7 @@ typedef struct burnish_builder {
     size_t vertex_count;
 } burnish_builder;
 
-/* The file's normal of a corner, or NULL where one must be generated. */
+/* The file's normal of a corner; NULL if it must be generated. */
 static inline const float *burnish_file_normal(const burnish_mesh_data *data, size_t corner) {
     const uint32_t number = data->streams[BURNISH_NORMAL].count > 0
                                 ? burnish_stream_corners(data, BURNISH_NORMAL)[corner]

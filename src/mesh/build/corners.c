@@ -79,7 +79,7 @@ static void sum_range(void *context, size_t range, int thread) {
     lister->sums[range] = sum;
 }
 
-/* Counts become where the first corner goes: position by position, slice by slice. */
+/* Turns counts into the offsets of first corners: position by position, slice by slice. */
 static void start_range(void *context, size_t range, int thread) {
     corner_lister *lister = context;
     const size_t positions = lister->b->position_count;

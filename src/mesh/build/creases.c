@@ -42,7 +42,7 @@ static uint32_t third_corner(const burnish_surface *s, uint32_t triangle, uint32
     return corners[0] ^ corners[1] ^ corners[2] ^ a ^ b;
 }
 
-/* The one other triangle at an edge. Returns 0 where there is none, or several. */
+/* The one other triangle at an edge. Returns 0 if there is none, or several. */
 static int find_across(const burnish_surface *s, uint32_t triangle, uint32_t a, uint32_t b,
                        face *across) {
     const size_t at_a = s->first_corner[a + (size_t)1] - s->first_corner[a];

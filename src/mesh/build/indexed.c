@@ -68,8 +68,8 @@ static inline uint32_t append_vertex(indexer *x, uint32_t position, uint32_t nor
     return vertex;
 }
 
-/* The vertex of a position where that is not its last one by its numbers: found, or appended; there
- * is room. Returns BURNISH_NONE where the position has many. */
+/* The vertex of a position that is not its latest one: found by its numbers, or appended; there is
+ * room. Returns BURNISH_NONE if the position has many. */
 static uint32_t find_vertex(indexer *x, uint32_t position, uint32_t normal, uint32_t item) {
     enum { MANY = 64 };
     const uint32_t last = x->heads[position].vertex;

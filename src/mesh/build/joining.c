@@ -143,7 +143,7 @@ find_edges_avx2(const burnish_rings *rings, size_t first, size_t count, uint32_t
 }
 #endif
 
-/* The same for more faces, few of which share an edge. Returns 0 where an edge has more than
+/* The same for more faces, few of which share an edge. Returns 0 if an edge has more than
  * BURNISH_PAIRWISE_MAX. */
 static int find_many_neighbors(const burnish_rings *rings, size_t first, size_t count,
                                find_edges *find, neighbors *n) {
@@ -210,7 +210,7 @@ static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count
     }
 }
 
-/* Returns 0 where an edge has too many faces. */
+/* Returns 0 if an edge has too many faces. */
 static int find_any_neighbors(const burnish_rings *rings, size_t first, size_t count,
                               neighbors *n) {
 #if defined(__x86_64__)

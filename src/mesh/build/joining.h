@@ -33,7 +33,7 @@ static inline uint32_t burnish_find_root(uint32_t *parents, uint32_t i) {
 }
 
 /* Sets of joined faces among a few, at most BURNISH_SETS_MAX, as bits, in the order of their first
- * faces. Returns how many; 0 where an edge has more than BURNISH_PAIRWISE_MAX faces. */
+ * faces. Returns how many; 0 if an edge has more than BURNISH_PAIRWISE_MAX faces. */
 size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
                         uint32_t sets[BURNISH_SETS_MAX]);
 

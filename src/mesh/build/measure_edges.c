@@ -107,7 +107,7 @@ static burnish_status list_sides(edges *e) {
 
 /* ---- Sets of triangles ---- */
 
-/* Twice the root, + 1 where the triangle is turned against it; shortens the path. */
+/* Twice the root, + 1 if the triangle is turned against it; shortens the path. */
 static uint32_t find_root(member *members, uint32_t triangle) {
     uint32_t turned = 0;
     while (members[triangle].link >> 1 != triangle) {
@@ -241,7 +241,7 @@ static size_t count_duplicates(const edges *e, uint64_t *sides, size_t count) {
     return duplicates;
 }
 
-/* Joins across edges of more than two triangles, where windings have nothing to agree with. */
+/* Joins across edges of more than two triangles, whose windings can't be compared. */
 static void join_the_rest(void *context, size_t first, size_t end) {
     const edges *e = context;
     for (size_t position = first; position < end; ++position) {

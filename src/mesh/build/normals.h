@@ -64,7 +64,7 @@ void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t 
  * flat face with four times the area of the rest of its set determines the normal, so the slivers
  * of a fillet do not bend it. If the sum cancels to zero, each face keeps its own normal.
  *
- * first, count: where the vertex's corners stand among those measured
+ * first, count: the range of the vertex's corners among the measured ones
  * normals:      3 per corner, in their order, written
  * Returns 1 when all of them are the same, bit for bit; then only the first one is written. */
 int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals);

@@ -16,7 +16,7 @@ enum {
     POSITIONS_PER_TASK = 512,
     CORNERS_PER_BATCH = 512, /* measured together; the rings stay in the first-level cache */
     FEW = 16,                /* corners that are compared one by one, ... */
-    FEW_NORMALS = 64,        /* ... where they have nothing but a normal */
+    FEW_NORMALS = 64,        /* ... if they have only a normal */
     FACES_MAX = 1 << 18      /* triangles whose faces are kept: more would fill no cache */
 };
 
@@ -257,7 +257,7 @@ static void measure_faces(void *context, size_t first, size_t end) {
     burnish_measure_faces(surface, first, end, surface->faces);
 }
 
-/* Every face once, where the mesh lacks normals and is not too large. */
+/* Measures every face once, if the mesh lacks normals and is not too large. */
 static void keep_faces(burnish_builder *b) {
     if (!b->normals_complete && b->triangle_count <= FACES_MAX) {
         b->surface.faces =
@@ -287,7 +287,7 @@ static void create_scratch(vertex_maker *maker, size_t capacity) {
     maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
 }
 
-/* 2 where the instruction set that kernels would take has AVX-512, 1 for AVX2, else 0. */
+/* 2 if the instruction set that kernels would take has AVX-512, 1 for AVX2, else 0. */
 static int find_width(void) {
     burnish_isa isa;
     const burnish_status status = burnish_isa_choose(NULL, &isa, NULL);

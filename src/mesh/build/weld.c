@@ -15,7 +15,7 @@ enum {
     SLICE_BITS = 12, /* of a position's number in its slice */
     SLICE = 1 << SLICE_BITS,
     RANGES_MAX = 64,  /* of slices, whose positions move together */
-    TRIAL = 256,      /* positions: where the first ones all differ, a slice keeps all */
+    TRIAL = 256,      /* positions: if the first ones all differ, a slice keeps all */
     SLICE_PROBES = 2, /* per position, on average, before it does, too */
     PART_PROBES = 8,  /* the same, before a part is sorted */
     AHEAD = 16,       /* items whose slots are fetched before they are looked up */

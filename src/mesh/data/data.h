@@ -25,7 +25,7 @@ typedef enum burnish_attribute {
     BURNISH_NORMAL,   /* 3 floats of any length, possibly 0 or not finite */
     BURNISH_COLOR,    /* 4 bytes: sRGB and alpha */
     BURNISH_TEXCOORD, /* 2 floats */
-    BURNISH_TANGENT,  /* 4 floats: burnish_mesh_view.tangents; dropped where no normal texture is
+    BURNISH_TANGENT,  /* 4 floats: burnish_mesh_view.tangents; dropped if no normal texture is
                          used */
     BURNISH_ATTRIBUTE_COUNT
 } burnish_attribute;
@@ -45,7 +45,7 @@ typedef struct burnish_stream {
 } burnish_stream;
 
 /* Start from burnish_mesh_data_begin(). Readers guarantee: finite positions, corners of positions,
- * indices in range (as many items as positions where corners is NULL), counts below 2^32 - 1.
+ * indices in range (as many items as positions if corners is NULL), counts below 2^32 - 1.
  * Triangles without area or with repeated indices may be there: build drops them. */
 typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];

@@ -10,7 +10,7 @@ struct burnish_mesh {
     burnish_mesh_facts facts;
     int has_facts;
     float points_min[3], points_max[3]; /* as in burnish_mesh_data */
-    const burnish_context *context;     /* where all arrays come from */
+    const burnish_context *context;     /* allocates all arrays */
 
     void *attributes[BURNISH_ATTRIBUTE_COUNT]; /* vertex_count items each; NULL: none */
     uint32_t *indices;

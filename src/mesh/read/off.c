@@ -18,7 +18,7 @@ enum { FEW_CORNERS, BAD_COLOR };
 typedef struct off_state {
     burnish_reader *reader;
     int has_normals, has_colors, has_texcoords; /* of vertices */
-    int counts_to_1; /* colours of vertices do, also where a row has no point */
+    int counts_to_1; /* colours of vertices do, even in a row without a decimal point */
     int keeps_texcoords;
     int in_faces;
     size_t vertex_count, face_count;
@@ -443,7 +443,7 @@ static burnish_status read_rows(off_state *off, const uint8_t **at, size_t rows)
     return status;
 }
 
-/* Gives each triangle the colour of its face; drops them where no face has one. */
+/* Gives each triangle the colour of its face; drops them if no face has one. */
 static burnish_status settle_face_colors(off_state *off) {
     burnish_mesh_data *mesh = off->reader->mesh;
     burnish_stream *colors = &mesh->streams[BURNISH_COLOR];

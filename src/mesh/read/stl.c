@@ -1,9 +1,8 @@
 /* STL, ASCII and binary (3D Systems, "StereoLithography Interface Specification", 1989).
  *
  * One in seven binary files on sharing sites starts with "solid", so the size decides first. It
- * also decides how many facets there are, where the header's count contradicts it: programs that
- * write facets as they come never go back to fill it in. Facet normals are ignored: they are
- * redundant and often wrong.
+ * also overrides the header's count: programs that stream facets never go back to fill in the
+ * count. Facet normals are ignored: they are redundant and often wrong.
  *
  * Colours of a binary file's facets are 5 bits each in its two attribute bytes, in one of two ways.
  * VisCAM and SolidView: blue lowest, valid if bit 15 is set. Magics, recognised by "COLOR=" and 4
@@ -72,16 +71,16 @@ static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *fac
                                "coordinate is not finite; repair the mesh");
 }
 
-/* Sizes that no unit of length gives a mesh, but that bytes of other files give: below 2^-100, but
- * not 0, or from 2^101 on. */
+/* Coordinates that no unit of length produces, but that the bytes of other files do: below 2^-100
+ * but not 0, or 2^101 and above. */
 static int is_odd_coordinate(uint32_t bits) {
     enum { LEAST = 27, MOST = 227, EXPONENT_AT = 23 };
     const uint32_t exponent = bits >> EXPONENT_AT & 0xFF;
     return (bits & 0x7FFFFFFFu) != 0 && (exponent < LEAST || exponent > MOST);
 }
 
-/* Where the count does not fit the size the facets tell whether these bytes are STL: refused if
- * more than a quarter of the first ones that are not all 0 have such coordinates. */
+/* If the count does not match the size, the facets decide whether these bytes are STL: the file is
+ * rejected if more than a quarter of the first facets that are not all 0 have such coordinates. */
 static burnish_status check_facets(burnish_reader *reader, size_t count) {
     enum { FACETS_LOOKED_AT = 4096 };
     const size_t looked = count < FACETS_LOOKED_AT ? count : FACETS_LOOKED_AT;
@@ -112,7 +111,7 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
     const burnish_reader_input *input = reader->input;
     const size_t room = (input->size - HEADER_SIZE) / FACET_SIZE;
     const int fits = burnish_is_binary_stl(input->bytes, input->size);
-    if (!fits && !input->pieces) { /* where only the head is here, the warning has all read */
+    if (!fits && !input->pieces) { /* for an input in pieces, the warning causes a full reading */
         const burnish_status status = check_facets(reader, *count < room ? *count : room);
         if (status != BURNISH_STATUS_OK) {
             return status;
@@ -203,8 +202,8 @@ static burnish_status set_material(burnish_mesh_data *mesh, const uint8_t rgba[4
     return mesh->memory.status;
 }
 
-/* Colours, where the file has any: attributes of no bits or all bits are none. Of no bits in all
- * facets neither where the header announces a colour, which then is theirs: programs that write
+/* Colours, if the file has any. Attribute bytes that are all 0 or all 1 are not colours. If they
+ * are 0 in all facets and the header announces a colour, that colour applies: programs that write
  * such headers leave them so more often than they mean black. */
 static burnish_status read_colors(burnish_reader *reader, facet_context *context, size_t count) {
     burnish_mesh_data *mesh = reader->mesh;
@@ -273,7 +272,7 @@ typedef struct stl_parser {
     const double *origin;
 } stl_parser;
 
-/* The file ends where something should follow. Returns 0. */
+/* Fails because the file ends too early. Returns 0. */
 static int fail_end(stl_parser *stl, const char *expected) {
     burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, stl->lexer.next,
                        "expected %s, found the end of the file; the file is truncated", expected);
@@ -302,7 +301,7 @@ static int expect_slowly(stl_parser *stl, const char *expected) {
     return found ? fail_expected(stl, quoted, word) : fail_end(stl, quoted);
 }
 
-/* The same, faster where it is as nearly always. */
+/* The same, faster for the usual spelling. */
 static inline __attribute__((always_inline)) int expect(stl_parser *stl, const char *expected) {
     return burnish_lexer_skip_word(&stl->lexer, expected) || expect_slowly(stl, expected);
 }

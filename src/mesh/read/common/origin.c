@@ -23,7 +23,8 @@ static double magnitude(double x) {
     return x < 0 ? -x : x;
 }
 
-/* The box of every `step`-th position that a triangle uses, or of all where there are none. */
+/* The box of every `step`-th position that a triangle uses, or of all positions if there are no
+ * triangles. */
 static box measure(const burnish_mesh_data *mesh, size_t step) {
     const float *positions = burnish_positions(mesh);
     const uint32_t *corners = mesh->streams[BURNISH_POSITION].corners;

@@ -23,7 +23,7 @@ enum { BURNISH_ORIGIN_TIMES = 3 };
  * rounded to 1/16 of the power of two below the size: a number of few digits. */
 int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]);
 
-/* A coordinate of the file as one of the mesh; 0 where it is not finite. */
+/* A coordinate of the file as one of the mesh; 0 if it is not finite. */
 static inline int burnish_place(double value, double origin, float *coordinate) {
     return burnish_double_to_float(value - origin, coordinate);
 }

@@ -138,7 +138,7 @@ static int compare_doubles(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* The median distance of some points to their nearest neighbours; 0 where none has one nearby. */
+/* The median distance of some points to their nearest neighbours; 0 if all are isolated. */
 static double median_distance(const box *bounds, const float *positions, size_t count,
                               burnish_memory *memory) {
     grid g = {.positions = positions, .bounds = *bounds};

@@ -33,7 +33,7 @@ typedef struct ahead_picture {
     burnish_error why;
     burnish_image picture;
     uint64_t decoded; /* texels */
-    uint64_t key;     /* of a file, where it was found */
+    uint64_t key;     /* of a file, if it was found */
 } ahead_picture;
 
 struct burnish_texture_names {
@@ -169,7 +169,7 @@ static int count_file(burnish_reader *reader, uint64_t key, uint64_t size, burni
            (burnish_fail(why, BURNISH_STATUS_LIMIT, "its file is named too often"), 0);
 }
 
-/* Takes what became of a picture, as decoding it now would. Returns 0 where that has to be done. */
+/* Takes the result of decoding ahead. Returns 0 if the picture must be decoded now. */
 static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *bytes, size_t size,
                       int is_color, int *number, burnish_error *why) {
     struct burnish_texture_names *names = reader->textures;

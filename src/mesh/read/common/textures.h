@@ -33,10 +33,10 @@ typedef struct burnish_texture_source {
     const char *name;
 } burnish_texture_source;
 
-/* Decodes pictures side by side, where the reader has several threads. This affects only the time
- * that the functions above take, not their results, the order of warnings, or the limit on texels.
- * Bytes and names must remain valid until burnish_reader_drop_ahead, which releases pictures that
- * were not requested. */
+/* Decodes pictures in parallel, if the reader has several threads. This affects only the time that
+ * the functions above take, not their results, the order of warnings, or the limit on texels. Bytes
+ * and names must remain valid until burnish_reader_drop_ahead, which releases pictures that were
+ * not requested. */
 void burnish_reader_decode_ahead(burnish_reader *reader, const burnish_texture_source *sources,
                                  size_t count);
 void burnish_reader_drop_ahead(burnish_reader *reader);

@@ -104,11 +104,11 @@ typedef struct burnish_gltf_primitive {
     uint32_t material;
     int mode;             /* OpenGL's: 0 points, 1 lines, 2 loop, 3 strip, 4 triangles, 5 strip,
                              6 fan */
-    size_t corner_count;  /* indices, or vertices where there are none */
+    size_t corner_count;  /* indices, or vertices if there are no indices */
     size_t element_count; /* 0: it is not drawn */
 } burnish_gltf_primitive;
 
-/* A skin's joints: where vertices bound to each go. */
+/* A skin's joints: the matrices for vertices bound to each. */
 typedef struct burnish_gltf_skin {
     double *matrices; /* 12 per joint; NULL: not made yet */
     size_t count;

@@ -208,7 +208,7 @@ static void read_kind(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     }
 }
 
-/* An array of its own where it has no values yet, or sparse ones besides. */
+/* Makes an array for an accessor without values, or with sparse ones. */
 static void fill_own(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     const uint32_t sparse = burnish_gltf_object(gltf, accessor->value, "sparse");
     const size_t element_size =

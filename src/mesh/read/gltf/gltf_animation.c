@@ -20,7 +20,7 @@ enum { ROTATION_WIDTH = 4, WEIGHTS_MAX = 1 << 22 /* of all nodes together */ };
 
 /* ---- Which animation ---- */
 
-/* The animation that the options name, by name or by number from 0; NONE, after a line, where there
+/* The animation that the options name, by name or by number from 0; NONE, after a line, if there
  * is none. */
 static uint32_t find_animation(burnish_gltf *gltf) {
     const burnish_load_options *options = gltf->reader->input->options;

@@ -4,7 +4,7 @@
 
 #include "mesh/read/gltf/gltf.h"
 
-/* Fills gltf->poses and gltf->weights, where the options name a time or an animation. */
+/* Fills gltf->poses and gltf->weights, if the options name a time or an animation. */
 void burnish_gltf_animate(burnish_gltf *gltf);
 
 #endif

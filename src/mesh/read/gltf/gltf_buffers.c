@@ -24,7 +24,7 @@ static unsigned sextet(uint8_t c) {
     return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : 64;
 }
 
-/* Decodes in place, where `text` may be `out`. Returns bytes written; SIZE_MAX where a character is
+/* Decodes in place, where `text` may be `out`. Returns bytes written; SIZE_MAX if a character is
  * none of base64. */
 static size_t decode_base64(const uint8_t *text, size_t size, uint8_t *out) {
     size_t written = 0;
@@ -212,7 +212,7 @@ int burnish_gltf_fill(burnish_gltf *gltf, uint32_t value, uint64_t bytes, const 
                              (unsigned long long)burnish_budget_bytes(reader));
 }
 
-/* Which of `count` words stands under a key; the last one where it is none. */
+/* The index of the word under a key among `count` words; the last index if it is unknown. */
 static int read_word(burnish_gltf *gltf, uint32_t object, const char *key, const char *const *words,
                      int count) {
     const uint32_t value = burnish_json_member(&gltf->json, object, key);

@@ -87,7 +87,7 @@ static void choose_targets(burnish_gltf *gltf, burnish_gltf_shape *shape,
 
 /* ---- Skins ---- */
 
-/* Joint matrices of a skin: node to world, times the inverse of where it was bound. Made once. */
+/* Joint matrices of a skin: node to world, times the inverse of the bind pose. Made once. */
 static void place_joints(burnish_gltf *gltf, uint32_t number) {
     burnish_gltf_skin *skin = &gltf->skins[number];
     const uint32_t value = gltf->lists[BURNISH_GLTF_SKINS][number];

@@ -13,7 +13,7 @@ typedef struct burnish_gltf_target {
 /* How the vertices of the current primitive are placed in the world. */
 typedef struct burnish_gltf_shape {
     double matrix[12];
-    double cofactors[9]; /* turn normals, to their side where the matrix mirrors */
+    double cofactors[9]; /* for normals, with their side corrected if the matrix mirrors */
     int is_mirrored;
     burnish_gltf_target *targets;
     size_t target_count, target_capacity;

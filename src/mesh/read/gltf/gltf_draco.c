@@ -38,7 +38,7 @@ typedef struct cursor {
     const uint8_t *at, *end;
 } cursor;
 
-/* `count` things of `size` bytes, padded to 4; NULL where fewer are left. */
+/* `count` items of `size` bytes, padded to 4; NULL if fewer are left. */
 static const uint8_t *take(cursor *c, uint64_t count, uint64_t size) {
     const uint64_t left = (uint64_t)(c->end - c->at);
     const uint8_t *bytes = c->at;
@@ -200,7 +200,7 @@ static int read_attribute(cursor *c, size_t point_count, attribute *a) {
     return a->bytes != NULL;
 }
 
-/* Returns 0 where the answer has no such form. */
+/* Returns 0 if the answer is malformed. */
 static int read_stream(cursor *c, stream *s) {
     const uint8_t *head = take(c, 1, STREAM_HEAD);
     if (!head) {

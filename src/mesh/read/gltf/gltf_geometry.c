@@ -49,7 +49,7 @@ typedef struct gltf_drawer {
     atomic_size_t bad; /* the first vertex, from `base` on, that can't be placed */
 } gltf_drawer;
 
-/* A unit vector of the direction; 0 where there is none. */
+/* A unit vector of the direction; 0 if there is none. */
 static void put_unit(const double *direction, float *to) {
     const double *d = direction;
     const double length = d ? burnish_sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) : 0;
@@ -181,7 +181,7 @@ static void convert_vertices(gltf_drawer *drawer) {
 
 /* ---- Triangles ---- */
 
-/* The vertex of the mesh for one of the primitive's; BURNISH_NONE where that is none. */
+/* The vertex of the mesh for a vertex of the primitive; BURNISH_NONE if that is out of range. */
 static uint32_t take_vertex(gltf_drawer *drawer, uint32_t vertex) {
     if (vertex >= drawer->position->count) {
         return BURNISH_NONE;
@@ -463,7 +463,7 @@ static void draw_all(gltf_drawer *drawer) {
     }
 }
 
-/* Once more where nodes put the scene far away. */
+/* Reads once more if nodes put the scene far away. */
 static void draw_from_origin(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     double origin[3];

@@ -4,8 +4,8 @@
 
 #include "mesh/read/gltf/gltf.h"
 
-/* Fills the mesh's materials: one per item of MATERIALS, and one more for primitives without
- * where there are any. */
+/* Fills the mesh's materials: one per item of MATERIALS, and one more if there are primitives
+ * without a material. */
 void burnish_gltf_read_materials(burnish_gltf *gltf);
 
 #endif

@@ -11,7 +11,7 @@ enum { POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE
 
 #define WIDTH(width) (1u << (width))
 
-/* The number of an attribute's accessor, whose type is checked; NONE where it is not there. */
+/* The number of an attribute's accessor, whose type is checked; NONE if absent. */
 static uint32_t read_attribute(burnish_gltf *gltf, const burnish_gltf_primitive *primitive,
                                uint32_t attributes, const char *name, unsigned widths) {
     const uint32_t number = burnish_gltf_reference(gltf, attributes, name, BURNISH_GLTF_ACCESSORS);

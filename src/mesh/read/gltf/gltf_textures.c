@@ -1,4 +1,4 @@
-/* Textures of glTF's materials: which image, how it repeats, and where on it a point lies. */
+/* Textures of glTF's materials: the image, how it repeats, and the texture coordinates. */
 #include "mesh/read/gltf/gltf_textures.h"
 
 #include <stdio.h>
@@ -70,7 +70,7 @@ static int texture_of_image(burnish_gltf *gltf, uint32_t image, int is_color) {
 
 /* ---- Sets of texture coordinates ---- */
 
-/* That of a texture's use; SETS where it is none, or no set that is read. */
+/* The set of a texture's use; SETS without a texture, or if the set is not read. */
 static unsigned set_of_use(const burnish_json *json, uint32_t info) {
     const uint32_t extensions = burnish_json_member(json, info, "extensions");
     const uint32_t transform = burnish_json_member(json, extensions, "KHR_texture_transform");

@@ -27,7 +27,7 @@ const char *burnish_meshopt_check(burnish_meshopt_mode mode, burnish_meshopt_fil
                                   size_t count, size_t stride);
 
 /* Decodes count elements of stride bytes, for which burnish_meshopt_check has no complaint, to
- * `out`, which may be read before it is written. Returns 0 where the bytes are damaged. */
+ * `out`, which may be read before it is written. Returns 0 if the bytes are damaged. */
 int burnish_meshopt_decode(burnish_meshopt_mode mode, const uint8_t *bytes, size_t size,
                            size_t count, size_t stride, uint8_t *out);
 

@@ -22,8 +22,8 @@ typedef struct burnish_chunk {
     const uint8_t *end;   /* a statement that reaches up to here is the last */
     const uint8_t *cut;   /* what end was before parse() */
     const uint8_t *text_end;
-    int is_first; /* nothing stands before it */
-    int bounded; /* 1: the next chunk begins at end, where a statement must; 0: parse() moves end */
+    int is_first; /* nothing precedes it */
+    int bounded; /* 1: the next chunk begins at end, which is the start of a statement; 0: parse() moves end */
     size_t rows_left; /* how many rows may be read; SIZE_MAX: all */
     uint64_t most;    /* triangles that the whole file may have */
 
@@ -42,7 +42,7 @@ typedef struct burnish_chunk {
     int is_odd;              /* the grammar's: not all of it is as it should be */
     burnish_status status;   /* but OK: to be parsed again, exactly */
 
-    /* What stands before it: known after parsing, or where `exact` is not NULL. */
+    /* Totals before it: known after parsing, or if `exact` is not NULL. */
     burnish_reader *exact; /* takes messages */
     size_t before[BURNISH_ATTRIBUTE_COUNT], triangles_before, rows_before;
     size_t total[BURNISH_ATTRIBUTE_COUNT]; /* of the file; SIZE_MAX: not known yet */
@@ -52,7 +52,7 @@ typedef struct burnish_chunk {
     burnish_error error; /* of memory */
 } burnish_chunk;
 
-/* Ends the chunk; the message is written where the chunk is exact. */
+/* Ends the chunk; the message is written if the chunk is exact. */
 __attribute__((format(printf, 4, 5))) burnish_status burnish_chunk_fail(burnish_chunk *chunk,
                                                                         burnish_status status,
                                                                         const uint8_t *at,
@@ -78,7 +78,7 @@ static inline void *burnish_chunk_append(burnish_chunk *chunk, burnish_attribute
  * count:    corners, >= 3
  * used:     bits 1 << attribute: attributes with a value at any corner; other attributes get no
  *           values
- * Errors: LIMIT where the chunk is exact, MEMORY. */
+ * Errors: LIMIT if the chunk is exact, MEMORY. */
 burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at,
                                          const uint32_t *corners, size_t stride, size_t count,
                                          unsigned used);

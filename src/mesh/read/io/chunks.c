@@ -76,7 +76,7 @@ static size_t wave_size(const chunk_driver *driver) {
     return driver->most * driver->chunk_size + LONGEST;
 }
 
-/* Has the next wave in the window. Returns 0 where the file can't be read. */
+/* Moves the window to the next wave. Returns 0 if the file can't be read. */
 static int move_window(chunk_driver *driver) {
     if (ends_input(driver) || (size_t)(driver->text_end - driver->next) >= wave_size(driver)) {
         return 1;
@@ -101,8 +101,8 @@ static burnish_status open_window(chunk_driver *driver, const uint8_t *at) {
 
 /* ---- Cutting ---- */
 
-/* How many bytes may be read ahead: where rows are counted, no more than they are likely to fill,
- * since what follows them is something else. */
+/* How many bytes may be read ahead. If rows are counted, no more than they are likely to fill,
+ * since something else follows them. */
 static size_t read_ahead(const chunk_driver *driver) {
     if (driver->alone || driver->most == 1) {
         return 0;
@@ -169,7 +169,7 @@ static burnish_status parse_exactly(chunk_driver *driver, burnish_chunk *chunk,
     return chunk->status;
 }
 
-/* Rows that may follow were read as some of these where the chunks before it had fewer left. */
+/* If earlier chunks had fewer rows left, this chunk may have read other data as rows. */
 static void parse_fewer(const chunk_driver *driver, burnish_chunk *chunk) {
     if (chunk->rows_left > driver->rows_left && chunk->rows >= driver->rows_left) {
         reset(chunk);
@@ -228,7 +228,7 @@ static burnish_status accept_before_error(chunk_driver *driver, const burnish_ch
     return before == BURNISH_STATUS_OK ? status : before;
 }
 
-/* Takes over what was read, but for copying it; *more becomes 0 where the wave ends with it. */
+/* Accepts a chunk, except for copying it; *more becomes 0 if the wave ends with it. */
 static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *more) {
     burnish_mesh_data *mesh = driver->reader->mesh;
     forward_chunk known = {.first = chunk->first, .end = chunk->cut};
@@ -292,7 +292,7 @@ static void fill_values(burnish_stream *stream, burnish_attribute attribute, siz
            size * count);
 }
 
-/* Room for `needed` of what there was `before` the wave of and, where more is taken, for as much as
+/* Capacity for `needed` items, of which there were `before` the wave. If it must grow, as much as
  * there will be if the file goes on like this, but no more than `most`: then arrays hardly ever
  * move. `left`: waves. */
 static size_t expect(size_t needed, size_t capacity, size_t before, double left, uint64_t most) {

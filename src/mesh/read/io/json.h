@@ -54,16 +54,16 @@ static inline const uint8_t *burnish_json_at(const burnish_json *json, uint32_t 
     return json->bytes + json->nodes[value].first;
 }
 
-/* Members of an object that are looked at: no object of a format has as many keys, and so each
- * look-up takes bounded time. */
+/* Members of an object that are searched. No format has objects with so many keys, and the limit
+ * bounds the time of each look-up. */
 #define BURNISH_JSON_MEMBERS 256
 
-/* The value of a key; NONE where it is not there, or where `object` is none. Of two equal keys the
+/* The value of a key; NONE if it is missing, or `object` is not an object. Of two equal keys the
  * first counts. */
 uint32_t burnish_json_member(const burnish_json *json, uint32_t object, const char *key);
 
-/* Items of an array; 0 for what is none. The first is array + 1, the one after i is
- * nodes[i].next. */
+/* Items of an array; 0 for other values. The first is array + 1, the one after i is nodes[i].next.
+ */
 size_t burnish_json_length(const burnish_json *json, uint32_t array);
 
 /* The nearest double; returns 0 if the value is not a number or exceeds the range of doubles. */
@@ -77,7 +77,7 @@ int burnish_json_is_text(const burnish_json *json, uint32_t value, const char *t
  * of another kind gives an empty string. */
 size_t burnish_json_text(const burnish_json *json, uint32_t value, char *text, size_t room);
 
-/* "accessors[5].byteOffset": where a value stands, for messages; "" for the document. */
+/* "accessors[5].byteOffset": the path of a value, for messages; "" for the document. */
 typedef struct burnish_json_path {
     char text[120];
 } burnish_json_path;

@@ -57,7 +57,7 @@ int burnish_token_is(burnish_token token, const char *word);
 int burnish_token_is_caseless(burnish_token token, const char *word); /* word in small letters */
 int burnish_bytes_are_caseless(const uint8_t *bytes, const uint8_t *small, size_t size);
 
-/* A token for a message: at most 40 characters, "..." where it was cut, '?' for anything outside
+/* A token for a message: at most 40 characters, "..." if it was cut, '?' for anything outside
  * printable ASCII. */
 typedef struct burnish_quote {
     char text[44];
@@ -98,8 +98,8 @@ static inline int burnish_double_to_float(double value, float *rounded) {
     return 1;
 }
 
-/* The next token of this line and the number that it is; *value is set only where *status is OK.
- * Returns 0 at the end of the line. */
+/* The next token of this line and its number; *value is set only if *status is OK. Returns 0 at the
+ * end of the line. */
 int burnish_lexer_double(burnish_lexer *lexer, burnish_token *token, double *value,
                          burnish_number_status *status);
 int burnish_lexer_float(burnish_lexer *lexer, burnish_token *token, float *value,
@@ -109,8 +109,8 @@ int burnish_lexer_float(burnish_lexer *lexer, burnish_token *token, float *value
 int burnish_lexer_word_double(burnish_lexer *lexer, burnish_token *token, double *value,
                               burnish_number_status *status);
 
-/* The next token of this line where it is nothing but digits, fewer than 19 and not at the very end
- * of the text; returns 0 and moves nothing for any other. */
+/* The next token of this line, if it consists of fewer than 19 digits and is not at the very end of
+ * the text; otherwise returns 0 and moves nothing. */
 int burnish_lexer_count(burnish_lexer *lexer, uint64_t *value);
 
 /* ---- Common decimals ---- */
@@ -177,7 +177,7 @@ static inline unsigned burnish_scan_digits(const uint8_t **text, uint64_t *value
     return count;
 }
 
-/* Moves past the next word of this line or a later one where it is `word`, in any case: up to eight
+/* Moves past the next word of this line or a later one if it is `word`, in any case: up to eight
  * small letters, known to the compiler. Returns 0, and moves nothing, for any other one and near
  * the end of the text. */
 static inline __attribute__((always_inline)) int burnish_lexer_skip_word(burnish_lexer *lexer,
@@ -253,7 +253,7 @@ static inline double burnish_divide_decimal(uint64_t mantissa, int64_t exponent)
 }
 #endif
 
-/* mantissa * 10^exponent to the nearest double, ties to even; 0 where that needs more than the
+/* mantissa * 10^exponent to the nearest double, ties to even; 0 if that needs more than the
  * bits of two words. mantissa > 0. */
 static inline int burnish_scale_decimal(uint64_t mantissa, int64_t exponent, double *value) {
     /* A mantissa of at most 2^53 and a power of ten of at most 10^22 are both exact doubles, so one

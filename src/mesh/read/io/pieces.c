@@ -7,7 +7,7 @@
 
 enum {
     PIECE = 4 * BURNISH_PIECES_HEAD, /* bytes that are read at once, by each thread */
-    GRAIN = 1 << 13                  /* rows that a thread takes at once where all are in memory */
+    GRAIN = 1 << 13                  /* rows that a thread takes at once if all are in memory */
 };
 
 size_t burnish_reader_head(const burnish_reader *reader) {
@@ -19,7 +19,7 @@ burnish_status burnish_pieces_give_up(burnish_reader *reader) {
     return burnish_reader_fail(reader, BURNISH_STATUS_READ, NULL, "to be read whole");
 }
 
-/* Returns 0 where the file does not give them all: it has become shorter, or can't be read. */
+/* Returns 0 if the file has become shorter or can't be read. */
 static int read_at(int descriptor, size_t offset, uint8_t *bytes, size_t size) {
 #if BURNISH_HAS_PREAD
     while (size > 0) {

@@ -25,8 +25,8 @@ burnish_status burnish_pieces_give_up(burnish_reader *reader);
 /* How many of the input's bytes are in memory. */
 size_t burnish_reader_head(const burnish_reader *reader);
 
-/* Bytes of the input from an offset on: where they lie, or in the buffer. NULL: they can't be read.
- */
+/* Bytes of the input from an offset on: in memory, or read into the buffer. NULL: they can't be
+ * read. */
 const uint8_t *burnish_reader_peek(const burnish_reader *reader, size_t offset, size_t size,
                                    uint8_t *buffer);
 
@@ -38,7 +38,7 @@ typedef struct burnish_window {
     size_t offset, size; /* the part of the input that is there */
 } burnish_window;
 
-/* Moves the window's beginning to a byte in it or at its end, and fills it. Returns 0 where the
+/* Moves the window's beginning to a byte in it or at its end, and fills it. Returns 0 if the
  * file can't be read. */
 int burnish_window_move(burnish_window *window, size_t offset);
 
@@ -49,7 +49,7 @@ typedef void burnish_rows_task(void *user_data, const uint8_t *rows, size_t firs
  * within the input.
  *
  * offset: of the first row, in bytes from the beginning of the input
- * Errors: MEMORY, CANCELLED; READ where the input is in pieces and can't be read. */
+ * Errors: MEMORY, CANCELLED; READ if the input is in pieces and can't be read. */
 burnish_status burnish_reader_rows(burnish_reader *reader, size_t offset, size_t row_size,
                                    size_t count, burnish_rows_task *task, void *user_data);
 

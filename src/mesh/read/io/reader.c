@@ -7,7 +7,7 @@
 
 enum { MESSAGE_SIZE = 300, LINE_SIZE = MESSAGE_SIZE + sizeof(burnish_shown_name) + 64 };
 
-/* Counted from 1, and on from where the last message was if that is not after it. */
+/* Counted from 1, starting at the last message's line if that is not after it. */
 static size_t line_at(burnish_reader *reader, const uint8_t *at) {
     const uint8_t *first = reader->input->bytes;
     if (at > first && at == first + reader->input->size) { /* of the last line */

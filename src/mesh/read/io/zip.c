@@ -58,7 +58,7 @@ static const uint8_t *find_end(const uint8_t *bytes, size_t size) {
     return NULL;
 }
 
-/* Where the directory stands; in 64 bits where a number does not fit the end record. */
+/* Finds the directory, with 64-bit numbers if one does not fit the end record. */
 static burnish_status find_directory(burnish_zip *zip, directory *found) {
     const burnish_reader_input *input = zip->reader->input;
     const uint8_t *end = find_end(input->bytes, input->size);

@@ -147,7 +147,7 @@ static void read_color(mtl_state *mtl, const char *what, float color[3], int *ha
     *has = 1;
 }
 
-/* Returns 0 where there is none. */
+/* Returns 0 if there is none. */
 static int read_number(mtl_state *mtl, const char *what, float *value) {
     burnish_token token;
     if (!burnish_lexer_token(&mtl->lexer, &token)) {

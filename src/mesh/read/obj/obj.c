@@ -120,7 +120,7 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
             note_other(obj, event, &lexer);
             continue;
         }
-        if (obj->reader->input->pieces) { /* names are kept where they stand */
+        if (obj->reader->input->pieces) { /* names refer to the input's bytes */
             return burnish_pieces_give_up(obj->reader);
         }
         if (triangle > obj->triangle) {
@@ -161,7 +161,7 @@ static void settle_corners(obj_state *obj, burnish_attribute attribute, const ch
     }
 }
 
-/* Colours that count to 255, where one is brighter than any that counts to 1. */
+/* Rescales colours that count to 255, if one is too bright to count to 1. */
 static void settle_colors(obj_state *obj) {
     const burnish_stream *colors = &obj->reader->mesh->streams[BURNISH_COLOR];
     uint8_t *rgba = burnish_colors(obj->reader->mesh);

@@ -134,7 +134,7 @@ static burnish_status read_library(burnish_obj_materials *materials, const char 
     return burnish_read_mtl(&reader, &materials->library);
 }
 
-/* Reads one library by a name that ends in 0. *missing becomes 0 where the file is there. */
+/* Reads one library by a name that ends in 0. *missing becomes 0 if the file exists. */
 static burnish_status load_library(burnish_obj_materials *materials, const char *name,
                                    burnish_error *why, int *missing) {
     const burnish_reader_input *input = materials->reader->input;

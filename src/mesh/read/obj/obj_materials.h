@@ -38,7 +38,7 @@ void burnish_obj_materials_close(burnish_obj_materials *materials);
 /* usemtl NAME */
 void burnish_obj_use_material(burnish_obj_materials *materials, burnish_token name);
 
-/* A triangle follows: begins a run where the material has changed. Errors: MEMORY. */
+/* Call before a triangle: begins a run if the material has changed. Errors: MEMORY. */
 burnish_status burnish_obj_begin_run(burnish_obj_materials *materials, size_t first_triangle);
 
 /* mtllib FILE, where FILE may hold blanks, or mtllib FILE FILE ...; lexer: after the keyword.

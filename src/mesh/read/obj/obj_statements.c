@@ -271,8 +271,7 @@ static inline const uint8_t *scan_index(const uint8_t *p, int64_t *written) {
     return p;
 }
 
-/* The next corner where it is right and of plain form; returns 0, and moves nothing, for any other.
- */
+/* The next corner if it is valid and of plain form; otherwise returns 0 and moves nothing. */
 static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
     const uint8_t *p = obj->lexer.next;
     unsigned used = 1u << BURNISH_POSITION;

@@ -116,7 +116,7 @@ static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *r
 
 /* ---- Elements ---- */
 
-/* What a row consists of: its least size, where its columns stand if all lists have 3 items, and
+/* The layout of a row: its least size, the offsets of its columns if all lists have 3 items, and
  * how many lists there are. */
 static size_t describe_rows(const burnish_ply_state *ply, burnish_ply_rows *rows, size_t *least) {
     const burnish_ply_element *element = ply->element;

@@ -34,7 +34,8 @@ static const uint8_t *find_comment(const uint8_t *line, const uint8_t *end, cons
     return end;
 }
 
-/* Where the body starts, and the elements' lines, which messages of the body tell. */
+/* Moves the start of the body, and the elements' lines for messages, to another copy of the input.
+ */
 static void move_header(burnish_ply_header *header, const uint8_t *from, const uint8_t *to) {
     for (size_t i = 0; i < header->element_count; ++i) {
         header->elements[i].at = to + (header->elements[i].at - from);

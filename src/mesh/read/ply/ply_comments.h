@@ -4,7 +4,7 @@
 
 #include "mesh/read/ply/ply_rows.h"
 
-/* Gives the reader an input whose body has blanks where it had comments; *any: 1 where there are
+/* Gives the reader an input whose body has blanks where it had comments; *any: 1 if there are
  * some. Errors: MEMORY. */
 burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any);
 

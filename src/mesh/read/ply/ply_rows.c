@@ -34,7 +34,7 @@ typedef struct face_row {
     int texture;
 } face_row;
 
-/* Where a message points to: a binary value's first byte, the end of a word. */
+/* The location of a message: a binary value's first byte, or the end of a word. */
 #define HERE(p) ((p)->ply->header.encoding == BURNISH_PLY_ASCII ? (p)->lexer.next : (p)->value_at)
 
 #define FAIL(p, ...) burnish_chunk_fail((p)->chunk, BURNISH_STATUS_FORMAT, HERE(p), __VA_ARGS__)
@@ -262,7 +262,7 @@ static float read_coordinate(ply_parser *p, burnish_ply_encoding encoding, burni
     return coordinate;
 }
 
-/* Texture coordinates of each triangle of a face's fan; 0, 0 where the row has another number of
+/* Texture coordinates of each triangle of a face's fan; 0, 0 if the row has another number of
  * them. */
 static void append_coordinates(ply_parser *p, burnish_ply_encoding encoding, const face_row *face) {
     const uint8_t *after = p->lexer.next;

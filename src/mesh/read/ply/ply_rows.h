@@ -24,7 +24,7 @@ typedef struct burnish_ply_state {
     burnish_warning_group few_corners, fields, comments;
     int by_lines; /* rows are lines of an ASCII file, whatever they hold */
     int is_odd;   /* 1: a line does not hold a row */
-    const burnish_reader_input *with_comments; /* the reader's own input, where it has been given */
+    const burnish_reader_input *with_comments; /* the original input, if replaced by */
     burnish_reader_input without;              /* this one */
 } burnish_ply_state;
 

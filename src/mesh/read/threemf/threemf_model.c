@@ -310,7 +310,7 @@ static int read_matrix(burnish_threemf_xml *xml, const char *text, double matrix
     return 1;
 }
 
-/* The object that a placement names, in another part where it names one. */
+/* The object that a placement names, in another part if it names a part. */
 static int read_placement(model_state *model, burnish_threemf_xml *xml,
                           const char *const *attributes, burnish_threemf_placement *placement) {
     const char *path = burnish_threemf_prefixed(attributes, "path");

@@ -16,7 +16,7 @@ static burnish_threemf_group *find_group(burnish_threemf *threemf, uint32_t part
     return resource ? &threemf->groups.items[resource->index] : NULL;
 }
 
-/* Number i of a range as an index; NONE where it is none. */
+/* Number i of a range as an index; NONE if it is invalid. */
 static uint32_t index_at(const burnish_threemf *threemf, size_t first, size_t count, size_t i) {
     const double number = i < count ? threemf->numbers.items[first + i] : -1;
     return number >= 0 && number < BURNISH_THREEMF_NONE ? (uint32_t)number : BURNISH_THREEMF_NONE;

@@ -63,7 +63,7 @@ struct burnish_threemf_xml {
 int burnish_threemf_parse(burnish_threemf *threemf, const burnish_zip_part *part, const char *name,
                           const burnish_threemf_handler *handler);
 
-/* Sets threemf->status with "NAME: PART:LINE: ...", where nothing failed before. Returns 0. */
+/* Sets threemf->status with "NAME: PART:LINE: ...", unless something failed before. Returns 0. */
 __attribute__((format(printf, 3, 4))) int
 burnish_threemf_fail(burnish_threemf_xml *xml, burnish_status status, const char *format, ...);
 
@@ -80,8 +80,8 @@ const char *burnish_threemf_prefixed(const char *const *attributes, const char *
 int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
                           float *value);
 
-/* A whole number below NONE; `fallback` where it is missing, unless that is NONE: then it has to be
- * there. Returns 0 on failure. */
+/* A whole number below NONE. If it is missing, `fallback` is used, or the function fails if that is
+ * NONE. Returns 0 on failure. */
 int burnish_threemf_whole(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
                           uint32_t fallback, uint32_t *value);
 
