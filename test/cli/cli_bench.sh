@@ -29,24 +29,21 @@ check_keys() {
     done
 }
 
-run --quick --json --isa scalar --csv rows.csv
-check "bench: exit code $code" [ "$code" = 0 ]
+gives 0 --quick --json --isa scalar --csv rows.csv
 check "bench: writes to standard error" [ ! -s "$err" ]
 check "bench: no JSON" valid_json
 check_keys scalar
 check "bench --csv: no rows" [ "$(grep -c '^scalar,' rows.csv)" -ge 30 ]
 check "bench --csv: rows of 7 fields" sh -c "sed 's/\"[^\"]*\"/S/g' rows.csv | awk -F, 'NF != 7 { bad = 1 } END { exit bad }'"
 
-run --quick --json --isa auto
-check "bench --isa auto: exit code $code" [ "$code" = 0 ]
+gives 0 --quick --json --isa auto  # bench --isa auto
 check "bench --isa auto: no JSON" valid_json
 check_keys auto
 
 run --quick --isa auto
 check "bench: no table" grep -q 'the lobe, m = 2' "$out"
 
-run --isa mmx
-check "bench --isa mmx: exit code $code" [ "$code" = 2 ]
+gives 2 --isa mmx  # bench --isa mmx
 check "bench --isa mmx: says $(cat "$err")" grep -qx 'burnish: --isa: "mmx" is not one of auto scalar.*' "$err"
 expect 7 "burnish: no/such/folder.csv: can't be written: No such file or directory; create the folder first" \
     --quick --isa scalar --csv no/such/folder.csv

@@ -16,8 +16,7 @@ check "the same picture: exit code $code, $(cat "$out" "$err")" [ "$code" = 0 ]
 check "it says so" grep -q '^a.png and a.png, 64 x 64 pixels: the same$' "$out"
 
 # Two greys: all numbers are known.
-run compare a.png b.png --json
-check "greys: exit code $code" [ "$code" = 10 ]
+gives 10 compare a.png b.png --json
 check "the JSON is valid" valid_json
 check "nothing on standard error" [ ! -s "$err" ]
 for pair in passes:false different_pixels:4096 different_share:1 different_bounds:0,0,64,64 largest_difference:3,3,3,0 \
@@ -27,12 +26,10 @@ done
 check "PSNR is 20 log10(255 / 3): $(json psnr)" sh -c "echo $(json psnr) | grep -q '^38\.58837'"
 check "SSIM of two greys: $(json ssim)" sh -c "echo $(json ssim) | grep -q '^0\.99956'"
 passes() {
-    run compare a.png b.png "$@"
-    check "compare a.png b.png $*: exit code $code" [ "$code" = 0 ]
+    gives 0 compare a.png b.png "$@"
 }
 fails() {
-    run compare a.png b.png "$@"
-    check "compare a.png b.png $*: exit code $code" [ "$code" = 10 ]
+    gives 10 compare a.png b.png "$@"
 }
 passes --tolerance=3
 fails --tolerance=2
@@ -45,11 +42,9 @@ passes --threshold=0.1 --metric=flip
 
 # Meshes: the camera frames both, what is told of them differs, a picture of the mesh is the mesh.
 "$burnish" render :teapot --size=48 -o teapot.png
-run compare :teapot teapot.png --json
-check "a mesh and its picture: exit code $code" [ "$code" = 0 ]
+gives 0 compare :teapot teapot.png --json  # a mesh and its picture
 check "a mesh and its picture have one silhouette: $(json silhouette_iou)" [ "$(json silhouette_iou)" = 1 ]
-run compare :sphere :torus --size=64 --json=both.json -o both.png
-check "two meshes: exit code $code" [ "$code" = 10 ]
+gives 10 compare :sphere :torus --size=64 --json=both.json -o both.png
 check "no text beside JSON" [ ! -s "$out" ]
 cp both.json "$out"
 check "JSON in a file is valid" valid_json
@@ -59,8 +54,7 @@ check "facts" grep -q '"volume":.*3.15' both.json
 check "the picture is a PNG" [ "$(od -An -tx1 -N8 both.png | tr -d ' ')" = 89504e470d0a1a0a ]
 run compare :sphere :torus --size=64 --look=plain
 check "text names what differs in the meshes" grep -q '^  triangles  *12288 and 16384$' "$out"
-run compare :sphere :sphere --size=32
-check "the same mesh: exit code $code" [ "$code" = 0 ]
+gives 0 compare :sphere :sphere --size=32  # the same mesh
 check "the same mesh: facts" grep -q 'the meshes have the same size' "$out"
 run compare :sphere :sphere --tessellation=8 --size=32
 for isa in scalar auto; do
@@ -79,27 +73,22 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\n' >corner
     done
     echo endsolid corner
 } >corner.stl
-run compare corner.stl corner.obj --size=64
-check "two formats, A is STL: exit code $code" [ "$code" = 0 ]
+gives 0 compare corner.stl corner.obj --size=64  # two formats, A is STL
 check "they are the same" grep -q 'corner.stl and corner.obj, 64 x 64 pixels: the same' "$out"
-run compare corner.obj corner.stl --size=64 --json
-check "two formats, A is OBJ: exit code $code" [ "$code" = 0 ]
+gives 0 compare corner.obj corner.stl --size=64 --json  # two formats, A is OBJ
 check "both with A's up: $(json up)" [ "$(tr -d '\n\t ' <"$out" | grep -o '"up":"[^"]*"' | sort -u)" = '"up":"+Y"' ]
 run compare corner.obj corner.stl --size=64 --json --up=+X
 check "both with the flag's up" [ "$(tr -d '\n\t ' <"$out" | grep -o '"up":"[^"]*"' | sort -u)" = '"up":"+X"' ]
 
 # One mesh, two lobes.
-run compare :teapot --lobe=power,energy:2 --size=64 --specular=0.9 --json
-check "lobes: exit code $code" [ "$code" = 10 ]
+gives 10 compare :teapot --lobe=power,energy:2 --size=64 --specular=0.9 --json
 check "lobes are named" grep -q '"lobe":.*"power"' "$out"
 check "lobes: the silhouettes are one: $(json silhouette_iou)" [ "$(json silhouette_iou)" = 1 ]
-run compare :teapot --lobe=power,power --size=64
-check "the same lobe: exit code $code" [ "$code" = 0 ]
+gives 0 compare :teapot --lobe=power,power --size=64  # the same lobe
 
 # The panels: three of them, enlarged; the map of FLIP is another picture.
-width() { od -An -tu1 -j16 -N4 "$1" | awk '{print $1 * 16777216 + $2 * 65536 + $3 * 256 + $4}'; }
 run compare a.png b.png -o codes.png
-check "three panels of 320 pixels: $(width codes.png)" [ "$(width codes.png)" -gt 960 ]
+check "three panels of 320 pixels: $(png_size codes.png)" [ "$(png_size codes.png | cut -d " " -f 1)" -gt 960 ]
 run compare a.png b.png -o flip.png --map=flip
 check "the maps differ" sh -c "! cmp -s codes.png flip.png"
 "$burnish" compare a.png b.png -o - >piped.png
@@ -115,8 +104,7 @@ check "a mesh from a pipe: $(cat "$out")" grep -q 'the same' "$out"
 # render --reference.
 expect 0 '' render :teapot --size=48 --reference=teapot.png -o again.png
 expect 10 'burnish: teapot.png: the picture has 47 x 47 pixels, the reference 48 x 48' render :teapot --size=47 --reference=teapot.png -o again.png
-run render :teapot --size=48 --color=red --reference=teapot.png --reference-difference=panels.png --json -o red.png
-check "a red teapot: exit code $code" [ "$code" = 10 ]
+gives 10 render :teapot --size=48 --color=red --reference=teapot.png --reference-difference=panels.png --json -o red.png  # a red teapot
 check "one line says how it differs: $(cat "$err")" grep -qx 'burnish: teapot.png: the picture differs: error 0\.[0-9]*, allowed 0; [0-9]* of 2304 pixels in [0-9, to]*, SSIM 0\.[0-9]*, FLIP 0\.[0-9]*' "$err"
 check "the report is valid" valid_json
 check "the report has the numbers" grep -q '"passes":.*false' "$out"
@@ -144,9 +132,7 @@ expect 2 'burnish: compare: both are standard input; name a file for one of them
 expect 3 "burnish: none.png: can't be opened: No such file or directory" compare none.png a.png
 printf 'not a picture' >text.png
 expect 4 'burnish: text.png: not a PNG file; convert the picture to PNG' compare text.png a.png
-run compare a.png b.png --columns=2
-check "flags of sheets are none of compare: exit code $code" [ "$code" = 2 ]
-run compare a.png b.png --threshold=2
-check "a threshold above 1: exit code $code" [ "$code" = 2 ]
+gives 2 compare a.png b.png --columns=2  # flags of sheets are none of compare
+gives 2 compare a.png b.png --threshold=2  # a threshold above 1
 
 finish

@@ -10,8 +10,7 @@ command -v gnuplot >/dev/null && has_gnuplot=1 || has_gnuplot=0
 
 # data FIGURE ARGUMENTS...: its CSV in data.csv.
 data() {
-    run lobe plot "$@" --format=csv
-    check "burnish lobe plot $*: exit code $code, $(cat "$err")" [ "$code" = 0 ]
+    gives 0 lobe plot "$@" --format=csv
     cp "$out" data.csv
 }
 
@@ -184,8 +183,7 @@ if [ "$has_gnuplot" = 1 ]; then
     for arguments in "core --lobes=power" "error --lobes=power" "cost --lobes=power" "ratio --exponents=1,65536" \
         "ratio --lobes=taylor:2,schlick,minimax:8,gaussian,gx --bits=2,4,8,12" "curves --exponents=1" "energy --size=400,250"; do
         # shellcheck disable=SC2086
-        run lobe plot $arguments -o other.svg
-        check "burnish lobe plot $arguments: exit code $code, $(cat "$err")" [ "$code" = 0 ]
+        gives 0 lobe plot $arguments -o other.svg
     done
     run lobe plot core --exponents=3,700 -o other.svg
     for end in 3 700; do
@@ -193,7 +191,7 @@ if [ "$has_gnuplot" = 1 ]; then
     done
     run lobe plot curves -o other.png
     check "burnish lobe plot curves -o other.png: $(cat "$err")" \
-        [ "$(od -An -tu1 -j16 -N8 other.png | awk '{print $3 * 256 + $4, $7 * 256 + $8}')" = "720 440" ]
+        [ "$(png_size other.png)" = "720 440" ]
     rm -r two other.svg other.png
 fi
 rm -rf one

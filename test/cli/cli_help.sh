@@ -14,8 +14,7 @@ done
 printf '%s\n' "$screens" | tr ';' '\n' >screens.txt
 while read -r screen; do
     # shellcheck disable=SC2086
-    run $screen
-    check "burnish $screen: exit code $code" [ "$code" = 0 ]
+    gives 0 $screen
     check "burnish $screen: writes to standard error" [ ! -s "$err" ]
     check "burnish $screen: does not fit 40 lines of 100 columns" fits "$out"
 done <screens.txt

@@ -107,8 +107,7 @@ check "the batch's importer has ended" await ended "$(cat "$bin/number")"
 
 # One that works: it gets the ending, the file as standard input, and no other descriptor.
 importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; ls /proc/self/fd >'$bin/descriptors'; cat '$bin/all.bms'"
-run render a.fbx --size=64 --json -o p.png
-check "drawn: $(cat "$err")" [ "$code" = 0 ]
+gives 0 render a.fbx --size=64 --json -o p.png
 check "its format" [ "$(json format)" = fbx ]
 check "the ending" [ "$(cat "$bin/arguments")" = fbx ]
 check "the file" cmp -s a.fbx "$bin/input"
@@ -121,14 +120,11 @@ for flag in --no-sandbox $boxed; do
     check "a texture beside the file, $flag: $(cat "$err")" [ "$(cat "$err")" = "burnish: warning: a.fbx: burnish-import-assimp: text" ]
     check "the same picture, $flag" cmp -s p.png q.png
 done
-run info a.fbx
-check "info" [ "$code" = 0 ]
-run compare a.fbx a.fbx
-check "compare" [ "$code" = 0 ]
+gives 0 info a.fbx
+gives 0 compare a.fbx a.fbx
 expect 5 'burnish: a.fbx: larger than the limit of 3 bytes; raise the limit or simplify the mesh' \
     render a.fbx --max-input-bytes=3 -o r.png
-run render a.fbx --input-format=stl -o r.png
-check "a format that is named is not imported" [ "$code" = 4 ]
+gives 4 render a.fbx --input-format=stl -o r.png  # a format that is named is not imported
 
 # Whatever the name, and through standard input: --input-format says what it is.
 cp a.fbx a.dat
@@ -203,8 +199,7 @@ for again in no yes; do # the first line of the first report is known in the sec
     [ $again = yes ] || importer "exit 3"
 done
 importer "cat '$bin/all.bms'"
-run batch models/configure.ac -d models --size=16 --no-sandbox --force --max-memory=8000000000G
-check "one that is named is tried: $(cat "$err")" [ "$code" = 0 ]
+gives 0 batch models/configure.ac -d models --size=16 --no-sandbox --force --max-memory=8000000000G  # one that is named is tried
 rm -f models/*.png models/*.jsonl models/*.ac models/*.x models/*.mdl models/*.dxf
 BURNISH_IMPORTERS=$bin/none expect 2 'burnish: batch: no meshes there; --recursive looks into folders below' batch models
 rm -r models

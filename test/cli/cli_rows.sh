@@ -23,13 +23,11 @@ expect 2 'burnish: --runners: is of one picture; draw one INPUT, without --outpu
 nothing_left "wrong usage"
 
 # The report, and no warning of rows that show nothing.
-run render :sphere --resolution=60,200 --rows=150:30 --json -o p.png
-check "rows: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+gives 0 render :sphere --resolution=60,200 --rows=150:30 --json -o p.png
 check "rows: $(json rows)" [ "$(json rows)" = 150,30 ]
 check "rows: height $(json height)" [ "$(json height)" = 30 ]
 valid_json
-run render :sphere --resolution=60,200 --rows=0:3 -o p.png
-check "empty rows: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+gives 0 render :sphere --resolution=60,200 --rows=0:3 -o p.png
 check "empty rows: $(cat "$err")" [ ! -s "$err" ]
 run render :sphere --size=50 --views=front --json -o p.png
 scale=$(json pixels_per_unit)
@@ -43,15 +41,13 @@ values() {
 for flags in "--look=studio --ground --shadow" "--look=technical --no-background" "--look=drawing --samples=8" \
     "--look=studio --opacity=0.5 --clip=0,0,1,0.1"; do
     # shellcheck disable=SC2086
-    run render :knot --resolution=90,150 $flags -o whole.npy --plane=depth:depth.npy
-    check "$flags: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+    gives 0 render :knot --resolution=90,150 $flags -o whole.npy --plane=depth:depth.npy
     values whole.npy $((90 * 150 * 16)) >whole.raw
     values depth.npy $((90 * 150 * 4)) >depth.raw
     rm -f rows.raw depths.raw
     for rows in 0:1 1:63 64:70 134:16; do
         # shellcheck disable=SC2086
-        run render :knot --resolution=90,150 $flags --rows=$rows -o rows.npy --plane=depth:depth.npy
-        check "$flags, $rows: exit code $code: $(cat "$err")" [ "$code" = 0 ]
+        gives 0 render :knot --resolution=90,150 $flags --rows=$rows -o rows.npy --plane=depth:depth.npy
         values rows.npy $((90 * ${rows#*:} * 16)) >>rows.raw
         values depth.npy $((90 * ${rows#*:} * 4)) >>depths.raw
     done
@@ -60,8 +56,7 @@ for flags in "--look=studio --ground --shadow" "--look=technical --no-background
 done
 
 # The same rows from every instruction set and number of threads.
-run render :knot --size=80 --rows=20:9 --json -o p.png
-check "a hash: $code" [ "$code" = 0 ]
+gives 0 render :knot --size=80 --rows=20:9 --json -o p.png
 json hash >sums
 for isa in $(instruction_sets); do
     run render :knot --size=80 --rows=20:9 --isa=$isa --threads=3 --json -o p.png

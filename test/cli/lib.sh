@@ -1,5 +1,5 @@
-# Helpers of the command line tests; read by the scripts beside it. Each takes the program as $1 and
-# a scratch folder as $2, which is emptied.
+# Helpers for the command line tests, which source this file. Each test takes the program as $1 and a scratch folder as
+# $2, which is emptied.
 set -u
 burnish=$(realpath "$1")
 scratch=$2
@@ -23,14 +23,33 @@ check() {
     "$@" >/dev/null 2>&1 || fail "$text"
 }
 
-# run ARGUMENTS...: leaves standard output in ../*.out, standard error in ../*.err, the exit code in
-# $code. Outside the working folder, so that the latter holds what burnish wrote and nothing else.
+# same TEXT ACTUAL WANTED, differs TEXT ONE OTHER
+same() { check "$1: $2 is not $3" [ "$2" = "$3" ]; }
+differs() { check "$1: both are $2" [ "$2" != "$3" ]; }
+
+# run ARGUMENTS...: standard output goes to $out, standard error to $err, the exit code to $code. The files are outside the
+# working folder, which holds only what burnish wrote.
 out=$scratch.out
 err=$scratch.err
 run() {
     "$burnish" "$@" >"$out" 2>"$err" </dev/null
     code=$?
 }
+
+# gives CODE ARGUMENTS...: run, which must end with that exit code, and an error with one line.
+gives() {
+    wanted_code=$1
+    shift
+    run "$@"
+    checks=$((checks + 1))
+    [ "$code" = "$wanted_code" ] || fail "burnish $*: exit code $code, not $wanted_code: $(cat "$err")"
+    case $wanted_code in
+    [2-7]) [ "$(wc -l <"$err")" = 1 ] || fail "burnish $*: expected one line on standard error, found: $(cat "$err")" ;;
+    esac
+}
+
+# png_size FILE: width and height in the header of a PNG file.
+png_size() { python3 -c 'import struct, sys; s, *size = struct.unpack(">12s4xII", open(sys.argv[1], "rb").read(24)); print(*size if s[:8] == b"\x89PNG\r\n\x1a\n" else "")' "$1"; }
 
 # The instruction sets that this build has and this processor runs.
 instruction_sets() {
@@ -59,8 +78,8 @@ ended() {
     [ -z "$(cut -d' ' -f3 "/proc/$1/stat" 2>/dev/null | grep -v Z)" ]
 }
 
-# expect CODE LINE ARGUMENTS...: that exit code, exactly that one line on standard error ("" for none),
-# nothing on standard output.
+# expect CODE LINE ARGUMENTS...: run, which must end with that exit code, print exactly that line to standard error ("" for
+# nothing), and nothing to standard output.
 expect() {
     wanted_code=$1
     wanted_line=$2
@@ -70,11 +89,11 @@ expect() {
     [ "$code" = "$wanted_code" ] || fail "burnish $*: exit code $code, not $wanted_code"
     if [ -n "$wanted_line" ]; then
         printf '%s\n' "$wanted_line" | cmp -s - "$err" ||
-            fail "burnish $*: says '$(cat "$err")', not '$wanted_line'"
+            fail "burnish $*: prints '$(cat "$err")', not '$wanted_line'"
     else
-        [ ! -s "$err" ] || fail "burnish $*: says '$(cat "$err")', should be silent"
+        [ ! -s "$err" ] || fail "burnish $*: prints '$(cat "$err")' to standard error, not nothing"
     fi
-    [ ! -s "$out" ] || fail "burnish $*: unasked output on standard output"
+    [ ! -s "$out" ] || fail "burnish $*: prints to standard output"
 }
 
 # nothing_left TEXT: the working folder is empty.
@@ -83,24 +102,14 @@ nothing_left() {
     [ -z "$(ls -A)" ] || fail "$1: left behind: $(ls -A)"
 }
 
-# json KEY: the value of that key of the last output, but for the cells of a sheet; arrays as a,b,c.
+# json KEY: the values of that key in the last output, without the cells of a sheet; arrays as a,b,c.
 json() {
     tr -d '\n\t ' <"$out" | sed 's/"cells":\[.*\],"equation"/"equation"/' |
         grep -oE "\"$1\":(\"[^\"]*\"|\[[^]]*\]|[^,}]*)" | sed "s/^\"$1\"://" | tr -d '"[]'
 }
 
-# valid_json: the last output is one JSON object (RFC 8259): tokens become S (string) and V (value),
-# then objects and arrays of them are values, until one is left.
-valid_json() {
-    [ "$(tr -d '\n\t ' <"$out" | sed -E '
-        s/"([^"\\]|\\["\\\/bfnrt]|\\u[0-9a-fA-F]{4})*"/S/g
-        s/-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?/V/g
-        s/true|false|null/V/g
-        :again
-        s/\[([SV](,[SV])*)?\]/V/g
-        s/\{(S:[SV](,S:[SV])*)?\}/V/g
-        t again')" = V ]
-}
+# valid_json: the last output is JSON in UTF-8 (RFC 8259, so without NaN and Infinity).
+valid_json() { python3 -c 'import json, sys; json.loads(open(sys.argv[1], "rb").read().decode(), parse_constant=sys.exit)' "$out"; }
 
 finish() {
     rm -f "$out" "$err"
