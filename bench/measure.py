@@ -69,6 +69,10 @@ class Contestant:
         answer = self.request(f"frame {variant} {count}")
         return ([float(word) for word in answer.split()[1:]], None) if answer.startswith("ok") else (None, answer)
 
+    def scenes(self):
+        """{name: text} of the scenes that it can draw."""
+        return dict(scene.split("=", 1) for scene in self.request("scenes").removeprefix("ok ").split("|"))
+
     def stop(self):
         self.process.stdin.close()
         self.process.wait()

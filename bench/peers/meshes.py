@@ -82,7 +82,7 @@ def main():
         if not os.access(f"{programs}/bench_peers_{name}", os.X_OK):
             sys.exit(f"bench-peers: {programs}/bench_peers_{name} is not built (scripts/install-deps peers)")
     pairs = {threads: [measure.Contestant(f"{programs}/bench_peers_{name}", threads) for name in NAMES] for threads in {setup[0] for setup in setups}}
-    scenes = dict(scene.split("=", 1) for scene in pairs[1][0].request("scenes").removeprefix("ok ").split("|"))
+    scenes = pairs[1][0].scenes()
     results = [[] for _ in setups]
     for number, source in enumerate(inputs or scenes, 1):
         name = source.rpartition("/")[2][:39]
