@@ -56,7 +56,7 @@ function list(options, isWanted) {
     }
     const repeated = Array.isArray(value) && value.some((item) => typeof item === "string");
     for (const item of repeated ? value : [value]) {
-      pairs.push([key, item === true || typeof item === "string" ? item : typeof item === "object" ? Array.from(item, Number) : [Number(item)]);
+      pairs.push([key, item === true || typeof item === "string" ? item : typeof item === "object" ? Array.from(item, Number) : [Number(item)]]);
     }
   }
   return pairs;
