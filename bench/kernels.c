@@ -10,7 +10,7 @@
 #include "bench/kernels_input.h"
 #include "bench/kernels_machine.h"
 #include "bench/kernels_scalar.h"
-#include "simd/isa_ops.h"
+#include "shading/shading_ops.h"
 
 enum { JOBS_MAX = 16 };
 

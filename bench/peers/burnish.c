@@ -14,13 +14,13 @@ typedef struct contestant {
     burnish_image image;
     burnish_render_options options;
     const burnish_kernels *best;
-    burnish_isa_ops libm;
+    burnish_shading_ops libm;
     int libm_works; /* the renderer uses the kernel table passed to it; -1: not known yet */
 } contestant;
 
 /* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
 static int shades_by_table(const burnish_peers_job *job, const burnish_kernels *best) {
-    const burnish_isa_ops dark = burnish_peers_dark_batch(best);
+    const burnish_shading_ops dark = burnish_peers_dark_batch(best);
     burnish_render_options options = job->options;
     burnish_image image;
     burnish_error error;

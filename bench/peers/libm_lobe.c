@@ -105,21 +105,21 @@ static void shade_dark(const burnish_kernels_shader *shader, const burnish_kerne
     }
 }
 
-static burnish_isa_ops with_power(const burnish_kernels *batch,
-                                  burnish_shade_function *const shade[2]) {
-    burnish_isa_ops made = *batch;
+static burnish_shading_ops with_power(const burnish_kernels *batch,
+                                      burnish_shade_function *const shade[2]) {
+    burnish_shading_ops made = *batch;
     for (int output = 0; output < 2; ++output) {
         made.shade[BURNISH_LOBE_BODY_POWER][BURNISH_SHADE_DISTANT][output] = shade[output];
     }
     return made;
 }
 
-burnish_isa_ops burnish_peers_libm_batch(const burnish_kernels *batch) {
+burnish_shading_ops burnish_peers_libm_batch(const burnish_kernels *batch) {
     return with_power(
         batch, (burnish_shade_function *const[]){
                    [BURNISH_SHADE_RGBA8] = shade_rgba8, [BURNISH_SHADE_FLOAT] = shade_float});
 }
 
-burnish_isa_ops burnish_peers_dark_batch(const burnish_kernels *batch) {
+burnish_shading_ops burnish_peers_dark_batch(const burnish_kernels *batch) {
     return with_power(batch, (burnish_shade_function *const[]){shade_dark, shade_dark});
 }

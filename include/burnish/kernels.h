@@ -38,7 +38,7 @@ extern "C" {
 #endif
 
 /* The kernels of one instruction set. Constant, never freed. */
-typedef struct burnish_isa_ops burnish_kernels;
+typedef struct burnish_kernels burnish_kernels;
 
 /* The kernels of the fastest instruction set that runs here, or of the one that the environment
  * variable BURNISH_ISA names; a name that does not run here is passed over. Never NULL. Keep the

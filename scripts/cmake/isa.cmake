@@ -1,10 +1,18 @@
-# Compiler flags of each instruction set. Every src/simd/isa_NAME.c is compiled; without its flags it defines no kernels. The program
-# chooses among them at run time.
+# The instruction sets of this build, and their flags. The files *_isa.c of src, which hold the kernels of
+# their folder, are compiled once for each set. The processor decides at run time which of them is used.
 include(CheckCSourceCompiles)
 check_c_source_compiles("#if !defined(__SSE2__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_SSE2)
 check_c_source_compiles("#if !defined(__aarch64__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_NEON)
 option(BURNISH_WIDE_VECTORS "Compile AVX2 and AVX-512, which takes compilers half of their time" ON)
+set(BURNISH_ISA_NAMES scalar sse2 avx2 avx512 neon wasm) # the words of BURNISH_ISA_LIST in core.h
+set(names scalar)
+if(BURNISH_HAS_NEON)
+  list(APPEND names neon)
+elseif(BURNISH_HAS_SSE2)
+  list(APPEND names sse2)
+endif()
 if(BURNISH_HAS_SSE2 AND BURNISH_WIDE_VECTORS)
+  list(APPEND names avx2 avx512)
   set(avx2_flags -mavx2)
   set(avx2_bench_flags -mfma) # alternatives in the benchmark make no promise of bits
   set(avx512_flags -mavx512f -mavx512dq -mavx512bw -mavx512vl -mprefer-vector-width=512)
@@ -17,21 +25,40 @@ if(BURNISH_HAS_SSE2 OR BURNISH_HAS_NEON)
   # The scalar set is the reference, so the compiler must not vectorise it.
   set(scalar_flags -fno-tree-vectorize -fno-tree-slp-vectorize)
 endif()
-# The names of the instruction sets.
-file(GLOB BURNISH_ISA_NAMES CONFIGURE_DEPENDS src/simd/isa_*.c)
-list(TRANSFORM BURNISH_ISA_NAMES REPLACE "^.*/isa_([a-z0-9]+)\\.c$" "\\1")
+set(list) # simd/isa.h describes it
+foreach(isa ${names})
+  string(TOUPPER ${isa} name)
+  string(APPEND list "X(${name},${isa})")
+endforeach()
+set_source_files_properties(src/simd/isa.c src/raster/raster_ops.c src/render/render_ops.c src/shading/kernels.c
+  PROPERTIES COMPILE_DEFINITIONS "BURNISH_BUILT_ISAS=${list}")
+set(BURNISH_BUILT_NAMES ${names})
+
+# Compiles *_isa.c once per instruction set of this build; `objects` receives the object files.
+#
 # With sanitizers, clang takes minutes per file of vector code at -O2, half as long at -O1, and a quarter without the pointer checks of
 # `undefined`. The scalar set keeps these checks, except in the fuzzer.
-foreach(isa ${BURNISH_ISA_NAMES})
-  set(checked_flags)
-  if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined")
-    set(checked_flags -O1)
-    if(NOT isa STREQUAL scalar OR CMAKE_C_FLAGS MATCHES "fuzzer")
-      list(APPEND checked_flags -fno-sanitize=null,alignment,object-size,pointer-overflow)
+function(burnish_isa_objects objects)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*_isa.c)
+  set(files)
+  foreach(isa ${BURNISH_BUILT_NAMES})
+    string(TOUPPER ${isa} name)
+    set(checked_flags)
+    if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined")
+      set(checked_flags -O1)
+      if(NOT isa STREQUAL scalar OR CMAKE_C_FLAGS MATCHES "fuzzer")
+        list(APPEND checked_flags -fno-sanitize=null,alignment,object-size,pointer-overflow)
+      endif()
     endif()
-  endif()
-  set_source_files_properties(src/simd/isa_${isa}.c PROPERTIES COMPILE_OPTIONS "${${isa}_flags};${checked_flags}")
-endforeach()
+    add_library(burnish_${isa} OBJECT ${sources})
+    target_include_directories(burnish_${isa} PRIVATE include src)
+    target_compile_definitions(burnish_${isa} PRIVATE BURNISH_BUILDING BURNISH_VECTOR_${name})
+    target_compile_options(burnish_${isa} PRIVATE ${${isa}_flags} ${checked_flags})
+    target_link_libraries(burnish_${isa} PRIVATE burnish_options)
+    list(APPEND files $<TARGET_OBJECTS:burnish_${isa}>)
+  endforeach()
+  set(${objects} ${files} PARENT_SCOPE)
+endfunction()
 # This alternative takes one value at a time.
 set_source_files_properties(bench/kernels_scalar.c PROPERTIES COMPILE_OPTIONS
   "-fno-tree-vectorize;-fno-tree-slp-vectorize;-funroll-loops")

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/memory.h"
-#include "simd/isa_ops.h"
+#include "raster/raster_ops.h"
 
 /* A band of several tile rows takes at most about 128 MiB: BURNISH_LISTS_MAX lists of 8 bytes
  * (16 MiB), and so many entries of 8 bytes with a link of 4 bytes per chunk. One row alone may need
@@ -65,7 +65,7 @@ static burnish_status reserve_chunks(const burnish_bins *bins, burnish_bin_slice
 /* What the tasks of a band share. */
 typedef struct fill_context {
     burnish_bins *bins;
-    const burnish_isa_ops *ops;
+    const burnish_raster_ops *ops;
     const burnish_geometry *geometry;
     size_t chunk_limit; /* per slice, with chunk 0 */
 } fill_context;
@@ -107,7 +107,7 @@ static void fill_task(void *context, size_t index, int thread) {
 }
 
 /* Fills the band; *fits becomes 0 where more chunks than `limit` would be needed. */
-static burnish_status fill_band(burnish_bins *bins, const burnish_isa_ops *ops,
+static burnish_status fill_band(burnish_bins *bins, const burnish_raster_ops *ops,
                                 const burnish_geometry *geometry, size_t limit,
                                 burnish_tasks *tasks, int *fits, burnish_error *error) {
     fill_context fill = {bins, ops, geometry, limit / bins->slice_count};
@@ -153,7 +153,7 @@ static burnish_status make_slices(burnish_bins *bins, const burnish_geometry *ge
     return memory.status;
 }
 
-burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_isa_ops *ops,
+burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_ops *ops,
                                  const burnish_geometry *geometry, const burnish_raster_view *view,
                                  burnish_tasks *tasks, burnish_error *error) {
     bins->columns = (view->width + BURNISH_TILE_SIZE - 1) / BURNISH_TILE_SIZE;

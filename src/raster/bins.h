@@ -72,7 +72,7 @@ void burnish_bins_begin(burnish_bins *bins, const burnish_context *context);
 /* Fills bins with the next band, from bins->end_row on: as many tile rows as keep the entries
  * within the budget, at least one. The lists do not depend on threads or the instruction set.
  * Errors: MEMORY, LIMIT. */
-burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_isa_ops *ops,
+burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_ops *ops,
                                  const burnish_geometry *geometry, const burnish_raster_view *view,
                                  burnish_tasks *tasks, burnish_error *error);
 

@@ -8,7 +8,7 @@
 #include "core/memory.h"
 #include "raster/clip.h"
 #include "raster/layout.h"
-#include "simd/isa_ops.h"
+#include "raster/raster_ops.h"
 
 /* A vertex that clipping made, on the screen and in the mesh. */
 typedef struct clipped_vertex {
@@ -36,7 +36,7 @@ typedef struct burnish_geometry_part {
 /* What the tasks of burnish_geometry_update share. */
 typedef struct update_context {
     burnish_geometry *geometry;
-    const burnish_isa_ops *ops;
+    const burnish_raster_ops *ops;
     const burnish_raster_view *view;
     const burnish_triangles *triangles;
 } update_context;
@@ -354,7 +354,7 @@ static burnish_status reserve_mesh(burnish_geometry *geometry, const burnish_tri
     return memory.status;
 }
 
-burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_isa_ops *ops,
+burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_ops *ops,
                                        const burnish_raster_view *view,
                                        const burnish_triangles *triangles, burnish_tasks *tasks,
                                        burnish_error *error) {

@@ -141,7 +141,7 @@ static inline burnish_primitive burnish_geometry_primitive(const burnish_geometr
 /* Transforms, culls, clips. triangles->indices must outlive the geometry's use; the context is the
  * tasks'. The result does not depend on threads or the instruction set.
  * Errors: MEMORY, LIMIT; destroy it all the same. */
-burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_isa_ops *ops,
+burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish_raster_ops *ops,
                                        const burnish_raster_view *view,
                                        const burnish_triangles *triangles, burnish_tasks *tasks,
                                        burnish_error *error);

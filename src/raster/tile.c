@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/memory.h"
-#include "simd/isa_ops.h"
+#include "raster/raster_ops.h"
 
 static void create_primitives(burnish_tile_primitives *primitives, size_t capacity,
                               burnish_memory *memory) {
@@ -118,7 +118,7 @@ static void fill_outside(burnish_tile *tile, float depth) {
     }
 }
 
-int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
+int burnish_tile_draw(burnish_tile *tile, const burnish_raster_ops *ops,
                       const burnish_raster_view *view, const burnish_geometry *geometry,
                       const burnish_bins *bins, int column, int row) {
     tile->x = column * BURNISH_TILE_SIZE;

@@ -151,7 +151,7 @@ void burnish_tile_destroy(burnish_tile *tile);
 
 /* Makes the tile (column, row) current and draws its triangles. Returns 0 when no triangle's bounds
  * touch it: then nothing but its rectangle is set. */
-int burnish_tile_draw(burnish_tile *tile, const burnish_isa_ops *ops,
+int burnish_tile_draw(burnish_tile *tile, const burnish_raster_ops *ops,
                       const burnish_raster_view *view, const burnish_geometry *geometry,
                       const burnish_bins *bins, int column, int row);
 

@@ -43,6 +43,6 @@ static inline int32_t burnish_to_fixed(float pixels) {
 #define BURNISH_PACKED_X(packed) ((packed)&0xffff)
 #define BURNISH_PACKED_Y(packed) ((packed) >> 16)
 
-typedef struct burnish_isa_ops burnish_isa_ops; /* simd/isa_ops.h */
+typedef struct burnish_raster_ops burnish_raster_ops; /* raster_ops.h */
 
 #endif

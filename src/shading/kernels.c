@@ -5,11 +5,14 @@
 #include "core/environment.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "simd/isa_ops.h"
+#include "shading/shading_ops.h"
+
+#define OPS burnish_shading_ops
+#include "simd/isa_table.h"
 
 const burnish_kernels *burnish_kernels_for(burnish_isa isa) {
     const int runs = (unsigned)isa < BURNISH_ISA_COUNT && burnish_isa_available() >> isa & 1;
-    return runs ? burnish_isa_ops_for(isa) : NULL;
+    return runs ? burnish_shading_ops_for(isa) : NULL;
 }
 
 const burnish_kernels *burnish_kernels_best(void) {
@@ -17,7 +20,7 @@ const burnish_kernels *burnish_kernels_best(void) {
     if (burnish_isa_choose(NULL, &isa, NULL) != BURNISH_STATUS_OK) {
         isa = burnish_isa_best(burnish_isa_available());
     }
-    return burnish_isa_ops_for(isa);
+    return burnish_shading_ops_for(isa);
 }
 
 /* NULL, as burnish_kernels_for returns it, stands for the best. */

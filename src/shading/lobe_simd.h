@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "shading/shader.h"
-#include "simd/isa_ops.h"
 #include "simd/vector_math.h"
 
 /* From this many bytes of output on, stores go past the caches: nobody finds such an array in

@@ -1,5 +1,5 @@
 /* Which instruction sets there are, and which to take. */
-#include "simd/isa_ops.h"
+#include "simd/isa.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -87,21 +87,10 @@ static uint32_t processor_mask(void) {
 }
 #endif
 
-const burnish_isa_ops *burnish_isa_ops_for(burnish_isa isa) {
-    static const burnish_isa_ops *(*const tables[])(void) = {
-#define ISA_TABLE(name, word, lanes) burnish_isa_ops_##word,
-        BURNISH_ISA_LIST(ISA_TABLE)
-#undef ISA_TABLE
-    };
-    return (unsigned)isa < BURNISH_ISA_COUNT ? tables[isa]() : NULL;
-}
-
 burnish_isa_flags burnish_isa_available(void) {
-    uint32_t built = 0;
-    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        built |= burnish_isa_ops_for((burnish_isa)isa) ? 1u << isa : 0;
-    }
-    return built & processor_mask();
+#define X(name, word) | 1u << BURNISH_ISA_##name
+    return (0u BURNISH_BUILT_ISAS) & processor_mask();
+#undef X
 }
 
 burnish_isa burnish_isa_best(burnish_isa_flags mask) {

@@ -1,7 +1,8 @@
-/* The vector type that every template (*_simd.h) is written over. The file that includes a template
- * defines one BURNISH_VECTOR_...; each instruction set's header gives the same operations:
+/* The vector type that every template (*_simd.h) is written over. BURNISH_VECTOR_... chooses the
+ * instruction set; without it, the compiler's flags do. Each has the same operations:
  *
- *   LANES, VECTOR_ISA    floats per vector; the instruction set
+ *   LANES                floats per vector
+ *   VECTOR_ISA, VECTOR_WORD  the instruction set: as an enumerator, and its word for names
  *   vf, vi, vm           floats, 32-bit integers, one truth value per lane
  *
  *   vf_set, vi_set       one number in all lanes; vi_ramp: 0, step, 2 step ...
@@ -47,24 +48,26 @@
 #define BURNISH_SIMD_VECTOR_H
 
 #include "burnish/core.h"
+#include "core/arithmetic.h"
 
-#if defined(BURNISH_VECTOR_AVX512)
+#if defined(BURNISH_VECTOR_SCALAR)
+#include "simd/vector_scalar.h"
+#elif defined(BURNISH_VECTOR_AVX512)
 #include "simd/vector_avx512.h"
-#elif defined(BURNISH_VECTOR_AVX2)
+#elif defined(BURNISH_VECTOR_AVX2) || (defined(__AVX2__) && !defined(BURNISH_VECTOR_SSE2))
 #include "simd/vector_avx2.h"
-#elif defined(BURNISH_VECTOR_SSE2)
+#elif defined(BURNISH_VECTOR_SSE2) || defined(__SSE2__)
 #include "simd/vector_sse2.h"
-#elif defined(BURNISH_VECTOR_NEON)
+#elif defined(BURNISH_VECTOR_NEON) || defined(__aarch64__)
 #include "simd/vector_neon.h"
-#elif defined(BURNISH_VECTOR_WASM)
+#elif defined(BURNISH_VECTOR_WASM) || defined(__wasm_simd128__)
 #include "simd/vector_wasm.h"
 #else
 #include "simd/vector_scalar.h"
 #endif
 
-#if !defined(BURNISH_VECTOR_AVX512) &&                                                             \
-    !defined(BURNISH_VECTOR_AVX2) /* others have to use memory  \
-                                                                      */
+#if !defined(VECTOR_HAS_PERMUTE)
+/* The other instruction sets go through memory. */
 static inline vi vi_permute(vi x, vi index) {
     int32_t lanes[LANES];
     vi_store(lanes, x);

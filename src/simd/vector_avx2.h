@@ -5,6 +5,8 @@
 #include <immintrin.h>
 #include <stdint.h>
 
+#define VECTOR_WORD avx2
+#define VECTOR_HAS_PERMUTE /* vi_permute, vi_compress */
 enum { LANES = 8, VECTOR_ISA = BURNISH_ISA_AVX2 };
 typedef __m256 vf;
 typedef __m256i vi;

@@ -5,6 +5,8 @@
 #include <immintrin.h>
 #include <stdint.h>
 
+#define VECTOR_WORD avx512
+#define VECTOR_HAS_PERMUTE /* vi_permute, vi_compress */
 enum { LANES = 16, VECTOR_ISA = BURNISH_ISA_AVX512 };
 typedef __m512 vf;
 typedef __m512i vi;

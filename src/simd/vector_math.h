@@ -7,6 +7,8 @@
 #ifndef BURNISH_SIMD_VECTOR_MATH_H
 #define BURNISH_SIMD_VECTOR_MATH_H
 
+#include <string.h>
+
 #include "simd/vector.h"
 
 /* 1 / sqrt(x), relative error at most 1.04e-7 for x in [2^-126, 2^127] (every float of two octaves
@@ -74,6 +76,37 @@ BURNISH_INLINE vf vector_power(vf cosine, vf exponent) {
 /* x clamped to [0, 1]; NaN gives 0. */
 BURNISH_INLINE vf vector_saturate(vf x) {
     return vf_min(vf_max(x, vf_set(0.0f)), vf_set(1.0f));
+}
+
+/* Vectors to unit length. */
+BURNISH_INLINE void normalize_vectors(const float *const in[3], size_t from, float *const out[3],
+                                      size_t to) {
+    vf x = vf_load(in[0] + from), y = vf_load(in[1] + from), z = vf_load(in[2] + from);
+    vf squared = vf_add(vf_add(vf_mul(x, x), vf_mul(y, y)), vf_mul(z, z));
+    vf scale = vector_inverse_sqrt(squared);
+    vf_store(out[0] + to, vf_mul(x, scale));
+    vf_store(out[1] + to, vf_mul(y, scale));
+    vf_store(out[2] + to, vf_mul(z, scale));
+}
+
+BURNISH_INLINE void normalize_array(size_t count, const float *const in[3], float *const out[3]) {
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        normalize_vectors(in, i, out, i);
+    }
+    if (i < count) {
+        float block[3][LANES];
+        float *const blocks[3] = {block[0], block[1], block[2]};
+        const float *const sources[3] = {block[0], block[1], block[2]};
+        memset(block, 0, sizeof block);
+        for (int axis = 0; axis < 3; ++axis) {
+            memcpy(block[axis], in[axis] + i, (count - i) * sizeof(float));
+        }
+        normalize_vectors(sources, 0, blocks, 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            memcpy(out[axis] + i, block[axis], (count - i) * sizeof(float));
+        }
+    }
 }
 
 #endif

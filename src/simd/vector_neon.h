@@ -6,6 +6,7 @@
 #include <arm_neon.h>
 #include <stdint.h>
 
+#define VECTOR_WORD neon
 enum { LANES = 4, VECTOR_ISA = BURNISH_ISA_NEON };
 typedef float32x4_t vf;
 typedef int32x4_t vi;

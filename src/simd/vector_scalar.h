@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#define VECTOR_WORD scalar
 enum { LANES = 1, VECTOR_ISA = BURNISH_ISA_SCALAR };
 typedef float vf;
 typedef uint32_t vi;

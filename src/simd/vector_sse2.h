@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#define VECTOR_WORD sse2
 enum { LANES = 4, VECTOR_ISA = BURNISH_ISA_SSE2 };
 typedef __m128 vf;
 typedef __m128i vi;

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <wasm_simd128.h>
 
+#define VECTOR_WORD wasm
 enum { LANES = 4, VECTOR_ISA = BURNISH_ISA_WASM };
 typedef v128_t vf;
 typedef v128_t vi;

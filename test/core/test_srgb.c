@@ -2,8 +2,9 @@
 #define SRGB_TABLE_WITHOUT_MAIN
 #include "../scripts/generate/srgb_table.c"
 
+#include "burnish/kernels.h"
 #include "core/srgb.h"
-#include "simd/isa_ops.h"
+#include "render/render_ops.h"
 #include "support.h"
 
 /* The nearest code by the encoding formula; the generator uses the decoding one. */
@@ -123,7 +124,8 @@ static void test_encoders(void) {
     burnish_srgb_encoder encoder;
     burnish_srgb_encoder_make(&encoder);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
+        const burnish_render_ops *batch =
+            burnish_kernels_for((burnish_isa)isa) ? burnish_render_ops_for((burnish_isa)isa) : NULL;
         int wrong = 0;
         for (uint64_t bits = 0; batch && bits <= UINT32_MAX;) {
             for (int i = 0; i < COUNT; ++i) {
@@ -166,7 +168,8 @@ static void test_packing(void) {
         shown[i] = i % 3 == 0 ? -1 : i;
     }
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        const burnish_kernels *batch = burnish_kernels_for((burnish_isa)isa);
+        const burnish_render_ops *batch =
+            burnish_kernels_for((burnish_isa)isa) ? burnish_render_ops_for((burnish_isa)isa) : NULL;
         uint8_t bytes[3 * COUNT + 4];
         int wrong = 0;
         if (!batch) {

@@ -15,11 +15,27 @@ kernel_sources() {
 
 # renderer_sources SOURCE_DIR: those of the kernels are among them
 renderer_sources() {
-    echo "$1"/src/simd/*.c "$1"/src/raster/*.c "$1"/src/shading/*.c
-    for file in surface attributes caps masks occlusion_share texture_levels texture_points texture_reduce texture_shade; do
+    find "$1/src/simd" "$1/src/raster" "$1/src/shading" -name '*.c' ! -name '*_isa.c'
+    for file in surface attributes caps masks occlusion_share render_ops texture_levels texture_points texture_reduce texture_shade; do
         find "$1/src/render" -name "$file.c"
     done
     for file in context elementary error memory processors srgb tasks pool; do
         echo "$1/src/core/$file.c"
+    done
+}
+
+# built_isas WORD: the flag by which the other files know the instruction sets scalar and WORD
+built_isas() { echo "-DBURNISH_BUILT_ISAS=X(SCALAR,scalar)X($(echo "$1" | tr a-z A-Z),$1)"; }
+
+# compile_isa COMPILER SOURCE_DIR WORD FOLDER...: the kernels of src/FOLDER for scalar and WORD, in the current folder
+compile_isa() {
+    compiler_=$1 source_=$2 word_=$3
+    shift 3
+    for folder_ in "$@"; do
+        for isa_ in scalar "$word_"; do
+            # shellcheck disable=SC2046,SC2086
+            $compiler_ $flags -c $(includes "$source_") -DBURNISH_VECTOR_$(echo "$isa_" | tr a-z A-Z) \
+                "$(find "$source_/src/$folder_" -name "${folder_}_isa.c")" -o "${folder_}_$isa_.o"
+        done
     done
 }

@@ -5,8 +5,8 @@
 
 #include "raster/clip.h"
 #include "raster/fragments.h"
+#include "raster/raster_ops.h"
 #include "reference_tile.h"
-#include "simd/isa_ops.h"
 #include "support.h"
 
 enum { GRID = 12, SIZE = BURNISH_TILE_SIZE, MAX_TRIANGLES = 4096 };
@@ -66,7 +66,7 @@ static void make_plane(test_mesh *mesh, int snap, uint64_t state) {
     }
 }
 
-static burnish_status update_geometry(burnish_geometry *geometry, const burnish_isa_ops *ops,
+static burnish_status update_geometry(burnish_geometry *geometry, const burnish_raster_ops *ops,
                                       const burnish_raster_view *view, const test_mesh *mesh,
                                       burnish_error *error) {
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
@@ -99,7 +99,7 @@ static void check_each_sample_once(const char *name, const burnish_raster_view *
     burnish_geometry geometry = {0};
     memset(coverage, 0, sizeof coverage);
     burnish_error error;
-    if (!CHECK(update_geometry(&geometry, burnish_isa_ops_for(BURNISH_ISA_SCALAR), view, mesh,
+    if (!CHECK(update_geometry(&geometry, burnish_raster_ops_for(BURNISH_ISA_SCALAR), view, mesh,
                                &error) == BURNISH_STATUS_OK,
                "%s", error.text)) {
         return;
@@ -195,9 +195,9 @@ static void check_bins(void) {
     }
     burnish_raster_view view = parallel_view(300, 200, 4);
     burnish_geometry geometry = {0};
-    const burnish_isa_ops *ops[2] = {
-        burnish_isa_ops_for(BURNISH_ISA_SCALAR),
-        burnish_isa_ops_for(burnish_isa_best(burnish_isa_available()))};
+    const burnish_raster_ops *ops[2] = {
+        burnish_raster_ops_for(BURNISH_ISA_SCALAR),
+        burnish_raster_ops_for(burnish_isa_best(burnish_isa_available()))};
     CHECK(update_geometry(&geometry, ops[0], &view, &mesh, NULL) == BURNISH_STATUS_OK, "geometry");
     uint32_t all[MAX_TRIANGLES];
     size_t i = 0;
@@ -270,7 +270,7 @@ static void check_fragments(void) {
     add_triangle(&mesh, 3, 4, 5);
     burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
     burnish_geometry geometry = {0};
-    const burnish_isa_ops *ops = burnish_isa_ops_for(BURNISH_ISA_SCALAR);
+    const burnish_raster_ops *ops = burnish_raster_ops_for(BURNISH_ISA_SCALAR);
     update_geometry(&geometry, ops, &view, &mesh, NULL);
     CHECK(geometry.triangle_count == 2 && geometry.headers[0].visible[0] == 3, "two front faces");
     burnish_bins bins = {0};
@@ -310,7 +310,8 @@ static void check_fragments(void) {
 static void draw_first_tile(burnish_tile *tile, const burnish_raster_view *view,
                             const test_mesh *mesh, int column, uint8_t *drawn) {
     static burnish_float4 attributes[2048];
-    const burnish_isa_ops *ops = burnish_isa_ops_for(burnish_isa_best(burnish_isa_available()));
+    const burnish_raster_ops *ops =
+        burnish_raster_ops_for(burnish_isa_best(burnish_isa_available()));
     burnish_geometry geometry = {0};
     burnish_bins bins = {0};
     update_geometry(&geometry, ops, view, mesh, NULL);
@@ -409,7 +410,7 @@ static void check_list_memory(void) {
     burnish_bins bins = {0};
     size_t lists = 0;
     burnish_bins_begin(&bins, NULL);
-    CHECK(burnish_bin_tiles(&bins, burnish_isa_ops_for(BURNISH_ISA_SCALAR), &geometry, &view,
+    CHECK(burnish_bin_tiles(&bins, burnish_raster_ops_for(BURNISH_ISA_SCALAR), &geometry, &view,
                             &tasks, NULL) == BURNISH_STATUS_OK,
           "bins");
     for (size_t i = 0; i < bins.slice_count; ++i) {

@@ -123,7 +123,7 @@ static void check_forgetting(void) {
     burnish_bins bins = {0};
     reference_tile tile;
     burnish_tile fast;
-    const burnish_isa_ops *ops = burnish_isa_ops_for(BURNISH_ISA_SCALAR);
+    const burnish_raster_ops *ops = burnish_raster_ops_for(BURNISH_ISA_SCALAR);
     const burnish_tile_options options = {.samples = SAMPLES, .planes = 3};
     const burnish_triangles triangles = {positions, 3 * (size_t)LAYERS, indices, LAYERS, NULL};
     burnish_geometry_update(&geometry, ops, &view, &triangles, NULL, NULL);

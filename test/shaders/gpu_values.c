@@ -7,7 +7,7 @@
 #include "burnish/mesh.h"
 #include "burnish/render.h"
 #include "half.h"
-#include "simd/isa_ops.h"
+#include "shading/shading_ops.h"
 #include "support.h"
 
 /* How values of two sides differ. A device that flushes numbers below 2^-126 to 0 is reported, not

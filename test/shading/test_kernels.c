@@ -10,7 +10,7 @@
 #include <time.h>
 
 #include "kernels_input.h"
-#include "simd/isa_ops.h"
+#include "simd/isa.h"
 
 /* ---- Instruction sets ---- */
 

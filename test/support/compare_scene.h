@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "raster/fragments.h"
+#include "raster/raster_ops.h"
 #include "reference_geometry.h"
 #include "reference_tile.h"
 #include "render/frame/surface.h"
@@ -233,7 +234,7 @@ static void shade_reference(const reference_tile *tile, const burnish_geometry *
 }
 
 /* All points of a tile by both paths; *points counts them. */
-static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_isa_ops *ops,
+static int compare_points(reference_tile *tile, burnish_tile *fast, const burnish_raster_ops *ops,
                           const burnish_raster_view *view, const burnish_geometry *geometry,
                           const burnish_surface *surface, int *points) {
     static point expected[BURNISH_TILE_PIXELS * BURNISH_MAX_SAMPLES];
@@ -310,7 +311,8 @@ static void make_shading(scene_shading *made, const random_scene *scene,
                                    &made->shaders[i], NULL) == BURNISH_STATUS_OK);
     }
     made->shading =
-        (burnish_shading){.ops = burnish_kernels_best(),
+        (burnish_shading){.kernels = burnish_kernels_best(),
+                          .ops = burnish_render_ops_for(burnish_kernels_get_isa(NULL)),
                           .shaders = made->shaders,
                           .rays = {.ray = {0, 0, -1},
                                    .ray_x = {0.01f, 0, 0},
@@ -339,7 +341,7 @@ static inline void compare_scene(const random_scene *scene, const burnish_raster
     static burnish_bins bins;
     reference_tile tile;
     burnish_tile fast;
-    const burnish_isa_ops *ops = burnish_isa_ops_for(pick_isa(state));
+    const burnish_raster_ops *ops = burnish_raster_ops_for(pick_isa(state));
     const burnish_triangles triangles = {scene->positions, scene->vertex_count, scene->indices,
                                          scene->triangle_count, NULL};
     burnish_geometry_update(&geometry, ops, view, &triangles, NULL, NULL);

@@ -9,7 +9,7 @@
 /* What a picture's tiles are drawn from. */
 typedef struct burnish_bands {
     burnish_bins *bins;
-    const burnish_isa_ops *ops;
+    const burnish_raster_ops *ops;
     const burnish_geometry *geometry;
     const burnish_raster_view *view;
     burnish_tasks *tasks;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/memory.h"
+#include "raster/raster_ops.h"
 #include "render/frame/bands.h"
 
 /* What one thread needs to draw tiles, and what it counted. */

@@ -45,7 +45,7 @@ typedef struct burnish_view_distance {
 
 typedef struct burnish_view {
     burnish_raster_view raster;
-    burnish_shading shading; /* ops are the caller's to set */
+    burnish_shading shading; /* kernels and ops are the caller's to set */
     burnish_view_distance distance;
     double eye[3]; /* in the raster's space */
     double pixel;  /* what one is wide there, about, in the middle of the mesh */
@@ -78,7 +78,7 @@ burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_rende
 typedef struct burnish_output {
     burnish_target target;
     burnish_row_range rows; /* of the picture, that the target holds */
-    const burnish_isa_ops *ops;
+    const burnish_render_ops *ops;
     const burnish_srgb_encoder *encoder;
     const burnish_view *view;
     int has_planes; /* 1: the target has some */
@@ -165,7 +165,7 @@ void burnish_planes_store_row(const burnish_output *output, const burnish_tile *
 /* ---- Frame: bands of tiles, each from visibility to pixels while it is in cache ---- */
 
 typedef struct burnish_frame {
-    const burnish_isa_ops *ops;
+    const burnish_raster_ops *ops;
     const burnish_geometry *geometry;
     burnish_surface surface;
     burnish_output output;

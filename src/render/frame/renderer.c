@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "core/tasks.h"
 #include "core/vector.h"
+#include "raster/raster_ops.h"
 #include "render/frame/frame.h"
 #include "render/light/casters.h"
 #include "render/lines/lines.h"
@@ -95,6 +96,7 @@ typedef struct drawing {
     burnish_render_report report;
     burnish_memory memory;
     burnish_view view;
+    const burnish_raster_ops *raster;
 } drawing;
 
 /* NULL where every triangle is opaque. */
@@ -140,7 +142,7 @@ static burnish_status transform(drawing *d) {
     memset(&renderer->picture, 0, sizeof renderer->picture);
     renderer->has_picture_lines &= is_done;
     if (!is_done) {
-        status = burnish_geometry_update(&renderer->geometry, d->view.shading.ops, &d->view.raster,
+        status = burnish_geometry_update(&renderer->geometry, d->raster, &d->view.raster,
                                          &triangles, &renderer->tasks, d->memory.error);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -196,11 +198,11 @@ static burnish_status update_maps(drawing *d, const double eye[3],
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    return burnish_occlusion_update(
-        &renderer->occlusion, d->view.shading.ops, &renderer->casters.mesh,
-        options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
-        side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE, eye, up, d->view.pixel,
-        &renderer->tasks, &d->memory, lookup);
+    return burnish_occlusion_update(&renderer->occlusion, d->raster, &renderer->casters.mesh,
+                                    options->occlusion ? options->occlusion
+                                                       : BURNISH_OCCLUSION_AUTO,
+                                    side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE,
+                                    eye, up, d->view.pixel, &renderer->tasks, &d->memory, lookup);
 }
 
 /* What ambient occlusion needs of the mesh. */
@@ -231,11 +233,10 @@ static burnish_status update_shadow(drawing *d) {
     }
     d->view.shading.shadow = &d->view.shadow;
     d->report.shadow = 1;
-    return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,
-                                 d->view.shading.ops, &renderer->casters.mesh, d->view.key,
-                                 side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL
-                                                              : BURNISH_SHADOW_LARGE,
-                                 d->view.eye, &renderer->tasks, &d->memory, &d->view.shadow);
+    return burnish_shadow_update(
+        &renderer->shadow, &renderer->occlusion.drawer, d->raster, &renderer->casters.mesh,
+        d->view.key, side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL : BURNISH_SHADOW_LARGE,
+        d->view.eye, &renderer->tasks, &d->memory, &d->view.shadow);
 }
 
 /* The ground's shadow, where the camera sees it; before what occlusion needs, whose maps it takes.
@@ -320,14 +321,13 @@ static int layer_passes(const drawing *d) {
 /* Tiles to pixels. */
 static burnish_status draw_tiles(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    const burnish_isa_ops *ops = d->view.shading.ops;
     const burnish_caps caps = burnish_caps_create(burnish_mesh_get_view(d->mesh), &d->view.raster);
-    burnish_frame frame = {.ops = ops,
+    burnish_frame frame = {.ops = d->raster,
                            .geometry = &renderer->geometry,
                            .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
                                        burnish_mesh_get_view(d->mesh)->triangle_materials,
                                        transparency_of(d), caps.count > 0 ? &caps : NULL, 0},
-                           .output = {.ops = ops,
+                           .output = {.ops = d->view.shading.ops,
                                       .encoder = &renderer->encoder,
                                       .view = &d->view,
                                       .ground = d->report.ground ? &d->view.ground : NULL},
@@ -412,9 +412,12 @@ static burnish_status draw(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const double start = burnish_seconds_now();
     burnish_tasks_begin(&renderer->tasks, renderer->context, d->options->threads);
-    d->view.shading.ops = choose_kernels(renderer, d->options);
+    d->view.shading.kernels = choose_kernels(renderer, d->options);
+    d->report.isa = d->view.shading.kernels->isa;
+    d->view.shading.ops = burnish_render_ops_for(d->report.isa);
+    d->raster = burnish_raster_ops_for(d->report.isa);
+    renderer->texturing.kernels = d->view.shading.kernels;
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
-    d->report.isa = d->view.shading.ops->isa;
     d->report.triangles = burnish_mesh_get_view(d->mesh)->triangle_count;
     burnish_status status =
         burnish_texturing_update(&renderer->texturing, d->mesh, d->options->ignore_colors,

@@ -59,7 +59,7 @@ static void shade_material(const burnish_shading *shading, const burnish_kernels
                               scratch, rgb);
         return;
     }
-    shading->ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
+    shading->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
         shader, points, (size_t)count, NULL, rgb);
 }
 

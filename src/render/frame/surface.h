@@ -14,8 +14,9 @@
 #include "raster/fragments.h"
 #include "render/frame/caps.h"
 #include "render/light/occlusion_share.h"
+#include "render/render_ops.h"
+#include "render/screen.h"
 #include "render/texture/texture.h"
-#include "simd/isa_ops.h"
 
 /* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
  * screen. One item per screen vertex, those that clipping made included. Owned; all zero before the
@@ -61,7 +62,8 @@ typedef struct burnish_fragment_batch {
 
 /* What a frame is shaded with. */
 typedef struct burnish_shading {
-    const burnish_isa_ops *ops;
+    const burnish_kernels *kernels;
+    const burnish_render_ops *ops;
     const burnish_kernels_shader *shaders;            /* one per material */
     burnish_rays rays;                                /* from the eye */
     int needs_position;                               /* 1: a point light or a local viewer */

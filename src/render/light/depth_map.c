@@ -3,9 +3,9 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "raster/raster_ops.h"
 #include "render/frame/bands.h"
 #include "render/frame/space.h"
-#include "simd/isa_ops.h"
 
 /* Maps are drawn from this far: behind the unit sphere there is as much of the range as before it.
  */
@@ -63,7 +63,7 @@ static burnish_raster_view raster_view(const burnish_map_view *view,
 /* What the tasks of a map share. */
 typedef struct map_context {
     burnish_map_drawer *drawer;
-    const burnish_isa_ops *ops;
+    const burnish_raster_ops *ops;
     const burnish_raster_view *view;
     uint16_t *depths;
 } map_context;
@@ -158,7 +158,7 @@ static burnish_status check_overdraw(const burnish_map_drawer *drawer,
                                   "a depth map (ambient occlusion, ground, shadow)", memory->error);
 }
 
-burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
                                 const burnish_mesh_view *mesh, const burnish_map_view *view,
                                 uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory) {
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
@@ -193,7 +193,7 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_op
 /* What the tasks of many pairs share. */
 typedef struct maps_context {
     const burnish_map_drawer *drawer;
-    const burnish_isa_ops *ops;
+    const burnish_raster_ops *ops;
     const burnish_mesh_view *mesh;
     const burnish_map_view *views;
     int count;
@@ -248,7 +248,7 @@ static void draw_pairs(void *context, size_t index, int thread) {
     }
 }
 
-burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
                                       const burnish_mesh_view *mesh, const burnish_map_view *views,
                                       int count, uint16_t *depths, size_t stride,
                                       burnish_map_finish *finish, burnish_tasks *tasks,

@@ -63,7 +63,7 @@ burnish_map_rows burnish_map_rows_make(const burnish_map_view *view, const doubl
 /* Draws the mesh's depth.
  *   depths  receives view->size^2 codes, row after row from the top
  * Errors: MEMORY, CANCELLED, LIMIT; destroy the drawer all the same. */
-burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
                                 const burnish_mesh_view *mesh, const burnish_map_view *view,
                                 uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory);
 
@@ -73,7 +73,7 @@ typedef void burnish_map_finish(uint16_t *depths, size_t size);
 /* Draws `count` <= BURNISH_MAP_PAIRS pairs of maps of the same size, which is a multiple of 16 and
  * at most BURNISH_MAPS_SIZE: of each view, and of what is seen against it at the same texels, which
  * is burnish_map_view_back. depths  receives the maps, each `stride` codes after the last */
-burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_isa_ops *ops,
+burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
                                       const burnish_mesh_view *mesh, const burnish_map_view *views,
                                       int count, uint16_t *depths, size_t stride,
                                       burnish_map_finish *finish, burnish_tasks *tasks,

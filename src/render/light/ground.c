@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "render/frame/space.h"
-#include "simd/isa_ops.h"
 
 /* The texture reaches as far as the mesh and this many times its height, but no further than
  * LARGEST_REACH, in the raster's space, where the mesh fills the unit sphere; from FADE of that on
@@ -102,7 +101,7 @@ static double texels_of(const burnish_ground *ground) {
 /* What the tasks of a texture share. */
 typedef struct ground_context {
     const burnish_ground *ground;
-    const burnish_isa_ops *ops;
+    const burnish_render_ops *ops;
     burnish_silhouette silhouettes[BURNISH_OCCLUSION_MAX];
     int count;
     double sky;      /* sum of the silhouettes' weights */
@@ -280,7 +279,7 @@ static void add_light(ground_context *context, const burnish_shadow *shadow, bur
     burnish_tasks_ranges(tasks, SIZE, GRAIN, darken_rows, context);
 }
 
-burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops *ops,
+burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_ops *ops,
                                    const burnish_occlusion *occlusion, const burnish_shadow *shadow,
                                    burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = (size_t)SIZE * SIZE;

@@ -13,7 +13,7 @@
 #include "core/tasks.h"
 #include "render/light/occlusion.h"
 #include "render/light/shadow.h"
-#include "shading/shader.h"
+#include "render/render_ops.h"
 
 enum {
     BURNISH_GROUND_SIZE = 256, /* texels along the texture's edge */
@@ -67,7 +67,7 @@ int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_occlusio
 /* Draws the texture of a ground that was placed.
  *   shadow  of the first light, or NULL
  * Errors: MEMORY, CANCELLED; the texture is then nobody's. */
-burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_isa_ops *ops,
+burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_ops *ops,
                                    const burnish_occlusion *occlusion, const burnish_shadow *shadow,
                                    burnish_tasks *tasks, burnish_memory *memory);
 

@@ -95,7 +95,7 @@ const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int
     return occlusion->depths + (size_t)i * map_texels(occlusion->size);
 }
 
-static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
+static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_raster_ops *ops,
                                 const burnish_mesh_view *mesh, int count, int size,
                                 burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = map_texels(size);
@@ -121,7 +121,7 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_isa_
     return status;
 }
 
-burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
+burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_raster_ops *ops,
                                         const burnish_mesh_view *mesh, int wanted, int size,
                                         const double eye[3], const double up[3], double pixel,
                                         burnish_tasks *tasks, burnish_memory *memory,

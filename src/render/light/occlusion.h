@@ -63,7 +63,7 @@ const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int
  *   up     the brighter side of the sky, a unit vector
  *   pixel  about what one is wide at the mesh, in the raster's space
  * Errors: MEMORY, CANCELLED; the maps are then nobody's. */
-burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_isa_ops *ops,
+burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_raster_ops *ops,
                                         const burnish_mesh_view *mesh, int count, int size,
                                         const double eye[3], const double up[3], double pixel,
                                         burnish_tasks *tasks, burnish_memory *memory,

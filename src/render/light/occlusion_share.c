@@ -1,14 +1,12 @@
 #include "render/light/occlusion_share.h"
 
-#include "simd/isa_ops.h"
-
 /* Least cosine between normals that share: 10 degrees. */
 #define ALIKE 0.985f
 
 enum { NO_KEY = 0xffff };
 
 /* Positions themselves, unit normals. */
-static void prepare(const burnish_isa_ops *ops, const burnish_share_points *points, int count,
+static void prepare(const burnish_render_ops *ops, const burnish_share_points *points, int count,
                     burnish_share_scratch *scratch) {
     float *const normal[3] = {scratch->normal[0], scratch->normal[1], scratch->normal[2]};
     float inverse[BURNISH_SHARE_BATCH];
@@ -101,7 +99,7 @@ static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_share
     return keys;
 }
 
-void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_isa_ops *ops,
+void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                             const burnish_share_points *points, int count,
                             burnish_share_scratch *scratch, float *const rgb[3]) {
     const float *const position[3] = {scratch->key_position[0], scratch->key_position[1],

@@ -6,6 +6,7 @@
 
 #include "raster/layout.h"
 #include "render/light/occlusion.h"
+#include "render/render_ops.h"
 
 enum {
     BURNISH_SHARE_BATCH = BURNISH_OCCLUDED_MAX,
@@ -33,7 +34,7 @@ typedef struct burnish_share_scratch {
 } burnish_share_scratch;
 
 /* Multiplies the points' light by what they see of the sky. */
-void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_isa_ops *ops,
+void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                             const burnish_share_points *points, int count,
                             burnish_share_scratch *scratch, float *const rgb[3]);
 

@@ -10,7 +10,7 @@
 #define RADIUS 2.5f
 
 static burnish_status draw(burnish_shadow *shadow, burnish_map_drawer *drawer,
-                           const burnish_isa_ops *ops, const burnish_mesh_view *mesh,
+                           const burnish_raster_ops *ops, const burnish_mesh_view *mesh,
                            const burnish_map_view *view, burnish_tasks *tasks,
                            burnish_memory *memory) {
     const size_t texels = (size_t)view->size * (size_t)view->size;
@@ -31,7 +31,7 @@ static burnish_status draw(burnish_shadow *shadow, burnish_map_drawer *drawer,
 }
 
 burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer *drawer,
-                                     const burnish_isa_ops *ops, const burnish_mesh_view *mesh,
+                                     const burnish_raster_ops *ops, const burnish_mesh_view *mesh,
                                      burnish_vec3 toward, int size, const double eye[3],
                                      burnish_tasks *tasks, burnish_memory *memory,
                                      burnish_shadow_lookup *lookup) {

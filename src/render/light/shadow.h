@@ -35,7 +35,7 @@ typedef struct burnish_shadow {
  *   eye     the camera, in the raster's space
  * Errors: MEMORY, CANCELLED, LIMIT; the map is then nobody's. */
 burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer *drawer,
-                                     const burnish_isa_ops *ops, const burnish_mesh_view *mesh,
+                                     const burnish_raster_ops *ops, const burnish_mesh_view *mesh,
                                      burnish_vec3 toward, int size, const double eye[3],
                                      burnish_tasks *tasks, burnish_memory *memory,
                                      burnish_shadow_lookup *lookup);

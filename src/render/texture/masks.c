@@ -36,7 +36,7 @@ void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *sam
     }
 }
 
-void burnish_masks_color(const burnish_textured_material *material, const burnish_isa_ops *ops,
+void burnish_masks_color(const burnish_textured_material *material, const burnish_render_ops *ops,
                          const float *const *streams, int count, burnish_texture_scratch *scratch) {
     enum { ALL = 15 };
     burnish_texture_sampler filtered = material->samplers[BURNISH_TEXTURE_COLOR];
@@ -148,7 +148,7 @@ static void locate_quarters(const quarter *q, float (*from)[BURNISH_TEXTURE_BATC
 /* Each quarter of a pixel looks into its own level. It is the larger one of the two between which
  * the quarter lies: four of them make up for the smaller one. */
 static void cover_quarters(const burnish_texture_sampler *sampler, const burnish_mask *of_pixel,
-                           const burnish_isa_ops *ops, const float *const *streams, int count,
+                           const burnish_render_ops *ops, const float *const *streams, int count,
                            burnish_texture_scratch *scratch) {
     enum { ALPHA = 8 };
     uint8_t points[BURNISH_TEXTURE_BATCH + 1];
@@ -185,7 +185,7 @@ static void cover_quarters(const burnish_texture_sampler *sampler, const burnish
 /* ---- Points ---- */
 
 void burnish_masks_apply(const burnish_texturing *texturing,
-                         const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const burnish_textured_material *material, const burnish_render_ops *ops,
                          const float *const *streams, int count, burnish_texture_scratch *scratch) {
     const burnish_texture_sampler *sampler = &material->samplers[BURNISH_TEXTURE_COLOR];
     const burnish_mask mask = {1 - material->material.transparency,

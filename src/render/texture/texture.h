@@ -9,8 +9,9 @@
 #include "burnish/mesh.h"
 #include "core/tasks.h"
 #include "raster/samples.h"
+#include "render/render_ops.h"
 #include "render/texture/texture_levels.h"
-#include "simd/isa_ops.h"
+#include "shading/shading_ops.h"
 
 /* ---- What the kernels read ---- */
 
@@ -91,6 +92,7 @@ typedef struct burnish_texturing {
     int has_alpha;      /* 1: some have alpha below 1 */
     int samples;        /* of a pixel */
     int smooth_samples; /* the same, where masks are decided sample by sample; 0: none is */
+    const burnish_kernels *kernels; /* the caller's to set */
     const burnish_mesh_view *mesh;
     burnish_textured_material *materials; /* one per material */
     size_t material_capacity;
@@ -178,7 +180,7 @@ void burnish_texture_begin(burnish_texture_scratch *scratch);
 
 /* Fills scratch->points for scratch->ids; points whose material needs none get some numbers.
  *   materials  of points; NULL: all have material 0 */
-void burnish_texture_locate(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_render_ops *ops,
                             const burnish_rays *rays, const burnish_screen_points *points,
                             const int32_t *materials, int count, burnish_texture_scratch *scratch);
 
@@ -188,7 +190,7 @@ void burnish_texture_locate(const burnish_texturing *texturing, const burnish_is
  *   rgb      receives linear light, >= 0; NULL: only opacity is wanted
  *   scratch  opacity becomes what the material's textures leave of its opacity, [0, 1]; where its
  *            mask is smoothed 1, and cover what the mask leaves of each sample */
-void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_render_ops *ops,
                            const burnish_kernels_shader *shader, int material,
                            const burnish_kernels_points *points, const float *const *streams,
                            int count, burnish_texture_scratch *scratch, float *const rgb[3]);
@@ -203,13 +205,13 @@ void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *sam
 
 /* Where nearest texels count and that of a point is not there, others next to it may be, and show
  * in some samples: gives the point their mean colour. */
-void burnish_masks_color(const burnish_textured_material *material, const burnish_isa_ops *ops,
+void burnish_masks_color(const burnish_textured_material *material, const burnish_render_ops *ops,
                          const float *const *streams, int count, burnish_texture_scratch *scratch);
 
 /* The mask of points whose opacity and taps of the colour have been found: opacity becomes 0 or 1,
  * or 1 and cover what the mask leaves of each sample. */
 void burnish_masks_apply(const burnish_texturing *texturing,
-                         const burnish_textured_material *material, const burnish_isa_ops *ops,
+                         const burnish_textured_material *material, const burnish_render_ops *ops,
                          const float *const *streams, int count, burnish_texture_scratch *scratch);
 
 #endif

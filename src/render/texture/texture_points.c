@@ -81,7 +81,7 @@ static void find_records(const burnish_texturing *texturing, const int32_t *mate
     }
 }
 
-void burnish_texture_locate(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_render_ops *ops,
                             const burnish_rays *rays, const burnish_screen_points *points,
                             const int32_t *materials, int count, burnish_texture_scratch *scratch) {
     float *to[BURNISH_TEXTURE_TANGENT];

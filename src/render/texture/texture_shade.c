@@ -24,7 +24,7 @@ enum { RED = 1, GREEN_BLUE = 6, COLOR = 7, ALL = 15 };
 /* Samples a slot; channels that are not wanted may be written, too. Returns 0 where the material
  * has no such texture. */
 static int sample_into(const burnish_textured_material *material, int slot, unsigned channels,
-                       const burnish_isa_ops *ops, const float *const *streams, int count,
+                       const burnish_render_ops *ops, const float *const *streams, int count,
                        burnish_texture_scratch *scratch, float *const out[4]) {
     const burnish_texture_sampler *sampler = &material->samplers[slot];
     if (!sampler->levels) {
@@ -44,7 +44,7 @@ static int sample_into(const burnish_textured_material *material, int slot, unsi
 
 /* The same into scratch->sample. */
 static int sample(const burnish_textured_material *material, int slot, unsigned channels,
-                  const burnish_isa_ops *ops, const float *const *streams, int count,
+                  const burnish_render_ops *ops, const float *const *streams, int count,
                   burnish_texture_scratch *scratch) {
     float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
                            scratch->sample[3]};
@@ -59,7 +59,7 @@ static void fill(float *to, int count, float value) {
 
 /* The colour of points, vertex colours included, in scratch->diffuse; opacity as far as colour and
  * opacity textures say. */
-static void find_color(const burnish_textured_material *material, const burnish_isa_ops *ops,
+static void find_color(const burnish_textured_material *material, const burnish_render_ops *ops,
                        const burnish_kernels_points *points, const float *const *streams, int count,
                        burnish_texture_scratch *scratch) {
     const int takes_alpha = material->material.alpha_mode != BURNISH_ALPHA_IGNORE;
@@ -89,7 +89,7 @@ static void find_color(const burnish_textured_material *material, const burnish_
 
 /* Normals as the texture turns them, in scratch->normal, and how much mean normals are shorter than
  * 1 in scratch->length. */
-static void turn_normals(const burnish_textured_material *material, const burnish_isa_ops *ops,
+static void turn_normals(const burnish_textured_material *material, const burnish_render_ops *ops,
                          const burnish_kernels_points *points, const float *const *streams,
                          int count, burnish_texture_scratch *scratch) {
     const float *const from[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
@@ -105,7 +105,7 @@ static void turn_normals(const burnish_textured_material *material, const burnis
 
 /* Samples what coefficients are made of; bit k: there is slot k. */
 static unsigned sample_coefficients(const burnish_textured_material *material,
-                                    const burnish_isa_ops *ops, const float *const *streams,
+                                    const burnish_render_ops *ops, const float *const *streams,
                                     int count, burnish_texture_scratch *scratch) {
     float(*const sample)[BURNISH_TEXTURE_BATCH] = scratch->sample;
     float(*const specular)[BURNISH_TEXTURE_BATCH] = scratch->specular;
@@ -134,7 +134,7 @@ static unsigned sample_coefficients(const burnish_textured_material *material,
     return sampled;
 }
 
-static void shade_varied(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+static void shade_varied(const burnish_texturing *texturing, const burnish_render_ops *ops,
                          const burnish_textured_material *material,
                          const burnish_kernels_points *points, const float *const *streams,
                          int count, burnish_texture_scratch *scratch, float *const rgb[3]) {
@@ -154,11 +154,11 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_isa_o
         each.specular[k] = scratch->specular[k];
         turned.normal[k] = material->has_normals ? scratch->normal[k] : points->normal[k];
     }
-    ops->shade_each[texturing->white.lobe.body](&texturing->white, &turned, &each, (size_t)count,
-                                                rgb);
+    texturing->kernels->shade_each[texturing->white.lobe.body](&texturing->white, &turned, &each,
+                                                               (size_t)count, rgb);
 }
 
-static void add_emissive(const burnish_textured_material *material, const burnish_isa_ops *ops,
+static void add_emissive(const burnish_textured_material *material, const burnish_render_ops *ops,
                          const float *const *streams, int count, burnish_texture_scratch *scratch,
                          float *const rgb[3]) {
     const float *emissive = material->material.emissive;
@@ -174,7 +174,7 @@ static void add_emissive(const burnish_textured_material *material, const burnis
     }
 }
 
-void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa_ops *ops,
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_render_ops *ops,
                            const burnish_kernels_shader *shader, int number,
                            const burnish_kernels_points *points, const float *const *streams,
                            int count, burnish_texture_scratch *scratch, float *const rgb[3]) {
@@ -195,7 +195,7 @@ void burnish_texture_shade(const burnish_texturing *texturing, const burnish_isa
         for (int k = 0; k < 3; ++k) {
             colored.diffuse[k] = scratch->diffuse[k];
         }
-        ops->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
+        texturing->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
             shader, &colored, (size_t)count, NULL, rgb);
     }
     add_emissive(material, ops, streams, count, scratch, rgb);

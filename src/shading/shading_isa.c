@@ -1,22 +1,9 @@
-/* The table of one instruction set, OPS: everything that is compiled for it. The file that includes
- * this defines a BURNISH_VECTOR_... */
-#include "raster/bins_simd.h"
-#include "raster/fragments_simd.h"
-#include "raster/geometry_simd.h"
-#include "raster/maps_simd.h"
-#include "raster/tile_simd.h"
-#include "render/frame/encode_simd.h"
-#include "render/light/ground_simd.h"
-#include "render/light/occlusion_simd.h"
-#include "render/light/shadow_simd.h"
-#include "render/texture/mask_simd.h"
-#include "render/texture/materials_simd.h"
-#include "render/texture/texture_simd.h"
-#include "render/texture/texture_surface_simd.h"
+/* The table of shading kernels for the instruction set that BURNISH_VECTOR_... chooses. */
 #include "shading/each_simd.h"
 #include "shading/lobe_simd.h"
 #include "shading/shade_simd.h"
-#include "simd/isa_ops.h"
+#include "shading/shading_ops.h"
+#include "simd/isa.h"
 
 #define LOBE_FUNCTIONS(name, body)                                                                 \
     static void name##_of_cosines(const burnish_lobe_constants *lobe, size_t count,                \
@@ -85,20 +72,9 @@ EACH_FUNCTION(gx, BURNISH_LOBE_BODY_GX)
             shade_##name##_general_rgba8, shade_##name##_general_float                             \
         }                                                                                          \
     }
-#define OP(name) .name = name
-
-static const burnish_isa_ops OPS = {
+extern const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD);
+const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = {
     .isa = (burnish_isa)VECTOR_ISA,
-    OP(transform_vertices),
-    OP(cull_and_bound),
-    OP(bin_batches),
-    OP(project_to_maps),
-    OP(draw_maps),
-    OP(draw_tile),
-    OP(draw_deeper_layers),
-    OP(classify_block_row),
-    OP(next_fragments),
-    OP(mark_drawn),
     .lobe = {[BURNISH_LOBE_BODY_NONE] = LOBE_ROW(none),
              [BURNISH_LOBE_BODY_SQUARE] = LOBE_ROW(square),
              [BURNISH_LOBE_BODY_SQUARES] = LOBE_ROW(squares),
@@ -123,22 +99,5 @@ static const burnish_isa_ops OPS = {
                    [BURNISH_LOBE_BODY_SCHLICK] = each_schlick,
                    [BURNISH_LOBE_BODY_GAUSSIAN] = each_gaussian,
                    [BURNISH_LOBE_BODY_GX] = each_gx},
-    OP(normalize_array),
-    OP(position_from_depth),
-    OP(collect_material),
-    OP(scatter_material),
-    OP(occlude),
-    OP(cast_shadow),
-    OP(add_silhouette),
-    OP(shadow_ground),
-    OP(plane_records),
-    OP(locate_points),
-    OP(find_taps),
-    OP(sample_texture),
-    OP(cover_samples),
-    OP(interpolate_tangents),
-    OP(turn_normals),
-    OP(vary_points),
-    OP(encode_pixels),
-    OP(pack_groups),
+    .normalize_array = normalize_array,
 };

@@ -1,123 +1,30 @@
-/* What is compiled once per instruction set: one table of functions, each signature declared here
- * and nowhere else. A field has the name of its function; the function is a template over the
- * vector type (raster/..._simd.h, shading/..._simd.h).
- *
- * simd/isa_<name>.c is where templates meet an instruction set: the only files that include them.
- * Calls go down from C files through this table into templates and never come back up. */
-#ifndef BURNISH_SIMD_ISA_OPS_H
-#define BURNISH_SIMD_ISA_OPS_H
+/* The kernels of rendering, compiled once per instruction set (frame/render_isa.c): a table of
+ * functions, each signature declared here and nowhere else. A field has the name of its template,
+ * which is in a file ..._simd.h below this folder. */
+#ifndef BURNISH_RENDER_RENDER_OPS_H
+#define BURNISH_RENDER_RENDER_OPS_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "burnish/kernels.h"
-#include "shading/shader.h"
+#include "render/screen.h"
+#include "simd/isa.h"
 
-struct burnish_batch_header;
-struct burnish_bin_slice;
-struct burnish_bins;
-struct burnish_block_row;
-struct burnish_fragments;
-struct burnish_geometry;
 struct burnish_ground_view;
-struct burnish_occlusion_lookup;
-struct burnish_maps;
+struct burnish_kernels_points;
+struct burnish_mask;
 struct burnish_mesh_view;
-struct burnish_raster_view;
-struct burnish_screen_vertices;
+struct burnish_occlusion_lookup;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
 struct burnish_srgb_encoder;
-struct burnish_mask;
 struct burnish_texture_levels;
 struct burnish_texture_sampler;
 struct burnish_texture_scratch;
 struct burnish_texture_taps;
 struct burnish_textured_material;
-struct burnish_tile;
-struct burnish_triangle_batch;
 
-/* out[i] = lobe(in[i]); out may be in. */
-typedef void burnish_lobe_function(const burnish_lobe_constants *lobe, size_t count,
-                                   const float *in, float *out);
-
-/* The lighting of count points, as burnish/kernels.h says. Exactly one of rgba and rgb is written.
- */
-typedef void burnish_shade_function(const burnish_kernels_shader *shader,
-                                    const burnish_kernels_points *points, size_t count,
-                                    uint8_t *rgba, float *const rgb[3]);
-
-typedef struct burnish_isa_ops {
-    burnish_isa isa;
-
-    /* ---- raster: a frame ---- */
-
-    /* Transforms the vertices [first, end) to the screen. */
-    void (*transform_vertices)(struct burnish_screen_vertices *vertices,
-                               const struct burnish_raster_view *view, const float *positions,
-                               size_t first, size_t end);
-
-    /* Culls `count` <= BURNISH_BATCH_SIZE triangles, 3 indices each, and finds depth and bounds of
-     * those that may be seen; returns how many. Bit i of *clipped is set where triangle i must be
-     * clipped first. */
-    int (*cull_and_bound)(const struct burnish_screen_vertices *vertices,
-                          const struct burnish_raster_view *view, const uint32_t *indices,
-                          size_t count, struct burnish_triangle_batch *batch,
-                          struct burnish_batch_header *header, unsigned *clipped);
-
-    /* Appends the triangles of the batches [first, end) to a slice's tile lists. Returns where it
-     * stopped: end, or the batch for which the slice has too few chunks. To be called again from
-     * there when it has more: what that batch has already added is not added twice. */
-    size_t (*bin_batches)(const struct burnish_bins *bins, struct burnish_bin_slice *slice,
-                          const struct burnish_geometry *geometry, size_t first, size_t end);
-
-    /* ---- raster: depth maps ---- */
-
-    /* Projects `count` positions by a view per pair of maps, which have one size and origin and are
-     * parallel projections in which the mesh fits. */
-    void (*project_to_maps)(const struct burnish_raster_view *views, const float *positions,
-                            size_t count, const struct burnish_maps *maps);
-
-    /* Draws the triangles over what is in the maps. */
-    void (*draw_maps)(struct burnish_maps *maps);
-
-    /* ---- raster: a tile ---- */
-
-    /* Draws the lists of the tile (column, row) into it. */
-    void (*draw_tile)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
-                      const struct burnish_bins *bins, int column, int row);
-
-    /* Collects the layers of the tile (column, row), which has been drawn, once more. */
-    void (*draw_deeper_layers)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
-                               const struct burnish_bins *bins, int column, int row);
-
-    /* Finds which pixels of a block row are covered, and which of them are simple. */
-    void (*classify_block_row)(const struct burnish_tile *tile, int row,
-                               struct burnish_block_row *pixels);
-
-    /* The next fragments of the tile's complex pixels, from block *next_block on, which becomes
-     * where to go on: 0 at first. Returns 0 when there are none left; with one sample per pixel
-     * there are none. May write up to LANES - 1 items past the last one. */
-    int (*next_fragments)(const struct burnish_tile *tile, const struct burnish_raster_view *view,
-                          int *next_block, struct burnish_fragments *fragments);
-
-    /* Sets drawn[t] to 1 for each of the mesh's triangles t that a sample shows; needs ids. Several
-     * threads may do so at the same time. */
-    void (*mark_drawn)(const struct burnish_tile *tile, uint8_t *drawn);
-
-    /* ---- shading ---- */
-
-    burnish_lobe_function *lobe[BURNISH_LOBE_BODY_COUNT][BURNISH_LOBE_INPUT_COUNT];
-    burnish_shade_function
-        *shade[BURNISH_LOBE_BODY_COUNT][BURNISH_SHADE_GEOMETRY_COUNT][BURNISH_SHADE_OUTPUT_COUNT];
-
-    /* The lighting of count points that have a material each; `points` has no diffuse. Reads and
-     * writes whole vectors. */
-    void (*shade_each[BURNISH_LOBE_BODY_COUNT])(const burnish_kernels_shader *shader,
-                                                const burnish_kernels_points *points,
-                                                const burnish_point_materials *materials,
-                                                size_t count, float *const rgb[3]);
-
+typedef struct burnish_render_ops {
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
 
@@ -125,8 +32,6 @@ typedef struct burnish_isa_ops {
      * up to the next multiple of 16. */
     void (*position_from_depth)(const burnish_rays *rays, const burnish_screen_points *points,
                                 size_t count, float *const position[3], float *w);
-
-    /* ---- render ---- */
 
     /* Copies the vectors of points [first, count) in which `left` is `material`, one after another,
      * from each of `streams` arrays to another; there `left` becomes -1. places[v] gets the first
@@ -221,26 +126,9 @@ typedef struct burnish_isa_ops {
      * after another: red, green, blue. The highest byte of a pixel must be 0. May write up to four
      * bytes past the last. */
     void (*pack_groups)(size_t count, const uint32_t *pixels, size_t stride, uint8_t *to);
-} burnish_isa_ops;
+} burnish_render_ops;
 
-/* The table of an instruction set; NULL where this build has none. Whether it runs here says
- * burnish_isa_available(). */
-const burnish_isa_ops *burnish_isa_ops_for(burnish_isa isa);
-
-/* The registers that decide, as an x86 processor gives them; 0 where a leaf does not exist. */
-typedef struct burnish_cpuid {
-    uint32_t leaf1_ecx, leaf1_edx;
-    uint32_t leaf7_ebx;
-    uint64_t xcr0; /* what the operating system saves; 0 without OSXSAVE */
-} burnish_cpuid;
-
-/* The instruction sets that such a processor runs, SCALAR included. A pure function, so that tests
- * can try any processor. */
-uint32_t burnish_isa_from_cpuid(const burnish_cpuid *cpuid);
-
-/* Each isa_<name>.c gives its table, or NULL where it was not compiled for that instruction set. */
-#define BURNISH_ISA_DECLARE(name, word, lanes) const burnish_isa_ops *burnish_isa_ops_##word(void);
-BURNISH_ISA_LIST(BURNISH_ISA_DECLARE)
-#undef BURNISH_ISA_DECLARE
+/* The table of an instruction set; NULL if this build does not have it. */
+const burnish_render_ops *burnish_render_ops_for(burnish_isa isa);
 
 #endif

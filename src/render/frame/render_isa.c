@@ -1,0 +1,23 @@
+/* The table of rendering kernels for the instruction set that BURNISH_VECTOR_... chooses. */
+#include "render/frame/encode_simd.h"
+#include "render/light/ground_simd.h"
+#include "render/light/occlusion_simd.h"
+#include "render/light/shadow_simd.h"
+#include "render/render_ops.h"
+#include "render/screen_simd.h"
+#include "render/texture/mask_simd.h"
+#include "render/texture/materials_simd.h"
+#include "render/texture/texture_simd.h"
+#include "render/texture/texture_surface_simd.h"
+#include "simd/isa.h"
+
+#define OP(name) .name = name
+
+extern const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD);
+const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
+    OP(normalize_array), OP(position_from_depth),  OP(collect_material), OP(scatter_material),
+    OP(occlude),         OP(cast_shadow),          OP(add_silhouette),   OP(shadow_ground),
+    OP(plane_records),   OP(locate_points),        OP(find_taps),        OP(sample_texture),
+    OP(cover_samples),   OP(interpolate_tangents), OP(turn_normals),     OP(vary_points),
+    OP(encode_pixels),   OP(pack_groups),
+};

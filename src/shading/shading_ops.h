@@ -1,0 +1,40 @@
+/* The kernels of shading, compiled once per instruction set (shading_isa.c): a table of functions,
+ * each signature declared here and nowhere else. It is burnish_kernels of the public header. */
+#ifndef BURNISH_SHADING_SHADING_OPS_H
+#define BURNISH_SHADING_SHADING_OPS_H
+
+#include "shading/shader.h"
+
+/* out[i] = lobe(in[i]); out may be in. */
+typedef void burnish_lobe_function(const burnish_lobe_constants *lobe, size_t count,
+                                   const float *in, float *out);
+
+/* The lighting of count points, as burnish/kernels.h says. Exactly one of rgba and rgb is written.
+ */
+typedef void burnish_shade_function(const burnish_kernels_shader *shader,
+                                    const burnish_kernels_points *points, size_t count,
+                                    uint8_t *rgba, float *const rgb[3]);
+
+struct burnish_kernels {
+    burnish_isa isa;
+
+    burnish_lobe_function *lobe[BURNISH_LOBE_BODY_COUNT][BURNISH_LOBE_INPUT_COUNT];
+    burnish_shade_function
+        *shade[BURNISH_LOBE_BODY_COUNT][BURNISH_SHADE_GEOMETRY_COUNT][BURNISH_SHADE_OUTPUT_COUNT];
+
+    /* The lighting of count points that have a material each; `points` has no diffuse. Reads and
+     * writes whole vectors. */
+    void (*shade_each[BURNISH_LOBE_BODY_COUNT])(const burnish_kernels_shader *shader,
+                                                const burnish_kernels_points *points,
+                                                const burnish_point_materials *materials,
+                                                size_t count, float *const rgb[3]);
+
+    /* out = in scaled to unit length; out may be in. */
+    void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
+};
+typedef burnish_kernels burnish_shading_ops;
+
+/* The table of an instruction set; NULL if this build does not have it. */
+const burnish_shading_ops *burnish_shading_ops_for(burnish_isa isa);
+
+#endif
