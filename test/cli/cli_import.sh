@@ -146,7 +146,7 @@ for flag in --no-sandbox $boxed; do
     }
     run_with render - --input-format=dae --size=64 "$flag" -o q.png <a.fbx
     same_as_fbx "standard input, $flag"
-    check "it has no folder: $(cat "$err")" grep -q 'warning: standard input: burnish-import-assimp: texture "a.png" is left out' "$err"
+    check "it has no folder: $(cat "$err")" grep -q 'warning: standard input: burnish-import-assimp: texture "a.png" was skipped' "$err"
     # shellcheck disable=SC2002
     cat a.fbx | "$burnish" render - --input-format=dae --no-textures --size=64 "$flag" -o r.png 2>"$err"
     code=$?

@@ -222,7 +222,7 @@ serve -j1 --size=24
 check "an importer: $(head -c 300 1.line)" cmp 1.png 1.picture
 check "its format" grep -q '"format":"fbx"' 1.line
 check "by a flag: $(head -c 300 2.line)" grep -q '"format":"dae"' 2.line
-check "without the texture" grep -q 'texture \\\"a.png\\\" is left out' 2.line
+check "without the texture" grep -q 'texture \\\"a.png\\\" was skipped' 2.line
 check "what is named is not imported" grep -q '"format":"obj"' 3.line
 check "a built-in object" grep -q '"format":"builtin"' 4.line
 check "what it is given: $(cat "$bin/arguments")" [ "$(cut -d' ' -f1 "$bin/arguments" | tr '\n' ' ')" = "fbx dae fbx " ]

@@ -1,5 +1,6 @@
 /* The mesh stream: valid streams, messages for damaged ones, and random damage. */
 #include "burnish/mesh.h"
+#include "core/bytes.h"
 #include "counting_context.h"
 #include "mesh/read/bms.h"
 #include "reader_input.h"
@@ -166,6 +167,18 @@ typedef struct damage {
     const char *message;
 } damage;
 
+static void check_damage(stream s, const damage *d) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh;
+    burnish_error error = {0};
+    options.format = BURNISH_FORMAT_BMS;
+    options.max_triangles = 10;
+    burnish_store32(s.list.bytes + d->at, d->word);
+    CHECK(load(&s.list, &options, &mesh, &error) == d->status && !mesh, "%s", d->message);
+    CHECK_TEXT(error.text, d->message);
+    burnish_mesh_destroy(mesh);
+}
+
 static void test_messages(void) {
     const stream s = make("");
     const damage cases[] = {
@@ -181,8 +194,7 @@ static void test_messages(void) {
          "a: an error without a message"},
         {BURNISH_BMS_AT_SIZE + 4, 1, BURNISH_STATUS_FORMAT,
          "a: byte 16: the stream states 4294967868 bytes and needs at least 552 for its counts, "
-         "but "
-         "has 572; it is truncated or damaged"},
+         "but has 572; it is truncated or damaged"},
         {BURNISH_BMS_AT_VERTICES, UINT32_MAX, BURNISH_STATUS_FORMAT,
          "a: byte 24: more than 4294967294 vertices"},
         {BURNISH_BMS_AT_VERTICES, UINT32_MAX - 1, BURNISH_STATUS_FORMAT,
@@ -225,19 +237,8 @@ static void test_messages(void) {
         {s.numbers_at, 2, BURNISH_STATUS_FORMAT,
          "a: byte 564: material 2 is out of range; there are 2 materials, counted from 0"},
     };
-    burnish_load_options options = burnish_load_options_default();
-    options.format = BURNISH_FORMAT_BMS;
-    options.max_triangles = 10;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        stream damaged = s;
-        burnish_mesh *mesh;
-        burnish_error error = {0};
-        for (int k = 0; k < 4; ++k) {
-            damaged.list.bytes[cases[i].at + (size_t)k] = (uint8_t)(cases[i].word >> 8 * k);
-        }
-        CHECK(load(&damaged.list, &options, &mesh, &error) == cases[i].status && !mesh, "%zu", i);
-        CHECK_TEXT(error.text, cases[i].message);
-        burnish_mesh_destroy(mesh);
+        check_damage(s, &cases[i]);
     }
 }
 

@@ -102,7 +102,7 @@ static const struct {
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 4\n",
      "mesh.obj:4: face refers to vertex 4, but the file has 3; correct the index"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 -4\n",
-     "mesh.obj:4: face refers to vertex -4, but the file has 3 before it; correct the index"},
+     "mesh.obj:4: face refers to vertex -4, but only 3 precede it; correct the index"},
     {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 \\\n99999999999999999999\n",
      "mesh.obj:5: face refers to vertex 99999999999999999999, but the file has 3; correct the "
      "index"},

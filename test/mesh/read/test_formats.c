@@ -105,7 +105,7 @@ static void test_foreign(void) {
         const char *first;
         size_t size;
         const char *what;
-    } cases[] = {{"\177ELF\2\1\1", 7, "a.stl: a program, not what its name says"},
+    } cases[] = {{"\177ELF\2\1\1", 7, "a.stl: a program, which contradicts its name"},
                  {"\xcf\xfa\xed\xfe", 4, "a.stl: a program, not"},
                  {"\xca\xfe\xba\xbe", 4, "a.stl: a program, not"},
                  {"%PDF-1.7\n\1", 10, "a.stl: a PDF document, not"},

@@ -170,6 +170,20 @@ static void test_instances(void) {
     burnish_mesh_data_destroy(&s);
 }
 
+static const struct {
+    const char *animation, *path;
+    double time, x;
+} moments[] = {{"0", "", 0, 0},
+               {"0", "", 2, 4},
+               {"0", "", 2.5, 6},
+               {"linear", "", 9, 8},
+               {"step", "", 2.9, 0},
+               {"1", "", 3, 8},
+               {"cubic", "", 1, 0},
+               {"cubic", "", 3, 8},
+               /* t = 1/2: 8/2 + 2 (1/8 1) - 2 (1/8 2) */
+               {"cubic", "", 2, 4 + 0.25 - 0.5}};
+
 /* Translations 0 at 1 s and (8, 0, 0) at 3 s by each interpolation; a rotation of a quarter turn,
  * whose middle is an eighth of one, and whose quarters are equal angles. */
 static void test_animation(void) {
@@ -178,19 +192,6 @@ static void test_animation(void) {
     /* in-tangent, value, out-tangent, twice */
     static const float cubic[18] = {9, 9, 9, 0, 0, 0, 1, 0, 0, 2, 0, 0, 8, 0, 0, 9, 9, 9};
     static const float turns[8] = {0, 0, 0, 1, 0, 0, -0.70710678f, -0.70710678f};
-    static const struct {
-        const char *animation, *path;
-        double time, x;
-    } cases[] = {{"0", "", 0, 0},
-                 {"0", "", 2, 4},
-                 {"0", "", 2.5, 6},
-                 {"linear", "", 9, 8},
-                 {"step", "", 2.9, 0},
-                 {"1", "", 3, 8},
-                 {"cubic", "", 1, 0},
-                 {"cubic", "", 3, 8},
-                 /* t = 1/2: 8/2 + 2 (1/8 1) - 2 (1/8 2) */
-                 {"cubic", "", 2, 4 + 0.25 - 0.5}};
     byte_list binary = {.size = 0};
     put_floats(&binary, 9, positions);
     put_floats(&binary, 2, times);
@@ -213,11 +214,11 @@ static void test_animation(void) {
         "'target':{'node':0,'path':'rotation'}}]}]";
     burnish_mesh_data s;
     burnish_error e;
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        CHECK(read_posed(rest, &binary, cases[i].time, cases[i].animation, &s, &e) ==
+    for (size_t i = 0; i < sizeof moments / sizeof *moments; ++i) {
+        CHECK(read_posed(rest, &binary, moments[i].time, moments[i].animation, &s, &e) ==
                   BURNISH_STATUS_OK,
               "%s", e.text);
-        CHECK(corner_is(&s, 0, 0, cases[i].x, 0, 0), "%zu: %g", i,
+        CHECK(corner_is(&s, 0, 0, moments[i].x, 0, 0), "%zu: %g", i,
               (double)burnish_positions(&s)[0]);
         burnish_mesh_data_destroy(&s);
     }

@@ -324,7 +324,7 @@ static void test_ply_comments(void) {
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
            BURNISH_STATUS_OK);
     CHECK1(burnish_mesh_get_warning_count(mesh) == 2);
-    CHECK(strncmp(burnish_mesh_get_warning(mesh, 1), "a.ply:3: texture \"b.png\" is left", 32) == 0,
+    CHECK(strncmp(burnish_mesh_get_warning(mesh, 1), "a.ply:3: texture \"b.png\" was skipped", 38) == 0,
           "%s", burnish_mesh_get_warning(mesh, 1));
     burnish_mesh_destroy(mesh);
     snprintf(text, sizeof text, "%s%s", PLY_HEAD(""),
@@ -557,19 +557,19 @@ static void test_foreign(void) {
     static const struct {
         const char *name, *bytes, *what;
     } cases[] = {
-        {"x", "ISO-10303-21;\nHEADER;\n", "a STEP file, which is not read; convert it"},
+        {"x", "ISO-10303-21;\nHEADER;\n", "a STEP file, which burnish can't read; convert it"},
         {"a.xml", "<?xml version=\"1.0\"?>\n<COLLADA>\n", "a COLLADA file"},
         {"a.igs", "                  S      1\n", "an IGES file"},
         {"a.bin", "what is this", "neither its name nor its first bytes"},
         {"a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
-         "a pointer of Git LFS"},
-        {"a.glb", "\n\n<!DOCTYPE html>\n<html>", "a.glb: a web page, not what its name says"},
+         "a Git LFS pointer"},
+        {"a.glb", "\n\n<!DOCTYPE html>\n<html>", "a.glb: a web page, which contradicts its name"},
         {"a.stl",
          "# made by hand, and so\nsolid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
          "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n",
          "a.stl:1: text that does not begin with \"solid\" is not an STL file"},
-        {"a.stl", "\r\n <html>", "a.stl: a web page, not what its name says"},
-        {"a.obj", "ISO-10303-21;\nHEADER;\n", "a STEP file, not what its name says"}};
+        {"a.stl", "\r\n <html>", "a.stl: a web page, which contradicts its name"},
+        {"a.obj", "ISO-10303-21;\nHEADER;\n", "a STEP file, which contradicts its name"}};
     burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_mesh *mesh;
