@@ -1,0 +1,100 @@
+"""Runs the guides: every block of docs/guides/*.md that is marked sh, as a reader would, with one folder per guide.
+
+Usage: guides.py PROGRAM COMPILER SOURCE_DIR BUILD_DIR SCRATCH
+
+HTML comments directly above a block, which readers do not see:
+  needs: TOOL...   run only if these commands exist; python3:NAME: if Python can import it; npm: if build/npm was made
+  exits: CODE      the block ends with this exit code instead of 0
+  file: NAME       the block is written to a file of that name instead
+A block marked text directly below shows what the commands print, on both outputs: its lines must come in this order; "..."
+stands for any others. part.stl, before.stl, after.stl and the folder parts are the reader's own files, made here.
+"""
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+PROGRAM, COMPILER, SOURCE, BUILD, SCRATCH = (os.path.abspath(shutil.which(argument) or argument) for argument in sys.argv[1:6])
+PACKAGE = os.path.join(SOURCE, "build", "npm")
+BLOCK = re.compile(r"((?:^<!-- \w+: [^\n]* -->\n\n?)*)^```([^\n]*)\n(.*?)^```$\n*(?:^```text\n(.*?)^```$)?", re.M | re.S)
+FILES = {"part.stl": (40, 20, 10), "before.stl": (40, 20, 10), "after.stl": (40, 20, 12), "parts/base.stl": (30, 10, 10), "parts/left/arm.stl": (10, 10, 40)}
+CORNERS = "023 031 457 476 015 054 267 273 046 062 137 175".split()
+
+
+def box(x, y, z):
+    """A closed box from the origin, as STL."""
+    corners = [f"vertex {n % 2 * x} {n // 2 % 2 * y} {n // 4 * z}\n" for n in range(8)]
+    facets = ("facet normal 0 0 0\nouter loop\n" + "".join(corners[int(n)] for n in facet) + "endloop\nendfacet\n" for facet in CORNERS)
+    return "solid box\n" + "".join(facets) + "endsolid box\n"
+
+
+def has(tool):
+    if tool.startswith("python3:"):
+        return subprocess.run(["python3", "-c", f"import {tool[8:]}"], capture_output=True).returncode == 0
+    if tool == "npm":
+        return os.path.exists(PACKAGE + "/wasm.js") and shutil.which("node")
+    return shutil.which(tool)
+
+
+def difference(wanted, got):
+    """Where the printed lines differ from those of the guide; None if nowhere."""
+    pattern = "".join(r"(?:.*\n)*?" if line.strip() == "..." else re.escape(line) + r"\n" for line in wanted.splitlines())
+    return None if re.fullmatch(pattern, got) else f"shows\n{wanted}prints\n{got}"
+
+
+def run(guide, text):
+    """Failures, and the numbers of blocks run and skipped."""
+    os.makedirs(os.path.join(SCRATCH, guide, "parts", "left"))
+    os.chdir(os.path.join(SCRATCH, guide))
+    for name, size in FILES.items():
+        with open(name, "w", encoding="ascii") as file:
+            file.write(box(*size))
+    if os.path.isdir(PACKAGE):
+        os.mkdir("node_modules")
+        os.symlink(PACKAGE, "node_modules/burnish")
+    failures, ran, skipped = [], 0, 0
+    for block in BLOCK.finditer(text):
+        marks, kind, commands, shown = block.groups()
+        marks = dict(re.findall(r"<!-- (\w+): (.*) -->", marks))
+        where = f"docs/guides/{guide}.md:{text.count(chr(10), 0, block.start(3))}"
+        missing = [tool for tool in marks.get("needs", "").split() if not has(tool)]
+        if "file" in marks:
+            with open(marks["file"], "w", encoding="utf-8") as file:
+                file.write(commands)
+        elif kind == "sh" and missing:
+            print(f"{where}: skipped: it needs {' '.join(missing)}")
+            skipped += 1
+        elif kind == "sh":
+            done = subprocess.run(["sh", "-eu", "-c", commands], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            output = done.stdout.decode("utf-8", "replace")
+            ran += 1
+            if done.returncode != int(marks.get("exits", 0)):
+                failures.append(f"{where}: exit code {done.returncode}, not {marks.get('exits', 0)}: {output[-300:]}")
+            elif shown and difference(shown, output):
+                failures.append(f"{where}: {difference(shown, output)}")
+    if ran < 2:
+        failures.append(f"docs/guides/{guide}.md: only {ran} blocks of commands were run")
+    return failures, ran, skipped
+
+
+def main():
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    os.makedirs(SCRATCH + "/bin")
+    os.symlink(PROGRAM, SCRATCH + "/bin/burnish")
+    os.symlink(COMPILER, SCRATCH + "/bin/cc")
+    # Environments that the test python and make python leave.
+    environments = [f"{venv}/bin" for venv in (SOURCE + "/build/python/venv", BUILD + "/test/scratch/python/venv") if os.path.exists(venv + "/bin/python3")]
+    os.environ["PATH"] = ":".join([*environments, SCRATCH + "/bin", os.environ["PATH"]])
+    os.environ["BURNISH"] = SOURCE  # the guides' name for the folder of the sources
+    results = []
+    for page in sorted(glob.glob(SOURCE + "/docs/guides/*.md")):
+        with open(page, encoding="utf-8") as file:
+            results.append(run(os.path.basename(page)[:-3], file.read()))
+    failures = [failure for result in results for failure in result[0]]
+    print("\n".join([*failures, f"guides: {sum(ran for _, ran, _ in results)} blocks of commands, {len(failures)} failed, {sum(skipped for *_, skipped in results)} skipped"]))
+    return bool(failures)
+
+
+sys.exit(main())
