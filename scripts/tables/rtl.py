@@ -142,6 +142,7 @@ class Synthesis:
     def __init__(self, work, facts, seeds):
         self.work, self.facts, self.seeds, self.area = work, facts, seeds, []
         self.units = {}
+        run(f"{ROOT}/hardware/rtl/opponents/tables", work)
         for name in ("units.txt", "opponents.txt"):
             with open(os.path.join(ROOT, "hardware", "rtl", "test", name), encoding="utf-8") as file:
                 self.units.update((line.split()[0], line.split()) for line in file if line.strip())
@@ -170,12 +171,12 @@ class Synthesis:
     def synthesise(self, wrapper, name, command):
         """Leaves the number of each cell in NAME.stat. For iCE40 multipliers are separate modules (burnish_multiplier) until the end."""
         chip = "" if command.startswith("synth_ice40") else "-DBURNISH_NOT_ICE40 "
-        sources = "hardware/rtl/burnish_*.v hardware/rtl/opponents/*.v"
-        script = f"read_verilog {chip}-Ihardware/rtl {sources} {self.path(wrapper)}\n{command}\n"
+        rtl = f"{ROOT}/hardware/rtl"
+        script = f"read_verilog {chip}-I{rtl} {rtl}/burnish_*.v {rtl}/opponents/*.v {self.path(wrapper)}\n{command}\n"
         script += f"setattr -mod -unset keep_hierarchy *; flatten; tee -o {self.path(name)}.stat stat\n"
         write(self.path(name + ".ys"), script)
         try:
-            run("yosys", "-q", "-l", self.path(name + ".log"), "-s", self.path(name + ".ys"), cwd=ROOT)
+            run("yosys", "-q", "-l", self.path(name + ".log"), "-s", self.path(name + ".ys"), cwd=self.work)
         except Refused as refused:
             raise Refused(f"{name}: {refused}") from None
 
