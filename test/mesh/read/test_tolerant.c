@@ -324,8 +324,8 @@ static void test_ply_comments(void) {
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
            BURNISH_STATUS_OK);
     CHECK1(burnish_mesh_get_warning_count(mesh) == 2);
-    CHECK(strncmp(burnish_mesh_get_warning(mesh, 1), "a.ply:3: texture \"b.png\" was skipped", 38) == 0,
-          "%s", burnish_mesh_get_warning(mesh, 1));
+    CHECK(strstr(burnish_mesh_get_warning(mesh, 1), "a.ply:3: texture \"b.png\" was skipped"), "%s",
+          burnish_mesh_get_warning(mesh, 1));
     burnish_mesh_destroy(mesh);
     snprintf(text, sizeof text, "%s%s", PLY_HEAD(""),
              "# c\n0 0 0 9 2 3\n1 0 x 9 2 3\n0 1 0 9 2 3\n3 0 1 2\n");
