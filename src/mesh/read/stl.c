@@ -574,7 +574,7 @@ static burnish_status read_input(burnish_reader *reader) {
         reader->is_binary = 1;
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes + input->size,
                                    "the file ends within the %d bytes of a binary STL header and "
-                                   "is no ASCII STL; the file is truncated or not STL",
+                                   "is not ASCII STL; the file is truncated or not STL",
                                    HEADER_SIZE);
     } else {
         status = read_binary(reader);

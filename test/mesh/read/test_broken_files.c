@@ -77,116 +77,101 @@ static burnish_status try_bytes(burnish_format format, const void *bytes, size_t
 /* ---- messages, literally ---- */
 
 static const struct {
-    burnish_format format;
-    const char *text, *message;
+    const char *text, *message; /* which begins with the name of the file */
 } messages[] = {
-    {BURNISH_FORMAT_OBJ, "", "mesh.obj: byte 0: the file is empty"},
-    {BURNISH_FORMAT_PLY, "", "mesh.ply: byte 0: the file is empty"},
-    {BURNISH_FORMAT_STL, "", "mesh.stl: byte 0: the file is empty"},
-    {BURNISH_FORMAT_OBJ, "vn 0 0 1\n",
-     "mesh.obj: no faces among 0 vertices; export the mesh with its faces"},
-    {BURNISH_FORMAT_OBJ, "v 0 0\n",
-     "mesh.obj:1: vertex has 2 numbers; write v x y z or v x y z r g b"},
-    {BURNISH_FORMAT_OBJ, "\n\nv 0 0 1,5\n",
+    {"", "mesh.obj: byte 0: the file is empty"},
+    {"", "mesh.ply: byte 0: the file is empty"},
+    {"", "mesh.stl: byte 0: the file is empty"},
+    {"vn 0 0 1\n", "mesh.obj: no faces among 0 vertices; export the mesh with its faces"},
+    {"v 0 0\n", "mesh.obj:1: vertex has 2 numbers; write v x y z or v x y z r g b"},
+    {"\n\nv 0 0 1,5\n",
      "mesh.obj:3: coordinate \"1,5\" is not a number; write it like 1.5 or -2e-3"},
-    {BURNISH_FORMAT_OBJ, "v 0 nan 0\n",
-     "mesh.obj:1: coordinate \"nan\" is not finite; repair or remove it"},
-    {BURNISH_FORMAT_OBJ, "v 0 0 -Infinity\n",
+    {"v 0 nan 0\n", "mesh.obj:1: coordinate \"nan\" is not finite; repair or remove it"},
+    {"v 0 0 -Infinity\n",
      "mesh.obj:1: coordinate \"-Infinity\" is not finite; repair or remove it"},
-    {BURNISH_FORMAT_OBJ, "v 1e39 0 0\n",
-     "mesh.obj:1: coordinate \"1e39\" is out of range; scale it to below 3.4e38"},
-    {BURNISH_FORMAT_OBJ, "v 0123456789012345678901234567890123456789x 0 0\n",
+    {"v 1e39 0 0\n", "mesh.obj:1: coordinate \"1e39\" is out of range; scale it to below 3.4e38"},
+    {"v 0123456789012345678901234567890123456789x 0 0\n",
      "mesh.obj:1: coordinate \"0123456789012345678901234567890123456...\" is not a number; write "
-     "it "
-     "like 1.5 or -2e-3"},
-    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 4\n",
+     "it like 1.5 or -2e-3"},
+    {TRIANGLE "f 1 2 4\n",
      "mesh.obj:4: face refers to vertex 4, but the file has 3; correct the index"},
-    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 -4\n",
+    {TRIANGLE "f 1 2 -4\n",
      "mesh.obj:4: face refers to vertex -4, but only 3 precede it; correct the index"},
-    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 \\\n99999999999999999999\n",
+    {TRIANGLE "f 1 2 \\\n99999999999999999999\n",
      "mesh.obj:5: face refers to vertex 99999999999999999999, but the file has 3; correct the "
      "index"},
-    {BURNISH_FORMAT_OBJ, TRIANGLE "f 0 1 2\n",
-     "mesh.obj:4: face refers to vertex 0; indices start at 1"},
-    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1 2 3a\n",
+    {TRIANGLE "f 0 1 2\n", "mesh.obj:4: face refers to vertex 0; indices start at 1"},
+    {TRIANGLE "f 1 2 3a\n",
      "mesh.obj:4: face corner \"3a\" is not an index; write v, v/t, v//n or v/t/n"},
-    {BURNISH_FORMAT_OBJ, TRIANGLE "f 1/2/3/4 2 3\n",
+    {TRIANGLE "f 1/2/3/4 2 3\n",
      "mesh.obj:4: face corner \"1/2/3/4\" is not an index; write v, v/t, v//n or v/t/n"},
-    {BURNISH_FORMAT_OBJ, "v 0 0 \x1b[1m\n",
+    {"v 0 0 \x1b[1m\n",
      "mesh.obj:1: coordinate \"?[1m\" is not a number; write it like 1.5 or -2e-3"},
 
-    {BURNISH_FORMAT_STL, "hello",
-     "mesh.stl: byte 5: the file ends within the 84 bytes of a binary STL header and is no ASCII "
-     "STL; the file is truncated or not STL"},
-    {BURNISH_FORMAT_STL, "solid x\nendsolid x\n", "mesh.stl: no triangles; export the mesh again"},
-    {BURNISH_FORMAT_STL, "solid x\n", "mesh.stl: no triangles; export the mesh again"},
-    {BURNISH_FORMAT_STL, FACET "vertex 0 0 0\nver",
+    {"hello", "mesh.stl: byte 5: the file ends within the 84 bytes of a binary STL header and is "
+              "not ASCII STL; the file is truncated or not STL"},
+    {"solid x\nendsolid x\n", "mesh.stl: no triangles; export the mesh again"},
+    {"solid x\n", "mesh.stl: no triangles; export the mesh again"},
+    {FACET "vertex 0 0 0\nver",
      "mesh.stl:5: expected \"vertex\", found the end of the file; the file is truncated"},
-    {BURNISH_FORMAT_STL, FACET "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nfacet\n",
+    {FACET "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nfacet\n",
      "mesh.stl:8: expected \"endfacet\", found \"facet\"; repair the file"},
-    {BURNISH_FORMAT_STL, FACET "vertex 0 0 0\nvertex 1 0 0\nendloop\n",
+    {FACET "vertex 0 0 0\nvertex 1 0 0\nendloop\n",
      "mesh.stl:6: expected \"vertex\", found \"endloop\"; repair the file"},
-    {BURNISH_FORMAT_STL, FACET "vertex 0 0 inf\n",
-     "mesh.stl:4: coordinate \"inf\" is not finite; repair or remove it"},
-    {BURNISH_FORMAT_STL, "solid\nfacet normal 0 0 inner loop\nouter\n",
+    {FACET "vertex 0 0 inf\n", "mesh.stl:4: coordinate \"inf\" is not finite; repair or remove it"},
+    {"solid\nfacet normal 0 0 inner loop\nouter\n",
      "mesh.stl:3: expected \"loop\", found the end of the file; the file is truncated"},
 
-    {BURNISH_FORMAT_PLY, "plymouth",
-     "mesh.ply:1: expected the line \"ply\", found \"plymouth\"; check the format"},
-    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\n",
+    {"plymouth", "mesh.ply:1: expected the line \"ply\", found \"plymouth\"; check the format"},
+    {"ply\nformat ascii 1.0\n",
      "mesh.ply:2: the file ends within the header; the file is truncated"},
-    {BURNISH_FORMAT_PLY, "ply\nformat ascii 2.0\n",
-     "mesh.ply:2: format version is \"2.0\"; only 1.0 exists"},
-    {BURNISH_FORMAT_PLY, "ply\nformat zip 1.0\n",
+    {"ply\nformat ascii 2.0\n", "mesh.ply:2: format version is \"2.0\"; only 1.0 exists"},
+    {"ply\nformat zip 1.0\n",
      "mesh.ply:2: format \"zip\" is unknown; use ascii, binary_little_endian or binary_big_endian"},
-    {BURNISH_FORMAT_PLY, "ply\nelement vertex 1152921504606846976\n",
+    {"ply\nelement vertex 1152921504606846976\n",
      "mesh.ply:2: element count 1152921504606846976 is more than any file holds; correct it"},
-    {BURNISH_FORMAT_PLY, "ply\nelement vertex -3\n",
-     "mesh.ply:2: element count is \"-3\"; write element NAME COUNT"},
-    {BURNISH_FORMAT_PLY, "ply\nelement vertex 3\nproperty quad x\n",
+    {"ply\nelement vertex -3\n", "mesh.ply:2: element count is \"-3\"; write element NAME COUNT"},
+    {"ply\nelement vertex 3\nproperty quad x\n",
      "mesh.ply:3: property type \"quad\" is unknown; use char, uchar, short, ushort, int, uint, "
      "float or double"},
-    {BURNISH_FORMAT_PLY, "ply\nelement face 3\nproperty list float int vertex_indices\n",
+    {"ply\nelement face 3\nproperty list float int vertex_indices\n",
      "mesh.ply:3: list count type \"float\" is not an integer type; use uchar or int"},
-    {BURNISH_FORMAT_PLY, "ply\nproperty float x\n",
+    {"ply\nproperty float x\n",
      "mesh.ply:2: property before the first element; declare its element first"},
-    {BURNISH_FORMAT_PLY, "ply\nnonsense\n",
-     "mesh.ply:2: the file ends within the header; the file is truncated"},
-    {BURNISH_FORMAT_PLY, "ply\n" PLY_VERTEX "end_header\n",
+    {"ply\nnonsense\n", "mesh.ply:2: the file ends within the header; the file is truncated"},
+    {"ply\n" PLY_VERTEX "end_header\n",
      "mesh.ply:6: the header has no format line; add \"format ascii 1.0\" or what the file is"},
-    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\nend_header\n",
+    {"ply\nformat ascii 1.0\nend_header\n",
      "mesh.ply:3: the header declares no element vertex; export the mesh again"},
-    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nend_header\n1\n",
+    {"ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nend_header\n1\n",
      "mesh.ply:3: element vertex has no scalar properties x, y and z; add them"},
-    {BURNISH_FORMAT_PLY,
-     "ply\nformat ascii 1.0\n" PLY_VERTEX "element face 1\nproperty int a\nend_header\n",
+    {"ply\nformat ascii 1.0\n" PLY_VERTEX "element face 1\nproperty int a\nend_header\n",
      "mesh.ply:7: element face has no list property vertex_indices; add it"},
-    {BURNISH_FORMAT_PLY, "ply\nformat ascii 1.0\n" PLY_VERTEX PLY_VERTEX "end_header\n",
+    {"ply\nformat ascii 1.0\n" PLY_VERTEX PLY_VERTEX "end_header\n",
      "mesh.ply:7: a second vertex element; merge the two"},
-    {BURNISH_FORMAT_PLY,
-     "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
-     "property float z\nend_header\n",
+    {"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float "
+     "z\nend_header\n",
      "mesh.ply: no vertices or faces; export the mesh again"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n2 0 1\n",
+    {PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n2 0 1\n",
      "mesh.ply: no face has 3 different corners; export the mesh again"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
+    {PLY_HEAD "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
      "mesh.ply:11: vertex 1: coordinate y is not finite or beyond 3.4e38; repair the mesh"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 -1e300\n3 0 1 2\n",
+    {PLY_HEAD "0 0 0\n1 0 0\n0 1 -1e300\n3 0 1 2\n",
      "mesh.ply:12: vertex 2: coordinate z is not finite or beyond 3.4e38; repair the mesh"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+    {PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
      "mesh.ply:13: element face, row 1: vertex index 3 is out of range; there are 3 vertices, "
      "counted from 0"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n",
+    {PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n",
      "mesh.ply:13: element face, row 1: vertex index -1 is out of range; there are 3 vertices, "
      "counted from 0"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n-1 0 1 2\n",
+    {PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n-1 0 1 2\n",
      "mesh.ply:13: element face, row 1: list length -1 is not a count; repair the file"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n250 0 1 2\n",
+    {PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n250 0 1 2\n",
      "mesh.ply:13: element face, row 1: a list of 250 values does not fit its line; the file is "
      "truncated or damaged"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n  3   0   1\n",
+    {PLY_HEAD "0 0 0\n1 0 0\n0 1 0\n  3   0   1\n",
      "mesh.ply:13: the line ends in element face, row 1 of 1; the file is truncated"},
-    {BURNISH_FORMAT_PLY, PLY_HEAD "0 0 zero\n1 0 0\n0 1 0\n3 0 1 2\n",
+    {PLY_HEAD "0 0 zero\n1 0 0\n0 1 0\n3 0 1 2\n",
      "mesh.ply:10: value \"zero\" is not a number; write it like 1.5 or -2e-3"},
 };
 
@@ -194,7 +179,11 @@ static void test_messages(void) {
     for (size_t i = 0; i < sizeof messages / sizeof *messages; ++i) {
         burnish_mesh_data source;
         burnish_error error;
-        burnish_status status = read_text(messages[i].format, messages[i].text, &source, &error);
+        const char *name = messages[i].message + strlen("mesh.");
+        const burnish_format format = *name == 'o'   ? BURNISH_FORMAT_OBJ
+                                      : *name == 'p' ? BURNISH_FORMAT_PLY
+                                                     : BURNISH_FORMAT_STL;
+        burnish_status status = read_text(format, messages[i].text, &source, &error);
         CHECK(status == BURNISH_STATUS_FORMAT, "message %zu: status %d", i, (int)status);
         CHECK_TEXT(error.text, messages[i].message);
         burnish_mesh_data_destroy(&source);

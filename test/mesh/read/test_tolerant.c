@@ -63,6 +63,12 @@ static size_t triangles_of(const burnish_mesh *mesh) {
     return mesh ? burnish_mesh_get_view(mesh)->triangle_count : 0;
 }
 
+static void check_text(const char *name, const char *text, const char *warning, size_t triangles) {
+    burnish_mesh *mesh = load_text(name, text, warning);
+    CHECK(triangles_of(mesh) == triangles, "%s: %zu triangles", text, triangles_of(mesh));
+    burnish_mesh_destroy(mesh);
+}
+
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 
 /* Blender writes "newmtl" and "usemtl" with nothing after it. */
@@ -85,10 +91,8 @@ static void test_material_comment(void) {
            color_is(burnish_mesh_get_material(mesh, 1)->diffuse, 0, 1, 0));
     burnish_mesh_destroy(mesh);
     library = ""; /* and where it has no names at all */
-    mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\n",
-                     "a.obj: material \"a # c\" is in no material library; it is burnish's grey");
-    CHECK1(triangles_of(mesh) == 1);
-    burnish_mesh_destroy(mesh);
+    check_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\n",
+               "a.obj: material \"a # c\" is in no material library; it is burnish's grey", 1);
 }
 
 /* What was read before and after the fault counts. */
@@ -104,10 +108,8 @@ static void test_library_fault(void) {
 
 /* Building warns as well. */
 static void test_strict_build(void) {
-    burnish_mesh *mesh = load_text("a.obj", TRIANGLE "f 1 2 3\nf 1 1 3\n",
-                                   "a.obj: 1 of 2 triangles have no area and were left out");
-    CHECK1(triangles_of(mesh) == 1);
-    burnish_mesh_destroy(mesh);
+    check_text("a.obj", TRIANGLE "f 1 2 3\nf 1 1 3\n",
+               "a.obj: 1 of 2 triangles have no area and were left out", 1);
 }
 
 /* ---- Faces ---- */
@@ -127,14 +129,10 @@ static void test_missing_normals(void) {
         CHECK(kept == 1 && generated == 2, "%d %d", kept, generated);
     }
     burnish_mesh_destroy(mesh);
-    mesh = load_text("a.obj", TRIANGLE "f 1//0 2//99999999999999999999 3//-99999999999\n",
-                     "a.obj: faces refer to normals that the file does not have");
-    CHECK1(triangles_of(mesh) == 1);
-    burnish_mesh_destroy(mesh);
-    mesh = load_text("a.obj", TRIANGLE "vn 0 0\nvn x 1 2\nf 1//1 2//2 3//1\n",
-                     "a.obj:4: a normal is not 3 numbers; it was generated (and 1 more like it)");
-    CHECK1(triangles_of(mesh) == 1);
-    burnish_mesh_destroy(mesh);
+    check_text("a.obj", TRIANGLE "f 1//0 2//99999999999999999999 3//-99999999999\n",
+               "a.obj: faces refer to normals that the file does not have", 1);
+    check_text("a.obj", TRIANGLE "vn 0 0\nvn x 1 2\nf 1//1 2//2 3//1\n",
+               "a.obj:4: a normal is not 3 numbers; it was generated (and 1 more like it)", 1);
 }
 
 /* ---- Colours ---- */
@@ -207,9 +205,7 @@ static void test_stl_text(void) {
          NULL, 2},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        burnish_mesh *mesh = load_text("a.stl", cases[i].text, cases[i].warning);
-        CHECK(triangles_of(mesh) == cases[i].triangles, "case %zu: %zu", i, triangles_of(mesh));
-        burnish_mesh_destroy(mesh);
+        check_text("a.stl", cases[i].text, cases[i].warning, cases[i].triangles);
     }
 }
 
@@ -244,11 +240,9 @@ static void test_stl_count(void) {
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
 
 static void test_ply_header(void) {
-    burnish_mesh *mesh = load_text(
-        "a.ply", PLY_HEAD("Created by hand\n") "0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n",
-        "a.ply:3: \"Created\" does not start a line of a PLY header; ignored");
-    CHECK1(triangles_of(mesh) == 1);
-    burnish_mesh_destroy(mesh);
+    check_text("a.ply",
+               PLY_HEAD("Created by hand\n") "0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n",
+               "a.ply:3: \"Created\" does not start a line of a PLY header; ignored", 1);
     static const float xyz[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     byte_list list = {.size = 0};
     put_text(&list, "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
@@ -261,8 +255,9 @@ static void test_ply_header(void) {
     for (uint64_t i = 0; i < 3; ++i) {
         put_bits(&list, i, 4, 0);
     }
-    mesh = load_tolerantly("a.ply", list.bytes, list.size,
-                           "a.ply:9: \"end_header\" ends with CR LF, other lines with LF");
+    burnish_mesh *mesh =
+        load_tolerantly("a.ply", list.bytes, list.size,
+                        "a.ply:9: \"end_header\" ends with CR LF, other lines with LF");
     CHECK1(triangles_of(mesh) == 1);
     burnish_mesh_destroy(mesh);
 }
