@@ -1,4 +1,4 @@
-/* What an AMF file holds. */
+/* The contents of an AMF file. */
 #ifndef BURNISH_IMPORTERS_AMF_FILE_H
 #define BURNISH_IMPORTERS_AMF_FILE_H
 

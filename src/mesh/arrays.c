@@ -11,7 +11,7 @@
 
 enum { MATERIALS_MAX = 65536 }; /* numbered in 16 bits */
 
-/* What creation carries from step to step. */
+/* The state of a creation. */
 typedef struct creation {
     const burnish_mesh_description *from;
     burnish_mesh_data data;
@@ -24,7 +24,7 @@ burnish_mesh_description burnish_mesh_description_default(void) {
         .cookie = BURNISH_DESCRIPTION_COOKIE, .index_size = 4, .up_axis = {0, 1, 0}};
 }
 
-/* Whether the array has `count` items of `size` bytes; one that isn't there is right. */
+/* Whether the array has `count` items of `size` bytes; a missing array is valid. */
 static burnish_status check_array(const burnish_array *array, const char *name, size_t size,
                                   size_t count, const char *per, burnish_error *error) {
     if (!array->items && array->count == 0) {
@@ -181,7 +181,7 @@ static void copy_stream(creation *c, burnish_attribute attribute, const burnish_
     }
 }
 
-/* Looks at the copies: the caller's arrays may change meanwhile. */
+/* Checks the copies, since the caller's arrays might change meanwhile. */
 static burnish_status check_finite(const creation *c, burnish_attribute attribute, size_t width,
                                    const char *name) {
     const float *values = c->data.streams[attribute].items;
@@ -257,7 +257,7 @@ static burnish_status copy_materials(creation *c) {
     return BURNISH_STATUS_OK;
 }
 
-/* Those that are within the limit; others would have to be told apart by materials. */
+/* Copies the textures. Fails above the limit, since dropping some would renumber the others. */
 static burnish_status copy_textures(creation *c, const burnish_load_options *options) {
     uint64_t texels = 0;
     for (size_t i = 0; i < c->from->texture_count; ++i) {

@@ -8,7 +8,7 @@
 #include "mesh/data/mesh.h"
 #include "mesh/teapot_data.h"
 
-/* Makes room in an empty data for a surface whose vertices carry a normal each. Errors: LIMIT (more
+/* Reserves room in empty data for a surface with one normal per vertex. Errors: LIMIT (more
  * triangles than options->max_triangles), MEMORY. */
 static burnish_status reserve_surface(burnish_mesh_data *data, const char *name,
                                       size_t vertex_count, size_t triangle_count,
@@ -119,7 +119,7 @@ static burnish_status make_sphere(const burnish_load_options *options, burnish_m
     return status;
 }
 
-/* Radii 1 and 0.4, lying in the plane y = 0; 8n segments around the axis, 4n around the tube. */
+/* Radii 1 and 0.4, in the plane y = 0; 8n segments around the axis, 4n around the tube. */
 static burnish_status make_torus(const burnish_load_options *options, burnish_mesh_data *data,
                                  burnish_error *error) {
     const double major = 1, minor = 0.4;
@@ -208,7 +208,7 @@ static burnish_vec3 combine(const burnish_vec3 p[4], const double weight[4]) {
     return burnish_vec3_add(outer, inner);
 }
 
-/* Data set to world: y up instead of z, a turn about x. */
+/* Data set to world: y up instead of z, a rotation about x. */
 static burnish_vec3 turn_up(burnish_vec3 p) {
     return (burnish_vec3){p.x, p.z, -p.y};
 }

@@ -18,7 +18,7 @@
  * from its tip would otherwise touch the camera. */
 #define CLEARANCE 0.01
 
-/* Newton steps to centre an axis; three to six do, see center_axis. */
+/* Newton steps to centre an axis; three to six suffice, see center_axes. */
 enum { CENTER_STEPS = 64 };
 
 /* The camera's axes: right, the picture's up, and back toward the viewer. */
@@ -51,12 +51,13 @@ static burnish_status check_vector(const double v[3], const char *name, burnish_
     return BURNISH_STATUS_OK;
 }
 
-/* Side of the picture, in heights, that margin and insets are shares of. */
+/* The shorter side of the picture, in heights: the unit of margin and insets. */
 static double smaller_side(const burnish_framing *options) {
     return options->aspect < 1 ? options->aspect : 1;
 }
 
-/* What margin and insets leave right, left, above and below the picture's middle, in halves of its
+/* The space that margin and insets leave right, left, above and below the picture's middle, in
+ * halves of its
  * height: the order of push_sides. */
 static void picture_rooms(const burnish_framing *options, double room[4]) {
     const double smaller = smaller_side(options);
@@ -66,7 +67,7 @@ static void picture_rooms(const burnish_framing *options, double room[4]) {
     }
 }
 
-/* In perspective the picture's middle stays in what is left. */
+/* In perspective the middle of the picture must stay in the remaining space. */
 static burnish_status check_room(const burnish_framing *options, burnish_error *error) {
     const int parallel = options->orthographic || options->orthographic_height > 0;
     double room[4];
@@ -240,7 +241,7 @@ static void measure_group(const view_mesh *view, size_t first, size_t end, group
     }
 }
 
-/* Measures all groups: one look at each vertex; what follows looks at few of them again. */
+/* Measures all groups. This reads each vertex once; later steps read only a few again. */
 static burnish_status measure_groups(view_mesh *view, burnish_memory *memory) {
     const size_t count = view->mesh->vertex_count;
     view->group_count = (count + GROUP - 1) / GROUP;

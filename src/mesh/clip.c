@@ -10,7 +10,7 @@
 #include "core/vector.h"
 #include "mesh/data/mesh.h"
 
-/* What is made of the mesh. */
+/* The result of the cut. */
 typedef struct cutter {
     const burnish_mesh *mesh;
     burnish_clip_plane plane;
@@ -29,7 +29,7 @@ static double distance_of(const cutter *cut, uint32_t vertex) {
     return (n[0] * (double)p[0] + n[1] * (double)p[1] + n[2] * (double)p[2]) - cut->plane.offset;
 }
 
-/* Bit k: corner k stays. Of a triangle that only touches the plane from beyond, none does. */
+/* Bit k: corner k is kept. A triangle that only touches the plane from beyond is dropped. */
 static unsigned kept_corners(const cutter *cut, const uint32_t v[3]) {
     unsigned kept = 0, inside = 0;
     for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ static unsigned kept_corners(const cutter *cut, const uint32_t v[3]) {
     return inside || kept == 7 ? kept : 0;
 }
 
-/* At most so many triangles and vertices come out; marks the vertices that stay. */
+/* Upper bounds for the triangles and vertices of the result; marks the vertices that are kept. */
 static void count_parts(cutter *cut, size_t *triangles, size_t *vertices) {
     const burnish_mesh_view *view = &cut->mesh->view;
     *triangles = *vertices = 0;
@@ -79,7 +79,7 @@ static void copy_vertices(cutter *cut) {
     }
 }
 
-/* count numbers from a to b. */
+/* Interpolates `count` numbers between a and b. */
 static void mix(const float *a, const float *b, double t, int count, float *out) {
     for (int k = 0; k < count; ++k) {
         out[k] = (float)((double)a[k] + ((double)b[k] - (double)a[k]) * t);
@@ -95,7 +95,7 @@ static void mix_colors(const uint8_t *a, const uint8_t *b, double t, uint8_t *ou
     out[3] = (uint8_t)((double)a[3] + ((double)b[3] - (double)a[3]) * t + 0.5);
 }
 
-/* Normals that point against each other have no middle: the kept end's stays. */
+/* Opposite normals have no middle: the normal of the kept end is used. */
 static void mix_normals(const float *a, const float *b, double t, float *out) {
     mix(a, b, t, 3, out);
     const burnish_vec3 sum = burnish_vec3_loadf(out);
@@ -203,7 +203,7 @@ static void release(cutter *cut) {
     burnish_release(context, cut->numbers);
 }
 
-/* Room for what comes out. Errors: MEMORY, LIMIT. */
+/* Allocates the result. Errors: MEMORY, LIMIT. */
 static burnish_status reserve(cutter *cut, size_t triangles, size_t vertices,
                               burnish_memory *memory) {
     if (triangles > BURNISH_TRIANGLES_MAX || vertices > BURNISH_VALUE_LIMIT) {
@@ -225,7 +225,7 @@ static burnish_status reserve(cutter *cut, size_t triangles, size_t vertices,
     return memory->status;
 }
 
-/* The mesh takes what was made; the cutter keeps what the mesh had, to be released. */
+/* Swaps the result into the mesh; the cutter then owns the old arrays, to be released. */
 static void exchange(burnish_mesh *mesh, cutter *cut) {
     burnish_mesh_view *view = &mesh->view;
     for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {

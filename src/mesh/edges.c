@@ -11,7 +11,7 @@
 #define SORT_INSERTION_MAX 24 /* a position is the lesser one of about three sides */
 #include "mesh/build/sort.h"
 
-/* 8 degrees: below, normals differ because they were rounded. */
+/* 8 degrees: below that, normals differ only by rounding. */
 #define SHARP_COSINE 0.99026806874157036
 
 typedef struct finder {
@@ -62,7 +62,7 @@ static void sort_sides(void *context, size_t first, size_t end) {
     }
 }
 
-/* Of each vertex the first one at its position. */
+/* For each vertex the first vertex at its position. */
 static burnish_status weld(finder *f, burnish_tasks *tasks, burnish_memory *memory) {
     const size_t count = f->mesh->vertex_count;
     size_t unique = 0;
@@ -90,7 +90,7 @@ static burnish_status weld(finder *f, burnish_tasks *tasks, burnish_memory *memo
 
 /* ---- Edges ---- */
 
-/* How many sides, from the first on, are of one edge. */
+/* The number of sides, from the first on, that belong to one edge. */
 static size_t count_equal(const uint64_t *sides, size_t count) {
     size_t same = 1;
     while (same < count && sides[same] >> 32 == sides[0] >> 32) {
@@ -131,7 +131,7 @@ static int is_sharp(const finder *f, const uint32_t sides[2], const uint32_t end
            burnish_vec3_dot(face_normal(f, sides[0]), face_normal(f, sides[1])) < SHARP_COSINE;
 }
 
-/* Of several sides the one whose triangle is bent most against the first's. */
+/* Among several sides, the one whose triangle is bent most against the first. */
 static uint32_t partner(const finder *f, const uint64_t *sides, size_t count) {
     const burnish_vec3 normal = face_normal(f, (uint32_t)sides[0]);
     double least = 2;

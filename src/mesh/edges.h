@@ -10,13 +10,13 @@
 #define BURNISH_EDGE_OPEN UINT32_MAX
 
 enum {
-    BURNISH_EDGE_SHARP = 1,    /* the surface has a crease here, and is shaded so */
+    BURNISH_EDGE_SHARP = 1,    /* the surface has a crease here, also in shading */
     BURNISH_EDGE_MATERIAL = 2, /* the triangles differ in material */
     BURNISH_EDGE_ALIKE = 4     /* both triangles run along it in the same direction */
 };
 
 typedef struct burnish_edge {
-    uint32_t ends[2];      /* vertices; of those at one position the first */
+    uint32_t ends[2];      /* vertices; the first one at each position */
     uint32_t triangles[2]; /* the first runs from ends[0] to ends[1]; the second may be
                               BURNISH_EDGE_OPEN */
     uint32_t flags;
@@ -34,9 +34,9 @@ typedef struct burnish_edges {
  * ends, by the crease rule or by the file's normals, and the faces differ too. If more than two
  * triangles share an edge, the first one and the one most bent against it represent them.
  *
- * O(n log n) for any input; 20 bytes per edge remain, and 24 per triangle and 12 per vertex are
- * used meanwhile. The result does not depend on the number of threads. Errors: MEMORY, CANCELLED;
- * the edges are then empty. Release items with burnish_release. */
+ * O(n log n) for any input; 20 bytes per edge remain, and 24 bytes per triangle and 12 per vertex
+ * are used temporarily. The result does not depend on the number of threads. Errors: MEMORY,
+ * CANCELLED; the edges are then empty. Release items with burnish_release. */
 burnish_status burnish_edges_find(const burnish_mesh_view *mesh, burnish_tasks *tasks,
                                   burnish_memory *memory, burnish_edges *edges);
 

@@ -20,11 +20,11 @@ enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
 typedef struct opened_file {
     const char *name; /* for messages */
     uint64_t max_bytes;
-    burnish_format format; /* that a stream has to be of; COUNT: any bytes will do */
+    burnish_format format; /* required of a stream; COUNT: any bytes are accepted */
     burnish_memory memory; /* takes errors too */
     uint8_t *bytes;
     size_t size;
-    int may_be_pieces;     /* 1: of a file that may be read in pieces only the head is read */
+    int may_be_pieces;     /* 1: read only the head of a file that may be read in pieces */
     burnish_format pieces; /* the format of such a file; AUTO for any other */
     size_t whole;          /* its size */
 } opened_file;
@@ -58,7 +58,7 @@ static int read_fully(int descriptor, opened_file *file, size_t size) {
     return 0;
 }
 
-/* A regular file of known size, as far as it goes, after what has been read of it. */
+/* The rest of a regular file of known size; fewer bytes if it has become shorter. */
 static burnish_status read_sized(int descriptor, opened_file *file, size_t size) {
     uint8_t *bytes = burnish_allocate(&file->memory, size, 1, file->name);
     if (!bytes) {
@@ -91,7 +91,7 @@ static void release_parts(stream_parts *parts, const burnish_context *context) {
     burnish_release(context, parts->items);
 }
 
-/* Another part of at most `size` bytes, as far as the stream goes: *got of them. */
+/* Reads another part of at most `size` bytes; *got is fewer at the end of the stream. */
 static burnish_status read_part(int descriptor, opened_file *file, stream_parts *parts, size_t size,
                                 size_t *got) {
     opened_file part = {.name = file->name, .memory = file->memory};
@@ -130,8 +130,8 @@ static burnish_status join_parts(opened_file *file, stream_parts *parts, size_t 
     return BURNISH_STATUS_OK;
 }
 
-/* The rest of a stream whose first bytes are there. One byte more than the limit is read, to know
- * whether there is more. */
+/* Reads the rest of a stream after its first bytes, and one byte beyond the limit, to detect a
+ * stream that is too long. */
 static burnish_status read_rest(int descriptor, opened_file *file) {
     stream_parts parts = {.size = STREAM_PART};
     burnish_status status = BURNISH_STATUS_OK;
@@ -227,7 +227,7 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
     return read_sized(descriptor, file, file->whole);
 }
 
-/* A pipe is waited for. */
+/* Waits for the writer of a named pipe. */
 static int open_path(const char *path) {
     int descriptor;
     do {

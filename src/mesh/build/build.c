@@ -1,5 +1,5 @@
-/* From what a reader hands over to a mesh, step by step: weld, orient and drop; order; generate
- * normals and number vertices; tangents; materials and textures. */
+/* Turns mesh data into a mesh, step by step: weld, orient and drop; order; generate normals and
+ * number vertices; tangents; materials and textures. */
 #include "core/clock.h"
 
 #include "mesh/build/build.h"
@@ -67,8 +67,8 @@ static void describe_mesh(burnish_builder *b) {
     burnish_mesh_update_view(b->mesh);
 }
 
-/* The steps in order, each with its share of the time; on failure what was made so far stays in b
- * and its mesh. */
+/* The steps in order, each with its share of the time; on failure b and its mesh keep what was made
+ * so far. */
 static burnish_status build(burnish_builder *b) {
     static const struct {
         burnish_status (*run)(burnish_builder *b);

@@ -10,12 +10,12 @@
 enum {
     BURNISH_BUILD_GRAIN = 8192,   /* triangles, positions or vertices per thread, at least */
     BURNISH_BUILD_STEP = 1 << 16, /* items of a serial loop between checks for cancellation */
-    BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1, /* the first one that is only passed on */
+    BURNISH_EXTRA_ATTRIBUTES = BURNISH_NORMAL + 1, /* the first one that is only copied */
     BURNISH_ATTRIBUTE_BYTES = 16,                  /* of the largest attribute's items */
     BURNISH_TRIPLE = 3 * sizeof(uint32_t)          /* bytes of a triangle's corners */
 };
 
-/* An attribute besides position and normal: only passed on. */
+/* An attribute other than position and normal, which is only copied. */
 typedef struct burnish_extra {
     burnish_attribute attribute;
     const uint32_t *corners; /* BURNISH_NONE: white, or 0 */
@@ -50,8 +50,8 @@ typedef struct burnish_builder {
     size_t triangle_count;      /* triangles with area, at the head of data's arrays */
     uint32_t *corner_positions; /* 3 per triangle: welded positions; may be the corners of data's
                                    positions */
-    int has_extras;             /* attributes besides position and normal */
-    int normals_complete;       /* every corner has a normal of the file's */
+    int has_extras;             /* attributes other than position and normal */
+    int normals_complete;       /* every corner has a normal from the file */
 
     uint32_t *order; /* for each triangle of the mesh, its present number; NULL: unchanged */
 

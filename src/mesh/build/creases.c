@@ -125,7 +125,7 @@ typedef struct crossing {
     far_side beyond;
 } crossing;
 
-/* What lies beyond the far edge of a face.
+/* The face beyond the far edge of a face.
  *   bend, next_bend  sines of the angles at the near and the far edge, in the plane of the crossing
  *   cosine           of the whole angle at the far edge */
 static far_side find_far_side(double bend, double next_bend, double cosine) {
@@ -183,8 +183,9 @@ static crossing cross_face(const burnish_surface *s, const face *start, const fa
     return (crossing){0, DIFFERS};
 }
 
-/* Whether an edge is a step of a curve: both faces are about as wide, and beyond at least one of
- * them the surface goes on bending in the same sense, beyond the other it does or ends. */
+/* Whether an edge is a step of a curve: both faces are about equally wide, and beyond at least one
+ * of them the surface keeps bending in the same direction. Beyond the other it also does, or ends.
+ */
 static int is_step(const burnish_surface *s, const face faces[2], const uint32_t edge[2]) {
     const crossing c = cross_face(s, &faces[0], &faces[1], edge);
     if (c.beyond == DIFFERS) {

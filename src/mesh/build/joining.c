@@ -13,7 +13,8 @@ static uint32_t other_end(const burnish_rings *rings, size_t i, size_t j) {
     return next == rings->previous[j] || next == rings->next[j] ? next : rings->previous[i];
 }
 
-/* Whether the edge from the vertex to position `end` is smooth; its faces do not tell. */
+/* Whether the edge from the vertex to position `end` is smooth, if the angle of its faces does not
+ * decide. */
 static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t end) {
     const burnish_surface *surface = rings->surface;
     const uint32_t here = surface->corner_positions[rings->corners[i]];
@@ -29,9 +30,8 @@ static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t 
     return kept->is_smooth;
 }
 
-/* Joins faces i and j of the vertex; the smaller root stays one. Returns 1 when two sets became
- * one.
- */
+/* Joins faces i and j of the vertex; the smaller root remains a root. Returns 1 when two sets
+ * became one. */
 static int join(burnish_rings *rings, uint32_t i, uint32_t j) {
     i = burnish_find_root(rings->parents, i);
     j = burnish_find_root(rings->parents, j);
@@ -113,7 +113,7 @@ find_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neig
 }
 #endif
 
-/* Of up to BURNISH_SETS_MAX faces those, as bits, that have an edge to position `end`. */
+/* Among up to BURNISH_SETS_MAX faces, as bits, the faces with an edge to position `end`. */
 typedef uint32_t find_edges(const burnish_rings *rings, size_t first, size_t count, uint32_t end);
 
 static uint32_t find_edges_scalar(const burnish_rings *rings, size_t first, size_t count,

@@ -33,8 +33,8 @@ static double total(const sum *s) {
     return s->value + s->lost;
 }
 
-/* What is summed: twice the area, six times the volume, and both times three and four times the
- * centre. */
+/* The sums: twice the area, six times the volume, and both times three and four times the centre.
+ */
 enum { AREA, VOLUME, AREA_X, VOLUME_X = AREA_X + 3, SUM_COUNT = VOLUME_X + 3 };
 
 typedef struct block {

@@ -144,7 +144,7 @@ static void join(member *members, uint32_t a, uint32_t b, uint32_t differs) {
     to->size += from->size;
 }
 
-/* Of each set the fewer triangles are to be turned. */
+/* In each set, the smaller group of triangles is turned. */
 static void count_flipped(void *context, size_t first, size_t end) {
     const edges *e = context;
     for (size_t i = first; i < end; ++i) {

@@ -47,8 +47,8 @@ void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context)
 
 /* Measures the faces at corners of any number of vertices.
  *
- * corners: count corners (3 * triangle + 0..2), those of a vertex together; stay until the next
- * call count:   at most the rings' capacity */
+ * corners: count corners (3 * triangle + 0..2), grouped by vertex, valid until the next call
+ * count:   at most the rings' capacity */
 void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t count);
 
 /* The faces [first, end) of a surface, for its array. */

@@ -150,8 +150,8 @@ static double group_width(const sorter *s, size_t first) {
     return width;
 }
 
-/* Whether the file's order will do. It depends on the mesh alone, as equal depths go to what is
- * drawn first. */
+/* Whether the file's order is good enough. This depends on the mesh alone, because at equal depth
+ * the first triangle wins. */
 static int is_ordered(const sorter *s) {
     const size_t groups = s->count / GROUP, step = groups / GROUPS_SEEN + 1;
     double sum = 0;

@@ -67,7 +67,7 @@ static burnish_vec3 position_of(const burnish_mesh *mesh, uint32_t vertex) {
 typedef struct triangle_edges {
     burnish_vec3 edges[2];
     double u[2], v[2];
-    double area; /* twice that in the image: below 0 if it is mirrored */
+    double area; /* twice the area in the image: below 0 if it is mirrored */
 } triangle_edges;
 
 static triangle_edges edges_of(const burnish_mesh *mesh, const uint32_t *vertices) {

@@ -4,11 +4,11 @@
 
 #include "mesh/build/builder.h"
 
-/* Drops what the mesh does not need of textures, coordinates and tangents, before it is built. */
+/* Drops textures, coordinates and tangents that the mesh does not need, before it is built. */
 void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_options *options);
 
 /* Generates tangents that are needed but missing from the file. Makes them unit vectors at right
- * angles to the normals. Mirrored triangles may get vertices of their own. Errors: MEMORY, LIMIT,
+ * angles to the normals. Mirrored triangles may get separate vertices. Errors: MEMORY, LIMIT,
  * CANCELLED. */
 burnish_status burnish_build_tangents(burnish_builder *b);
 

@@ -40,7 +40,7 @@ static void normalize_range(void *context, size_t first, size_t end) {
     atomic_fetch_add(&c->missing, missing);
 }
 
-/* Makes the file's normals unit vectors; those without a direction become 0: to be generated. */
+/* Makes the file's normals unit vectors. Normals without a direction become 0 and are generated. */
 static void normalize_file_normals(burnish_builder *b) {
     const burnish_stream *stream = &b->data->streams[BURNISH_NORMAL];
     const size_t corner_count = stream->corners ? 3 * b->data->triangle_count : 0;
@@ -146,7 +146,7 @@ static void look_at_range(void *context, size_t first, size_t end) {
     }
 }
 
-/* Brings together what ranges have kept. */
+/* Joins the triangles that the ranges have kept. */
 static void join_ranges(triangles_context *c, size_t count) {
     for (size_t first = 0; first < count; first += BURNISH_BUILD_GRAIN) {
         const size_t kept = c->kept[first / BURNISH_BUILD_GRAIN];

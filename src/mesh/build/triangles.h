@@ -9,8 +9,8 @@
  * file's normals unit vectors. Errors: FORMAT (nothing is left), MEMORY, CANCELLED. */
 burnish_status burnish_build_triangles(burnish_builder *b);
 
-/* Releases what is kept per corner but for `extras`, whose corners are needed until they are
- * written: most of the memory. */
+/* Releases per-corner data, which is most of the memory, except for `extras`, whose corners are
+ * needed until they are written. */
 void burnish_build_release_corners(burnish_builder *b, int extras);
 
 /* Releases all numbers that corners have; the values, and the order, stay. */

@@ -1,5 +1,5 @@
-/* Vertices of any mesh: the corners that meet in a position share one where normal, colour and
- * texture coordinates are equal. Normals that the file lacks are generated. Threads take positions.
+/* Vertices of any mesh: the corners that meet in a position share one if normal, colour and texture
+ * coordinates are equal. Normals that the file lacks are generated. Threads take positions.
  * Vertices are then numbered in the order in which triangles first use them, so the result does not
  * depend on the threads. */
 #include "mesh/build/vertices.h"
@@ -17,7 +17,7 @@ enum {
     CORNERS_PER_BATCH = 512, /* measured together; the rings stay in the first-level cache */
     FEW = 16,                /* corners that are compared one by one, ... */
     FEW_NORMALS = 64,        /* ... if they have only a normal */
-    FACES_MAX = 1 << 18      /* triangles whose faces are kept: more would fill no cache */
+    FACES_MAX = 1 << 18      /* triangles whose faces are stored: more would not fit a cache */
 };
 
 /* ---- what the two ways to vertices share ---- */
@@ -57,7 +57,7 @@ typedef struct built_vertex {
     float normal[3];
 } built_vertex;
 
-/* What one thread makes vertices with. */
+/* The state of a thread that makes vertices. */
 typedef struct vertex_maker {
     burnish_builder *b;
     burnish_memory memory;
@@ -105,7 +105,7 @@ static void append_vertex(vertex_maker *maker, uint32_t position, uint32_t first
     memcpy(vertex->normal, normal, sizeof vertex->normal);
 }
 
-/* The same of few corners that have nothing but a normal. */
+/* The same for few corners that have only a normal. */
 static void number_by_normal(vertex_maker *maker, uint32_t position, const uint32_t *corners,
                              size_t count) {
     uint32_t *indices = maker->b->mesh->indices;
@@ -126,8 +126,8 @@ static void number_by_normal(vertex_maker *maker, uint32_t position, const uint3
     }
 }
 
-/* Gives each corner of one position its vertex: corners that have the same share one. In the mesh's
- * indices stands the first corner of that vertex for now. */
+/* Gives each corner of one position its vertex: corners that have the same share one. For now the
+ * mesh's indices contain the first corner of that vertex. */
 static void number_corners(vertex_maker *maker, uint32_t position) {
     const burnish_builder *b = maker->b;
     const uint32_t *corners = b->corners + b->first_corner[position];
@@ -167,7 +167,7 @@ static void share_vertex(vertex_maker *maker, uint32_t position) {
     }
 }
 
-/* Whether corners that have normals of the file's have the same one. */
+/* Whether all corners have the same normal from the file. */
 static int have_one_normal(const burnish_builder *b, const uint32_t *corners, size_t count) {
     const uint32_t *normals = burnish_stream_corners(b->data, BURNISH_NORMAL);
     for (size_t i = 1; i < count; ++i) {
@@ -414,7 +414,8 @@ burnish_status burnish_build_vertices(burnish_builder *b) {
     if (status == BURNISH_STATUS_OK) {
         status = burnish_build_move(b, !done);
     }
-    if (status == BURNISH_STATUS_OK && !b->mesh->indices) { /* perhaps where corners were */
+    if (status == BURNISH_STATUS_OK &&
+        !b->mesh->indices) { /* possibly in the memory of the corners */
         status = burnish_build_allocate_indices(b);
     }
     return status == BURNISH_STATUS_OK && !done ? build_any(b) : status;

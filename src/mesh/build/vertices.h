@@ -13,7 +13,7 @@ burnish_status burnish_build_allocate_indices(burnish_builder *b);
 /* The arrays of vertex_count vertices. */
 burnish_status burnish_build_allocate_vertices(burnish_builder *b);
 
-/* Lists the attributes besides position and normal. */
+/* Lists the attributes other than position and normal. */
 void burnish_build_find_extras(burnish_builder *b);
 
 /* Copies an item by its number; returns the bytes that it takes. */

@@ -16,7 +16,7 @@ enum {
     SLICE = 1 << SLICE_BITS,
     RANGES_MAX = 64,  /* of slices, whose positions move together */
     TRIAL = 256,      /* positions: if the first ones all differ, a slice keeps all */
-    SLICE_PROBES = 2, /* per position, on average, before it does, too */
+    SLICE_PROBES = 2, /* per position, on average, before it also does */
     PART_PROBES = 8,  /* the same, before a part is sorted */
     AHEAD = 16,       /* items whose slots are fetched before they are looked up */
     PART_SLICES = 2,  /* that are worth a thread */
@@ -169,7 +169,7 @@ typedef struct part {
     size_t steps;       /* that looking up may still take; 0: too many */
 } part;
 
-/* The items of a slice that are a part's; returns how many. */
+/* Lists the items of a slice that belong to a part; returns how many. */
 static size_t list_items(const part *p, size_t slice, uint32_t items[SLICE]) {
     const welder *w = p->w;
     const size_t first = slice * SLICE, end = first + w->kept[slice];
@@ -202,7 +202,7 @@ static void look_up(part *p, uint32_t item) {
     w->numbers[item] = slot & bits;
 }
 
-/* Whether the call should end: asked from time to time. */
+/* Whether the call should end; checked from time to time. */
 static int is_cancelled(const part *p, size_t slice) {
     return slice % CHECK_SLICES == 0 && burnish_tasks_should_end(p->w->tasks, p->thread);
 }
@@ -332,7 +332,7 @@ static void remap_slice(void *context, size_t slice, int thread) {
     }
 }
 
-/* Nothing is read that a cancelled task may have left out. */
+/* After cancellation, some of these might not have been written. */
 static burnish_status weld(welder *w, burnish_memory *memory) {
     burnish_tasks_run(w->tasks, w->slices, 1, 0, slice_task, w);
     burnish_status status = burnish_tasks_check(w->tasks, memory->error);
@@ -441,7 +441,8 @@ static uint32_t head_number(const numbering *numbers, uint32_t value, size_t ite
                            : value;
 }
 
-/* Others may look at a head while it gets its number: both values that they can see tell it. */
+/* Other threads might read a head while it gets its number: both values that they can see identify
+ * it. */
 static void number_by_heads(void *context, size_t range, int thread) {
     numbering *numbers = context;
     uint32_t *heads = numbers->heads;

@@ -46,7 +46,7 @@ typedef struct burnish_stream {
 
 /* Start from burnish_mesh_data_begin(). Readers guarantee: finite positions, corners of positions,
  * indices in range (as many items as positions if corners is NULL), counts below 2^32 - 1.
- * Triangles without area or with repeated indices may be there: build drops them. */
+ * Triangles without area or with repeated indices are permitted: build drops them. */
 typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
     size_t triangle_count;

@@ -230,7 +230,7 @@ const burnish_material *burnish_mesh_get_material(const burnish_mesh *mesh, size
     return mesh && index < mesh->material_count ? &mesh->materials[index] : NULL;
 }
 
-/* What drawing reads for textures was built only if a material used them then. */
+/* Texture coordinates and tangents were built only if a material used them at that time. */
 static burnish_status check_attributes(const burnish_mesh_view *view,
                                        const burnish_material *material, burnish_error *error) {
     if (burnish_material_has_textures(material) && !view->texture_coordinates) {

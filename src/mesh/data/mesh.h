@@ -1,4 +1,4 @@
-/* A mesh inside the library, and the checks that every way to make one shares. */
+/* A mesh inside the library, and the checks shared by all ways to make one. */
 #ifndef BURNISH_MESH_DATA_MESH_H
 #define BURNISH_MESH_DATA_MESH_H
 
@@ -32,7 +32,7 @@ struct burnish_mesh {
     size_t warning_count;
 };
 
-/* The view of the mesh's arrays, whose counts are set in it; a new serial. */
+/* Updates the view of the mesh's arrays, except for counts, and gives it a new serial number. */
 void burnish_mesh_update_view(burnish_mesh *mesh);
 
 /* ---- Checks ---- */

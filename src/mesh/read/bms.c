@@ -96,7 +96,7 @@ static burnish_status check_counts(const bms_state *s) {
                : BURNISH_STATUS_OK;
 }
 
-/* What the importer had to say instead of a mesh. */
+/* The importer's message instead of a mesh. */
 static burnish_status read_error(const bms_state *s, uint32_t kind) {
     static const burnish_status statuses[BURNISH_BMS_KIND_COUNT] = {
         [BURNISH_BMS_FORMAT_ERROR] = BURNISH_STATUS_FORMAT,

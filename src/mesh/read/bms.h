@@ -59,7 +59,7 @@ enum {
     BURNISH_BMS_BLEND = 16
 };
 
-/* What a texture's bytes are. */
+/* The kind of a texture's bytes. */
 typedef enum burnish_bms_picture {
     BURNISH_BMS_FILE,    /* no pixels: its name is a file next to the input */
     BURNISH_BMS_ENCODED, /* PNG, JPEG, ... */

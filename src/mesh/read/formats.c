@@ -173,7 +173,7 @@ burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head,
     return in_pieces && !burnish_has_utf16_mark(head, size) ? guess : BURNISH_FORMAT_AUTO;
 }
 
-/* What people call a format. */
+/* The usual name of a format. */
 static const char *shown_format(burnish_format format) {
 #define SHOWN(name, ...) [BURNISH_FORMAT_##name] = #name,
     static const char *const names[BURNISH_FORMAT_COUNT] = {BURNISH_FORMAT_LIST(SHOWN)};

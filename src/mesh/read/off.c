@@ -12,7 +12,7 @@
 
 enum { COUNT_MOST = 3, VALUES_MOST = 12, SAMPLE_ROWS = 4096 };
 
-/* What is noted in the order of the file. */
+/* Events, in the order of the file. */
 enum { FEW_CORNERS, BAD_COLOR };
 
 typedef struct off_state {
@@ -165,7 +165,7 @@ static void write_color(const double *values, const uint8_t *is_whole, int count
 
 /* ---- What the rows of vertices hold ---- */
 
-/* Of the numbers behind the coordinates, in the first rows. */
+/* Statistics of the numbers after the coordinates, in the first rows. */
 typedef struct off_sample {
     size_t rows, of_unit_length, on_axes; /* their first three */
     int count;                            /* of a row; -1: they differ */
@@ -217,8 +217,8 @@ static int are_normals(const off_sample *sample) {
             (sample->of_unit_length == sample->rows && sample->on_axes < sample->rows));
 }
 
-/* What the first word leaves open. In plain OFF, three or four numbers after the coordinates are
- * normals or colours. Any other numbers are ignored. */
+/* Decides what the first word leaves open. In plain OFF, three or four numbers after the
+ * coordinates are normals or colours. Any other numbers are ignored. */
 static void settle_values(off_state *off, const uint8_t *at) {
     const int is_plain = !off->has_normals && !off->has_colors;
     const off_sample sample =
@@ -496,7 +496,7 @@ static burnish_status read_input(burnish_reader *reader) {
     return status == BURNISH_STATUS_OK ? burnish_cut_polygons(reader) : status;
 }
 
-/* By its first word that is not a comment. */
+/* Recognised by its first word that is not a comment. */
 static int recognise(const uint8_t *bytes, size_t size) {
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
     burnish_token word;

@@ -258,7 +258,7 @@ static burnish_status read_binary(burnish_reader *reader) {
 
 /* ---- ASCII ---- */
 
-/* What is noted in the order of the file. */
+/* Events, in the order of the file. */
 enum { NORMAL, EXTRA, END, AFTER, NOTE_COUNT };
 
 typedef struct stl_state {
@@ -400,7 +400,7 @@ static int read_vertex(stl_parser *stl, float position[3]) {
     return 1;
 }
 
-/* What follows "facet". */
+/* Reads the rest of a facet after "facet". */
 static void read_facet(stl_parser *stl, burnish_token facet) {
     burnish_chunk *chunk = stl->chunk;
     float positions[9];

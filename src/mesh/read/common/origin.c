@@ -60,7 +60,7 @@ static double power_below(double x) {
     return x;
 }
 
-/* To a multiple of the grid, which is a power of two. */
+/* Rounds to a multiple of the grid, which is a power of two. */
 static double snap(double x, double grid) {
     const double cells = x / grid;
     return magnitude(cells) < 0x1p52 ? (double)(int64_t)(cells + (x < 0 ? -0.5 : 0.5)) * grid : x;
@@ -92,7 +92,7 @@ int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]) {
     return is_other;
 }
 
-/* What was read before, but for materials, textures, cameras and warnings. */
+/* Empty data for another reading, without materials, textures, cameras and warnings. */
 static burnish_mesh_data begin_again(const burnish_mesh_data *mesh, const double origin[3]) {
     burnish_mesh_data again = {
         .memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start, .is_silent = 1};

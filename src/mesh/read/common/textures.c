@@ -151,7 +151,7 @@ static int is_refused(const ahead_picture *ahead) {
            ahead->status != BURNISH_STATUS_MEMORY;
 }
 
-/* What was decoded ahead of these bytes or, where they are NULL, of the file of that name. */
+/* The picture decoded ahead from these bytes or, if they are NULL, from the file of that name. */
 static ahead_picture *find_ahead(struct burnish_texture_names *names, const char *name,
                                  const uint8_t *bytes, size_t size) {
     for (size_t i = 0; i < names->ahead_count; ++i) {

@@ -1,4 +1,4 @@
-/* What moves glTF's vertices before their node's matrix: morph targets by their weights, then
+/* glTF's vertices are moved before their node's matrix: by morph targets and weights, then by
  * joints of a skin. */
 #include "mesh/read/gltf/gltf_deform.h"
 
@@ -159,7 +159,7 @@ static int blend_joints(burnish_gltf *gltf, const burnish_gltf_shape *shape, siz
 
 /* ---- Shapes ---- */
 
-/* Of the upper 3 x 3 of the matrix; negated in a mirror. Returns whether it is one. */
+/* Cofactors of the upper 3 x 3 of the matrix, negated if it mirrors. Returns whether it does. */
 static int find_cofactors(burnish_gltf_shape *shape) {
     const double *m = shape->matrix;
     double *c = shape->cofactors;

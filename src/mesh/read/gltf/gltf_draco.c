@@ -33,7 +33,7 @@ typedef struct draco {
     uint32_t *of_view; /* 1 + number of the stream of each view; 0: none */
 } draco;
 
-/* What a decoder reads and writes: words in the order of bytes that files have. */
+/* The decoder's request and answer consist of little-endian words. */
 typedef struct cursor {
     const uint8_t *at, *end;
 } cursor;

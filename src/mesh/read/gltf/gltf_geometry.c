@@ -24,7 +24,7 @@ enum {
     GRAIN = 1 << 12 /* vertices that a thread converts at once */
 };
 
-/* What is drawn at the moment: a primitive and its matrix. */
+/* The current primitive and its matrix. */
 typedef struct gltf_drawer {
     burnish_gltf *gltf;
     burnish_mesh_data *mesh;
@@ -282,7 +282,7 @@ static void draw_lines_or_points(gltf_drawer *drawer) {
     convert_vertices(drawer);
 }
 
-/* Of lines and points the base colour is all that is taken of a material. */
+/* Lines and points use only the base colour of a material. */
 static void read_base_color(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     const uint32_t material = drawer->primitive->material;

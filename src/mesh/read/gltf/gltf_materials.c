@@ -18,7 +18,7 @@ static double clamp(double value, double low, double high) {
     return value > low ? (value < high ? value : high) : low; /* NaN gives low */
 }
 
-/* What a material says, before it becomes coefficients. */
+/* The values of a material in the file, before they become coefficients. */
 typedef struct gltf_surface {
     double base[4];
     double metallic, roughness;

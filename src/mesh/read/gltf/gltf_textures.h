@@ -14,7 +14,7 @@ unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material);
 burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
                                               int is_color, const char *strength);
 
-/* What messages call an image. */
+/* The name of an image in messages. */
 typedef struct burnish_gltf_name {
     char text[120];
 } burnish_gltf_name;

@@ -22,7 +22,7 @@ typedef enum burnish_meshopt_filter {
     BURNISH_MESHOPT_COLOR
 } burnish_meshopt_filter;
 
-/* What is wrong with these numbers, NULL for nothing. */
+/* A message if these numbers are invalid; otherwise NULL. */
 const char *burnish_meshopt_check(burnish_meshopt_mode mode, burnish_meshopt_filter filter,
                                   size_t count, size_t stride);
 

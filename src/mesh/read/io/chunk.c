@@ -1,4 +1,4 @@
-/* What parsers put into a chunk of text. */
+/* Filling a chunk of text. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

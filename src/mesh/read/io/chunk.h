@@ -27,7 +27,7 @@ typedef struct burnish_chunk {
     size_t rows_left; /* how many rows may be read; SIZE_MAX: all */
     uint64_t most;    /* triangles that the whole file may have */
 
-    /* What parse() finds. */
+    /* Set by parse(). */
     burnish_mesh_data data; /* values, corners and triangle_count; no materials */
     unsigned used;          /* bits 1 << attribute: has corners */
     burnish_chunk_slots relative[BURNISH_ATTRIBUTE_COUNT];

@@ -18,7 +18,7 @@ enum {
     EXPONENT_LIMIT = 99999 /* with 771 digits far beyond the range of double on both sides */
 };
 
-/* What a scan finds: value = (-1)^negative mantissa 10^exponent, unless digits were left out. */
+/* The result of a scan: value = (-1)^negative mantissa 10^exponent, unless digits were dropped. */
 typedef struct decimal {
     uint64_t mantissa;
     int64_t exponent;     /* includes the digits after the point */

@@ -39,7 +39,7 @@ int burnish_lexer_token(burnish_lexer *lexer, burnish_token *token);
 /* The next token of this line or a later one; 0 at the end of the text. */
 int burnish_lexer_word(burnish_lexer *lexer, burnish_token *token);
 
-/* What is left of this line, comments included, without blanks around it; possibly empty. */
+/* The rest of this line, including comments, without blanks around it; possibly empty. */
 burnish_token burnish_lexer_rest(burnish_lexer *lexer);
 
 /* Moves to the start of the next line ("\n", "\r\n" or "\r" end one); 0 at the end of the text. */

@@ -58,7 +58,7 @@ int burnish_window_move(burnish_window *window, size_t offset) {
                    window->size - kept);
 }
 
-/* What the threads share that take rows. */
+/* Shared by the threads that read rows. */
 typedef struct rows_context {
     const burnish_reader_input *input;
     size_t offset, row_size, count;

@@ -1,4 +1,4 @@
-/* What readers share: their input, their messages, and what a format consists of. */
+/* Shared by readers: the input, messages, and the functions of a format. */
 #ifndef BURNISH_MESH_READ_IO_READER_H
 #define BURNISH_MESH_READ_IO_READER_H
 

@@ -30,7 +30,7 @@ static int compare_names(const uint8_t *a, size_t a_size, const uint8_t *b, size
     return (a_size > b_size) - (a_size < b_size);
 }
 
-/* Of equal names the archive's first comes first. */
+/* Equal names keep the order of the archive. */
 static int compare_parts(const void *left, const void *right) {
     const burnish_zip_part *a = left, *b = right;
     const int order = compare_names(a->name, a->name_size, b->name, b->name_size);

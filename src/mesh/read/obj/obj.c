@@ -180,7 +180,7 @@ static void settle_colors(obj_state *obj) {
     }
 }
 
-/* Of a file without faces: its lines, or its vertices as points. */
+/* Draws a file without faces as its lines, or its vertices as points. */
 static burnish_status make_points(obj_state *obj) {
     const size_t positions = obj->reader->mesh->streams[BURNISH_POSITION].count;
     size_t count = 0;

@@ -223,8 +223,8 @@ static void warn_library(burnish_obj_materials *materials, burnish_token token,
         burnish_token_quote(token).text, why->text);
 }
 
-/* What stands before a comment: a '#' after a blank. File names may hold such, so it is looked at
- * only where no file has the whole name. */
+/* The text before a comment: a '#' after a blank. File names may contain that, so it is used only
+ * where no file has the whole name. */
 static burnish_token cut_comment(burnish_token line) {
     for (size_t i = 1; i < line.size; ++i) {
         if (line.bytes[i] == '#' && burnish_is_blank(line.bytes[i - 1])) {

@@ -4,7 +4,7 @@
 
 #include "mesh/read/ply/ply_rows.h"
 
-/* From a triangle on, texture n of the header is shown; BURNISH_PLY_TEXTURES_MAX: none. */
+/* Starts to use texture n of the header at a triangle; BURNISH_PLY_TEXTURES_MAX: no texture. */
 burnish_status burnish_ply_use_texture(burnish_ply_state *ply, size_t triangle, int texture);
 
 /* After all triangles: gives them the colours and texture coordinates that were read for them, if

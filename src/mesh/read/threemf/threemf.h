@@ -52,7 +52,7 @@ typedef struct burnish_threemf_color {
     uint8_t rgba[4];
 } burnish_threemf_color;
 
-/* What an id names. Ids are of a part. */
+/* The resource of an id. Ids are unique within a part. */
 typedef struct burnish_threemf_resource {
     uint32_t part, id;
     enum { BURNISH_THREEMF_OBJECT, BURNISH_THREEMF_GROUP, BURNISH_THREEMF_TEXTURE } kind;

@@ -6,7 +6,7 @@
 
 #if BURNISH_HAS_3MF
 
-/* What the element at hand belongs to: numbers of what was begun last. */
+/* The context of an element: numbers of the items begun last. */
 typedef struct model_state {
     burnish_threemf *threemf;
     uint32_t part;
@@ -166,7 +166,7 @@ static void add_coordinate(model_state *model, burnish_threemf_xml *xml,
     }
 }
 
-/* Of a composite or a multi. */
+/* Adds the numbers of a composite or a multi. */
 static void add_range(model_state *model, burnish_threemf_xml *xml, const char *text) {
     burnish_threemf *threemf = model->threemf;
     const burnish_threemf_range range = burnish_threemf_numbers(xml, text ? text : "");
@@ -244,7 +244,7 @@ static void add_vertex(model_state *model, burnish_threemf_xml *xml,
     }
 }
 
-/* What a triangle doesn't say its object does; p2 and p3 are as p1. */
+/* Missing properties of a triangle come from its object; p2 and p3 default to p1. */
 static int read_properties(const burnish_threemf_object *object, burnish_threemf_xml *xml,
                            const char *const *attributes, burnish_threemf_triangle *triangle) {
     uint32_t *p = triangle->properties;

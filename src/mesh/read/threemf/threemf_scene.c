@@ -81,7 +81,7 @@ static uint64_t add(uint64_t a, uint64_t b) {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
 }
 
-/* What can't be drawn at all, or without a word. */
+/* Objects that can't be drawn, or need a warning. */
 static int check_object(burnish_threemf *threemf, const burnish_threemf_object *object) {
     if (object->has_beams) {
         threemf->status = burnish_reader_fail(
@@ -266,7 +266,7 @@ static int put_vertices(scene_writer *writer, const burnish_threemf_object *obje
     return 1;
 }
 
-/* What mirrors turns triangles around. */
+/* Mirroring reverses the triangles. */
 static int is_mirrored(const double m[12]) {
     return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
                m[2] * (m[4] * m[9] - m[5] * m[8]) <

@@ -1,5 +1,5 @@
-/* What 3MF's properties mean for a mesh: materials for bases and textures, colours and texture
- * coordinates of corners. */
+/* 3MF's properties in a mesh: materials for bases and textures, colours and texture coordinates of
+ * corners. */
 #include "mesh/read/threemf/threemf_values.h"
 
 #if BURNISH_HAS_3MF
@@ -230,8 +230,7 @@ static void note_mixed(burnish_threemf *threemf, burnish_threemf_group *group) {
     group->is_noted = 1;
 }
 
-/* From what the file says to the group that is drawn and the properties in it. group becomes NONE
- * where there are none. */
+/* Resolves a triangle's group id and properties. group becomes NONE where there are none. */
 static void resolve(burnish_threemf *threemf, const burnish_threemf_object *object,
                     burnish_threemf_group *group, burnish_threemf_triangle *triangle) {
     int is_good = group != NULL;

@@ -1,4 +1,4 @@
-/* What properties of triangles mean. */
+/* The materials, colours and coordinates of triangles' properties. */
 #ifndef BURNISH_MESH_READ_THREEMF_THREEMF_VALUES_H
 #define BURNISH_MESH_READ_THREEMF_THREEMF_VALUES_H
 
