@@ -18,17 +18,18 @@ enum {
     MATERIALS_MAX = 65536, /* numbered in 16 bits */
     TEXT_MAX = 1 << 16,
     NAME_MAX_SIZE = 4096,
-    DAMAGED_MAX = 8, /* pictures after which no further one is tried: each may take long to fail */
-    STEP = 1 << 16   /* vertices or triangles between looks at whether to go on */
+    DAMAGED_MAX =
+        8,         /* damaged pictures after which no more are tried: each may take long to fail */
+    STEP = 1 << 16 /* vertices or triangles between checks for cancellation */
 };
 
 typedef struct bms_state {
     burnish_reader *reader;
     burnish_mesh_data *mesh;
-    const uint8_t *next; /* what was not read yet */
+    const uint8_t *next; /* the unread rest */
     size_t vertices, triangles, materials, textures, text_size;
     uint32_t parts;
-    int *texture_numbers; /* in the mesh, 1 + number; 0: left out */
+    int *texture_numbers; /* 1 + the number in the mesh; 0: skipped */
 } bms_state;
 
 /* ---- Numbers ---- */
@@ -48,7 +49,7 @@ static uint64_t padded(uint64_t size) {
 
 /* ---- The head ---- */
 
-/* Bytes of what follows the textures. */
+/* Bytes after the textures. */
 static uint64_t size_of_rest(const bms_state *s) {
     const unsigned vertex = 12 + (s->parts & BURNISH_BMS_NORMALS ? 12 : 0) +
                             (s->parts & BURNISH_BMS_COLORS ? 4 : 0) +
@@ -58,8 +59,8 @@ static uint64_t size_of_rest(const bms_state *s) {
            (uint64_t)s->triangles * triangle;
 }
 
-/* Whether all of a stream is there, before anything of it is allocated. Sizes of textures are
- * looked at one by one. */
+/* Checks that a stream is complete, before anything is allocated. Sizes of textures are checked one
+ * by one. */
 static burnish_status check_size(const bms_state *s) {
     const uint8_t *bytes = s->reader->input->bytes;
     const uint64_t stated = (uint64_t)burnish_load32(bytes + BURNISH_BMS_AT_SIZE + 4) << 32 |
@@ -109,7 +110,7 @@ static burnish_status read_error(const bms_state *s, uint32_t kind) {
                                (const char *)s->next);
 }
 
-/* Up axis; one that is nothing is the format's. */
+/* The up axis; all 0 means the format's. */
 static burnish_status read_up(const bms_state *s) {
     const uint8_t *at = s->reader->input->bytes + BURNISH_BMS_AT_UP;
     const float up[3] = {burnish_load_float(at), burnish_load_float(at + 4),
@@ -204,7 +205,7 @@ static int take_texture(bms_state *s, const bms_texture *texture, const uint8_t 
     }
 }
 
-/* The record at s->next, and what follows it. */
+/* Reads the record at s->next, and its name and picture. */
 static burnish_status read_texture(bms_state *s, size_t number, size_t *damaged) {
     bms_texture texture;
     const uint8_t *head = s->next;

@@ -1,6 +1,5 @@
-/* The mesh stream: what importers, which are programs of their own, write for burnish. Layout of
- * its parts; docs/importers.md describes it byte by byte. Numbers are little-endian, floats IEEE.
- */
+/* The mesh stream, which importers, separate programs, write for burnish. Layout of its parts;
+ * docs/importers.md describes it byte by byte. Numbers are little-endian, floats IEEE. */
 #ifndef BURNISH_MESH_READ_BMS_H
 #define BURNISH_MESH_READ_BMS_H
 
@@ -32,7 +31,7 @@ enum {
     BURNISH_BMS_AT_SLOTS = 76
 };
 
-/* The kinds of streams. Of an error the text is its line. */
+/* The kinds of streams. The text of an error stream is its message. */
 typedef enum burnish_bms_kind {
     BURNISH_BMS_MESH,
     BURNISH_BMS_FORMAT_ERROR,
@@ -41,7 +40,7 @@ typedef enum burnish_bms_kind {
     BURNISH_BMS_KIND_COUNT
 } burnish_bms_kind;
 
-/* The parts that a stream may have besides positions and triangles. */
+/* Optional parts of a stream, in addition to positions and triangles. */
 enum {
     BURNISH_BMS_NORMALS = 1,
     BURNISH_BMS_COLORS = 2,

@@ -78,7 +78,7 @@ static int begins(const uint8_t *bytes, size_t size, size_t offset, const char *
     return size >= offset + length && memcmp(bytes + offset, first, length) == 0;
 }
 
-/* A program of Windows: its two first letters may begin a title, so the header that they point to
+/* A Windows program. Its first two letters might begin a title, so the header that they point to
  * counts. */
 static int is_windows_program(const uint8_t *bytes, size_t size) {
     enum { POINTER_AT = 60 };

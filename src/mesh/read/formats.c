@@ -55,7 +55,7 @@ static int has_ending(const char *name, const char *endings) {
     return 0;
 }
 
-/* Whether bytes are text as far as they go: no control characters. */
+/* Whether bytes are text: without control characters. */
 static int is_all_text(const uint8_t *bytes, size_t size) {
     int is_text = 1;
     for (size_t i = 0; i < size; ++i) {
@@ -95,7 +95,7 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
         }
     }
     const int is_brace =
-        most == 1 && guess == BURNISH_FORMAT_GLTF; /* which many texts begin with */
+        most == 1 && guess == BURNISH_FORMAT_GLTF; /* many texts begin with a brace */
     return most > 0 && !(is_brace && named != BURNISH_FORMAT_AUTO) ? guess : named;
 }
 
@@ -116,7 +116,7 @@ static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
     return any && !is_all_text(bytes, size);
 }
 
-/* Wrapped text, or an archive. In UTF-16 more than half of a mesh's characters are of ASCII. */
+/* Wrapped text, or an archive. In UTF-16, more than half of a mesh's characters are ASCII. */
 static int may_be_wrapped(const uint8_t *bytes, size_t size) {
     if (burnish_has_utf16_mark(bytes, size)) {
         const size_t high = bytes[0] == 0xFF; /* the byte of a character that is 0 then */
@@ -181,8 +181,8 @@ static const char *shown_format(burnish_format format) {
     return format == BURNISH_FORMAT_GLTF ? "glTF" : names[format];
 }
 
-/* A file that is not what its name says. For an input in pieces, this is not a reason to read all
- * of it. */
+/* Warns of a file whose contents contradict its name. For an input in pieces, this is not a reason
+ * to read all of it. */
 static void warn_misnamed(burnish_reader *reader, burnish_format format) {
     const burnish_format named = format_of_name(reader->input->name);
     if (reader->input->options->format == BURNISH_FORMAT_AUTO && named != BURNISH_FORMAT_AUTO &&
@@ -193,7 +193,7 @@ static void warn_misnamed(burnish_reader *reader, burnish_format format) {
     }
 }
 
-/* FORMAT for bytes of another kind of file. */
+/* Fails with FORMAT for another kind of file. */
 static burnish_status refuse_foreign(burnish_reader *reader, const char *what) {
     return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                "%s, which contradicts its name; fetch or export it again", what);

@@ -18,7 +18,7 @@ int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, con
 
 /* The format of a file of `size` bytes that may be read in pieces; AUTO: it must be read whole.
  *
- * format: what the caller says that it is, or AUTO
+ * format: the caller's, or AUTO
  * head:   its first BURNISH_PIECES_HEAD bytes, fewer than size
  * name:   of the file, or NULL */
 burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,

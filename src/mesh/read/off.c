@@ -33,7 +33,7 @@ typedef struct off_parser {
 
 /* ---- The beginning ---- */
 
-/* Moves to the next line that holds something but a comment; 0 at the end of the text. */
+/* Moves to the next line that is not blank or a comment; 0 at the end of the text. */
 static int skip_empty_lines(burnish_lexer *lexer) {
     for (;;) {
         burnish_lexer_skip_blank_lines(lexer);
@@ -47,7 +47,7 @@ static int skip_empty_lines(burnish_lexer *lexer) {
     }
 }
 
-/* Takes a prefix off a word. */
+/* Removes a prefix from a word. */
 static int cut_prefix(burnish_token *word, const char *prefix) {
     const size_t size = strlen(prefix);
     if (word->size <= size || memcmp(word->bytes, prefix, size) != 0) {
@@ -208,9 +208,9 @@ static off_sample take_sample(const off_state *off, const uint8_t *at) {
     return sample;
 }
 
-/* Whether rows without a prefix hold normals: three numbers of length 1 on nearly all rows, and
- * what colours do not have: a number below 0, or only such lengths that are not all pure red, green
- * or blue. */
+/* Whether rows without a prefix have normals: nearly all rows have three numbers of length 1, and
+ * either a number below 0, which colours lack, or only such lengths without all being pure red,
+ * green or blue. */
 static int are_normals(const off_sample *sample) {
     return sample->count == 3 && 10 * sample->of_unit_length >= 9 * sample->rows &&
            (sample->any_negative ||
@@ -327,7 +327,7 @@ static int fail_corner(off_parser *p, burnish_token token) {
     return 0;
 }
 
-/* Into the chunk's scratch array; they may go on in the next line. */
+/* Reads corners into the chunk's scratch array; they may continue in the next line. */
 static int read_corners(off_parser *p, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         uint32_t *corners = burnish_chunk_scratch(p->chunk, i + 1);
@@ -394,7 +394,7 @@ static void parse(const void *state, burnish_chunk *chunk) {
         p.off->in_faces ? read_face(&p) : read_vertex(&p);
         burnish_lexer_rest(&p.lexer);
         if (chunk->bounded && p.lexer.next > chunk->end) {
-            chunk->status = BURNISH_STATUS_FORMAT; /* a row that goes on in the next chunk */
+            chunk->status = BURNISH_STATUS_FORMAT; /* a row that continues in the next chunk */
             return;
         }
         chunk->rows += chunk->status == BURNISH_STATUS_OK;

@@ -138,7 +138,8 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
     }
     const size_t used = HEADER_SIZE + *count * FACET_SIZE;
     if (used < input->size) {
-        /* of a file in pieces only its head is there, and the warning has it read whole */
+        /* for a file in pieces, only the head is in memory, and the warning causes a full reading
+         */
         burnish_reader_warn(reader, input->bytes + (input->pieces ? 0 : used),
                             "%zu bytes after the last triangle were ignored", input->size - used);
     }
@@ -204,7 +205,7 @@ static burnish_status set_material(burnish_mesh_data *mesh, const uint8_t rgba[4
 
 /* Colours, if the file has any. Attribute bytes that are all 0 or all 1 are not colours. If they
  * are 0 in all facets and the header announces a colour, that colour applies: programs that write
- * such headers leave them so more often than they mean black. */
+ * such headers more often leave them unset than mean black. */
 static burnish_status read_colors(burnish_reader *reader, facet_context *context, size_t count) {
     burnish_mesh_data *mesh = reader->mesh;
     const unsigned any = atomic_load(&context->any), all = atomic_load(&context->all);
@@ -313,7 +314,7 @@ static int fail_number(stl_parser *stl, const char *what, burnish_token word,
     return 0;
 }
 
-/* Words that some write behind "endloop" and "endfacet". */
+/* Skips words after "endloop" and "endfacet", which some programs write. */
 static void skip_extra(stl_parser *stl) {
     static const char *const keywords[] = {"endfacet", "facet", "endsolid", "solid"};
     const uint8_t *at = stl->lexer.next;
@@ -362,7 +363,7 @@ static int skip_normal(stl_parser *stl) {
     return burnish_token_is_caseless(word, "outer") || fail_expected(stl, "\"outer\"", word);
 }
 
-/* "normal x y z outer": some leave the normal out. */
+/* "normal x y z outer": some programs omit the normal. */
 static int read_to_outer(stl_parser *stl) {
     burnish_token word;
     if (burnish_lexer_skip_word(&stl->lexer, "normal")) {
@@ -431,8 +432,8 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
     ++chunk->data.triangle_count;
 }
 
-/* A chunk but the first begins at a "facet", so within a solid, and ends before one. "facet" at the
- * start of a line is always within a solid, so a chunk may begin at any of them. */
+/* Every chunk except the first begins at a "facet", within a solid, and ends before one. "facet" at
+ * the start of a line is always within a solid, so a chunk may begin at any of them. */
 static void parse(const void *state, burnish_chunk *chunk) {
     const stl_state *file = state;
     stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}, file->reader->mesh->origin};
@@ -539,7 +540,7 @@ static int starts_as_text(const uint8_t *bytes, size_t size) {
     return burnish_lexer_word(&lexer, &word) && burnish_token_is_caseless(word, "solid");
 }
 
-/* Text shows no control characters; a binary file has zeros in the upper bytes of its count at the
+/* Text has no control characters; a binary file has zeros in the upper bytes of its count at the
  * latest. */
 static int has_no_controls(const uint8_t *bytes, size_t size) {
     for (size_t i = 0; i < size && i < LOOKED_AT; ++i) {

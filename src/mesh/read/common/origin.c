@@ -5,13 +5,13 @@
 #include "mesh/read/common/textures.h"
 
 enum {
-    SAMPLES = 64, /* positions that tell of nearly all meshes that they are not far away */
+    SAMPLES = 64, /* sampled positions, which rule out a distant origin for nearly all meshes */
     STEP = 1 << 14
 };
 
 static const double FAR = 32;             /* times its size: too far for floats */
 static const double NEAR = 2;             /* times its size: needs no origin */
-static const double FLOAT_STEP = 0x1p-22; /* times the distance: what floats don't tell apart */
+static const double FLOAT_STEP = 0x1p-22; /* times the distance: the resolution of floats */
 
 typedef struct box {
     double center[3]; /* in the file's coordinates */

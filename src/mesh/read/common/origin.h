@@ -14,12 +14,13 @@
  * those floats. */
 enum { BURNISH_ORIGIN_TIMES = 3 };
 
-/* Whether positions should be read again, from another origin than mesh->origin: *origin.
+/* Whether positions should be read again with another origin than mesh->origin, which goes to
+ * *origin.
  *
  * An origin is needed if, along any axis, the middle of the box of the positions in use is more
  * than 32 times as far from 0 as the box is large. Below that a float's error, 2^-25 of the
- * distance, is less than 2^-20 of the object: 1/256 pixel where it is 4096 pixels wide. The origin
- * is 0 along axes where the distance is less than twice the size. Along others it is the middle,
+ * distance, is less than 2^-20 of the object: 1/256 pixel if it is 4096 pixels wide. The origin is
+ * 0 along axes where the distance is less than twice the size. Along others it is the middle,
  * rounded to 1/16 of the power of two below the size: a number of few digits. */
 int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]);
 

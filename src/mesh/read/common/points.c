@@ -10,7 +10,7 @@
 
 enum {
     POINTS_ROUND = 100000,
-    SAMPLES = 1024,       /* points whose nearest neighbour is looked for */
+    SAMPLES = 1024,       /* points whose nearest neighbour is searched */
     CELLS_MOST = 1 << 22, /* of the grid that finds it */
     PER_CELL = 2048,      /* points of a cell that are examined: more are at one position */
     SIDES = 6,            /* of a prism */
@@ -106,8 +106,8 @@ static double square_distance(const float *a, const float *b) {
     return burnish_vec3_dot(d, d);
 }
 
-/* The square of the distance to the nearest point elsewhere in the 27 cells around one; 0: there is
- * none. */
+/* The square of the distance to the nearest other position in the 27 cells around a point; 0 if
+ * there is none. */
 static double nearest(const grid *g, const float *p) {
     size_t low[3], high[3];
     double best = 0;
@@ -293,7 +293,7 @@ static const float *normals_of(const burnish_mesh_data *mesh) {
                : NULL;
 }
 
-/* The made arrays in place of the mesh's. */
+/* Replaces the mesh's arrays. */
 static burnish_status make(burnish_reader *reader, maker *m, size_t count, size_t vertices,
                            size_t triangles) {
     burnish_mesh_data *mesh = reader->mesh;

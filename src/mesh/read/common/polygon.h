@@ -19,7 +19,8 @@
 int burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
                         uint16_t *triangles);
 
-/* Cuts the faces that are not triangles, by all positions. Readers call it at the end. */
+/* Cuts all faces that are not triangles. Readers call it at the end, when all positions are known.
+ */
 burnish_status burnish_cut_polygons(burnish_reader *reader);
 
 #endif

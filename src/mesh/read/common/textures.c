@@ -14,11 +14,11 @@ enum {
     NAME_SIZE = 4096,
     AHEAD_MAX = 256,      /* pictures that are decoded ahead */
     WAVE_MAX = 64,        /* pictures that are decoded at the same time */
-    AHEAD_REFUSED = 8,    /* so many that can't be had, and the others wait: each may take long */
+    AHEAD_REFUSED = 8,    /* after so many failures the others wait, since each may take long */
     MOST_TEXELS = 1 << 28 /* BURNISH_TEXTURE_PIXELS_AUTO */
 };
 
-/* A file that was asked for. */
+/* A requested file. */
 typedef struct texture_name {
     char *name; /* NULL: a free slot */
     int is_color, number;
@@ -26,7 +26,7 @@ typedef struct texture_name {
 
 /* A picture that was decoded ahead. */
 typedef struct ahead_picture {
-    burnish_texture_source source; /* name NULL: it was asked for */
+    burnish_texture_source source; /* name NULL: it was requested */
     burnish_encoded from;
     const burnish_context *memory;
     burnish_status status;
@@ -39,7 +39,7 @@ typedef struct ahead_picture {
 struct burnish_texture_names {
     texture_name table[TABLE_SIZE]; /* open addressing */
     size_t count;
-    uint64_t texels; /* decoded so far, of damaged pictures too */
+    uint64_t texels; /* decoded so far, including damaged pictures */
     burnish_warning_group missing;
     ahead_picture *ahead; /* in the order of their sources */
     size_t ahead_count;
@@ -145,7 +145,7 @@ static int add_picture(burnish_reader *reader, const char *name, const burnish_i
                                          picture->pixels, is_color);
 }
 
-/* Whether a picture can't be had, now or later. */
+/* Whether a picture can't be loaded, now or later. */
 static int is_refused(const ahead_picture *ahead) {
     return ahead->status != BURNISH_STATUS_OK && ahead->status != BURNISH_STATUS_LIMIT &&
            ahead->status != BURNISH_STATUS_MEMORY;
@@ -207,7 +207,7 @@ static int decode(burnish_reader *reader, const char *name, const uint8_t *bytes
     burnish_image picture;
     burnish_status status = burnish_decode(&from, &memory, &picture);
     if (status == BURNISH_STATUS_LIMIT && reader->textures->ahead_texels > 0) {
-        burnish_reader_drop_ahead(reader); /* what nobody has asked for yet makes room */
+        burnish_reader_drop_ahead(reader); /* pictures not requested yet make room */
         memory = burnish_memory_of(reader->mesh->memory.context, why);
         from.max_pixels = texels_left(reader);
         status = burnish_decode(&from, &memory, &picture);
@@ -388,8 +388,8 @@ static void begin_ahead(burnish_reader *reader, const burnish_texture_source *so
     }
 }
 
-/* Decodes `count` pictures at the same time, which share the texels that are left. Returns how many
- * can't be had. */
+/* Decodes `count` pictures in parallel, which share the remaining texels. Returns how many can't be
+ * loaded. */
 static int decode_wave(burnish_reader *reader, const burnish_texture_source *sources,
                        size_t count) {
     struct burnish_texture_names *names = reader->textures;

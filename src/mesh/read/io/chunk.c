@@ -68,7 +68,7 @@ void burnish_chunk_note(burnish_chunk *chunk, int kind, const uint8_t *at) {
     }
 }
 
-/* Room for `more` triangles; what has had no corners of the attribute gets none. */
+/* Makes room for `more` triangles. Earlier triangles get no values of the attribute. */
 static int reserve_corners(burnish_chunk *chunk, burnish_attribute attribute, size_t more) {
     burnish_stream *stream = &chunk->data.streams[attribute];
     const size_t count = chunk->data.triangle_count;

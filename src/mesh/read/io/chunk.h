@@ -11,7 +11,7 @@ typedef struct burnish_chunk_event {
     size_t triangle, position; /* triangles and positions of the chunk before it */
 } burnish_chunk_event;
 
-/* Corners whose index counts from the first value of the chunk, possibly backwards. */
+/* Corners whose index is relative to the first value of the chunk, possibly negative. */
 typedef struct burnish_chunk_slots {
     uint32_t *items; /* numbers of corners */
     size_t count, capacity;
@@ -39,8 +39,8 @@ typedef struct burnish_chunk {
     size_t back[BURNISH_ATTRIBUTE_COUNT];    /* how far before the chunk relative ones reach */
     size_t rows;
     const uint8_t *rows_end; /* where the last row ends */
-    int is_odd;              /* the grammar's: not all of it is as it should be */
-    burnish_status status;   /* but OK: to be parsed again, exactly */
+    int is_odd;              /* set by the grammar: some of it is unusual */
+    burnish_status status;   /* not OK: must be parsed again, exactly */
 
     /* Totals before it: known after parsing, or if `exact` is not NULL. */
     burnish_reader *exact; /* takes messages */

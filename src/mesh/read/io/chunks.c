@@ -1,4 +1,4 @@
-/* Text in chunks: cut, parse side by side, accept in the order of the file, append side by side. */
+/* Text in chunks: cut, parse in parallel, accept in the order of the file, append in parallel. */
 #include "mesh/read/io/chunks.h"
 
 #include "mesh/read/io/budget.h"
@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { CHUNKS_PER_THREAD = 4 /* of a wave: threads that wait for the slowest wait little */ };
+enum { CHUNKS_PER_THREAD = 4 /* in a wave: enough to keep threads busy until the slowest ends */ };
 
 /* A chunk that refers to values that may follow it in the file. */
 typedef struct forward_chunk {
@@ -22,7 +22,8 @@ typedef struct chunk_driver {
     size_t most;           /* of them */
     size_t chunk_size;     /* bytes */
     int alone;             /* 1: statements cross the starts that were found, so one at a time */
-    burnish_window window; /* over a file in pieces: what lies between next and text_end; else 0 */
+    burnish_window
+        window; /* over a file in pieces: the bytes from next to text_end; otherwise all 0 */
     const uint8_t *next, *text_end;
     size_t rows_left, rows_done, bytes_done, wave_rows;
     forward_chunk *forward;
@@ -191,7 +192,7 @@ static int is_in_order(const chunk_driver *driver, const burnish_chunk *chunk,
     return good;
 }
 
-/* Remembers a chunk that refers to what has not been read. */
+/* Records a chunk that refers to values not read yet. */
 static burnish_status note_forward(chunk_driver *driver, const burnish_chunk *chunk,
                                    const forward_chunk *known) {
     int forward = 0;
@@ -401,7 +402,7 @@ static void append_polygons(burnish_reader *reader, const burnish_chunk *chunk) 
 
 /* ---- The loop ---- */
 
-/* Tells the context; of a file that is read again no less than the first time. */
+/* Reports progress to the context. A file that is read again never reports less than before. */
 static void tell_progress(const chunk_driver *driver) {
     const burnish_reader_input *input = driver->reader->input;
     const double fraction = (double)offset_of(driver, driver->next) / (double)input->size;
@@ -446,7 +447,7 @@ static burnish_status read_wave(chunk_driver *driver) {
                                       : burnish_tasks_check(mesh->tasks, driver->reader->error);
 }
 
-/* At the end of the file: the first chunk that refers to what is not in it. */
+/* At the end of the file: fails for the first chunk that refers to missing values. */
 static burnish_status check_forward(chunk_driver *driver) {
     const burnish_mesh_data *mesh = driver->reader->mesh;
     for (size_t k = 0; k < driver->forward_count; ++k) {

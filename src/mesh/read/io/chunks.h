@@ -1,4 +1,4 @@
-/* Text in chunks, which threads read side by side; a small file is one chunk.
+/* Text in chunks, which threads read in parallel; a small file is one chunk.
  *
  * Each chunk is parsed into separate arrays, as if it were the start of the file, and then appended
  * to the whole in the order of the file. A chunk with an error is parsed again when everything
@@ -18,7 +18,7 @@
 
 typedef struct burnish_grammar {
     /* The first byte from `from` on at which a chunk may begin; `end` when there is none. NULL:
-     * that can't be told, so chunks are read one after the other. */
+     * starts can't be recognised, so chunks are read one after the other. */
     const uint8_t *(*find_start)(const uint8_t *from, const uint8_t *end);
     /* Reads statements from chunk->first on until one ends at chunk->end or after it. */
     void (*parse)(const void *state, burnish_chunk *chunk);

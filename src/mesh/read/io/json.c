@@ -149,7 +149,7 @@ static int read_word(json_parser *parser) {
     return fail(parser, parser->next, "a value");
 }
 
-/* A value, or the beginning of one that holds others. */
+/* Reads a value, or the start of an array or object. */
 static int read_value(json_parser *parser) {
     const uint8_t c = *parser->next;
     if (c == '"') {
@@ -187,8 +187,8 @@ static int read_key(json_parser *parser) {
     return 1;
 }
 
-/* Ends arrays and objects as long as they do, and moves to the next value's first byte. Returns 0
- * at the end of the document and on errors. */
+/* Closes the arrays and objects that end here, and moves to the first byte of the next value.
+ * Returns 0 at the end of the document and on errors. */
 static int move_on(json_parser *parser) {
     while (parser->depth > 0) {
         burnish_json_node *open = &parser->json->nodes[parser->open[parser->depth - 1]];

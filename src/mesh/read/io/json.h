@@ -7,10 +7,10 @@
 
 #include "mesh/read/io/reader.h"
 
-/* Arrays and objects within each other. */
+/* The nesting depth of arrays and objects. */
 #define BURNISH_JSON_DEPTH 64
 
-/* No value: what is not there. */
+/* A missing value. */
 #define BURNISH_JSON_NONE UINT32_MAX
 
 typedef enum burnish_json_kind {
@@ -23,13 +23,13 @@ typedef enum burnish_json_kind {
     BURNISH_JSON_OBJECT
 } burnish_json_kind;
 
-/* A value. What an array or an object holds follows it: items, or keys (strings) and values in
+/* A value. An array is followed by its items, and an object by its keys (strings) and values in
  * turn. */
 typedef struct burnish_json_node {
     uint32_t first; /* its first byte; of a string the one after the quote */
     uint32_t size;  /* bytes of a number or string; items of an array; members of an object */
     uint32_t kind : 3;
-    uint32_t next : 29; /* the value after it and all that it holds */
+    uint32_t next : 29; /* the value after it and its contents */
 } burnish_json_node;
 
 typedef struct burnish_json {
@@ -73,8 +73,8 @@ int burnish_json_number(const burnish_json *json, uint32_t value, double *number
 int burnish_json_is_text(const burnish_json *json, uint32_t value, const char *text);
 
 /* Writes a string without its escapes, in UTF-8, with a 0 at the end. Room for the node's size + 1
- * bytes is enough. Returns the bytes written but for the 0; what does not fit is cut off. A value
- * of another kind gives an empty string. */
+ * bytes is enough. Returns the bytes written, without the 0; a string that does not fit is cut. A
+ * value of another kind gives an empty string. */
 size_t burnish_json_text(const burnish_json *json, uint32_t value, char *text, size_t room);
 
 /* "accessors[5].byteOffset": the path of a value, for messages; "" for the document. */

@@ -1,9 +1,9 @@
-/* Text to tokens and numbers: a cursor over text in memory. Nothing is copied, nothing is assumed
- * to follow the last byte. Lines are not counted: a message's line is counted from its byte.
+/* Text to tokens and numbers: a cursor over text in memory. Nothing is copied, and no byte after
+ * the last is read. Lines are not counted; messages derive the line from the byte.
  *
- * Numbers are decimal, correctly rounded, whatever locale the program runs in. Common ones are read
- * eight characters at a time by functions that answer 0 for what they do not take; what they take
- * has the value that burnish_parse_double() gives. */
+ * Numbers are decimal, correctly rounded, whatever locale the program runs in. Common forms are
+ * read eight characters at a time by functions that return 0 for other forms. Their values equal
+ * those of burnish_parse_double(). */
 #ifndef BURNISH_MESH_READ_IO_LEXER_H
 #define BURNISH_MESH_READ_IO_LEXER_H
 
@@ -120,7 +120,7 @@ int burnish_lexer_count(burnish_lexer *lexer, uint64_t *value);
  * that they read beyond it. */
 enum { BURNISH_DECIMAL_ROOM = 96 };
 
-/* Digits that 64 bits hold whatever they are. */
+/* Any number of so many digits fits 64 bits. */
 enum { BURNISH_DECIMAL_DIGITS = 19 };
 
 /* Eight characters, the first in the lowest byte. */
@@ -161,8 +161,8 @@ static inline unsigned burnish_scan_eight(const uint8_t *text, uint64_t *value) 
     return digits;
 }
 
-/* Digits from *text on, which is moved past them; *value takes them in. The count may be more
- * than 24: the value is of no use then. */
+/* Reads digits from *text on, moves it past them and appends them to *value. Returns their count.
+ * Above 24 digits the value is invalid. */
 static inline unsigned burnish_scan_digits(const uint8_t **text, uint64_t *value) {
     static const uint32_t power[9] = {1,      10,      100,      1000,     10000,
                                       100000, 1000000, 10000000, 100000000};
@@ -276,7 +276,7 @@ static inline int burnish_scale_decimal(uint64_t mantissa, int64_t exponent, dou
     return 0;
 }
 
-/* The value with a sign. Signs of coordinates are as good as random: no branch on them. */
+/* Applies a sign without a branch, because the signs of coordinates are unpredictable. */
 static inline double burnish_set_sign(double absolute, int negative) {
     uint64_t bits;
     memcpy(&bits, &absolute, sizeof bits);

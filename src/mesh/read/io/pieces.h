@@ -1,5 +1,5 @@
-/* Files that are read piece by piece, straight into the arrays that their rows or lines become: so
- * the file itself takes no memory, and what is read stays in the second-level cache.
+/* Files that are read piece by piece, straight into the arrays of the mesh. The file itself takes
+ * no memory, and each piece stays in the second-level cache.
  *
  * Only the first bytes of such an input are in memory. A reader that finds anything unusual returns
  * an error or a warning, and the input is read again with all its bytes in memory, which gives the
@@ -19,7 +19,7 @@ typedef struct burnish_pieces {
 #define BURNISH_PIECES_HEAD 65536
 #endif
 
-/* An error of a file in pieces: it is to be read whole. */
+/* Fails an input in pieces, which must then be read whole. */
 burnish_status burnish_pieces_give_up(burnish_reader *reader);
 
 /* How many of the input's bytes are in memory. */

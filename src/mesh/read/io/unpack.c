@@ -5,7 +5,7 @@
 #include "mesh/read/io/binary_stl.h"
 #include "mesh/read/io/budget.h"
 
-/* 0: no UTF-16 with a mark. A binary STL may begin with any bytes. */
+/* Whether the input is UTF-16 with a byte order mark. A binary STL may begin with any bytes. */
 static int has_mark(const burnish_reader_input *input) {
     return burnish_has_utf16_mark(input->bytes, input->size) &&
            !burnish_is_binary_stl(input->bytes, input->size);

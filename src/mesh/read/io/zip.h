@@ -52,13 +52,12 @@ typedef struct burnish_zip_stream {
 burnish_status burnish_zip_begin(burnish_zip *zip, const burnish_zip_part *part,
                                  burnish_zip_stream *stream);
 
-/* Fills `to` as far as the part goes: fewer bytes than `room` are its last.
- * Errors: FORMAT (damaged), LIMIT. */
+/* Fills `to`; fewer bytes than `room` at the end of the part. Errors: FORMAT (damaged), LIMIT. */
 burnish_status burnish_zip_next(burnish_zip_stream *stream, uint8_t *to, size_t room,
                                 size_t *written);
 void burnish_zip_end(burnish_zip_stream *stream);
 
-/* A whole part, to be released; *bytes NULL on error and for an empty one.
+/* Reads a whole part, to be released by the caller; *bytes is NULL on error and for an empty part.
  * Errors: FORMAT, LIMIT, MEMORY. */
 burnish_status burnish_zip_read(burnish_zip *zip, const burnish_zip_part *part, uint8_t **bytes,
                                 size_t *size);
