@@ -1,5 +1,5 @@
-/* glTF 2.0 and its binary form GLB: the container, what the file asks for, and the order in which
- * its parts are read. */
+/* glTF 2.0 and its binary form GLB: the container, required extensions, and the order in which
+ * parts are read. */
 
 #include "mesh/read/gltf/gltf.h"
 
@@ -101,7 +101,7 @@ static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
 
 /* ---- What the file asks for ---- */
 
-/* Extensions that are drawn, or change nothing that is. */
+/* Extensions that are drawn, or do not affect drawing. */
 static const char *const drawn_extensions[] = {"KHR_lights_punctual",
                                                "EXT_mesh_gpu_instancing",
                                                "EXT_meshopt_compression",

@@ -143,7 +143,7 @@ typedef struct burnish_gltf {
     uint32_t *mesh_primitives; /* of each mesh the first of them; one more for the end */
 
     int *image_textures; /* two per item of IMAGES, as numbers and as colours: 1 + number of the
-                            texture, 0: it can't be had, -1: not asked for yet */
+                            texture, 0: can't be loaded, -1: not requested yet */
     int damaged_images;  /* damaged images in the file itself */
     struct burnish_gltf_ahead *ahead;
     unsigned texture_set; /* the set of texture coordinates of the current material */

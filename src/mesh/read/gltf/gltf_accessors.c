@@ -1,8 +1,8 @@
 /* glTF's accessors: numbers of six types in buffer views, some of them overwritten by sparse ones.
  *
  * Bounds are checked once; reading an element then needs no check. An accessor with sparse values
- * or without a view has an array of its own, made once; all of these together are bounded by the
- * input's size, because many may share one view. */
+ * or without a view gets a separate array, made once. The input's size limits all of these
+ * together, because many may share one view. */
 #include "mesh/read/gltf/gltf_accessors.h"
 
 #include "mesh/read/gltf/gltf_buffers.h"
@@ -24,7 +24,7 @@ size_t burnish_gltf_component_size(int component) {
     }
 }
 
-/* Components of a type, 0 for one that nothing here asks for (MAT2 and MAT3 have gaps). */
+/* Components of a type; 0 for types that are not used here (MAT2 and MAT3 have gaps). */
 static int width_of(const burnish_gltf *gltf, uint32_t type) {
     static const struct {
         const char *name;
@@ -247,7 +247,7 @@ void burnish_gltf_give(burnish_gltf *gltf, uint32_t number, uint32_t user,
     if (gltf->status != BURNISH_STATUS_OK) {
         return;
     }
-    /* indices come in 32 bits, whatever the file would have them in */
+    /* indices have 32 bits, regardless of the file's component type */
     const int is_same = values->component == accessor->component || values->width == 1;
     if (values->width != accessor->width || !is_same || values->count < accessor->count) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, user,

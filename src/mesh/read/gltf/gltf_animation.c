@@ -1,5 +1,5 @@
-/* One moment of a glTF animation: what its channels say of nodes at a time. Nodes that no channel
- * names stay as the file has them. */
+/* A glTF animation at a given time: the poses of nodes from its channels. Nodes without a channel
+ * keep their pose from the file. */
 #include "mesh/read/gltf/gltf_animation.h"
 
 #include "core/elementary.h"
@@ -7,7 +7,7 @@
 #include "mesh/read/gltf/gltf_primitives.h"
 #include "mesh/read/gltf/gltf_values.h"
 
-/* A channel's keyframes around the time asked for. */
+/* A channel's keyframes around the requested time. */
 typedef struct gltf_keys {
     const burnish_gltf_accessor *values;
     size_t before, after; /* keyframes */
@@ -128,8 +128,8 @@ static int sample(burnish_gltf *gltf, const gltf_keys *keys, size_t items, size_
     return 1;
 }
 
-/* Linear keyframes of a rotation turn at a constant rate, the shorter way (slerp); where they are
- * almost the same, a line does. */
+/* Linear keyframes of a rotation turn at a constant rate, the shorter way (slerp). If they are
+ * almost equal, linear interpolation is enough. */
 static int sample_rotation(burnish_gltf *gltf, const gltf_keys *keys, double rotation[4]) {
     double a[4], b[4], cosine = 0;
     if (!sample(gltf, keys, 1, 0, rotation)) {

@@ -25,7 +25,7 @@ static unsigned sextet(uint8_t c) {
 }
 
 /* Decodes in place, where `text` may be `out`. Returns bytes written; SIZE_MAX if a character is
- * none of base64. */
+ * invalid. */
 static size_t decode_base64(const uint8_t *text, size_t size, uint8_t *out) {
     size_t written = 0;
     uint32_t bits = 0;
@@ -67,7 +67,7 @@ static size_t decode_percents(char *text, size_t size) {
     return written;
 }
 
-/* Whether a name is one of a file in the input's folder or below. */
+/* Whether a name can be a file in the input's folder or below. */
 static int is_beside(const char *name) {
     return *name && !strchr(name, '\\') && !strchr(name, ':') && burnish_stays_beside(name);
 }
@@ -244,8 +244,8 @@ static int locate_bytes(burnish_gltf *gltf, uint32_t object, burnish_gltf_bytes 
     return 1;
 }
 
-/* A view that KHR_ or EXT_meshopt_compression holds, decoded when it is first asked for. Its own
- * buffer is for those who can't, and may have no bytes. */
+/* A view of KHR_ or EXT_meshopt_compression, decoded on first use. The view's own buffer is a
+ * fallback for other readers, and may have no bytes. */
 static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
                        burnish_gltf_bytes *bytes) {
     static const char *const modes[] = {"", "ATTRIBUTES", "TRIANGLES", "INDICES"};

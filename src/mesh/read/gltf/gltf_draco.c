@@ -1,8 +1,7 @@
 /* KHR_draco_mesh_compression: primitives that Draco compressed (Khronos, glTF 2.0 extensions).
  *
- * Draco is not decoded here but by the decoder that the options name. It gets all the streams of a
- * file at once; of what it answers every number is checked, as of a file. docs/importers.md has the
- * layout of both. */
+ * The decoder in the load options decodes Draco. It receives all the streams of a file at once, and
+ * every number of its answer is checked like a file's. docs/importers.md has the layout of both. */
 #include "mesh/read/gltf/gltf_draco.h"
 
 #include "mesh/read/gltf/gltf_accessors.h"
@@ -72,7 +71,7 @@ uint32_t burnish_gltf_draco(burnish_gltf *gltf, uint32_t primitive) {
     return has_values ? BURNISH_JSON_NONE : extension;
 }
 
-/* Notes the stream of an extension's view, once. */
+/* Records the stream of an extension's view, once. */
 static void add_stream(draco *d, uint32_t extension) {
     burnish_gltf *gltf = d->gltf;
     const uint32_t view = burnish_gltf_reference(gltf, extension, "bufferView", BURNISH_GLTF_VIEWS);

@@ -20,7 +20,7 @@
 #include "mesh/read/io/budget.h"
 
 enum {
-    STEP = 1 << 16, /* triangles after which it asks whether to end */
+    STEP = 1 << 16, /* triangles between checks for cancellation */
     GRAIN = 1 << 12 /* vertices that a thread converts at once */
 };
 
@@ -33,10 +33,9 @@ typedef struct gltf_drawer {
     uint64_t elements, vertices;      /* of all that is drawn */
     size_t most_vertices;             /* of one primitive */
     size_t most_used;                 /* vertices that one primitive can use */
-    uint32_t *slots;                  /* 1 + the vertex that became of one of the primitive's, where
-                                         that is above `base` */
-    uint32_t *sources;                /* the primitive's vertices, from `base` on */
-    uint32_t base;                    /* vertices before the primitive */
+    uint32_t *slots;   /* 1 + the new vertex of a primitive's vertex, if that is above `base` */
+    uint32_t *sources; /* the primitive's vertices, from `base` on */
+    uint32_t base;     /* vertices before the primitive */
     uint16_t material;
     double base_color[4];      /* of lines and points */
     burnish_segment *segments; /* lines */
@@ -60,8 +59,8 @@ static void put_unit(const double *direction, float *to) {
 
 /* ---- Vertices ---- */
 
-/* Writes position and normal; a normal that the file has not is 0: it will be generated. Returns 0
- * if the position exceeds single precision. p, n: of the file, or moved */
+/* Writes position and normal; a missing normal becomes 0 and is generated later. Returns 0 if the
+ * position exceeds single precision. p, n: of the file, or moved */
 static int put_place(const gltf_drawer *drawer, const double p[3], const double n[3], float *to,
                      float *to_normal) {
     double turned[3];
@@ -79,7 +78,7 @@ static int put_place(const gltf_drawer *drawer, const double p[3], const double 
     return 1;
 }
 
-/* As bitangents are cross(n, t) times the sign, that changes in a mirror. */
+/* Bitangents are cross(n, t) times the sign, so mirroring changes the sign. */
 static void put_tangent(const gltf_drawer *drawer, size_t vertex, float *to) {
     double t[4], turned[3];
     const double *m = drawer->shape.matrix;
@@ -195,7 +194,7 @@ static uint32_t take_vertex(gltf_drawer *drawer, uint32_t vertex) {
     return at;
 }
 
-/* Before what is wrong with an index comes what is wrong with the vertices taken before it. */
+/* Errors of earlier vertices take precedence over an error of an index. */
 static void fail_index(gltf_drawer *drawer, uint32_t index) {
     convert_vertices(drawer);
     if (drawer->gltf->status == BURNISH_STATUS_OK) {
@@ -377,7 +376,7 @@ static void for_each_of_mesh(gltf_drawer *drawer, const burnish_gltf_node *node,
     }
 }
 
-/* EXT_mesh_gpu_instancing: the mesh again and again, each at a place of its own. */
+/* EXT_mesh_gpu_instancing: the mesh at several places. */
 static void for_each_instance(gltf_drawer *drawer, const burnish_gltf_node *node,
                               uint32_t instancing, use_primitive *use) {
     static const char *const names[3] = {"TRANSLATION", "ROTATION", "SCALE"};
@@ -476,7 +475,7 @@ static void draw_from_origin(gltf_drawer *drawer) {
     }
 }
 
-/* Counts what there is of the kind that is drawn: triangles, else lines, else points. */
+/* Counts the elements that are drawn: triangles, or else lines, or else points. */
 static void choose_kind(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     for (int kind = BURNISH_GLTF_TRIANGLES;

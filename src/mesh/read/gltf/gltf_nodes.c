@@ -1,5 +1,5 @@
 /* glTF's nodes: a forest whose matrices multiply down to the meshes. Nothing here recurses, and
- * each node is visited once, so a loop of nodes ends with a line. */
+ * each node is visited once, so a loop of nodes is an error. */
 #include "mesh/read/gltf/gltf_nodes.h"
 
 #include "core/elementary.h"
@@ -65,7 +65,7 @@ static void read_local(burnish_gltf *gltf, uint32_t value, const burnish_gltf_po
                          pose && pose->has_scale ? pose->scale : scale, matrix);
 }
 
-/* Notes who is whose parent. */
+/* Records the parents. */
 static void find_parents(burnish_gltf *gltf) {
     for (size_t i = 0; i < gltf->counts[BURNISH_GLTF_NODES]; ++i) {
         const uint32_t children =
@@ -116,7 +116,7 @@ static void find_order(burnish_gltf *gltf) {
 
 /* Marks the roots of the scene that is drawn; without a scene all roots. */
 static void mark_roots(burnish_gltf *gltf) {
-    gltf->is_lenient = 1; /* a scene that is not there is as good as none */
+    gltf->is_lenient = 1; /* a missing scene counts as none */
     uint32_t scene = burnish_gltf_reference(gltf, 0, "scene", BURNISH_GLTF_SCENES);
     gltf->is_lenient = 0;
     if (scene == BURNISH_GLTF_NONE && gltf->counts[BURNISH_GLTF_SCENES] > 0) {

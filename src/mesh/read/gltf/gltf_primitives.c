@@ -1,5 +1,5 @@
-/* glTF's primitives: what attributes each has, and how many triangles, lines or points it makes.
- * Each is looked at once, however many nodes draw it. */
+/* glTF's primitives: the attributes of each, and how many triangles, lines or points it makes. Each
+ * is read once, however many nodes draw it. */
 #include "mesh/read/gltf/gltf_primitives.h"
 
 #include "mesh/read/gltf/gltf_accessors.h"

@@ -12,7 +12,7 @@ enum {
     NEAREST = 9728,
     CLAMP_TO_EDGE = 33071,
     MIRRORED_REPEAT = 33648,
-    DAMAGED_MAX = 8 /* images after which no further one is tried: each may take long to fail */
+    DAMAGED_MAX = 8 /* damaged images after which no more are tried: each may take long to fail */
 };
 
 /* ---- Images ---- */
@@ -188,7 +188,7 @@ burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t objec
 
 enum { AHEAD_MAX = 64 };
 
-/* Pictures that materials ask for, each once. */
+/* The pictures that materials use, each once. */
 struct burnish_gltf_ahead {
     burnish_texture_source sources[AHEAD_MAX];
     burnish_gltf_name names[AHEAD_MAX];
@@ -197,7 +197,7 @@ struct burnish_gltf_ahead {
     size_t count;
 };
 
-/* Values that say nothing of what they miss: whoever reads them afterwards does. */
+/* Look-ups without messages. The later regular reading reports what is missing. */
 static uint32_t look_up(const burnish_gltf *gltf, uint32_t object, const char *key,
                         burnish_gltf_list list) {
     double number = -1;

@@ -72,7 +72,7 @@ static int mistaken(burnish_gltf *gltf, uint32_t value, const char *expected) {
                              found.text);
 }
 
-/* The member; one of another kind counts as not there. */
+/* The member; a member of another kind counts as missing. */
 static uint32_t member(burnish_gltf *gltf, uint32_t object, const char *key, burnish_json_kind kind,
                        const char *expected) {
     const uint32_t value = burnish_json_member(&gltf->json, object, key);

@@ -17,7 +17,7 @@ __attribute__((format(printf, 4, 5))) void burnish_gltf_note(burnish_gltf *gltf,
                                                              uint32_t value, const char *format,
                                                              ...);
 
-/* Takes over a failure of memory. Returns whether all is well. */
+/* Adopts a failure of the memory. Returns 1 if nothing has failed. */
 int burnish_gltf_is_fine(burnish_gltf *gltf);
 
 /* The member of an object; NONE if it is missing. A member of another kind fails. */

@@ -49,7 +49,7 @@ const char *burnish_meshopt_check(burnish_meshopt_mode mode, burnish_meshopt_fil
 
 /* ---- Attributes ---- */
 
-/* 16 differences of one byte; returns what follows them, NULL beyond the end. */
+/* Reads 16 differences of one byte; returns the next byte, NULL beyond the end. */
 static const uint8_t *read_group(const uint8_t *p, const uint8_t *end, unsigned bits,
                                  uint8_t out[GROUP]) {
     const size_t packed = (size_t)bits * GROUP / 8;
@@ -312,7 +312,8 @@ static void read_beside(history *h, unsigned code, unsigned first_free, uint32_t
     push_edge(h, triangle[0], c);
 }
 
-/* A triangle that no edge leads to: of each corner 0 a new one, 15 in full, else how far back. */
+/* A triangle without a known edge. For each corner, 0 is a new vertex, 15 is written in full, and
+ * others count back. */
 static void read_apart(history *h, const unsigned kinds[3], uint32_t triangle[3]) {
     const unsigned vertex = h->vertex;
     for (int k = 0; k < 3; ++k) {
@@ -353,7 +354,7 @@ static int decode_triangles(const uint8_t *bytes, size_t size, size_t count, siz
             const uint32_t pair = is_free ? read_byte(&h.data) : table[codes[i] & 15];
             const unsigned kinds[3] = {codes[i] == 0xFF ? 15 : 0, pair >> 4, pair & 15};
             h.next = is_free && pair == 0 ? 0 : h.next; /* indices begin anew */
-            /* the table's 15 is a step back as others are; no encoder writes it */
+            /* the table's 15 is a step back like the others; no encoder writes it */
             read_apart(&h, kinds, triangle);
         }
         for (size_t k = 0; k < 3; ++k) {
@@ -372,7 +373,7 @@ int burnish_meshopt_decode(burnish_meshopt_mode mode, const uint8_t *bytes, size
 
 /* ---- Filters ---- */
 
-/* A number of `size` bytes, 1 or 2, as it stands. */
+/* A number of `size` bytes, 1 or 2, not normalised. */
 static int get_signed(const uint8_t *p, size_t size) {
     return size == 1 ? (int8_t)*p : (int16_t)burnish_load16(p);
 }

@@ -1,7 +1,6 @@
 /* The bit streams of KHR_meshopt_compression (Khronos, glTF 2.0 extensions; appendices A and B of
- * its text), whose version 0 is EXT_meshopt_compression. Decoders read nothing outside their bytes
- * and write nothing outside their room, whatever the bytes are; indices may come out of any size.
- */
+ * its text), whose version 0 is EXT_meshopt_compression. For any input, decoders stay within their
+ * bytes and within `out`. Decoded indices may have any value. */
 #ifndef BURNISH_MESH_READ_GLTF_MESHOPT_H
 #define BURNISH_MESH_READ_GLTF_MESHOPT_H
 
@@ -26,8 +25,8 @@ typedef enum burnish_meshopt_filter {
 const char *burnish_meshopt_check(burnish_meshopt_mode mode, burnish_meshopt_filter filter,
                                   size_t count, size_t stride);
 
-/* Decodes count elements of stride bytes, for which burnish_meshopt_check has no complaint, to
- * `out`, which may be read before it is written. Returns 0 if the bytes are damaged. */
+/* Decodes count elements of stride bytes, which burnish_meshopt_check has accepted, to `out`, which
+ * may be read before it is written. Returns 0 if the bytes are damaged. */
 int burnish_meshopt_decode(burnish_meshopt_mode mode, const uint8_t *bytes, size_t size,
                            size_t count, size_t stride, uint8_t *out);
 

@@ -39,7 +39,7 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
         burnish_reader_rows(ply->reader, (size_t)(*at - ply->reader->input->bytes), rows->row_size,
                             count, burnish_ply_convert_vertices, rows);
     const size_t odd = atomic_load(&rows->odd);
-    if (status == BURNISH_STATUS_OK && odd < count) { /* which has something to say */
+    if (status == BURNISH_STATUS_OK && odd < count) { /* which has a warning */
         *at += odd * rows->row_size;
         ply->first_row = odd;
         return burnish_ply_read_rows(ply, at, count - odd);
@@ -71,8 +71,8 @@ static int begins_with_triangle(const burnish_ply_state *ply, const burnish_ply_
     return length && burnish_ply_load_count(length, rows->length.type, rows->big_endian) == 3;
 }
 
-/* The triangles that the element begins with; burnish_ply_read_rows() goes on from the first row
- * that is something else, where there is one. */
+/* Reads the triangles at the start of the element. burnish_ply_read_rows() continues from the first
+ * row that is not a triangle. */
 static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *rows,
                                      const uint8_t **at) {
     burnish_mesh_data *mesh = ply->reader->mesh;
@@ -141,7 +141,7 @@ static size_t describe_rows(const burnish_ply_state *ply, burnish_ply_rows *rows
     return lists;
 }
 
-/* Holds the announced count against the bytes left. */
+/* Compares the announced count with the remaining bytes. */
 static burnish_status check_count(const burnish_ply_state *ply, size_t left, size_t least) {
     burnish_reader *reader = ply->reader;
     const burnish_ply_element *element = ply->element;
@@ -426,7 +426,7 @@ static burnish_status read_body(burnish_ply_state *ply) {
     return status;
 }
 
-/* Says what of the file is not drawn or kept. */
+/* Warns of data that is not drawn or kept. */
 static void warn_undrawn(const burnish_ply_state *ply) {
     burnish_reader_warn_group(ply->reader, &ply->few_corners);
     burnish_reader_warn_group(ply->reader, &ply->fields);
@@ -458,7 +458,7 @@ static burnish_status read_input(burnish_reader *reader) {
     return status;
 }
 
-/* Sure by its first line. */
+/* Certain by its first line. */
 static int recognise(const uint8_t *bytes, size_t size) {
     return size >= 4 && memcmp(bytes, "ply", 3) == 0 && (bytes[3] == '\n' || bytes[3] == '\r') ? 2
                                                                                                : 0;

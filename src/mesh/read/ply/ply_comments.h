@@ -4,11 +4,11 @@
 
 #include "mesh/read/ply/ply_rows.h"
 
-/* Gives the reader an input whose body has blanks where it had comments; *any: 1 if there are
+/* Gives the reader an input with blanks in place of comments in the body; *any: 1 if there are
  * some. Errors: MEMORY. */
 burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any);
 
-/* Gives it its own input back, once the body has been read. */
+/* Restores the original input, after the body has been read. */
 void burnish_ply_show_comments(burnish_ply_state *ply);
 
 #endif

@@ -218,8 +218,8 @@ static burnish_status add_texture(header_state *ply) {
     return memory->status;
 }
 
-/* After end_header stands one line end. Where "\r" alone ends the first line, the next byte, even a
- * "\n", is the body's. Returns 0 when there is none. */
+/* One line end follows end_header. If "\r" alone ends the first line, the next byte belongs to the
+ * body, even if it is "\n". Returns 0 when there is none. */
 static int find_body(header_state *ply) {
     const uint8_t *p = ply->lexer.next, *end = ply->lexer.end, *first = ply->reader->input->bytes;
     while (p < end && *p != '\n' && *p != '\r') {

@@ -83,11 +83,11 @@ typedef struct burnish_ply_header {
     int has_face_coordinates;               /* texcoord */
 } burnish_ply_header;
 
-/* Textures of one file: numbers of faces beyond show none. */
+/* Textures of one file; larger numbers mean no texture. */
 enum { BURNISH_PLY_TEXTURES_MAX = 4096 };
 
-/* Reads the header; one vertex element with x, y and z is there, and every face element has
- * corners. The caller destroys the header, also on error. Errors: FORMAT, MEMORY. */
+/* Reads the header, and checks that it has one vertex element with x, y and z, and that every face
+ * element has corners. The caller destroys the header, also on error. Errors: FORMAT, MEMORY. */
 burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header);
 void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header);
 

@@ -1,9 +1,9 @@
 /* PLY: rows of any kind, read one after the other, in chunks, by one decoder that is compiled for
  * each of the three encodings.
  *
- * Rows of an ASCII file are values, wherever lines end. But where lines do not hold what the header
- * says, values are left over, and there are as many lines as rows, rows are lines: what is missing
- * at their ends is made up, what is too much ignored. */
+ * Rows of an ASCII file are values, wherever lines end. But if lines do not match the header,
+ * values are left over, and there are as many lines as rows, then each line is a row. Missing
+ * values at the end of a line get defaults, and extra values are ignored. */
 #include "mesh/read/ply/ply_rows.h"
 
 #include "mesh/read/common/origin.h"
@@ -20,8 +20,8 @@ typedef struct ply_parser {
     burnish_chunk *chunk;
     burnish_lexer lexer;
     const uint8_t *value_at; /* of a binary value, for messages */
-    int is_short;            /* the line at hand has fewer values than the row */
-    int texture;             /* that the last face shows; -1: not told yet */
+    int is_short;            /* the current line has fewer values than the row */
+    int texture;             /* of the last face; -1: not known yet */
     int has_normals, has_coordinates, has_colors; /* of vertices */
 } ply_parser;
 
@@ -50,7 +50,7 @@ static uint64_t values_left(const ply_parser *p, burnish_ply_type type) {
                                                         : left / burnish_ply_type_size(type);
 }
 
-/* The row at hand, counted from 1. */
+/* The current row, counted from 1. */
 static unsigned long long row_number(const ply_parser *p) {
     return p->ply->first_row + p->chunk->rows_before + p->chunk->rows + 1;
 }
@@ -146,7 +146,7 @@ static inline int read_length(ply_parser *p, burnish_ply_encoding encoding,
     return 1;
 }
 
-/* Into the chunk's scratch array; a strip may hold -1, which starts a new one. */
+/* Reads corners into the chunk's scratch array. -1 in a strip starts a new one. */
 static inline int read_corners(ply_parser *p, burnish_ply_encoding encoding,
                                const burnish_ply_property *property, size_t count) {
     const double vertex_count = (double)p->ply->vertex_count;
@@ -192,7 +192,7 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
     }
     if (p->has_normals) {
         to = burnish_chunk_append(chunk, BURNISH_NORMAL);
-        for (int i = 0; i < 3 && to; ++i) { /* build makes a normal that is 0 */
+        for (int i = 0; i < 3 && to; ++i) { /* build generates a normal of 0 */
             to[i] = 0;
             burnish_double_to_float(values[BURNISH_PLY_NX + i], &to[i]);
         }
@@ -244,7 +244,7 @@ static void append_face_color(ply_parser *p, const double values[BURNISH_PLY_ROL
     }
 }
 
-/* A number of the list texcoord; 0 for what is none. */
+/* A number of the list texcoord; 0 if it is invalid. */
 static float read_coordinate(ply_parser *p, burnish_ply_encoding encoding, burnish_ply_type type) {
     burnish_token word;
     burnish_number_status number = BURNISH_NUMBER_OK;
@@ -312,7 +312,7 @@ static double missing_value(const burnish_ply_property *property) {
                                                                                   : 65535;
 }
 
-/* A face's triangles, and what is theirs. */
+/* Appends a face's triangles and their attributes. */
 static inline void append_face(ply_parser *p, burnish_ply_encoding encoding,
                                const double values[BURNISH_PLY_ROLE_COUNT], const face_row *face) {
     const int is_face = p->ply->element->kind == BURNISH_PLY_ELEMENT_FACE;

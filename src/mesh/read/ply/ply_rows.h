@@ -17,7 +17,7 @@ typedef struct burnish_ply_state {
     int takes_face_colors;      /* 1: each triangle appends its face's colour */
     int keeps_coordinates;      /* 1: texture coordinates are wanted */
     int takes_face_coordinates; /* 1: each triangle appends 3 of its face */
-    int takes_textures;         /* 1: faces tell which texture they show */
+    int takes_textures;         /* 1: faces have texture numbers */
     unsigned per_triangle;      /* bits 1 << attribute: what triangles append */
     size_t run_start;           /* triangles from here on show run_texture */
     int run_texture;
@@ -45,7 +45,7 @@ static inline const uint8_t *burnish_ply_line_end(const uint8_t *from, const uin
     return other ? other : last;
 }
 
-/* `rows` rows of the element at hand from *at on, which moves past them. */
+/* Reads `rows` rows of the current element from *at on, and moves *at past them. */
 burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows);
 
 #endif

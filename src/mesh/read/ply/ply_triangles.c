@@ -1,5 +1,4 @@
-/* PLY: what faces have for themselves: colours, texture coordinates and textures, as MeshLab writes
- * them. */
+/* PLY: colours, texture coordinates and textures of faces, as MeshLab writes them. */
 #include "mesh/read/ply/ply_triangles.h"
 
 #include "mesh/read/common/textures.h"
