@@ -7,8 +7,8 @@
  * Ka is unreliable: exporters write 1 1 1 or 0 0 0 whatever the material is. So the ambient colour
  * is Kd when Ka is absent, all 0 or all 1.
  *
- * d is opacity, Tr mostly 1 - d, but older exporters (3ds Max) write d 1 and Tr 1 for what is
- * opaque: where both are given, d counts. A material that is fully transparent is not intended, and
+ * d is opacity, Tr mostly 1 - d, but older exporters (3ds Max) write d 1 and Tr 1 for opaque
+ * materials: if both are given, d counts. A material that is fully transparent is not intended, and
  * becomes opaque. */
 #include "mesh/read/obj/mtl.h"
 
@@ -17,11 +17,11 @@
 #include "core/srgb.h"
 #include "mesh/read/obj/mtl_maps.h"
 
-/* The statements seen for the material at hand; finish() makes it of them. */
+/* The statements of the current material, which finish() converts. */
 typedef struct mtl_state {
     burnish_reader *reader;
     burnish_mtl *library;
-    size_t first; /* entries that were there before this file */
+    size_t first; /* entries from earlier files */
     burnish_lexer lexer;
     float ambient[3], diffuse[3], specular[3], emissive[3], exponent; /* colours as written */
     int has_ambient, has_diffuse, has_specular, has_emissive, has_exponent;
@@ -170,7 +170,7 @@ static void read_exponent(mtl_state *mtl) {
     mtl->exponent = written < 1 ? 1 : written > 65536 ? 65536 : written;
     mtl->has_exponent = 1;
     mtl->is_dull = written == 0;
-    /* Ns 0 is how exporters say "dull": no cause for a warning. */
+    /* Exporters write Ns 0 for "dull", which deserves no warning. */
     if (mtl->exponent != written && written != 0) {
         burnish_reader_note(mtl->reader, &mtl->exponents, mtl->lexer.next,
                             "Ns %g is not in [1, 65536] and was taken as %g", (double)written,

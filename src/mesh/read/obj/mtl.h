@@ -9,14 +9,14 @@ typedef struct burnish_mtl_map {
     char *file; /* NULL: none */
     float scale[2], offset[2], bump;
     int is_clamped;
-    int is_height; /* 1: a picture of heights, unless it looks like one of normals */
+    int is_height; /* 1: a height map, unless it looks like a normal map */
 } burnish_mtl_map;
 
 typedef struct burnish_mtl_entry {
     char *name;
     burnish_mtl_map maps[BURNISH_TEXTURE_SLOT_COUNT];
-    float diffuse[3]; /* Kd as written: what it multiplies a texture by */
-    int is_invisible; /* 1: wholly transparent in the file, and therefore opaque here */
+    float diffuse[3]; /* Kd as written: the factor of a texture */
+    int is_invisible; /* 1: fully transparent in the file, and therefore opaque here */
     burnish_material material;
 } burnish_mtl_entry;
 

@@ -40,8 +40,8 @@ static int is_word(burnish_token token, const char *word) {
            burnish_bytes_are_caseless(token.bytes, (const uint8_t *)word, token.size);
 }
 
-/* An option's numbers, of which `most` fit; returns how many there were. *next is the first token
- * that is none of them. */
+/* Reads an option's numbers, of which `most` fit; returns how many there were. *next is the first
+ * token after them. */
 static int read_values(burnish_lexer *lexer, int most, float values[3], burnish_token *next,
                        int *has_next) {
     int count = 0;
@@ -149,7 +149,7 @@ void burnish_mtl_read_map(burnish_reader *reader, burnish_mtl_entry *entry, burn
 
 /* ---- Loading ---- */
 
-/* A picture of heights is grey; what is bluish is one of normals, whatever the statement says. */
+/* A height map is grey. A bluish picture is a normal map, whatever the statement says. */
 static int is_normal_map(const burnish_texture *texture) {
     const size_t count = (size_t)texture->width * (size_t)texture->height;
     uint64_t red = 0, blue = 0;
@@ -189,7 +189,7 @@ static int make_normals(burnish_reader *reader, const char *name, int number, fl
                   : 0;
 }
 
-/* Normals of a picture of heights; made once per picture and strength. */
+/* The normal map of a height map; made once per picture and strength. */
 static int normals_for(burnish_reader *reader, const char *file, int number, float bump) {
     char name[200];
     if (number == 0 || is_normal_map(&reader->mesh->textures[number - 1])) {
@@ -205,7 +205,7 @@ static int normals_for(burnish_reader *reader, const char *file, int number, flo
     return make_normals(reader, name, number, bump < -64 ? -64 : bump > 64 ? 64 : bump);
 }
 
-/* Opacity of pictures that have alpha is in it: then their colour is another map's. */
+/* If a picture has alpha, that is its opacity. */
 static void take_alpha(burnish_texture *texture) {
     const size_t count = (size_t)texture->width * (size_t)texture->height;
     uint8_t *pixels = (uint8_t *)(uintptr_t)texture->pixels, least = 255;

@@ -23,7 +23,7 @@ typedef struct obj_state {
                                                 before the first */
 } obj_state;
 
-/* The first line from `from` on that no '\' joins to the one before it. */
+/* The first line from `from` on that is not joined to the previous one by '\'. */
 static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
     const uint8_t *newline = from;
     while ((newline = memchr(newline, '\n', (size_t)(end - newline)))) {
@@ -143,8 +143,8 @@ static void drop_missing(void *user_data, size_t first, size_t end) {
     }
 }
 
-/* Corners may refer to normals and texture coordinates that are not there: exporters cut a file in
- * pieces and leave the indices, or write indices without any values. */
+/* Corners may refer to missing normals and texture coordinates: some exporters split a file and
+ * keep the indices, or write indices without any values. */
 static void settle_corners(obj_state *obj, burnish_attribute attribute, const char *what) {
     burnish_mesh_data *mesh = obj->reader->mesh;
     burnish_stream *stream = &mesh->streams[attribute];

@@ -83,8 +83,8 @@ static uint8_t next_byte(burnish_token path, size_t *at) {
     return path.bytes[i];
 }
 
-/* Names of one file: a library in disguise must not be read, and kept, many times over. Ends at the
- * first difference. */
+/* Whether two names mean one file: a library must not be read again under another spelling. Ends at
+ * the first difference. */
 static int same_path(burnish_token a, burnish_token b) {
     size_t at_a = 0, at_b = 0;
     for (;;) {
@@ -102,7 +102,7 @@ static int is_file_name(burnish_token token) {
     return token.size < LIBRARY_NAME_SIZE && !memchr(token.bytes, 0, token.size);
 }
 
-/* Returns 1 when the library was asked for before, or when there were too many. */
+/* Returns 1 if the library was requested before, or if there are too many. */
 static int pass_over_library(burnish_obj_materials *materials, burnish_token token) {
     if (!is_file_name(token)) { /* nothing will be read */
         return 0;
@@ -124,7 +124,7 @@ static int pass_over_library(burnish_obj_materials *materials, burnish_token tok
     return 0;
 }
 
-/* Reads what was opened; name is the file's. */
+/* Reads an opened library; name is the file's. */
 static burnish_status read_library(burnish_obj_materials *materials, const char *name,
                                    const uint8_t *bytes, size_t size) {
     const burnish_reader_input input = {
@@ -369,7 +369,7 @@ static burnish_status add_material(burnish_obj_materials *materials,
     return mesh->memory.status;
 }
 
-/* Materials in use that are wholly transparent in the file. */
+/* Counts materials in use that are fully transparent in the file. */
 static void warn_invisible(burnish_obj_materials *materials) {
     size_t invisible = 0;
     for (size_t i = 0; i < materials->run_count; ++i) {

@@ -25,7 +25,7 @@ typedef struct burnish_obj_materials {
     int changed;        /* since the last run began */
 
     burnish_mtl library;
-    burnish_token libraries[BURNISH_OBJ_LIBRARIES]; /* names already asked for */
+    burnish_token libraries[BURNISH_OBJ_LIBRARIES]; /* names requested so far */
     size_t library_count;
     int library_missing;             /* already reported: no warning about the materials in it */
     int library_limit;               /* already reported: no more are read */

@@ -1,10 +1,10 @@
-/* OBJ: the statements of a chunk, read as if nothing stood before it. */
+/* OBJ: the statements of a chunk, read as if it were the start of the file. */
 #include "mesh/read/obj/obj_statements.h"
 
 #include "mesh/read/common/origin.h"
 
-/* The indices of a corner, by attribute. No corner has a colour of its own, so that in its column
- * stands which of the others are relative, as bits 1 << attribute. */
+/* The indices of a corner, by attribute. Corners have no colour index, so the column of colours
+ * records which other indices are relative, as bits 1 << attribute. */
 enum { COLUMNS = BURNISH_TEXCOORD + 1, RELATIVE = BURNISH_COLOR };
 
 typedef struct obj_parser {
@@ -22,8 +22,8 @@ static void fail_number(obj_parser *obj, const char *what, burnish_token token,
                        burnish_describe_number(what, token, number).text);
 }
 
-/* A vertex: up to `most` numbers of the line; returns how many, -1 after an error in one of the
- * first three, its coordinates, and -2 after one in what follows them. */
+/* A vertex: up to `most` numbers of the line; returns how many, -1 after an error in the three
+ * coordinates, and -2 after an error behind them. */
 static int read_floats(obj_parser *obj, float *values, int most) {
     burnish_token token;
     burnish_number_status number;
@@ -116,7 +116,7 @@ static void read_normal(obj_parser *obj, const uint8_t *at) {
     }
 }
 
-/* vt u [v [w]]; what can't be read is 0, since nothing is lost but the texture's place. */
+/* vt u [v [w]]; unreadable numbers become 0, which only misplaces the texture. */
 static void read_texcoord(obj_parser *obj) {
     burnish_token token;
     burnish_number_status number = BURNISH_NUMBER_OK;
@@ -137,8 +137,8 @@ static void fail_corner(obj_parser *obj, burnish_token corner) {
                        burnish_token_quote(corner).text);
 }
 
-/* Puts an index, counted from 1 or backwards from -1, into the corner's column: whatever it is, no
- * further forward or back than 32 bits tell. Returns whether something may have it. */
+/* Puts an index, counted from 1 or backwards from -1, into the corner's column, clamped to 32 bits.
+ * Returns whether the index can be valid. */
 static inline int take_number(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
                               uint32_t *corner) {
     if (written > 0) {
@@ -158,7 +158,7 @@ static inline int take_number(burnish_chunk *chunk, int64_t written, burnish_att
     return back > 0;
 }
 
-/* A normal or texture coordinate: it need not be there (finish() looks for those). */
+/* A normal or texture coordinate, which might be missing (finish() handles those). */
 static inline void take_index(burnish_chunk *chunk, int64_t written, burnish_attribute attribute,
                               uint32_t *corner) {
     if (written != 0 && written > INT32_MIN && written <= (int64_t)BURNISH_VALUE_LIMIT) {
@@ -169,7 +169,7 @@ static inline void take_index(burnish_chunk *chunk, int64_t written, burnish_att
     }
 }
 
-/* A vertex, which must. Returns 0 for one that is known not to. */
+/* A vertex, which must exist. Returns 0 if it certainly does not. */
 static inline int take_vertex(burnish_chunk *chunk, int64_t written, uint32_t *corner) {
     const size_t count = chunk->data.streams[BURNISH_POSITION].count;
     return take_number(chunk, written, BURNISH_POSITION, corner) &&
@@ -307,8 +307,8 @@ static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
     return used;
 }
 
-/* Notes which corners of the face's triangles count from the chunk's first value; relative: for
- * which attributes there are some. */
+/* Records which corners of the face's triangles are relative to the chunk's first value; relative:
+ * the attributes with relative indices. */
 static void note_relative(burnish_chunk *chunk, const uint32_t *corners, size_t count,
                           size_t first_triangle, uint32_t relative) {
     for (unsigned i = 0; relative >> i; ++i) {

@@ -6,12 +6,12 @@
 
 /* The events of a chunk. */
 enum {
-    BURNISH_OBJ_MATERIAL, /* at what follows usemtl */
+    BURNISH_OBJ_MATERIAL, /* located after usemtl */
     BURNISH_OBJ_LIBRARY,  /* and mtllib */
     BURNISH_OBJ_ELEMENT,  /* l or p */
     BURNISH_OBJ_FEW_CORNERS,
-    BURNISH_OBJ_COLOR,  /* what is none follows a vertex */
-    BURNISH_OBJ_NORMAL, /* what is none follows vn */
+    BURNISH_OBJ_COLOR,  /* an invalid colour follows a vertex */
+    BURNISH_OBJ_NORMAL, /* an invalid normal follows vn */
     BURNISH_OBJ_FREE_FORM,
     BURNISH_OBJ_OTHER
 };
@@ -24,7 +24,7 @@ enum { BURNISH_OBJ_COUNTS_TO_1 = 1, BURNISH_OBJ_COUNTS_TO_255 = 2 };
  *   origin  subtracted from positions */
 void burnish_obj_parse(burnish_chunk *chunk, int with_texcoords, const double origin[3]);
 
-/* Cuts the part before the next '/' off a corner. */
+/* Removes and returns the part of a corner before the next '/'. */
 burnish_token burnish_obj_cut_part(burnish_token *token);
 
 #endif

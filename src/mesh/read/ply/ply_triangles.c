@@ -119,8 +119,8 @@ static burnish_status add_material(burnish_mesh_data *mesh, int texture) {
     return mesh->memory.status;
 }
 
-/* One colour of all vertices, opaque: what programs write that have no colours to write. It would
- * darken textures. */
+/* Drops colours that are the same for all vertices and opaque: a placeholder of some programs,
+ * which would darken textures. */
 static void drop_one_color(burnish_mesh_data *mesh) {
     const uint8_t *rgba = burnish_colors(mesh);
     const size_t count = mesh->streams[BURNISH_COLOR].count;

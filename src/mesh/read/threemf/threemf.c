@@ -10,7 +10,7 @@
 #include "mesh/read/threemf/threemf_values.h"
 #include "mesh/read/threemf/threemf_xml.h"
 
-/* Any ZIP archive, as far as its first bytes tell. */
+/* Any ZIP archive, by its first bytes. */
 static int recognise(const uint8_t *bytes, size_t size) {
     return size >= 4 && memcmp(bytes, "PK\3\4", 4) == 0;
 }
@@ -118,7 +118,7 @@ static int compare_resources(const void *left, const void *right) {
                                 : (a->kind > b->kind) - (a->kind < b->kind);
 }
 
-/* Ids must be different: else nobody could say what a triangle names. */
+/* Ids must be unique, because triangles refer to them. */
 static void sort_resources(burnish_threemf *threemf) {
     const size_t count = threemf->resources.count;
     burnish_threemf_resource *items = threemf->resources.items;

@@ -2,14 +2,14 @@
  * Extension" 1.2, "Production Extension" 1.1): the state of its reader.
  *
  *   zip.h           the archive, whose parts are unpacked piece by piece
- *   threemf_xml     a part's XML, by expat: elements with what they stand in, and messages
- *   threemf_model   a model part: its elements become the arrays below, as they stand
+ *   threemf_xml     a part's XML, by expat: elements with their parents, and messages
+ *   threemf_model   a model part: its elements become the arrays below
  *   threemf_values  colours, coordinates and textures that properties of triangles mean
- *   threemf_scene   objects put where the build has them: counted, then written to the mesh
- *   threemf         the door: which parts there are, and the order of all this
+ *   threemf_scene   objects placed by the build: counted, then written to the mesh
+ *   threemf         entry point: finds the parts, and calls the steps in order
  *
- * Nothing recurses, and nothing refers to anything by an address: items of arrays name others by
- * their numbers, or by the ids of the file until all parts have been read. */
+ * Nothing recurses, and there are no pointers between items: they refer to each other by number, or
+ * by the ids of the file until all parts have been read. */
 #ifndef BURNISH_MESH_READ_THREEMF_THREEMF_H
 #define BURNISH_MESH_READ_THREEMF_THREEMF_H
 
@@ -25,7 +25,7 @@
         size_t count, capacity;                                                                    \
     }
 
-/* Room for one more item, which is cleared: a pointer to it, or NULL for want of memory. */
+/* Appends a cleared item: a pointer to it, or NULL if memory is out. */
 #define BURNISH_THREEMF_APPEND(threemf, list)                                                      \
     ((list)->items = burnish_reserve((threemf)->memory, (list)->items, &(list)->capacity,          \
                                      (list)->count + 1, sizeof *(list)->items, "3MF"),             \
@@ -98,7 +98,7 @@ typedef struct burnish_threemf_triangle {
     uint32_t properties[3];
 } burnish_threemf_triangle;
 
-/* An object that stands somewhere: of the build, or of another object. */
+/* An object placed in the build, or in another object. */
 typedef struct burnish_threemf_placement {
     double matrix[12]; /* 3 rows of 4 */
     uint32_t part, id, line;
@@ -110,13 +110,13 @@ typedef struct burnish_threemf_object {
     uint32_t first_vertex, vertex_count;
     uint32_t first_triangle, triangle_count;
     uint32_t first_component, component_count;
-    uint32_t group, property; /* what its triangles have that say nothing; group 0: none */
-    int is_model;             /* 0: a support, or help for other programs */
+    uint32_t group, property; /* for triangles without properties; group 0: none */
+    int is_model;             /* 0: a support, or an aid for other programs */
     int is_component;         /* 1: another object holds it */
     int has_beams, has_slices;
     int state;                    /* while all are counted: 0, 1 on the way down, 2 done */
     uint64_t triangles, vertices; /* including its components */
-    uint64_t visits;              /* objects that are seen on the way to these */
+    uint64_t visits;              /* objects visited on the way to these */
 } burnish_threemf_object;
 
 /* One reading of one file. */

@@ -424,8 +424,7 @@ static void begin(burnish_threemf_xml *xml, burnish_threemf_element element,
     }
 }
 
-/* Leaves out vertices that no triangle uses: what is drawn again and again is counted by its
- * triangles. */
+/* Drops vertices that no triangle uses, because repeated objects are counted by their triangles. */
 static void drop_unused(model_state *model) {
     burnish_threemf *threemf = model->threemf;
     burnish_threemf_object *object = object_of(model);

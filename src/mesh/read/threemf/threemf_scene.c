@@ -13,7 +13,7 @@
 enum {
     NESTING_MOST = 64,     /* objects in objects */
     VISITS_MOST = 1 << 22, /* objects that are placed, including those that only contain others */
-    STEP = 1 << 16         /* triangles after which it asks whether to end */
+    STEP = 1 << 16         /* triangles between checks for cancellation */
 };
 
 static int fail(burnish_threemf *threemf, burnish_status status,
@@ -39,7 +39,7 @@ static void resolve(burnish_threemf *threemf, burnish_threemf_placement *placeme
     }
 }
 
-/* A file without a build shows all objects that no other one holds. */
+/* For a file without a build, draws all objects that are not part of another. */
 static void build_all(burnish_threemf *threemf) {
     static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     for (uint32_t i = 0; i < threemf->objects.count; ++i) {
@@ -97,7 +97,7 @@ static int check_object(burnish_threemf *threemf, const burnish_threemf_object *
     return threemf->status == BURNISH_STATUS_OK;
 }
 
-/* Adds up triangles and visits of an object whose components are all counted. */
+/* Adds up triangles and visits of an object after its components. */
 static void sum_object(burnish_threemf *threemf, burnish_threemf_object *object) {
     object->triangles = object->triangle_count;
     object->vertices = object->triangle_count > 0 ? object->vertex_count : 0;
@@ -115,7 +115,7 @@ static void sum_object(burnish_threemf *threemf, burnish_threemf_object *object)
     object->state = 2;
 }
 
-/* Counts an object with all that it holds, each object once: what it holds is counted first. */
+/* Counts an object and its components, which come first, each once. */
 static int count_object(burnish_threemf *threemf, const burnish_threemf_placement *item) {
     struct {
         uint32_t object, next;
@@ -232,7 +232,7 @@ static int walk_all(scene_writer *writer, use_object *use) {
     return is_fine;
 }
 
-/* Resolves what an object's triangles have when it is met first, and counts its vertices. */
+/* Resolves the properties of an object's triangles at its first use, and counts its vertices. */
 static int prepare(scene_writer *writer, burnish_threemf_object *object, const double matrix[12]) {
     (void)matrix;
     writer->vertices += object->vertex_count;

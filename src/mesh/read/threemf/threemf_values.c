@@ -158,7 +158,7 @@ static uint32_t use_bases(burnish_threemf *threemf, const burnish_threemf_group 
 
 /* ---- Textures ---- */
 
-/* The texture's number in the mesh, which is decoded when it is used first; 0: it can't be had. */
+/* The texture's number in the mesh, decoded at its first use; 0: it can't be loaded. */
 static int texture_number(burnish_threemf *threemf, burnish_threemf_texture *texture) {
     burnish_reader *reader = threemf->reader;
     if (texture->number >= 0 || reader->input->options->ignore_textures) {
@@ -202,7 +202,7 @@ static uint32_t use_texture(burnish_threemf *threemf, const burnish_threemf_grou
 
 /* ---- Triangles ---- */
 
-/* SolidWorks writes alpha 00 for opaque parts, and nothing wholly transparent can be printed. */
+/* SolidWorks writes alpha 00 for opaque parts, and fully transparent parts can't be printed. */
 static void make_opaque(burnish_threemf *threemf, const burnish_threemf_group *group) {
     for (uint32_t i = 0; group->kind != BURNISH_THREEMF_COORDINATES && i < group->count; ++i) {
         uint8_t *alpha = &threemf->colors.items[group->first + i].rgba[3];
@@ -230,7 +230,7 @@ static void note_mixed(burnish_threemf *threemf, burnish_threemf_group *group) {
     group->is_noted = 1;
 }
 
-/* Resolves a triangle's group id and properties. group becomes NONE where there are none. */
+/* Resolves a triangle's group id and properties. group becomes NONE without properties. */
 static void resolve(burnish_threemf *threemf, const burnish_threemf_object *object,
                     burnish_threemf_group *group, burnish_threemf_triangle *triangle) {
     int is_good = group != NULL;

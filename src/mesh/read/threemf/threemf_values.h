@@ -11,7 +11,7 @@ int burnish_threemf_mix(burnish_threemf *threemf);
  * textures that they use. Returns 0 on failure. */
 int burnish_threemf_use_values(burnish_threemf *threemf, const burnish_threemf_object *object);
 
-/* Once all triangles are written: whether their plain material is the look's grey, and a warning of
+/* After all triangles: decides whether their plain material is the look's grey, and warns of
  * colours with alpha 0. */
 void burnish_threemf_settle_values(burnish_threemf *threemf);
 

@@ -178,7 +178,7 @@ burnish_threemf_range burnish_threemf_numbers(burnish_threemf_xml *xml, const ch
 
 /* ---- Events ---- */
 
-/* A stopped parser may still tell of an element's end. */
+/* A stopped parser might still report the end of an element. */
 static int is_fine(const burnish_threemf_xml *xml) {
     return xml->threemf->memory->status == BURNISH_STATUS_OK &&
            xml->threemf->status == BURNISH_STATUS_OK;

@@ -56,7 +56,7 @@ struct burnish_threemf_xml {
     void *parser;     /* expat's */
     uint8_t elements[BURNISH_THREEMF_DEPTH + 1];
     size_t depth;
-    uint8_t decimal[192]; /* a number, with what the lexer wants to follow it */
+    uint8_t decimal[192]; /* a number, padded for the lexer */
 };
 
 /* Parses a part. Returns 0 on failure. */
@@ -67,16 +67,16 @@ int burnish_threemf_parse(burnish_threemf *threemf, const burnish_zip_part *part
 __attribute__((format(printf, 3, 4))) int
 burnish_threemf_fail(burnish_threemf_xml *xml, burnish_status status, const char *format, ...);
 
-/* The line of the element at hand. */
+/* The line of the current element. */
 uint32_t burnish_threemf_line(const burnish_threemf_xml *xml);
 
 /* The value of an attribute without a prefix; NULL if absent. */
 const char *burnish_threemf_attribute(const char *const *attributes, const char *name);
 
-/* The same of one with a prefix, whatever that is. */
+/* The same for an attribute with any prefix. */
 const char *burnish_threemf_prefixed(const char *const *attributes, const char *name);
 
-/* A finite number of the element, which has to be there. Returns 0 on failure. */
+/* A finite number of the element, which is required. Returns 0 on failure. */
 int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
                           float *value);
 
