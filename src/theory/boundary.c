@@ -1,4 +1,4 @@
-/* The memory of boundary cosines, and the fixed-point formats it is written in. */
+/* The memory of boundary cosines, and its fixed-point formats. */
 #include <math.h>
 #include <stdio.h>
 
@@ -7,7 +7,7 @@
 
 enum { MAX_WIDTH = 32 };
 
-/* Reads up to two digits and moves *text past them; -1 when there is none. */
+/* Reads up to two digits and moves *text past them; -1 without a digit. */
 static int read_bits(const char **text) {
     int bits = -1;
     for (int i = 0; i < 2 && **text >= '0' && **text <= '9'; ++i, ++*text) {
@@ -78,7 +78,7 @@ double burnish_theory_format_decode(const burnish_theory_format *format, int64_t
     return ldexp((double)word, -format->fraction_bits);
 }
 
-/* The lobe for one exponent, of a lower order where the exponent requires it. */
+/* The lobe for one exponent, of a lower order if the exponent requires it. */
 static burnish_lobe_status model_for(const burnish_lobe_spec *lobe, double exponent,
                                      burnish_theory_model *model) {
     burnish_lobe_spec lower = *lobe;

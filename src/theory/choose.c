@@ -62,7 +62,7 @@ int burnish_theory_cost_order(const burnish_theory_cost *a, const burnish_theory
                             b->multiplications + b->additions + b->comparisons);
 }
 
-/* Lobes outside the family that can be drawn; the power is the initial choice. */
+/* Lobes outside the family that can be drawn; cos^n is the initial choice. */
 static const burnish_lobe_kind OTHERS[] = {BURNISH_LOBE_SCHLICK, BURNISH_LOBE_GAUSSIAN,
                                            BURNISH_LOBE_GX};
 
@@ -102,7 +102,7 @@ burnish_status burnish_theory_choose(double exponent, double epsilon, int affine
                             burnish_lobe_status_text(status));
     }
     best.cost = burnish_theory_model_cost(&best.model);
-    for (int i = 0; i < 10; ++i) { /* lower orders first, so that more expensive ones stop early */
+    for (int i = 0; i < 10; ++i) { /* lower orders first: more expensive ones stop early */
         burnish_theory_model candidate;
         burnish_lobe_fit fit = i % 2 ? BURNISH_FIT_AFFINE : BURNISH_FIT_MINIMAX;
         if ((i % 2 == 0 || affine) &&

@@ -23,7 +23,7 @@ const char *burnish_theory_verdict_text(burnish_theory_verdict verdict) {
     return "unknown verdict";
 }
 
-/* ---- What the files of claims share ---- */
+/* ---- Shared by the files of claims ---- */
 
 void burnish_claim_add(burnish_theory_claim *claim, int judged, double value, const char *format,
                        ...) {
@@ -59,7 +59,7 @@ double burnish_claim_core_relative(const burnish_theory_model *model) {
 
 /* ---- The list ---- */
 
-/* The claim of that index, NULL past the last; counts them where `count` is not NULL. */
+/* The claim of that index, NULL after the last; counts them if `count` is not NULL. */
 static const burnish_claim_source *find(size_t index, size_t *count) {
     const burnish_claim_source *const lists[] = {burnish_claims_w, burnish_claims_fits,
                                                  burnish_claims_others, burnish_claims_vectors};

@@ -1,10 +1,10 @@
-/* Shared by the files of the paper's claims: claims.c judges, the others compute. */
+/* Shared by the files of the paper's claims: claims.c decides the verdicts, the others compute. */
 #ifndef BURNISH_THEORY_CLAIMS_H
 #define BURNISH_THEORY_CLAIMS_H
 
 #include "theory/internal.h"
 
-/* One claim: what the paper says and how its values come about. */
+/* One claim of the paper, and the function that computes its values. */
 typedef struct burnish_claim_source {
     const char *id, *claim, *quantity, *note, *command;
     burnish_theory_relation relation;
@@ -27,13 +27,13 @@ extern const burnish_claim_source burnish_claims_vectors[]; /* Lyon's vectors, o
 __attribute__((format(printf, 4, 5))) void
 burnish_claim_add(burnish_theory_claim *claim, int judged, double value, const char *format, ...);
 
-/* A lobe of order 2; LEVEL is that of 1/2. The exponent is a constant of a claim: no errors. */
+/* A lobe of order 2; LEVEL means level 1/2. The exponent is a constant of a claim: no errors. */
 burnish_theory_model burnish_claim_lobe(burnish_lobe_fit fit, double n);
 
-/* The power, Schlick's and other lobes without a fit. */
+/* cos^n, Schlick's lobe and others without a fit. */
 burnish_theory_model burnish_claim_other(burnish_lobe_kind kind, double n);
 
-/* The largest error relative to the power, in per cent, down to the power's inflection. */
+/* The largest error relative to cos^n, in per cent, down to its inflection. */
 double burnish_claim_core_relative(const burnish_theory_model *model);
 
 #endif

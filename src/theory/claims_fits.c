@@ -10,7 +10,7 @@ static double angle_of_level(double n, double level) {
     return burnish_theory_angle_at(&power, level);
 }
 
-/* The integrand over s = sqrt(lambda), as burnish_theory_quadrature takes it. */
+/* The integrand over s = sqrt(lambda), for burnish_theory_quadrature. */
 static double integrand(double s, const void *context) {
     return burnish_theory_value_at_lambda(context, s * s) * 2 * s;
 }
@@ -41,7 +41,7 @@ static void energy_absolute(burnish_theory_claim *claim) {
     }
 }
 
-/* Even: as far above the power as below it. */
+/* Equal errors above and below cos^n. */
 static void energy_even(burnish_theory_claim *claim) {
     static const double n[] = {3, 10, 100, 65536};
     for (int i = 0; i < 4; ++i) {
@@ -66,7 +66,7 @@ static void energy_extreme(burnish_theory_claim *claim) {
 
 /* ---- W_Q ---- */
 
-/* The other root of (1 - zeta lambda)^2 = Q: there the parabola rises again beyond its zero. */
+/* The other root of (1 - zeta lambda)^2 = Q, beyond the zero, where the parabola rises again. */
 static void second_root(burnish_theory_claim *claim) {
     static const double n[] = {3, 10, 100, 1000};
     static const double level[] = {0.1, 0.5, 0.9};

@@ -3,7 +3,7 @@
 
 #include "theory/claims.h"
 
-/* The largest absolute error at 5000 angles beyond the power's inflection. */
+/* The largest absolute error at 5000 angles beyond the inflection of cos^n. */
 static double error_beyond(const burnish_theory_model *model) {
     enum { SWEEP = 5000 };
     burnish_theory_model power = burnish_claim_other(BURNISH_LOBE_POWER, model->exponent);
@@ -44,7 +44,7 @@ static void schlick_fades(burnish_theory_claim *claim) {
     }
 }
 
-/* The lobes of other authors that burnish has, but for tables. */
+/* The lobes of other authors in burnish, without tables. */
 static const struct {
     burnish_lobe_kind kind;
     const char *name;

@@ -5,7 +5,7 @@
 
 /* ---- Lyon ---- */
 
-/* How far the chord is short of the angle, and half its square off 1 - cos. */
+/* The error of the chord as the angle, and of half its square as 1 - cos. */
 static void chord(burnish_theory_claim *claim) {
     static const double degrees[] = {10, 30, 45, 60, 90};
     for (int i = 0; i < 5; ++i) {
@@ -41,7 +41,7 @@ static double mean_length(double degrees) {
     return cos(degrees * BURNISH_PI / 360);
 }
 
-/* What W loses of its peak, in per cent, at that lambda of two parallel vectors. */
+/* The loss of W's peak, in per cent, at that lambda of two parallel vectors. */
 static double peak_loss(double n, double lambda) {
     burnish_theory_model w = burnish_claim_lobe(BURNISH_FIT_TAYLOR, n);
     return 100 * (1 - burnish_theory_value_at_lambda(&w, lambda));

@@ -109,7 +109,7 @@ static void ordering(burnish_theory_claim *claim) {
     }
 }
 
-/* ---- Blooming: where a lobe falls to 2^-q ---- */
+/* ---- Blooming: the angle at which a lobe falls to 2^-q ---- */
 
 /* The least ratio of the angles over 1 to 16 bits. */
 static double least_ratio(const burnish_theory_model *wide, const burnish_theory_model *narrow) {
@@ -157,7 +157,7 @@ static void radius(burnish_theory_claim *claim) {
     }
 }
 
-/* The sharpest bend of the power beyond its inflection. */
+/* The sharpest bend of cos^n beyond its inflection. */
 static double sharpest_radius(const burnish_theory_model *power) {
     double start = burnish_theory_inflection_angle(power->exponent), least = INFINITY;
     for (int i = 1; i < SWEEP; ++i) {

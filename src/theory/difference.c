@@ -1,4 +1,4 @@
-/* Errors against the power: certified maxima with their angles, integrals. */
+/* Errors against cos^n: certified maxima with their angles, integrals. */
 #include <math.h>
 
 #include "theory/internal.h"
@@ -35,7 +35,7 @@ static void consider_lambda(burnish_theory_difference *result, const burnish_the
              burnish_theory_power_at_lambda(lambda, model->exponent));
 }
 
-/* ---- Lobes whose slope meets the power's at no more than two points ---- */
+/* ---- Lobes whose slope equals that of cos^n at most twice ---- */
 
 static burnish_theory_shape smooth_shape(const burnish_theory_model *model) {
     double n = model->exponent;
@@ -56,7 +56,7 @@ static burnish_theory_shape smooth_shape(const burnish_theory_model *model) {
     return burnish_theory_family_shape(model->zeta, model->scale, model->lobe.order, n);
 }
 
-/* Where the slope of lobe / power is 0; returns the number of candidates. */
+/* The zeros of the slope of lobe / cos^n; returns the number of candidates. */
 static int ratio_stationary(const burnish_theory_model *model, double lambda[2]) {
     double n = model->exponent, a = model->zeta, m = model->lobe.order;
     if (model->lobe.kind == BURNISH_LOBE_GAUSSIAN) {
@@ -68,7 +68,7 @@ static int ratio_stationary(const burnish_theory_model *model, double lambda[2])
         return 1;
     }
     if (model->lobe.kind != BURNISH_LOBE_NV2X) {
-        return 0; /* Schlick / power only grows with the angle */
+        return 0; /* Schlick / cos^n only grows with the angle */
     }
     /* n (1 - a x)(1 + b x) = (a + b)(1 - x) */
     double b = -model->k[1] * a, quadratic = n * a * b, linear = n * (b - a) + a + b;
@@ -182,8 +182,7 @@ static void scan_bounded(burnish_theory_difference *result, const burnish_theory
     for (int relative = 0; relative < 2; ++relative) {
         bound_search search = {model, result, relative};
         curve_point before = point_at(&search, 0);
-        for (int i = 1; i <= SEEDS;
-             ++i) { /* a good maximum first, so that few intervals are split */
+        for (int i = 1; i <= SEEDS; ++i) { /* a good maximum first: fewer intervals are split */
             (void)point_at(&search, sqrt(end) * i / SEEDS);
         }
         for (int i = 1; i <= SEEDS; ++i) {
@@ -196,7 +195,7 @@ static void scan_bounded(burnish_theory_difference *result, const burnish_theory
 
 /* ---- All of them ---- */
 
-/* The limit of lobe / power - 1 at c = 0, where both are 0. */
+/* The limit of lobe / cos^n - 1 at c = 0, where both are 0. */
 static double equator_limit(const burnish_theory_model *model) {
     double n = model->exponent;
     switch (model->lobe.kind) {
@@ -325,7 +324,7 @@ double burnish_theory_extreme_angle(const burnish_theory_model *model) {
     return burnish_theory_angle_of_lambda(extreme_lambda(model));
 }
 
-/* Golden section; the logarithm of lobe / power has one maximum before the zero. */
+/* Golden section; the logarithm of lobe / cos^n has one maximum before the zero. */
 double burnish_theory_extreme_angle_searched(const burnish_theory_model *model) {
     const double golden = 0.6180339887498949;
     double n = model->exponent, m = model->lobe.order, zeta = model->zeta;

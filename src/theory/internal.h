@@ -6,7 +6,7 @@
 #include "core/arithmetic.h"
 #include "core/numbers.h"
 
-/* c^n by lambda = 1 - c, exact to rounding where c is next to 1; 0 from lambda = 1 on. */
+/* c^n by lambda = 1 - c, exact to rounding where c is close to 1; 0 from lambda = 1 on. */
 double burnish_theory_power_at_lambda(double lambda, double exponent);
 
 /* 1 - cos(angle) without cancellation, and back. */
@@ -16,14 +16,14 @@ double burnish_theory_angle_of_lambda(double lambda);
 /* Entry i of a table, i = 0 at c = 0. */
 double burnish_theory_table_entry(const burnish_theory_model *model, long i);
 
-/* The smallest lambda in [0, 2] at which the lobe is at most level; NaN where it never is. */
+/* The smallest lambda in [0, 2] at which the lobe is at most level; NaN if it never is. */
 double burnish_theory_lambda_at(const burnish_theory_model *model, double level);
 
 /* An integrand over s = sqrt(lambda), which spreads the peak of a narrow lobe. */
 typedef double (*burnish_theory_integrand)(double s, const void *context);
 
-/* The integral of f from s0 to s1 by adaptive Gauss-Kronrod, in panels that end where the model
- * has a corner or a step, absolute error about `tolerance` per panel. */
+/* The integral of f from s0 to s1 by adaptive Gauss-Kronrod, in panels that end at the model's
+ * corners and steps, absolute error about `tolerance` per panel. */
 double burnish_theory_quadrature(burnish_theory_integrand f, const void *context,
                                  const burnish_theory_model *model, double s0, double s1,
                                  double tolerance);
@@ -33,16 +33,16 @@ double burnish_theory_integral_between(const burnish_theory_model *model,
                                        burnish_theory_measure measure, double lambda0,
                                        double lambda1);
 
-/* How a smooth lobe and the power meet: with v = lambda (GX: 1 - c^2) the logarithm of the ratio of
- * their slopes is
+/* How a smooth lobe meets cos^n. With v = lambda (GX: 1 - c^2) the logarithm of the ratio of their
+ * slopes is
  *     g(v) = log_slope + e log(1 + s v) - k v - log(p + 1) - p log(1 - v),
- * whose derivative has at most one zero, so that lobe - power has at most two stationary points. */
+ * Its derivative has at most one zero, so lobe - cos^n has at most two stationary points. */
 typedef struct burnish_theory_shape {
     double log_slope, e, s, k, p;
     double end; /* the v at which the lobe ends: its zero, at most 1 */
 } burnish_theory_shape;
 
-/* Fills the stationary points v of lobe - power in (0, end); returns their number. */
+/* Fills the stationary points v of lobe - cos^n in (0, end); returns their number. */
 int burnish_theory_stationary(const burnish_theory_shape *shape, double end, double v[2]);
 
 burnish_theory_shape burnish_theory_family_shape(double zeta, double scale, int order,

@@ -1,4 +1,4 @@
-/* Models: a lobe at an exponent. */
+/* Models: a lobe with its exponent. */
 #include <math.h>
 
 #include "core/error.h"

@@ -1,4 +1,4 @@
-/* Where a lobe and the power have equal slopes, and the best Moebius lobe. */
+/* Solves for the angles at which a lobe and cos^n have equal slopes, and for the best Moebius lobe. */
 #include <math.h>
 
 #include "theory/internal.h"
@@ -26,7 +26,7 @@ static double slope_ratio(const burnish_theory_shape *shape, double v) {
            shape->p * log1p(-v);
 }
 
-/* A zero of the slope ratio in [low, high], on which it is monotone; 0 when there is none. */
+/* A zero of the slope ratio in [low, high], on which it is monotone; 0 if it has no zero. */
 static int find_zero(const burnish_theory_shape *shape, double low, double high, double *v) {
     int sign = slope_ratio(shape, low) > 0;
     if (!(low < high) || sign == (slope_ratio(shape, high) > 0)) {
@@ -90,7 +90,7 @@ static double balance_moebius(double a, double n, double *error) {
     return high;
 }
 
-/* The power's value at the zero depends only on a and grows with it. */
+/* The value of cos^n at the zero depends only on a and grows with it. */
 void burnish_theory_solve_moebius(double exponent, double *a, double *b) {
     double low = 1, high = exponent, error;
     for (int i = 0; i < HALVINGS && high - low > 1e-15 * high; ++i) {

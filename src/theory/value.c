@@ -1,5 +1,4 @@
-/* Values and derivatives of every lobe, by lambda = 1 - c so that narrow lobes stay exact.
- */
+/* Values and derivatives of every lobe, in lambda = 1 - c: narrow lobes stay exact. */
 #include <math.h>
 
 #include "theory/internal.h"

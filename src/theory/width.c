@@ -29,7 +29,7 @@ double burnish_theory_cutoff_cosine(const burnish_theory_model *model) {
     return 1 - zero_lambda(model);
 }
 
-/* The last entry that is at most level: the power's inverse, corrected by one if needed. */
+/* The last entry that is at most level: the inverse of cos^n, corrected by one if needed. */
 static double table_lambda_at(const burnish_theory_model *model, double level) {
     double last = model->lobe.entries - 1;
     long i = (long)(pow(level, 1 / model->exponent) * last);
