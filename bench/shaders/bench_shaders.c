@@ -84,7 +84,7 @@ static void open_context(void) {
     const EGLDisplay display = open_display();
     EGLContext context;
     if (!display || !eglBindAPI(EGL_OPENGL_ES_API)) {
-        stop(77, "no display without a window; make deps GROUPS=shaders");
+        stop(77, "no display without a window; run scripts/install-deps shaders");
     }
     context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (!context || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {

@@ -8,7 +8,7 @@ scratch=$3
 all=${4:-}
 here=$source/test/shaders
 for tool in python3 glslangValidator; do
-    command -v "$tool" >/dev/null || { echo "shaders: no $tool here; make deps GROUPS=shaders"; exit 77; }
+    command -v "$tool" >/dev/null || { echo "shaders: $tool is missing; run scripts/install-deps shaders"; exit 77; }
 done
 rm -rf "$scratch"
 mkdir -p "$scratch"
@@ -30,5 +30,5 @@ for driver in /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json /usr/lib/c
     *) echo "FAILED with $driver"; exit 1 ;;
     esac
 done
-[ "$tried" -gt 0 ] || { echo "shaders: no Vulkan driver runs here; make deps GROUPS=shaders"; exit 77; }
+[ "$tried" -gt 0 ] || { echo "shaders: no Vulkan driver runs; run scripts/install-deps shaders"; exit 77; }
 echo "shaders: $tried drivers"

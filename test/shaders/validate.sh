@@ -9,7 +9,7 @@ scratch=$2
 shaders=$source/shaders
 here=$source/test/shaders
 for tool in python3 glslangValidator spirv-val spirv-opt spirv-dis spirv-cross; do
-    command -v "$tool" >/dev/null || { echo "shaders: no $tool here; make deps GROUPS=shaders"; exit 77; }
+    command -v "$tool" >/dev/null || { echo "shaders: $tool is missing; run scripts/install-deps shaders"; exit 77; }
 done
 rm -rf "$scratch"
 mkdir -p "$scratch"
@@ -105,7 +105,7 @@ if command -v node >/dev/null && command -v npm >/dev/null; then
         echo "shaders: WGSL is not checked: npm can't get webgpu"
     fi
 else
-    echo "shaders: WGSL is not checked: no node or npm here"
+    echo "shaders: WGSL is not checked: node or npm is missing"
 fi
 echo "shaders: $failed failed"
 [ "$failed" -eq 0 ]

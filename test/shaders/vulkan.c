@@ -15,7 +15,7 @@ static void choose_device(gpu_device *gpu) {
     uint32_t count = 1;
     VkResult result = vkEnumeratePhysicalDevices(gpu->instance, &count, &gpu->physical);
     if ((result != VK_SUCCESS && result != VK_INCOMPLETE) || count == 0) {
-        printf("gpu: no Vulkan device; make deps GROUPS=shaders\n");
+        printf("gpu: no Vulkan device; run scripts/install-deps shaders\n");
         exit(77);
     }
 }
@@ -91,7 +91,7 @@ void gpu_open(gpu_device *gpu) {
     const VkInstanceCreateInfo instance = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                            .pApplicationInfo = &application};
     if (vkCreateInstance(&instance, NULL, &gpu->instance) != VK_SUCCESS) {
-        printf("gpu: no Vulkan driver; make deps GROUPS=shaders\n");
+        printf("gpu: no Vulkan driver; run scripts/install-deps shaders\n");
         exit(77);
     }
     choose_device(gpu);
