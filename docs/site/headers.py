@@ -28,7 +28,8 @@ def name_of(declaration):
     """What a declaration declares, and its kind."""
     kind = re.match(r"typedef\s+([a-z]+)", declaration)
     for pattern, what in ((r"#define\s+(\w+)", "macro"), (r"}\s*(\w+)\s*;\s*$", kind and kind[1]), (r"^enum\s*{\W*(\w+)", "constants"),
-                          (r"(\w+)\s*\(", "function type" if kind else "function"), (r"(\w+)\s*;\s*$", "opaque type")):
+                          (r"(\w+)\s*\(", "function type" if kind else "function"),
+                          (r"(\w+)\s*;\s*(?:/\*.*)?$", "opaque type" if kind and kind[1] in ("struct", "union") else "type")):
         found = re.match(pattern, declaration) if pattern[0] == "#" else re.search(pattern, declaration)
         if found:
             return found[1], what

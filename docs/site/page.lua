@@ -1,13 +1,13 @@
--- A filter of pandoc for every page: links and pictures where the site has them, headings with anchors, contents, navigation,
--- tables that scroll by themselves, and the page's part of the search index.
--- From the environment: SITE_PATH, the page's file in the repository; SITE_WORK, a folder with `pages` (lines of "file page"),
--- where this filter leaves `files` (what pages need besides) and `index/`; SITE_EXPLORER, where the explorer is.
+-- A pandoc filter for every page: rewrites links and images to the site's paths, adds anchors, contents and navigation, makes
+-- tables scroll, and writes the page's part of the search index.
+-- Environment: SITE_PATH, the page's file in the repository; SITE_WORK, a folder with `pages` (lines of "file page"), to which
+-- this filter adds `files` (images and sources to copy) and `index/`; SITE_EXPLORER, the explorer's start page.
 
 local utils = pandoc.utils
 local source = os.getenv('SITE_PATH')
 local work = os.getenv('SITE_WORK')
 
--- ---- Where things are ----
+-- ---- Paths ----
 
 local pages = {} -- file of the repository -> page of the site
 for line in io.lines(work .. '/pages') do
@@ -36,13 +36,13 @@ local function exists(path)
 end
 
 local files = {}
--- The site's address of a file of the repository; what is no page is copied (pictures) or becomes one (sources).
+-- The site's address of a repository file. Images are copied; source files become pages.
 local function address(file)
   if pages[file] then
     return root .. pages[file]
   end
   if not exists(file) then
-    error(source .. ': there is no ' .. file .. ' to link to')
+    error(source .. ': broken link to ' .. file)
   end
   local picture = file:match('%.svg$') or file:match('%.png$') or file:match('%.jpe?g$')
   local copy = picture and file:gsub('^docs/', '') or 'source/' .. file .. '.html'
@@ -58,9 +58,9 @@ local function site_link(target)
   return address(join(source:match('^(.*)/') or '', path)) .. anchor
 end
 
--- ---- Pictures ----
+-- ---- Images ----
 
--- Width and height of a PNG or JPEG, so that nothing moves while it loads.
+-- Width and height of a PNG or JPEG, which keep the layout stable while it loads.
 local function picture_size(path)
   local file = io.open(path, 'rb')
   local bytes = file and file:read('a') or ''
@@ -99,7 +99,7 @@ local function scrolling(block)
   return pandoc.Div({ block }, pandoc.Attr('', { 'table' }, { { 'tabindex', '0' } }))
 end
 
--- A table of nothing but pictures, and words in its first column: its pictures, with their words below.
+-- Turns a table of images, with labels in its first column, into tiles with captions.
 local function picture_table(simple)
   local figures = pandoc.List()
   for _, row in ipairs(simple.rows) do
@@ -137,7 +137,7 @@ local function escape(text)
   return (text:gsub('[&<>]', { ['&'] = '&amp;', ['<'] = '&lt;', ['>'] = '&gt;' }))
 end
 
--- The words of a heading as HTML: pandoc's writer takes longer than the rest of a page.
+-- A heading as HTML. pandoc's writer would take longer than the rest of the page.
 local function words_of(inlines)
   local out = {}
   for _, inline in ipairs(inlines) do
@@ -147,7 +147,7 @@ local function words_of(inlines)
   return table.concat(out)
 end
 
--- docs/README.md is the navigation: its headings, and the first link of each line. Also what it calls this page.
+-- Navigation from the headings of docs/README.md and the first link of each line, and this page's name there.
 local function navigation()
   local out, open, name = {}, false, nil
   for line in io.lines('docs/README.md') do
@@ -162,7 +162,7 @@ local function navigation()
     elseif words then
       local target = pages[join('docs', link)]
       if not target then
-        error('docs/README.md: ' .. link .. ' is no page of the site')
+        error('docs/README.md: ' .. link .. ' is not a page of the site')
       end
       name = target == page and words or name
       local here = target == page and ' aria-current="page"' or ''
@@ -204,7 +204,7 @@ local function index(blocks, title, name)
     elseif block.t == 'RawBlock' then
       table.insert(current[4], (block.text:gsub('<[^>]*>', '')))
     elseif #flags == 0 then
-      -- stringify joins cells and list items without a space between
+      -- stringify joins cells and list items without a space
       local spaced = pandoc.walk_block(pandoc.Div({ block }), {
         Plain = function(x) x.content:insert(pandoc.Space()) return x end,
         Para = function(x) x.content:insert(pandoc.Space()) return x end,
@@ -226,7 +226,7 @@ end
 -- ---- The manual page ----
 
 local command = ''
--- Headings as elsewhere, and an anchor for every flag: "render--output".
+-- Headings like other pages', and an anchor for every flag: "render--output".
 local function manual_block(block)
   if block.t == 'Header' then
     block.level = block.level + 1
@@ -260,13 +260,13 @@ function Pandoc(document)
       kept:insert(block)
     end
   end
-  if source:match('%.1$') then -- a manual page: its headings are all of level 1, its title is not one
+  if source:match('%.1$') then -- all headings of a manual page are of level 1, and none is the title
     title, headings, kept = pandoc.Header(1, { pandoc.Str('burnish(1)') }), pandoc.List(), pandoc.List()
     for _, block in ipairs(document.blocks) do
       kept:insert(manual_block(block))
     end
   end
-  assert(title, source .. ': it has no heading of level 1')
+  assert(title, source .. ': no heading of level 1')
   local words = utils.stringify(title)
   local links, name = navigation()
   if not source:match('%.html$') and pages[source] then

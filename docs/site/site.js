@@ -1,4 +1,4 @@
-// Search, the menu of small windows, buttons that copy. Pages are whole without it; it works from a disk, where fetch does not.
+// Search, the menu on small screens, copy buttons. Pages work without it. It runs from file://, where fetch does not work.
 "use strict";
 (() => {
   const root = document.body.dataset.root;
@@ -9,7 +9,7 @@
 
   // ---- Search ----
 
-  // The index is a script that calls this, loaded when somebody is about to search.
+  // The index is a script that calls this function; it is loaded when the search field gets the focus.
   window.burnishIndex = (rows) => {
     entries = rows.map(([title, address, kind, page, text]) => ({
       title, address, kind, page, text,
@@ -25,7 +25,7 @@
     document.head.append(script);
   }
 
-  // Where a word begins in a text: at a word's start, else anywhere; -1: nowhere.
+  // Position of a word in a text, preferably at the start of a word; null if it does not occur.
   function position(text, word) {
     for (let at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1)) {
       if (at === 0 || !/[a-z0-9]/.test(text[at - 1])) return { at, start: true };
@@ -34,7 +34,7 @@
     return at < 0 ? null : { at, start: false };
   }
 
-  // Every word must occur; titles count more than text, whole titles most, names of the API by themselves.
+  // All words must occur. Titles count more than text, complete titles most.
   function score(entry, words) {
     let total = 0;
     for (const word of words) {
@@ -87,7 +87,7 @@
       .sort((a, b) => b.score - a.score).slice(0, 20);
     found.innerHTML = best.map(({ entry }, i) => `<a role="option" tabindex="-1" id="found-${i}" href="${root}${entry.address}">` +
       `<small>${escape(entry.address.includes("#") ? entry.page : entry.kind)}</small><b>${marked(entry.title, words)}</b><p>${marked(excerpt(entry, words), words)}</p></a>`)
-      .join("") || '<p class="none">Nothing has all of these words.</p>';
+      .join("") || '<p class="none">No section has all of these words.</p>';
     found.hidden = false;
     input.setAttribute("aria-expanded", "true");
     choose(0);
@@ -146,7 +146,7 @@
   const list = document.querySelector(".pages");
   if (here && here.offsetTop > list.clientHeight) list.scrollTop = here.offsetTop - list.clientHeight / 2;
 
-  // ---- Code that can be copied ----
+  // ---- Copy buttons ----
 
   for (const pre of document.querySelectorAll("main pre.sourceCode")) {
     const button = document.createElement("button");
@@ -154,13 +154,13 @@
     button.type = "button";
     button.textContent = "Copy";
     button.addEventListener("click", async () => {
-      await navigator.clipboard.writeText(pre.textContent.trimEnd() + "\n").then(() => "Copied", () => "Not allowed").then((said) => (button.textContent = said));
+      await navigator.clipboard.writeText(pre.textContent.trimEnd() + "\n").then(() => "Copied", () => "Not allowed").then((label) => (button.textContent = label));
       setTimeout(() => (button.textContent = "Copy"), 1500);
     });
     pre.parentNode.append(button);
   }
 
-  // ---- Where one is ----
+  // ---- The current section ----
 
   const links = new Map([...document.querySelectorAll(".contents a")].map((a) => [decodeURIComponent(a.hash.slice(1)), a]));
   const headings = [...links.keys()].map((id) => document.getElementById(id)).filter(Boolean);

@@ -1,4 +1,4 @@
--- A reader for pandoc: a file of the repository as it is, under its name. SITE_PATH says which.
+-- A pandoc reader that shows the source file SITE_PATH under its name.
 
 local languages = { c = 'c', h = 'c', cc = 'cpp', py = 'python', js = 'javascript', v = 'verilog', glsl = 'glsl', sh = 'bash' }
 

@@ -1,7 +1,7 @@
-"""Links of Markdown as GitHub shows it, or of the site: each leads to a file that is there, and to a heading in it.
+"""Checks links of Markdown files, as GitHub renders them, or of the site: each file and each heading must exist.
 
 links.py FOLDER FILE...      Markdown files below FOLDER, their names relative to it
-links.py --site FOLDER       every .html below FOLDER; nothing may be asked of another server, and all pages can be reached
+links.py --site FOLDER       every .html below FOLDER; pages load nothing from other servers, and each is linked from another
 """
 import json
 import os
@@ -14,7 +14,7 @@ CODE = re.compile(r"(`+)(.+?)\1")
 
 
 def blank(match):
-    """The same number of lines, so that messages count right."""
+    """Keeps the number of lines, for the line numbers of messages."""
     return "\n" * match.group(0).count("\n")
 
 
@@ -63,7 +63,7 @@ def check(paths, read, outside):
     reached = set()
     for path in paths:
         page = pages.setdefault(path, read(path))
-        problems += [f"{path}: asks another server: {load}" for load in getattr(page, "loads", [])]
+        problems += [f"{path}: loads from another server: {load}" for load in getattr(page, "loads", [])]
         problems += [f"{path}: two headings or names have the anchor {name}" for name in getattr(page, "doubled", [])]
         for line, target in page.links:
             count += 1
@@ -75,7 +75,7 @@ def check(paths, read, outside):
             other = os.path.normpath(os.path.join(os.path.dirname(path), name)) if name else path
             reached.add(other)
             if not os.path.exists(other):
-                problems.append(f"{path}:{line}: {target}: there is no {other}")
+                problems.append(f"{path}:{line}: {target}: {other} does not exist")
             elif anchor and other.endswith((".md", ".html")):
                 if other not in pages:
                     pages[other] = read(other)
@@ -85,7 +85,7 @@ def check(paths, read, outside):
 
 
 def index_problems():
-    """The search index names pages and headings that are there, and every page."""
+    """The search index refers to pages and headings that exist, and has enough entries."""
     with open("index.js", encoding="utf-8") as file:
         text = file.read()
     rows = json.loads("[" + text[text.index("[") + 1:text.rindex("]")].rstrip().rstrip(",") + "]")
@@ -95,7 +95,7 @@ def index_problems():
         if path not in pages:
             pages[path] = Page(path) if os.path.exists(path) else None
         if not pages[path] or anchor and anchor not in pages[path].anchors:
-            problems.append(f"index.js: {title}: there is no {address}")
+            problems.append(f"index.js: {title}: {address} does not exist")
     if len(rows) < 300:
         problems.append(f"index.js: {len(rows)} entries are too few")
     return problems

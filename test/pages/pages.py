@@ -3,16 +3,16 @@
 pages.py PROGRAM SOURCE_DIR SCRATCH
 
 Commands. Lines of a page's code blocks, a page's `burnish ...` and the examples of the help screens are run, each in a folder
-with stand-ins for the reader's files; so are commands in comments, if every word of them looks like a flag, a value or a file.
-Whatever else names a command (a placeholder in capitals, prose, what pages.txt says) must name a command and flags of it.
+with stand-ins for the reader's files. So are commands in comments, if every word looks like a flag, a value or a file.
+Other mentions of a command (with a placeholder in capitals, in prose, or listed in pages.txt) must use its existing flags.
 The test guides runs the blocks marked sh in docs/guides.
 Hashes. 16 hexadecimal digits in a page must be printed by the command in the comment above their paragraph or block:
     <!-- prints: burnish render :teapot --json -->
 Hashes in comments of sources must be in test/golden/pixels.txt.
 Numbers. pages.txt lists sentences with numbers, and the table cell or the command that each number comes from. A number of
 cycles or LUTs in a page needs such a line, unless it is in a table that a script writes.
-Names. Flags, make targets and their variables, CMake options, identifiers and files that pages name must exist; of comments in
-sources, files and targets. Images of pages have a text.
+Names. Flags, make targets and their variables, CMake options, identifiers and files in pages must exist, and so must files and
+targets in comments of sources. Images in pages need a text.
 """
 import collections
 import os
@@ -34,7 +34,7 @@ def problem(path, line, text):
 # ---- The sources ----
 
 def read_sources():
-    """{path: lines} of every file of the tree; no lines of what is no text, of data and of what was true once."""
+    """{path: lines} of every file of the tree; no lines for binary files, data and the changelog."""
     found = {}
     for folder, folders, names in os.walk(SOURCE):
         here = os.path.relpath(folder, SOURCE)
@@ -61,7 +61,7 @@ exempt_used = set()
 
 
 def exempt(keyword, text):
-    """Whether a line "KEYWORD EXPRESSION -- REASON" of pages.txt holds for the text."""
+    """Whether a line "KEYWORD EXPRESSION -- REASON" of pages.txt matches the text."""
     found = [number for number, rest in RULES[keyword] if re.search(rest.split(" -- ")[0], text)]
     exempt_used.update(found)
     return bool(found)
@@ -74,8 +74,8 @@ def comment(path, line):
     return found.group(1) if found else ""
 
 
-def said():
-    """(path, line number, line, what of it is said to readers) of all pages and comments."""
+def prose_lines():
+    """(path, line number, line, its text or comment) of all pages and comments."""
     for path, lines in FILES.items():
         for number, line in enumerate(lines, 1):
             text = line if path in PAGES else comment(path, line)
@@ -86,7 +86,7 @@ def said():
 # ---- The program ----
 
 def run(command, folder=None):
-    """Exit code and output of a command line in a folder of its own, with the stand-ins."""
+    """Exit code and output of a command line in a new folder with the stand-ins."""
     if folder is None:
         counts["folders"] += 1
         folder = os.path.join(SCRATCH, f"{threading.get_ident()}-{counts['folders']}")
@@ -101,7 +101,7 @@ def run(command, folder=None):
 
 
 def make_stand_ins():
-    """The reader's own files, by the lines of pages.txt."""
+    """Creates the reader's own files from the lines of pages.txt."""
     subprocess.run(["rm", "-rf", SCRATCH], check=True)
     os.makedirs(os.path.join(SCRATCH, "bin"))
     os.makedirs(os.path.join(SCRATCH, "stand-ins"))
@@ -229,7 +229,7 @@ def check_names():
     code = "\n".join("\n".join(lines) for path, lines in FILES.items() if path not in PAGES and path != LIST)
     identifiers = set(re.findall(r"\bburnish_\w+|BURNISH_[A-Z0-9_]+", code))
     flags = set().union(*FLAGS.values(), {"--version"})
-    for path, number, line, text in said():
+    for path, number, line, text in prose_lines():
         for target, variables in re.findall(r"(?:`|^(?:\./)?|&& )(?:\./)?make ([a-z][a-z0-9-]*)((?: [A-Z_]+=\S*)*)", text):
             counts["targets"] += 1
             missing = [name for name in re.findall(r" ([A-Z_]+)=", variables) if not re.search(rf"\b{name}\b", make)]
@@ -264,7 +264,7 @@ def with_commands(lines):
 def check_hashes():
     hexadecimal = re.compile(r"\b(?=[0-9]*[a-f])(?=[a-f]*[0-9])[0-9a-f]{16}\b")
     printed = {None: "\n".join(open(os.path.join(SOURCE, "test/golden/pixels.txt"), encoding="utf-8"))}
-    quoted = [(path, number, line, "pixels") for path, number, line, text in said() if path not in PAGES and hexadecimal.search(text)]
+    quoted = [(path, number, line, "pixels") for path, number, line, text in prose_lines() if path not in PAGES and hexadecimal.search(text)]
     quoted += [(path, *rest) for path, lines in PAGES.items() for rest in with_commands(lines)]
     for path, number, line, command in quoted:
         for value in hexadecimal.findall(line):
@@ -335,7 +335,7 @@ def check_files():
     top = "|".join(sorted({re.escape(path.split("/")[0]) for path in folders if "." not in path.split("/")[0]}))
     with_folder = re.compile(rf"(?<![\w/.$:{{}}<*\"-])(?:{top})(?:/[\w*{{}},.-]+)+(?<![.,])")
     alone = re.compile(r"(?<![\w/.$:{}<*\"'%=-])[a-z]\w*\.(?:c|h|cc|v|py|sh|md|mjs|shade|glsl)\b(?![\w/(.*=])")
-    for path, number, line, text in said():
+    for path, number, line, text in prose_lines():
         if path in PAGES and re.search(r"!\[\s*\]", line):
             problem(path, number, "an image without a text; write what it shows")
         if path in PAGES:

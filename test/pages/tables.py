@@ -2,6 +2,7 @@
 
 Usage: tables.py SOURCE_DIR
 """
+import glob
 import os
 import sys
 import tempfile
@@ -121,6 +122,9 @@ class Tables(unittest.TestCase):
         self.assertEqual(headers.name_of(entry.declarations[0]), ("shape", "struct"))
         self.assertEqual(headers.members_of(entry.declarations[0], {}), [["int a", ["above"]], ["int kind", None], ["float b", ["beside; {x}"]]])
         self.assertEqual(headers.rows_of('#define L(X) \\\n X(OK, 0, "a, b") \\\n X(NO, (1), "c")'), [["OK", "0", '"a, b"'], ["NO", "(1)", '"c"']])
+        self.assertEqual(headers.name_of("typedef uint32_t shape_flags; /* a sum of: */"), ("shape_flags", "type"))
+        reference = headers.Reference(glob.glob(f"{SOURCE}/include/burnish/*.h"))
+        self.assertGreater(sum(reference.page(header).count("\n### ") for header in reference.headers), 150)
         self.assertEqual(headers.signature("BURNISH_API int f( int a );"), "int f(int a );")
 
 
