@@ -10,6 +10,7 @@
 #include "mesh/builtin.h"
 #include "mesh/read/common/origin.h"
 #include "mesh/read/formats.h"
+#include "mesh/read/io/budget.h"
 #include "mesh/read/io/open_beside.h"
 #include "mesh/read/io/pieces.h"
 #include "mesh/read/io/unpack.h"
@@ -324,6 +325,7 @@ static burnish_status load(const burnish_reader_input *input, burnish_format for
     burnish_release(context, owned);
     if (status == BURNISH_STATUS_OK && !*again) {
         data.start = start;
+        data.crowded_max = burnish_budget_crowded(&reader);
         status = burnish_mesh_build(&data, input->name, input->options, format, mesh);
     }
     burnish_mesh_data_destroy(&data);

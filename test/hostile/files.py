@@ -101,6 +101,14 @@ def shared(mode, count, times):
                      accessors=[accessor(0, count)], **lists), data)
 
 
+def shared_strip(count, corners, times):
+    """Primitives that share one strip of random triangles."""
+    rng = random.Random(7)
+    data, lists = views(cloud(count), struct.pack("<%dH" % corners, *(rng.randrange(count) for _ in range(corners))))
+    return glb(scene(meshes=[{"primitives": [{"mode": 5, "attributes": {"POSITION": 0}, "indices": 1}] * times}],
+                     accessors=[accessor(0, count), accessor(1, corners, "SCALAR", 5123)], **lists), data)
+
+
 def grid(side):
     """A sheet of side * side quads with an index of 32 bits."""
     n = side + 1
@@ -308,6 +316,14 @@ def random_polygon(count):
             "f " + " ".join(map(str, range(1, count + 1))) + "\n").encode()
 
 
+def random_faces(points, different, count):
+    """Faces that are repeated; far fewer are different."""
+    rng = random.Random(6)
+    vertices = "".join("v %d %d %d\n" % tuple(rng.randrange(99) for _ in "xyz") for _ in range(points))
+    faces = "".join("f %d %d %d\n" % tuple(rng.sample(range(1, points + 1), 3)) for _ in range(different))
+    return (vertices + faces * (count // different)).encode()
+
+
 def binary_stl(count):
     facet = struct.pack("<12fH", 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
     return bytes(80) + struct.pack("<I", count) + facet * count
@@ -360,6 +376,8 @@ FILES = {
     "points-30000x12.glb": (lambda: shared(0, 30000, 12), "", 0),
     "lines-30000x7.glb": (lambda: shared(3, 30000, 7), "", 5),
     "triangles-30000x130.glb": (lambda: shared(4, 30000, 130), "", 5),
+    "strip-200x10.glb": (lambda: shared_strip(200, 450000, 10), "", 5),
+    "strip-16000x3.glb": (lambda: shared_strip(16000, 390000, 3), "", 5),
     "forest-3400000.glb": (lambda: forest(64, 20), "", 0),
     "forest-13000000.glb": (lambda: forest(64, 40), "", 5),
     "instanced-1000000.glb": (lambda: instanced(1000000), "", 5),
@@ -397,6 +415,10 @@ FILES = {
     # gzip, below its limit
     "fan.obj.gz": (lambda: packed(FOUR + b"f " + b"1 2 3 4 " * 5000000), "", 5),
     "faces.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\n" * 7000000), "", 5),
+    "both-sides.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\nf 1 3 2\n" * 2500000), "", 5),
+    "both-sides-fewer.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\nf 1 3 2\n" * 690000), "", 5),
+    "around-9.obj.gz": (lambda: packed(random_faces(9, 2000, 5000000)), "", 5),
+    "around-30-fewer.obj.gz": (lambda: packed(random_faces(30, 2000, 1390000)), "", 5),
     "points.obj.gz": (lambda: packed(b"v 0 0 0\n" + b"v 1 1 1\np -1\n" * 3000000), "", 5),
     "lines.obj.gz": (lambda: packed(FOUR + b"l" + b" 1 2" * 10000000), "", 5),
     "vertices.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\n" + b"v 1 1 1\n" * 550000), "", 0),

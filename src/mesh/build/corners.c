@@ -5,8 +5,9 @@
 #include "mesh/build/builder.h"
 
 enum {
-    SLICES_MAX = 4, /* each has counts of all positions */
-    RANGES_MAX = 16 /* of positions, whose counts are added up together */
+    SLICES_MAX = 4,  /* each has counts of all positions */
+    RANGES_MAX = 16, /* of positions, whose counts are added up together */
+    CROWD = 64       /* more corners than that are counted for burnish_mesh_data.crowded_max */
 };
 
 typedef struct corner_lister {
@@ -16,7 +17,8 @@ typedef struct corner_lister {
                                      where the next one goes, so the last slice leaves the ends */
     size_t ranges;                /* of positions, with ... */
     size_t sums[RANGES_MAX];      /* ... their corners, then those before them, and ... */
-    size_t most[RANGES_MAX];      /* ... the most of one position */
+    size_t most[RANGES_MAX];      /* ... the most of one position, and ... */
+    size_t crowded[RANGES_MAX];   /* ... those of positions with more than CROWD */
 } corner_lister;
 
 static size_t part_of(size_t count, size_t part, size_t parts) {
@@ -83,7 +85,7 @@ static void sum_range(void *context, size_t range, int thread) {
 static void start_range(void *context, size_t range, int thread) {
     corner_lister *lister = context;
     const size_t positions = lister->b->position_count;
-    uint32_t next = (uint32_t)lister->sums[range], most = 0;
+    uint32_t next = (uint32_t)lister->sums[range], most = 0, crowded = 0;
     (void)thread;
     for (size_t i = part_of(positions, range, lister->ranges),
                 end = part_of(positions, range + 1, lister->ranges);
@@ -96,8 +98,10 @@ static void start_range(void *context, size_t range, int thread) {
             next += corners;
         }
         most = next - start > most ? next - start : most;
+        crowded += next - start > CROWD ? next - start : 0;
     }
     lister->most[range] = most;
+    lister->crowded[range] = crowded;
 }
 
 static void add_sums(corner_lister *lister) {
@@ -115,8 +119,21 @@ static burnish_status run(corner_lister *lister, size_t count, burnish_task *tas
     return burnish_tasks_check(tasks, lister->b->memory->error);
 }
 
+static burnish_status check_crowded(const burnish_builder *b, uint64_t crowded) {
+    const uint64_t most = b->data->crowded_max;
+    return most == 0 || crowded <= most
+               ? BURNISH_STATUS_OK
+               : burnish_fail(b->memory->error, BURNISH_STATUS_LIMIT,
+                              "%s: too many triangles meet in the same vertices: %llu corners at "
+                              "those of more than %d triangles, and %llu are the limit; set "
+                              "max-triangles to draw them, or leave out repeated triangles",
+                              burnish_show_name(b->name).text, (unsigned long long)crowded, CROWD,
+                              (unsigned long long)most);
+}
+
 static burnish_status list_corners(corner_lister *lister) {
     burnish_builder *b = lister->b;
+    uint64_t crowded = 0;
     burnish_status status = run(lister, lister->slices, count_slice);
     if (status == BURNISH_STATUS_OK && lister->ranges > 1) {
         status = run(lister, lister->ranges, sum_range);
@@ -130,8 +147,10 @@ static burnish_status list_corners(corner_lister *lister) {
     }
     for (size_t i = 0; i < lister->ranges; ++i) {
         b->max_faces = lister->most[i] > b->max_faces ? lister->most[i] : b->max_faces;
+        crowded += lister->crowded[i];
     }
-    return run(lister, lister->slices, place_slice);
+    status = check_crowded(b, crowded);
+    return status == BURNISH_STATUS_OK ? run(lister, lister->slices, place_slice) : status;
 }
 
 burnish_status burnish_build_list_corners(burnish_builder *b) {

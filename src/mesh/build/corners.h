@@ -5,7 +5,7 @@
 #include "mesh/build/builder.h"
 
 /* Lists the corners of every position, in the order of the triangles: first_corner, corners and
- * max_faces. Errors: MEMORY, CANCELLED. */
+ * max_faces. Errors: MEMORY, LIMIT (crowded_max), CANCELLED. */
 burnish_status burnish_build_list_corners(burnish_builder *b);
 
 #endif

@@ -252,11 +252,35 @@ size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
     return found;
 }
 
-#define SORT_TYPE uint64_t
-#define SORT_NAME(name) sort_edge_##name
-#define SORT_LESS(a, b) (*(a) < *(b))
-#define SORT_INSERTION_MAX 40
-#include "mesh/build/sort.h"
+/* Sorts edges by their other end, byte by byte from the lowest; those of one end keep their order.
+ * Files of a few bytes can have millions of faces at a vertex, too many to compare. */
+static void sort_edges(uint64_t *edges, uint64_t *spare, size_t count) {
+    enum { DIGITS = 256 };
+    uint64_t *from = edges, *to = spare;
+    for (int shift = 32; shift < 64; shift += 8) {
+        size_t starts[DIGITS] = {0}, sum = 0;
+        for (size_t i = 0; i < count; ++i) {
+            ++starts[from[i] >> shift & (DIGITS - 1)];
+        }
+        if (starts[from[0] >> shift & (DIGITS - 1)] == count) {
+            continue; /* all have the same byte */
+        }
+        for (size_t d = 0; d < DIGITS; ++d) {
+            const size_t found = starts[d];
+            starts[d] = sum;
+            sum += found;
+        }
+        for (size_t i = 0; i < count; ++i) {
+            to[starts[from[i] >> shift & (DIGITS - 1)]++] = from[i];
+        }
+        uint64_t *const sorted = to;
+        to = from;
+        from = sorted;
+    }
+    if (from != edges) {
+        memcpy(edges, from, count * sizeof *edges);
+    }
+}
 
 /* Joins the faces of `count` edges with one other end, across smooth edges or across doubtful ones.
  * Returns how many sets disappeared. */
@@ -284,6 +308,7 @@ static size_t join_at_end(burnish_rings *rings, size_t first, const uint64_t *ed
 
 /* Sorts the edges by their other end, then by face. */
 int burnish_join_many(burnish_rings *rings, size_t first, size_t count) {
+    _Static_assert(sizeof *rings->sets >= 2 * sizeof(uint64_t), "sets have room for edges");
     uint64_t *edges = rings->edges;
     size_t sets = count;
     for (size_t i = 0; i < count; ++i) {
@@ -291,7 +316,7 @@ int burnish_join_many(burnish_rings *rings, size_t first, size_t count) {
         edges[2 * i] = (uint64_t)rings->next[first + i] << 32 | i;
         edges[2 * i + 1] = (uint64_t)rings->previous[first + i] << 32 | i;
     }
-    sort_edge_array(edges, 2 * count);
+    sort_edges(edges, (uint64_t *)(void *)rings->sets, 2 * count); /* no set is in use yet */
     for (int doubtful = 0; doubtful <= rings->asks && sets > 1; ++doubtful) {
         for (size_t start = 0, end; start < 2 * count; start = end) {
             for (end = start + 1; end < 2 * count && edges[end] >> 32 == edges[start] >> 32;

@@ -17,6 +17,7 @@ enum {
     CORNERS_PER_BATCH = 512, /* measured together; the rings stay in the first-level cache */
     FEW = 16,                /* corners that are compared one by one, ... */
     FEW_NORMALS = 64,        /* ... if they have only a normal */
+    PROBES = 8,              /* slots that a corner may be in */
     FACES_MAX = 1 << 18      /* triangles whose faces are stored: more would not fit a cache */
 };
 
@@ -126,6 +127,56 @@ static void number_by_normal(vertex_maker *maker, uint32_t position, const uint3
     }
 }
 
+/* The seed keeps files from having corners that all get one slot. */
+static size_t hash_record(const burnish_weld_record *record, uint64_t seed) {
+    for (int i = 0; i < BURNISH_WELD_KEY_WORDS; ++i) {
+        seed = (seed ^ record->key[i]) * 0x9e3779b97f4a7c15u;
+        seed ^= seed >> 29;
+    }
+    return (size_t)(seed >> 16);
+}
+
+/* Describes corners in maker->records; one that equals a corner before it is mostly left out and
+ * refers to that in the mesh's indices. Returns how many are left. The table is in the rings, whose
+ * normals are made. */
+static size_t describe_different(vertex_maker *maker, const uint32_t *corners, size_t count) {
+    burnish_weld_record *records = maker->records;
+    uint32_t *slots = maker->rings.parents; /* numbers of records; BURNISH_NONE: free */
+    size_t size = 1, left = 0;
+    while (2 * size <= count) {
+        size *= 2;
+    }
+    memset(slots, 0xff, size * sizeof *slots);
+    for (size_t i = 0; i < count; ++i) {
+        burnish_weld_record *record = &records[left];
+        describe_corner(maker->b, corners[i], maker->normals + 3 * i, record);
+        const size_t hash = hash_record(record, (uintptr_t)records);
+        uint32_t *slot = &slots[hash & (size - 1)];
+        for (size_t k = 1;
+             k < PROBES && *slot != BURNISH_NONE && !same_vertex(&records[*slot], record); ++k) {
+            slot = &slots[(hash + k) & (size - 1)];
+        }
+        if (*slot != BURNISH_NONE && same_vertex(&records[*slot], record)) {
+            maker->b->mesh->indices[corners[i]] = records[*slot].value;
+            continue;
+        }
+        *slot = *slot == BURNISH_NONE ? (uint32_t)left : *slot;
+        ++left;
+    }
+    return left;
+}
+
+/* Where many meet, most are equal to others, and fewer are to be sorted. */
+static size_t describe_corners(vertex_maker *maker, const uint32_t *corners, size_t count) {
+    if (count > CORNERS_PER_BATCH) {
+        return describe_different(maker, corners, count);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        describe_corner(maker->b, corners[i], maker->normals + 3 * i, &maker->records[i]);
+    }
+    return count;
+}
+
 /* Gives each corner of one position its vertex: corners that have the same share one. For now the
  * mesh's indices contain the first corner of that vertex. */
 static void number_corners(vertex_maker *maker, uint32_t position) {
@@ -138,14 +189,12 @@ static void number_corners(vertex_maker *maker, uint32_t position) {
         number_by_normal(maker, position, corners, count);
         return;
     }
-    for (size_t i = 0; i < count; ++i) {
-        describe_corner(b, corners[i], maker->normals + 3 * i, &records[i]);
+    const size_t left = describe_corners(maker, corners, count);
+    if (left > FEW) {
+        burnish_weld_sort(records, left);
     }
-    if (count > FEW) {
-        burnish_weld_sort(records, count);
-    }
-    for (size_t i = 0; i < count; ++i) {
-        size_t head = count > FEW && i > 0 ? i - 1 : 0;
+    for (size_t i = 0; i < left; ++i) {
+        size_t head = left > FEW && i > 0 ? i - 1 : 0;
         while (head < i && !same_vertex(&records[head], &records[i])) {
             ++head;
         }
@@ -153,6 +202,9 @@ static void number_corners(vertex_maker *maker, uint32_t position) {
         if (head == i) {
             append_vertex(maker, position, records[i].value, records[i].key);
         }
+    }
+    for (size_t i = 0; i < count && left < count; ++i) { /* those left out */
+        indices[corners[i]] = indices[indices[corners[i]]];
     }
 }
 

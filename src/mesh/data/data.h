@@ -74,6 +74,7 @@ typedef struct burnish_mesh_data {
     size_t warning_count, warning_capacity;
     int is_silent; /* 1: an earlier reading has already reported the warnings */
 
+    uint64_t crowded_max; /* corners at vertices of more than 64 triangles; 0: any number */
     double origin[3]; /* of the positions, in the file's coordinates: burnish_mesh_view.origin */
 
     burnish_memory memory; /* allocates all arrays and receives errors */

@@ -132,7 +132,7 @@ static byte_list make_shared(int mode, int points, int times) {
     put_word(&list, binary, 0);
     put(&list, "BIN", 4);
     for (int i = 0; i < 3 * points; ++i) {
-        const float value = (float)(i * 7919 % 1000);
+        const float value = (float)((uint32_t)i * (uint32_t)i % 1009);
         uint32_t word;
         memcpy(&word, &value, 4);
         put_word(&list, word, 0);
@@ -298,6 +298,28 @@ static void test_keys(void) {
     }
 }
 
+/* ---- Many triangles at a vertex ---- */
+
+/* Strips of the same points: 3.6 million corners meet in a few vertices, or 5.4 million. */
+static void test_crowded(void) {
+    enum { STRIP = 5, POINTS = 30000 };
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error;
+    size_t most, triangles;
+    byte_list few = make_shared(STRIP, POINTS, 40), many = make_shared(STRIP, POINTS, 60);
+    CHECK(load(&few, "few.glb", options, &most, &triangles, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    CHECK1(triangles > 0);
+    CHECK1(load(&many, "many.glb", options, &most, &triangles, &error) == BURNISH_STATUS_LIMIT);
+    CHECK(strstr(error.text, "many.glb: too many triangles meet in the same vertices: "), "%s",
+          error.text);
+    options.max_triangles = 10000000;
+    CHECK(load(&many, "many.glb", options, &most, &triangles, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    free(few.bytes);
+    free(many.bytes);
+}
+
 /* ---- Pictures ---- */
 
 /* A PNG of 2^31 - 1 columns is refused before anything is allocated for a row of them. */
@@ -342,6 +364,7 @@ int main(int count, char **arguments) {
     RUN(test_faces());
     RUN(test_self());
     RUN(test_keys());
+    RUN(test_crowded());
 #if BURNISH_HAS_PNG
     RUN(test_sides());
 #endif

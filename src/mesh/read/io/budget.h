@@ -17,7 +17,9 @@ enum {
     BURNISH_UNPACKED_PER_BYTE = 64, /* text of meshes packs to a fifth or a thirtieth, seldom to a
                                        fiftieth */
     BURNISH_TEXELS_PER_BYTE = 32,   /* JPEG has 4 to 16 */
-    BURNISH_SUMS_PER_BYTE = 16      /* values of morph targets that are added up */
+    BURNISH_CROWDED_PER_BYTE = 4, /* corners at vertices of very many triangles: normals there take
+                                     most time and memory; meshes have few such vertices */
+    BURNISH_SUMS_PER_BYTE = 16    /* values of morph targets that are added up */
 };
 
 /* The limit for `bytes` bytes. */
@@ -56,6 +58,13 @@ static inline uint64_t burnish_budget_triangles(const burnish_reader *reader) {
     const uint64_t most =
         burnish_budget_of(burnish_budget_bytes(reader), BURNISH_ELEMENTS_PER_BYTE);
     return limit < BURNISH_TRIANGLES_MAX || most > limit ? limit : most;
+}
+
+/* burnish_mesh_data.crowded_max of an input that was read. */
+static inline uint64_t burnish_budget_crowded(const burnish_reader *reader) {
+    return reader->input->options->max_triangles < BURNISH_TRIANGLES_MAX
+               ? 0
+               : burnish_budget_of(burnish_budget_bytes(reader), BURNISH_CROWDED_PER_BYTE);
 }
 
 /* Checks that vertices and triangles are within the budget. There is no budget if the caller sets
