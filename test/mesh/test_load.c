@@ -95,62 +95,18 @@ static void test_companions(void) {
 
 /* ---- Contexts ---- */
 
-static void test_memory(int input) {
-    counts c;
+static burnish_status make_input(const void *data, const burnish_load_options *options,
+                                 burnish_mesh **mesh, burnish_error *error) {
     library box;
-    burnish_context *context = make_context(&c);
-    const burnish_load_options options = options_of(&box, context);
-    const long before = atomic_load(&c.live);
-    burnish_status status = BURNISH_STATUS_MEMORY;
-    int has_failed = 1;
-    long k = 0;
-    for (; has_failed && k < 300; ++k) {
-        burnish_mesh *mesh = NULL;
-        burnish_error error = {0};
-        atomic_store(&c.left, k);
-        status = load(input, &options, &mesh, &error);
-        has_failed = atomic_load(&c.left) < 0;
-        CHECK(status == BURNISH_STATUS_OK /* a chunk of text is tried again */
-                  ? mesh != NULL
-                  : status == BURNISH_STATUS_MEMORY && error.status == status && !mesh &&
-                        strncmp(error.text, "out of memory", 13) == 0,
-              "%s, allocation %ld: status %d, \"%s\"", inputs[input].name, k, (int)status,
-              error.text);
-        burnish_mesh_destroy(mesh);
-        CHECK(atomic_load(&c.live) == before && box.loads == box.releases,
-              "%s, allocation %ld: blocks are lost", inputs[input].name, k);
-    }
-    CHECK(!has_failed && k > 10, "%s: %ld allocations", inputs[input].name, k);
-    burnish_context_destroy(context);
+    const burnish_load_options own = options_of(&box, options->context);
+    const burnish_status status = load(*(const int *)data, &own, mesh, error);
+    CHECK(box.loads == box.releases, "%d files loaded, %d released", box.loads, box.releases);
+    return status;
 }
 
-static void test_cancelling(int input) {
-    counts c;
-    library box;
-    burnish_context *context = make_context(&c);
-    const burnish_load_options options = options_of(&box, context);
-    const long before = atomic_load(&c.live);
-    burnish_status status = BURNISH_STATUS_CANCELLED;
-    long k = 0;
-    for (; status == BURNISH_STATUS_CANCELLED && k < 1000; ++k) {
-        burnish_mesh *mesh = NULL;
-        burnish_error error = {0};
-        c.questions = k;
-        c.stage = BURNISH_STAGE_READ;
-        c.fraction = 0;
-        status = load(input, &options, &mesh, &error);
-        CHECK(status == BURNISH_STATUS_OK
-                  ? mesh != NULL && c.stage == BURNISH_STAGE_BUILD && c.fraction == 1
-                  : status == BURNISH_STATUS_CANCELLED && error.status == status && !mesh,
-              "%s, question %ld: status %d, \"%s\"", inputs[input].name, k, (int)status,
-              error.text);
-        burnish_mesh_destroy(mesh);
-        CHECK(atomic_load(&c.live) == before, "%s, question %ld: blocks are lost",
-              inputs[input].name, k);
-    }
-    CHECK(status == BURNISH_STATUS_OK && k > 5, "%s: %ld questions", inputs[input].name, k);
-    CHECK1(!c.wrong_order);
-    burnish_context_destroy(context);
+static void test_stopped(int input) {
+    check_failures(make_input, &input, 0, 0);
+    check_failures(make_input, &input, 0, 1);
 }
 
 static void test_log(void) {
@@ -236,8 +192,7 @@ int main(int count, char **arguments) {
     RUN(test_log());
     RUN(test_crease_auto());
     for (int i = 0; i < INPUTS; ++i) {
-        RUN(test_memory(i));
-        RUN(test_cancelling(i));
+        RUN(test_stopped(i));
         RUN(test_environment(i));
     }
     return test_end("load");

@@ -7,6 +7,7 @@
 #include <stdatomic.h>
 
 #include "burnish/core.h"
+#include "burnish/mesh.h"
 #include "support.h"
 
 #if defined(__SSE2__)
@@ -71,6 +72,45 @@ static inline burnish_context *make_context(counts *c) {
     options.cancelled_user_data = options.progress_user_data = options.log_user_data = c;
     CHECK1(burnish_context_create(&options, &context, NULL) == BURNISH_STATUS_OK);
     return context;
+}
+
+/* Makes a mesh with options->context; *mesh is NULL on failure. */
+typedef burnish_status mesh_maker(const void *data, const burnish_load_options *options,
+                                  burnish_mesh **mesh, burnish_error *error);
+
+/* Makes a mesh again and again until nothing stops it: each time one allocation later fails, or,
+ * with cancels, one question later is answered by yes. Every failure has its status and a message,
+ * and no memory is lost. */
+static inline void check_failures(mesh_maker *make, const void *data, int threads, int cancels) {
+    const burnish_status expected = cancels ? BURNISH_STATUS_CANCELLED : BURNISH_STATUS_MEMORY;
+    burnish_load_options options = burnish_load_options_default();
+    counts c;
+    burnish_context *context = make_context(&c);
+    const long before = atomic_load(&c.live);
+    long k = 0, failures = 0;
+    options.context = context;
+    options.threads = threads;
+    for (int is_stopped = 1; is_stopped && k < 1000; ++k) {
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {0};
+        c.questions = cancels ? k : -1;
+        c.stage = BURNISH_STAGE_READ;
+        c.fraction = 0;
+        atomic_store(&c.left, cancels ? -1 : k);
+        const burnish_status status = make(data, &options, &mesh, &error);
+        is_stopped = cancels ? status != BURNISH_STATUS_OK : atomic_load(&c.left) < 0;
+        atomic_store(&c.left, -1);
+        failures += status != BURNISH_STATUS_OK;
+        CHECK(status == BURNISH_STATUS_OK /* a chunk of text is tried again */
+                  ? mesh && (!cancels || (c.stage == BURNISH_STAGE_BUILD && c.fraction == 1))
+                  : status == expected && error.status == status && *error.text && !mesh,
+              "failure %ld: status %d, \"%s\"", k, (int)status, error.text);
+        burnish_mesh_destroy(mesh);
+        CHECK(atomic_load(&c.live) == before, "failure %ld: %ld blocks are lost", k,
+              atomic_load(&c.live) - before);
+    }
+    CHECK(failures > 5 && k < 1000 && !c.wrong_order, "%ld failures", failures);
+    burnish_context_destroy(context);
 }
 
 /* The caller's mode, without the flags of exceptions. */

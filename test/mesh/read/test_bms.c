@@ -306,31 +306,14 @@ static void test_textures(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* Each allocation fails once: MEMORY, one line, and nothing stays. */
+static burnish_status make_mesh(const void *data, const burnish_load_options *options,
+                                burnish_mesh **mesh, burnish_error *error) {
+    return load(&((const stream *)data)->list, options, mesh, error);
+}
+
 static void test_memory(void) {
     const stream s = make("text");
-    long failures = 0;
-    counts c;
-    burnish_context *context = make_context(&c);
-    const long before = atomic_load(&c.live);
-    for (long k = 0, done = 0; !done && CHECK1(k < 1000); ++k) {
-        burnish_load_options options = burnish_load_options_default();
-        burnish_mesh *mesh;
-        burnish_error error = {0};
-        options.context = context;
-        options.threads = 1;
-        atomic_store(&c.left, k);
-        const burnish_status status = load(&s.list, &options, &mesh, &error);
-        done = atomic_exchange(&c.left, -1) >= 0;
-        failures += status != BURNISH_STATUS_OK;
-        CHECK(status == BURNISH_STATUS_OK || (status == BURNISH_STATUS_MEMORY && !mesh),
-              "allocation %ld: %s", k, error.text);
-        burnish_mesh_destroy(mesh);
-        CHECK(atomic_load(&c.live) == before, "allocation %ld: %ld blocks lost", k,
-              atomic_load(&c.live) - before);
-    }
-    CHECK(failures > 5, "%ld failures", failures);
-    burnish_context_destroy(context);
+    check_failures(make_mesh, &s, 1, 0);
 }
 
 int main(int count, char **arguments) {
