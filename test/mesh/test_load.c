@@ -3,6 +3,7 @@
  * changes nothing. */
 #include "burnish/mesh.h"
 #include "counting_context.h"
+#include "mesh_arrays.h"
 
 static const char OBJ[] = "mtllib paint.mtl\nmtllib none.mtl\n"
                           "v 0.1 0.2 0.3\nv 1.7 0 1e-40\nv 0 1.3 0.7\nv 1 1 0.33333333333\n"
@@ -139,10 +140,7 @@ static void test_environment(int input) {
         CHECK(status == BURNISH_STATUS_OK && before == after, "%s, mode %d", inputs[input].name,
               mode);
         first = first ? first : mesh;
-        const burnish_mesh_view *a = burnish_mesh_get_view(first), *b = burnish_mesh_get_view(mesh);
-        CHECK(a && b && a->vertex_count == b->vertex_count &&
-                  memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0 &&
-                  memcmp(a->normals, b->normals, 12 * a->vertex_count) == 0 &&
+        CHECK(first && same_meshes(first, mesh) &&
                   memcmp(burnish_mesh_get_material(first, 0), burnish_mesh_get_material(mesh, 0),
                          sizeof(burnish_material)) == 0,
               "%s, mode %d: another mesh", inputs[input].name, mode);

@@ -42,25 +42,6 @@ static burnish_mesh *create(const burnish_mesh_description *arrays, int texture_
     return mesh;
 }
 
-static int same_floats(const float *a, const float *b, size_t count) {
-    return (!a && !b) || (a && b && memcmp(a, b, count * sizeof *a) == 0);
-}
-
-static void check_same(const burnish_mesh *a, const burnish_mesh *b, const char *what) {
-    const burnish_mesh_view *x = burnish_mesh_get_view(a), *y = burnish_mesh_get_view(b);
-    if (CHECK(x && y && x->vertex_count == y->vertex_count &&
-                  x->triangle_count == y->triangle_count,
-              "%s", what)) {
-        CHECK(
-            same_floats(x->positions, y->positions, 3 * x->vertex_count) &&
-                same_floats(x->normals, y->normals, 3 * x->vertex_count) &&
-                same_floats(x->texture_coordinates, y->texture_coordinates, 2 * x->vertex_count) &&
-                memcmp(x->indices, y->indices, 12 * x->triangle_count) == 0,
-            "%s", what);
-        CHECK(memcmp(x->bounds_min, y->bounds_min, 9 * sizeof(float)) == 0, "%s", what);
-    }
-}
-
 /* Everything of a vertex in one struct, and something between. */
 typedef struct fat_vertex {
     float position[3];
@@ -91,7 +72,7 @@ static void test_strides(void) {
     strided.indices = (burnish_array){shorts, (size_t)3 * TRIANGLES, 0};
     strided.index_size = 2;
     burnish_mesh *a = create(&packed, 1), *b = create(&strided, 1);
-    check_same(a, b, "strides and 16-bit indices");
+    CHECK(a && same_meshes(a, b), "%s", "strides and 16-bit indices");
     CHECK1(memcmp(burnish_mesh_get_view(a)->colors, burnish_mesh_get_view(b)->colors,
                   4 * burnish_mesh_get_view(a)->vertex_count) == 0);
     burnish_mesh_destroy(a);
@@ -110,8 +91,8 @@ static void test_small_indices(void) {
     burnish_mesh *small = create(&arrays, 0);
     arrays.indices = (burnish_array){0};
     burnish_mesh *none = create(&arrays, 0);
-    check_same(whole, small, "8-bit indices");
-    check_same(whole, none, "no indices");
+    CHECK(whole && same_meshes(whole, small), "%s", "8-bit indices");
+    CHECK(whole && same_meshes(whole, none), "%s", "no indices");
     CHECK1(burnish_mesh_get_view(none)->vertex_count == 4);
     burnish_mesh_destroy(whole);
     burnish_mesh_destroy(small);
@@ -414,7 +395,8 @@ static void test_environment(int kind) {
         set_mode(0);
         CHECK(made == BURNISH_STATUS_OK && framed == BURNISH_STATUS_OK, "mode %d", mode);
         CHECK(before == after, "mode %d: the caller's is not put back", mode);
-        check_same(meshes[0], meshes[mode], "the caller's floating-point environment");
+        CHECK(meshes[0] && same_meshes(meshes[0], meshes[mode]), "%s",
+              "the caller's floating-point environment");
         CHECK(memcmp(&cameras[0], &cameras[mode], sizeof *cameras) == 0, "mode %d: the camera",
               mode);
     }

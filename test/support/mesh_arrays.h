@@ -2,6 +2,8 @@
 #ifndef BURNISH_TEST_MESH_ARRAYS_H
 #define BURNISH_TEST_MESH_ARRAYS_H
 
+#include <string.h>
+
 #include "burnish/mesh.h"
 
 /* normals and colors may be NULL. */
@@ -15,6 +17,28 @@ static inline burnish_mesh_description describe_arrays(const float *positions, c
     arrays.colors = (burnish_array){colors, colors ? vertex_count : 0, 0};
     arrays.indices = (burnish_array){indices, 3 * triangle_count, 0};
     return arrays;
+}
+
+static inline int same_arrays(const void *a, const void *b, size_t size) {
+    return !a == !b && (!a || memcmp(a, b, size) == 0);
+}
+
+/* Whether two meshes have the same arrays, bit for bit. */
+static inline int same_meshes(const burnish_mesh *a, const burnish_mesh *b) {
+    const burnish_mesh_view *x = burnish_mesh_get_view(a), *y = burnish_mesh_get_view(b);
+    if (!x || !y) {
+        return !x && !y;
+    }
+    const size_t count = x->vertex_count;
+    return count == y->vertex_count && x->triangle_count == y->triangle_count &&
+           same_arrays(x->positions, y->positions, 12 * count) &&
+           same_arrays(x->normals, y->normals, 12 * count) &&
+           same_arrays(x->colors, y->colors, 4 * count) &&
+           same_arrays(x->texture_coordinates, y->texture_coordinates, 8 * count) &&
+           same_arrays(x->indices, y->indices, 12 * x->triangle_count) &&
+           same_arrays(x->triangle_materials, y->triangle_materials, 2 * x->triangle_count) &&
+           memcmp(x->bounds_min, y->bounds_min, sizeof x->bounds_min) == 0 &&
+           memcmp(x->bounds_max, y->bounds_max, sizeof x->bounds_max) == 0;
 }
 
 #endif

@@ -128,7 +128,8 @@ static inline uint64_t hash_mesh(const burnish_mesh_data *mesh) {
     return hash_words(hash, mesh->triangle_materials, 2 * mesh->triangle_count, 2);
 }
 
-/* test/golden/meshes.txt has a line "HASH NAME" for each file. */
+/* test/golden/meshes.txt has a line "HASH NAME" for each file. After a deliberate change, take the
+ * new line from the message. */
 static inline void check_golden(const char *name, const burnish_mesh_data *mesh) {
     char line[160], expected[160];
     int found = 0;

@@ -1,5 +1,6 @@
 /* OFF: supported files, and messages for broken ones. */
 #include "burnish/mesh.h"
+#include "mesh_arrays.h"
 #include "reader_input.h"
 
 static burnish_mesh *load(const char *text, const char *warning) {
@@ -248,12 +249,8 @@ static void test_threads(void) {
             continue;
         }
         const burnish_mesh_view *a = burnish_mesh_get_view(meshes[0]);
-        const burnish_mesh_view *b = burnish_mesh_get_view(meshes[i]);
         CHECK1(a->triangle_count == 2 * (SIDE - 1) * (SIDE - 1) && a->colors);
-        CHECK1(a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
-               memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0 &&
-               memcmp(a->colors, b->colors, 4 * a->vertex_count) == 0 &&
-               memcmp(a->indices, b->indices, 12 * a->triangle_count) == 0);
+        CHECK1(same_meshes(meshes[0], meshes[i]));
     }
     for (int i = 0; i < 3; ++i) {
         burnish_mesh_destroy(meshes[i]);

@@ -7,6 +7,7 @@
 #include "burnish/mesh.h"
 #include "counting_context.h"
 #include "mesh/read/io/pieces.h"
+#include "mesh_arrays.h"
 #include "support.h"
 
 enum { SIDE = 100, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
@@ -115,23 +116,11 @@ static int save(void) {
 
 /* ---- The same as of bytes in memory ---- */
 
-static int same_arrays(const void *a, const void *b, size_t size) {
-    return !a == !b && (!a || memcmp(a, b, size) == 0);
-}
-
 static int same_mesh(const burnish_mesh *a, const burnish_mesh *b) {
-    if (!a || !b) {
-        return !a == !b;
-    }
-    const burnish_mesh_view *x = burnish_mesh_get_view(a), *y = burnish_mesh_get_view(b);
-    const size_t count = x->vertex_count, warnings = burnish_mesh_get_warning_count(a);
-    int same = count == y->vertex_count && x->triangle_count == y->triangle_count &&
-               same_arrays(x->positions, y->positions, 12 * count) &&
-               same_arrays(x->normals, y->normals, 12 * count) &&
-               same_arrays(x->colors, y->colors, 4 * count) &&
-               same_arrays(x->indices, y->indices, 12 * x->triangle_count) &&
-               memcmp(x->origin, y->origin, sizeof x->origin) == 0 &&
-               warnings == burnish_mesh_get_warning_count(b);
+    const size_t warnings = burnish_mesh_get_warning_count(a);
+    int same = same_meshes(a, b) && warnings == burnish_mesh_get_warning_count(b) &&
+               (!a || memcmp(burnish_mesh_get_view(a)->origin, burnish_mesh_get_view(b)->origin,
+                             sizeof burnish_mesh_get_view(a)->origin) == 0);
     for (size_t i = 0; i < warnings && same; ++i) {
         same = strcmp(burnish_mesh_get_warning(a, i), burnish_mesh_get_warning(b, i)) == 0;
     }

@@ -109,15 +109,6 @@ static burnish_status load_file(int threads, burnish_mesh **mesh, burnish_error 
     return status;
 }
 
-static int same_mesh(const burnish_mesh *a, const burnish_mesh *b) {
-    const burnish_mesh_view *x = burnish_mesh_get_view(a), *y = burnish_mesh_get_view(b);
-    return x && y && x->vertex_count == y->vertex_count && x->triangle_count == y->triangle_count &&
-           memcmp(x->positions, y->positions, 12 * x->vertex_count) == 0 &&
-           memcmp(x->normals, y->normals, 12 * x->vertex_count) == 0 && !x->colors == !y->colors &&
-           (!x->colors || memcmp(x->colors, y->colors, 4 * x->vertex_count) == 0) &&
-           memcmp(x->indices, y->indices, 12 * x->triangle_count) == 0;
-}
-
 static burnish_mesh *expected_mesh(const layout *how, const uint32_t *triangles, size_t count) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = NULL;
@@ -149,7 +140,7 @@ static void test_layouts(void) {
             burnish_mesh *mesh;
             burnish_error error;
             burnish_status status = load_file(THREADS[t], &mesh, &error);
-            CHECK(status == BURNISH_STATUS_OK && same_mesh(mesh, expected),
+            CHECK(status == BURNISH_STATUS_OK && same_meshes(mesh, expected),
                   "layout %d, %d threads: %s", i, THREADS[t], error.text);
             burnish_mesh_destroy(mesh);
         }
@@ -207,7 +198,7 @@ static void test_odd_row(void) {
             burnish_error error;
             for (int t = 0; t < 3; ++t) {
                 burnish_status status = load_file(THREADS[t], &meshes[t], &error);
-                CHECK(status == BURNISH_STATUS_OK && same_mesh(meshes[t], meshes[0]) &&
+                CHECK(status == BURNISH_STATUS_OK && same_meshes(meshes[t], meshes[0]) &&
                           burnish_mesh_get_view(meshes[t])->triangle_count == TRIANGLES + 1,
                       "layout %d, quad in row %zu, %d threads: %s", i, row, THREADS[t], error.text);
             }

@@ -2,6 +2,7 @@
 #include <float.h>
 
 #include "burnish/mesh.h"
+#include "mesh_arrays.h"
 #include "reader_input.h"
 
 static burnish_mesh *load(const char *name, const char *text, const burnish_load_options *options) {
@@ -78,10 +79,7 @@ static void test_density(void) {
     for (int i = 0; i < 3; ++i) {
         options.threads = 1 + 3 * i;
         meshes[i] = load("a.ply", text, &options);
-        const burnish_mesh_view *a = meshes[0] ? burnish_mesh_get_view(meshes[0]) : NULL;
-        const burnish_mesh_view *b = meshes[i] ? burnish_mesh_get_view(meshes[i]) : NULL;
-        CHECK1(a && b && a->vertex_count == b->vertex_count &&
-               memcmp(a->positions, b->positions, 12 * a->vertex_count) == 0);
+        CHECK1(meshes[0] && same_meshes(meshes[0], meshes[i]));
     }
     const burnish_mesh_view *view = meshes[0] ? burnish_mesh_get_view(meshes[0]) : NULL;
     if (CHECK1(view && view->triangle_count == 20 * SIDE * SIDE)) {
