@@ -36,8 +36,6 @@ END
     mv build/picture picture
     ;;
 cc)
-    (cd "$source/src" && find . -name '*.c' ! -name '*_isal.c' ! -name '*_zlib.c') | sed 's|^\./|src/|' | LC_ALL=C sort >sources.txt
-    diff "$source/src/sources.txt" sources.txt || { echo "embed: src/sources.txt is not the list of files; copy $PWD/sources.txt"; exit 1; }
     # shellcheck disable=SC2046
     (cd "$source" && "$cc" -std=c17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -D_GNU_SOURCE -I include -I src $(cat src/sources.txt) \
         docs/examples/picture.c -o "$OLDPWD/picture" -pthread -lm)
