@@ -296,7 +296,6 @@ static shape *make_grid(int n) {
     return s;
 }
 
-/* n x n squares have 2 n (n + 1) sides and n^2 diagonals; only the border is a feature. */
 /* Edges of which none is a line, in a renderer that had none: no array exists. */
 static void test_no_lines(void) {
     static const double position[3] = {0, 0, 10};
@@ -314,6 +313,7 @@ static void test_no_lines(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* n x n squares have 2 n (n + 1) sides and n^2 diagonals; only the border is a feature. */
 static void test_grid(void) {
     enum { N = 6 };
     static const double position[3] = {0, 0, 10};
