@@ -1,9 +1,8 @@
-/* Attributes of vertices times 1/w: interpolated linearly over the screen and divided, they are
- * right in perspective. */
+#include "render/frame/attributes.h"
+
 #include <string.h>
 
 #include "core/srgb.h"
-#include "render/frame/surface.h"
 
 static burnish_float4 scaled_normal(const float *normals, uint32_t vertex, float scale) {
     const float *n = normals + 3 * (size_t)vertex;

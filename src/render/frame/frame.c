@@ -1,11 +1,14 @@
 #include "render/frame/frame.h"
 
+#include "render/frame/planes.h"
+
 #include <stdatomic.h>
 #include <string.h>
 
 #include "core/memory.h"
 #include "raster/raster_ops.h"
-#include "render/frame/bands.h"
+#include "render/bands.h"
+#include "render/texture/texture_points.h"
 
 /* What one thread needs to draw tiles, and what it counted. */
 struct burnish_tile_worker {

@@ -1,7 +1,9 @@
 /* Looks: sets of options by name. docs/gallery.md shows them. */
+#include "render/frame/look.h"
+
 #include <string.h>
 
-#include "render/frame/frame.h"
+#include "render/frame/options.h"
 
 /* Which materials a look changes. */
 typedef enum recolors { NONE, UNCOLORED, ALL } recolors;

@@ -1,8 +1,12 @@
 /* Options of a frame, and whether they can be drawn. */
+#include "render/frame/options.h"
+
 #include <string.h>
 
 #include "core/numbers.h"
-#include "render/frame/frame.h"
+#include "core/tasks.h"
+#include "raster/view.h"
+#include "render/frame/look.h"
 
 /* Marks options that burnish_render_options_default() made. */
 #define RENDER_COOKIE 0x62726e64u

@@ -1,7 +1,7 @@
 /* The planes of a target: depth, triangles, normals and coverage. */
-#include <string.h>
+#include "render/frame/planes.h"
 
-#include "render/frame/frame.h"
+#include <string.h>
 
 int burnish_planes_are_wanted(const burnish_target *target) {
     return target->depth || target->triangles || target->normals || target->coverage;

@@ -2,6 +2,10 @@
 
 #include <string.h>
 
+#include "render/texture/masks.h"
+#include "render/texture/texture_points.h"
+#include "render/texture/texture_shade.h"
+
 /* ---- Planes ---- */
 
 /* Whether attributes are needed themselves, not times 1/w: colours, and normals whose length

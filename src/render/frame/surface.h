@@ -12,29 +12,13 @@
 #include "burnish/mesh.h"
 #include "core/memory.h"
 #include "raster/fragments.h"
+#include "render/frame/attributes.h"
 #include "render/frame/caps.h"
 #include "render/light/occlusion_share.h"
 #include "render/render_ops.h"
 #include "render/screen.h"
 #include "render/texture/texture.h"
-
-/* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
- * screen. One item per screen vertex, those that clipping made included. Owned; all zero before the
- * first frame, a later frame uses the arrays again. */
-typedef struct burnish_attributes {
-    burnish_float4 *normals; /* (x, y, z, 1) / w */
-    burnish_float4 *colors;  /* linear (r, g, b, alpha) / w */
-    int has_colors;
-    size_t normal_capacity, color_capacity;
-} burnish_attributes;
-
-/* The mesh's normals and, unless they are to be ignored, colours. Errors: MEMORY; destroy them all
- * the same. */
-burnish_status burnish_attributes_update(burnish_attributes *attributes,
-                                         const burnish_geometry *geometry,
-                                         const burnish_mesh_view *mesh, int ignore_colors,
-                                         burnish_tasks *tasks, burnish_memory *memory);
-void burnish_attributes_destroy(burnish_attributes *attributes, const burnish_context *context);
+#include "render/texture/transparency.h"
 
 /* Fragments that are shaded at once: their arrays stay in L1. */
 enum {
@@ -73,17 +57,15 @@ typedef struct burnish_shading {
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 
-struct burnish_transparency; /* transparency.h */
-
 /* What visible points are shaded from. */
 typedef struct burnish_surface {
     const burnish_raster_view *view;
     const burnish_shading *shading;
     const burnish_attributes *attributes;
-    const uint16_t *triangle_materials;              /* NULL: all have material 0 */
-    const struct burnish_transparency *transparency; /* NULL: every triangle is opaque */
-    const burnish_caps *caps;                        /* NULL: none */
-    int is_layers; /* 1: fragments are those of layers of transparency */
+    const uint16_t *triangle_materials;       /* NULL: all have material 0 */
+    const burnish_transparency *transparency; /* NULL: every triangle is opaque */
+    const burnish_caps *caps;                 /* NULL: none */
+    int is_layers;                            /* 1: fragments are those of layers of transparency */
 } burnish_surface;
 
 /* The vectors of a batch in which a material is shown, and their light. */

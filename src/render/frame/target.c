@@ -1,8 +1,10 @@
 /* What a finished tile becomes in the caller's target: samples to pixels in linear light, and
  * pixels to bytes. planes.c has the planes. */
+#include "render/frame/target.h"
+
 #include <string.h>
 
-#include "render/frame/frame.h"
+#include "render/frame/planes.h"
 
 /* Marks targets that burnish_target_default() made. */
 #define TARGET_COOKIE 0x74677431u /* "tgt1" */

@@ -14,8 +14,9 @@
 #include "core/vector.h"
 #include "image/text/drawing.h"
 #include "render/frame/caps.h"
-#include "render/frame/frame.h"
+#include "render/frame/options.h"
 #include "render/frame/regions.h"
+#include "render/frame/view.h"
 
 enum {
     SCALE = 4,         /* pixels for a pixel, along each side */

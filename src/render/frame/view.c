@@ -1,13 +1,14 @@
 /* Camera, lights and materials in the raster's space: all in double precision, rounded to float
  * once at the end. */
 
+#include "render/frame/view.h"
+
 #include <string.h>
 
 #include "core/error.h"
 #include "core/numbers.h"
 #include "core/vector.h"
-#include "render/frame/frame.h"
-#include "render/frame/space.h"
+#include "render/space.h"
 
 /* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back
  * from the depth exactly. */

@@ -4,7 +4,7 @@
 
 #include "core/elementary.h"
 #include "core/vector.h"
-#include "render/frame/space.h"
+#include "render/space.h"
 
 /* Pieces' edges, per diagonal of the mesh's bounds, while the budget lasts. */
 #define FINEST (1.0 / 512)

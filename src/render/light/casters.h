@@ -5,7 +5,7 @@
 
 #include "burnish/mesh.h"
 #include "core/memory.h"
-#include "render/frame/transparency.h"
+#include "render/texture/transparency.h"
 
 /* Owned; all zero before the first frame, a later frame of the same version uses the same pieces.
  */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "render/frame/space.h"
+#include "render/space.h"
 
 /* The texture reaches as far as the mesh and this many times its height, but no further than
  * LARGEST_REACH, in the raster's space, where the mesh fills the unit sphere; from FADE of that on

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "render/frame/space.h"
+#include "render/space.h"
 
 /* How far points are moved off the surface, in texels: less makes a curved surface hide itself,
  * more opens creases. */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "render/frame/space.h"
+#include "render/space.h"
 
 /* In texels: how far points are moved off the surface, so that it does not hide itself, and the
  * radius of the filter. */

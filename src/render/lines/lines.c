@@ -5,6 +5,8 @@
 
 #include "core/vector.h"
 #include "image/text/strokes.h"
+#include "render/lines/lines_loose.h"
+#include "render/lines/lines_seen.h"
 
 enum {
     EDGE_BLOCK = 1 << 14, /* edges that a thread selects at a time */

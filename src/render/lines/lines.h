@@ -11,7 +11,8 @@
 #include "core/memory.h"
 #include "core/tasks.h"
 #include "mesh/edges.h"
-#include "render/frame/frame.h"
+#include "render/frame/options.h"
+#include "render/frame/view.h"
 
 /* A segment on the screen, cut to the picture. */
 typedef struct burnish_line_segment {
@@ -80,32 +81,5 @@ burnish_status burnish_line_art_draw(const burnish_line_art *art,
                                      burnish_memory *memory);
 
 void burnish_line_art_destroy(burnish_line_art *art, const burnish_context *context);
-
-/* ---- lines_seen.c: what is seen of a chain of segments ---- */
-
-/* What samples are compared with. */
-typedef struct burnish_line_scene {
-    const burnish_target *target; /* its depth and triangles */
-    const int8_t *facing;         /* of triangles */
-    int cap_facing; /* of triangles that are seen from inside, where a cap is drawn; 0: no caps */
-    int width, height;
-    int is_parallel;
-    double footprint;      /* a pixel's width in the mesh's units: at distance 1, or everywhere */
-    double outline, inner; /* widths of lines */
-    int keeps_all;         /* 1: short pieces, too */
-    double shortest[4];    /* pixels: of features with 0, 1 or 2 loose ends, and of silhouettes */
-} burnish_line_scene;
-
-/* Appends what is seen of a chain to the lines.
- *   chain  2 * segment + 1 where it is walked backward
- * Errors: memory->status. */
-void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *scene,
-                            const uint32_t *chain, size_t count, burnish_memory *memory);
-
-/* ---- lines_loose.c ---- */
-
-/* Leaves out sets of lines that meet, together shorter than that, with a loose end, unless the
- * background begins there. Errors: memory->status; the lines are then as before. */
-void burnish_line_art_drop_loose(burnish_line_art *art, double shortest, burnish_memory *memory);
 
 #endif

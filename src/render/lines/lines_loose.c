@@ -1,8 +1,8 @@
 /* Noise of scans makes creases and silhouettes that begin and end in the midst of a surface. Lines
  * whose ends lie beside each other are joined in sets, and short sets with loose ends left out. */
-#include <string.h>
+#include "render/lines/lines_loose.h"
 
-#include "render/lines/lines.h"
+#include <string.h>
 
 /* Pixels: ends in one cell, or in cells beside each other, meet. */
 #define CELL 2.0f

@@ -1,8 +1,9 @@
 /* What is seen of a chain of segments, and how it becomes polylines. */
+#include "render/lines/lines_seen.h"
+
 #include <string.h>
 
 #include "core/vector.h"
-#include "render/lines/lines.h"
 
 enum {
     SAMPLES_MAX = 1 << 16, /* of a chain, which has at most 32,000 pixels and a segment more */

@@ -1,7 +1,7 @@
 /* Masks of materials: decided once a point, or for each sample of a pixel. */
-#include <string.h>
+#include "render/texture/masks.h"
 
-#include "render/texture/texture.h"
+#include <string.h>
 
 static void fill(float *to, int count, float value) {
     for (int i = 0; i < count; ++i) {

@@ -175,43 +175,4 @@ typedef struct burnish_texture_scratch {
     float part[BURNISH_MAX_SAMPLES / 4][BURNISH_TEXTURE_BATCH];
 } burnish_texture_scratch;
 
-/* To be called before the first point of a frame: forgets the last frame's triangles. */
-void burnish_texture_begin(burnish_texture_scratch *scratch);
-
-/* Fills scratch->points for scratch->ids; points whose material needs none get some numbers.
- *   materials  of points; NULL: all have material 0 */
-void burnish_texture_locate(const burnish_texturing *texturing, const burnish_render_ops *ops,
-                            const burnish_rays *rays, const burnish_screen_points *points,
-                            const int32_t *materials, int count, burnish_texture_scratch *scratch);
-
-/* Light of `count` points of one special material.
- *   shader   of the material
- *   streams  BURNISH_TEXTURE_STREAMS arrays of the points
- *   rgb      receives linear light, >= 0; NULL: only opacity is wanted
- *   scratch  opacity becomes what the material's textures leave of its opacity, [0, 1]; where its
- *            mask is smoothed 1, and cover what the mask leaves of each sample */
-void burnish_texture_shade(const burnish_texturing *texturing, const burnish_render_ops *ops,
-                           const burnish_kernels_shader *shader, int material,
-                           const burnish_kernels_points *points, const float *const *streams,
-                           int count, burnish_texture_scratch *scratch, float *const rgb[3]);
-
-/* ---- Masks (masks.c) ---- */
-
-/* What masks need of a batch: where fragments of layers lie in their pixels; all samples are whole
- * until their material is shaded.
- *   samples  of fragments of layers, bits of those that show it; NULL: of other points */
-void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *samples, int count,
-                         burnish_texture_scratch *scratch);
-
-/* Where nearest texels count and that of a point is not there, others next to it may be, and show
- * in some samples: gives the point their mean colour. */
-void burnish_masks_color(const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch);
-
-/* The mask of points whose opacity and taps of the colour have been found: opacity becomes 0 or 1,
- * or 1 and cover what the mask leaves of each sample. */
-void burnish_masks_apply(const burnish_texturing *texturing,
-                         const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch);
-
 #endif

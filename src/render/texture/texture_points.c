@@ -1,8 +1,8 @@
 /* Where visible points lie in their triangles' images: gathers the triangles, which the kernel then
  * meets with rays (texture_simd.h). */
-#include <string.h>
+#include "render/texture/texture_points.h"
 
-#include "render/texture/texture.h"
+#include <string.h>
 
 /* Corner 0 from the eye, in the raster's space, and the edges from it. */
 static void fill_record(const burnish_texturing *texturing, const uint32_t *vertices,

@@ -1,7 +1,9 @@
 /* The light of points whose material has textures. */
+#include "render/texture/texture_shade.h"
+
 #include <string.h>
 
-#include "render/texture/texture.h"
+#include "render/texture/masks.h"
 
 /* Whole vectors: whatever samples a texture is given these, as lanes after the last point are read
  * from its bands, too. */

@@ -1,11 +1,6 @@
-#include "render/frame/transparency.h"
+#include "render/texture/transparency.h"
 
 #include <string.h>
-
-#include "burnish/render.h"
-
-_Static_assert((int)BURNISH_LAYERS_MAX *(int)BURNISH_LAYER_PASSES == BURNISH_TRANSPARENT_LAYERS_MAX,
-               "what render.h says");
 
 /* ---- Triangles ---- */
 
@@ -169,84 +164,4 @@ void burnish_transparency_destroy(burnish_transparency *transparency,
     burnish_release(context, transparency->masks);
     burnish_release(context, transparency->rules);
     memset(transparency, 0, sizeof *transparency);
-}
-
-/* ---- Light ---- */
-
-burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *memory) {
-    const size_t size =
-        sizeof(burnish_layer_light) + (size_t)samples * BURNISH_TILE_PIXELS * sizeof(float);
-    return burnish_allocate(memory, size, 1, "layers");
-}
-
-void burnish_layer_light_clear(burnish_layer_light *layers, int samples) {
-    memset(layers->light, 0, sizeof layers->light);
-    memset(layers->covered, 0, sizeof layers->covered);
-    for (size_t i = 0; i < (size_t)samples * BURNISH_TILE_PIXELS; ++i) {
-        layers->through[i] = 1.0f;
-    }
-}
-
-static float opacity_of(const burnish_surface *surface, const burnish_fragments *fragments, int i) {
-    const burnish_primitive *primitive = &fragments->primitives[i];
-    const size_t material = surface->triangle_materials
-                                ? surface->triangle_materials[primitive->id_and_facing >> 1]
-                                : 0;
-    float opacity = surface->transparency->opacities[material];
-    if (surface->transparency->has_alpha) {
-        opacity *= burnish_fragment_alpha(surface->attributes, fragments, i);
-    }
-    return opacity < 0 ? 0 : opacity > 1 ? 1 : opacity;
-}
-
-/* Lays samples of opacity `opacity` times `cover` (NULL: 1) of fragment i behind what is there;
- * returns what of its light is seen. */
-static float lay_samples(burnish_layer_light *layers, const burnish_fragments *fragments, int i,
-                         float (*cover)[BURNISH_TEXTURE_BATCH], float opacity, int samples) {
-    const int pixel = fragments->pixels[i];
-    const unsigned bits = fragments->samples[i];
-    float seen = 0;
-    if (!cover) {
-        seen = opacity * burnish_layers_through(layers, samples, pixel, bits);
-    }
-    for (unsigned rest = bits; rest; rest &= rest - 1) {
-        const int s = __builtin_ctz(rest);
-        float *through = &layers->through[burnish_sample_index(samples, pixel, s)];
-        const float covered = cover ? opacity * cover[s][i] : opacity;
-        seen += cover ? covered * *through : 0;
-        *through *= 1.0f - covered;
-    }
-    return seen;
-}
-
-/* Whether a mask leaves some of fragment i. */
-static int is_there(const burnish_fragments *fragments, int i,
-                    float (*cover)[BURNISH_TEXTURE_BATCH]) {
-    for (unsigned rest = cover ? fragments->samples[i] : 0; rest; rest &= rest - 1) {
-        if (cover[__builtin_ctz(rest)][i] > 0) {
-            return 1;
-        }
-    }
-    return !cover;
-}
-
-void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
-                             const burnish_fragments *fragments, const float *const *rgb,
-                             const float *alpha, float (*cover)[BURNISH_TEXTURE_BATCH], int samples,
-                             float limit) {
-    for (int i = 0; i < fragments->count; ++i) {
-        const int pixel = fragments->pixels[i];
-        const float textured = alpha ? alpha[i] : 1.0f;
-        const float opacity = opacity_of(surface, fragments, i) * textured;
-        if (textured <= 0 || !is_there(fragments, i, cover)) {
-            continue; /* nothing is there */
-        }
-        const float seen = lay_samples(layers, fragments, i, cover, opacity, samples);
-        for (int k = 0; rgb && k < 3; ++k) {
-            const float value = rgb[k][i];
-            layers->light[k][pixel] += seen * (value < limit ? value : limit);
-        }
-        layers->covered[pixel / BURNISH_BLOCK_PIXELS] |=
-            (uint16_t)(1u << pixel % BURNISH_BLOCK_PIXELS);
-    }
 }

@@ -1,47 +1,15 @@
-/* Transparency: which triangles have some, and from the layers of a tile to their light.
+/* From the layers of a tile to their light.
  *
  * A layer of opacity a and colour C in front of what has the light L gives a C + (1 - a) L, for
  * each sample, in linear light, from the nearest layer to the farthest. A layer's opacity is its
  * material's times its vertices', interpolated as a colour is, times its textures'. A masked
  * material is wholly opaque or not there, sample by sample; where its texels are smaller than
  * pixels, samples are as opaque as the area is that the mask leaves. */
-#ifndef BURNISH_RENDER_FRAME_TRANSPARENCY_H
-#define BURNISH_RENDER_FRAME_TRANSPARENCY_H
+#ifndef BURNISH_RENDER_FRAME_LAYER_LIGHT_H
+#define BURNISH_RENDER_FRAME_LAYER_LIGHT_H
 
-#include "burnish/mesh.h"
 #include "raster/layers.h"
 #include "render/frame/surface.h"
-
-/* Owned; all zero before the first frame, a later frame uses the arrays again. */
-typedef struct burnish_transparency {
-    float *opacities;                   /* one per material */
-    const burnish_texturing *texturing; /* NULL: no material is special */
-    uint16_t *masks; /* burnish_tile.transparent: per batch of the mesh, then of clipped ones */
-    int has_some;    /* 0: every triangle is opaque, and masks mean nothing */
-    int has_alpha;   /* 1: alpha of vertices counts */
-    size_t opacity_capacity, mask_capacity;
-
-    /* Counts frames in which another part of space was opaque than in the one before: another mesh,
-     * other transparent triangles, another mask. Whatever was made of opaque triangles is kept as
-     * long as this stays. */
-    uint64_t version;
-    uint64_t serial;                    /* the mesh whose version it is; 0: none */
-    struct burnish_opacity_rule *rules; /* and one per material; none where all of it is opaque */
-    size_t rule_count, rule_capacity;
-} burnish_transparency;
-
-/* Finds the mesh's transparent triangles. Errors: MEMORY. */
-burnish_status burnish_transparency_update(burnish_transparency *transparency,
-                                           const burnish_mesh *mesh,
-                                           const burnish_texturing *texturing, int ignore_colors,
-                                           burnish_tasks *tasks, burnish_memory *memory);
-
-/* Adds those that clipping made. Errors: MEMORY. */
-burnish_status burnish_transparency_add_clipped(burnish_transparency *transparency,
-                                                const burnish_geometry *geometry,
-                                                burnish_memory *memory);
-void burnish_transparency_destroy(burnish_transparency *transparency,
-                                  const burnish_context *context);
 
 /* What a tile's layers come to. Pixels that no layer covers have no light and let all through. */
 typedef struct burnish_layer_light {

@@ -1,7 +1,7 @@
 /* The raster's space: the mesh's, moved and scaled so that it fills the unit sphere, whatever its
  * size and wherever it lies. */
-#ifndef BURNISH_RENDER_FRAME_SPACE_H
-#define BURNISH_RENDER_FRAME_SPACE_H
+#ifndef BURNISH_RENDER_SPACE_H
+#define BURNISH_RENDER_SPACE_H
 
 #include "burnish/mesh.h"
 #include "core/vector.h"

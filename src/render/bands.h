@@ -1,7 +1,7 @@
 /* Tiles of a picture, band after band: a band is as many rows of tiles as fit the budget of tile
  * lists. Frames and depth maps are drawn so. */
-#ifndef BURNISH_RENDER_FRAME_BANDS_H
-#define BURNISH_RENDER_FRAME_BANDS_H
+#ifndef BURNISH_RENDER_BANDS_H
+#define BURNISH_RENDER_BANDS_H
 
 #include "core/tasks.h"
 #include "raster/bins.h"

@@ -1,4 +1,4 @@
-#include "render/frame/bands.h"
+#include "render/bands.h"
 
 typedef struct band_context {
     const burnish_bins *bins;

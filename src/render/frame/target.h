@@ -1,0 +1,78 @@
+/* From a tile's linear light to the caller's pixels and planes. */
+#ifndef BURNISH_RENDER_FRAME_TARGET_H
+#define BURNISH_RENDER_FRAME_TARGET_H
+
+#include "core/srgb.h"
+#include "render/frame/layer_light.h"
+#include "render/frame/options.h"
+#include "render/frame/view.h"
+
+/* Where a frame's pixels go, and what background and alpha look like there. */
+typedef struct burnish_output {
+    burnish_target target;
+    burnish_row_range rows; /* of the picture, that the target holds */
+    const burnish_render_ops *ops;
+    const burnish_srgb_encoder *encoder;
+    const burnish_view *view;
+    int has_planes; /* 1: the target has some */
+    int samples;
+    int transparent;           /* 1: alpha is coverage, and there is no background */
+    float limit;               /* a fragment's light is clamped to it before samples are mixed */
+    uint32_t alpha;            /* the bits of an opaque pixel's alpha; 0 where there is none */
+    uint32_t background_code;  /* red lowest */
+    float background_light[4]; /* linear; alpha last */
+    const burnish_ground_view *ground; /* NULL: none is seen */
+    const uint8_t *background;         /* a row of the target where nothing is */
+    size_t pixel_size;                 /* bytes */
+} burnish_output;
+
+/* What is kept from frame to frame: the row of background. All zero before the first. */
+typedef struct burnish_output_row {
+    uint8_t *bytes;
+    size_t capacity;
+} burnish_output_row;
+
+/* Whether a target fits checked options. Errors: ARGUMENT. */
+burnish_status burnish_target_check(const burnish_target *target,
+                                    const burnish_render_options *options, burnish_error *error);
+
+/* The pixel rows of row `number` of a tile's blocks, from its own first one on, that are drawn. */
+static inline burnish_row_range burnish_output_rows(const burnish_output *output,
+                                                    const burnish_tile *tile, int number) {
+    const int top = tile->y + number * BURNISH_BLOCK_SIZE;
+    const int first = output->rows.first - top, end = output->rows.end - top;
+    return (burnish_row_range){first > 0 ? first : 0,
+                               end < BURNISH_BLOCK_SIZE ? end : BURNISH_BLOCK_SIZE};
+}
+
+/* ops, encoder, view and ground are the caller's to set. Errors: MEMORY. */
+burnish_status burnish_output_begin(burnish_output *output, const burnish_target *target,
+                                    const burnish_render_options *options, burnish_output_row *row,
+                                    burnish_memory *memory);
+
+/* What fragments leave at a tile's complex pixels. */
+typedef struct burnish_tile_sums {
+    float light[3][BURNISH_TILE_PIXELS];  /* times samples */
+    uint8_t covered[BURNISH_TILE_PIXELS]; /* samples */
+    uint8_t weights[BURNISH_TILE_PIXELS]; /* samples of the fragment that planes show so far */
+    burnish_layer_light *layers;          /* in front of all that; NULL: none in this tile */
+} burnish_tile_sums;
+
+/* Adds the light of fragments to their pixels' sums, and writes what planes show of them: of a
+ * pixel's fragments the one with most samples, of equals the first. batch: of the fragments. */
+void burnish_output_add_fragments(const burnish_output *output, const burnish_tile *tile,
+                                  const burnish_fragments *fragments,
+                                  const burnish_fragment_batch *batch, const float *const rgb[3],
+                                  burnish_tile_sums *sums);
+
+/* Writes row `number` of a tile to the target: pixels that show nothing become background; complex
+ * ones the mean of their sums with it or, where it is transparent, of the covered samples alone.
+ * The row's light may change. */
+void burnish_output_store_row(const burnish_output *output, const burnish_tile *tile,
+                              const burnish_tile_sums *sums, int number, burnish_row_light *row);
+
+/* Writes background to row `number`, which shows nothing. */
+void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
+                                     int number);
+
+#endif

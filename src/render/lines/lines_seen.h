@@ -1,0 +1,26 @@
+/* What is seen of a chain of segments. */
+#ifndef BURNISH_RENDER_LINES_LINES_SEEN_H
+#define BURNISH_RENDER_LINES_LINES_SEEN_H
+
+#include "render/lines/lines.h"
+
+/* What samples are compared with. */
+typedef struct burnish_line_scene {
+    const burnish_target *target; /* its depth and triangles */
+    const int8_t *facing;         /* of triangles */
+    int cap_facing; /* of triangles that are seen from inside, where a cap is drawn; 0: no caps */
+    int width, height;
+    int is_parallel;
+    double footprint;      /* a pixel's width in the mesh's units: at distance 1, or everywhere */
+    double outline, inner; /* widths of lines */
+    int keeps_all;         /* 1: short pieces, too */
+    double shortest[4];    /* pixels: of features with 0, 1 or 2 loose ends, and of silhouettes */
+} burnish_line_scene;
+
+/* Appends what is seen of a chain to the lines.
+ *   chain  2 * segment + 1 where it is walked backward
+ * Errors: memory->status. */
+void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *scene,
+                            const uint32_t *chain, size_t count, burnish_memory *memory);
+
+#endif
