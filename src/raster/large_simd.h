@@ -260,27 +260,37 @@ BURNISH_INLINE vf clamp_number(const large_triangle *large, int i, vf value) {
     return vf_min(vf_max(value, vf_set(large->low[i])), vf_set(large->high[i]));
 }
 
+/* LANES pixels of a cell. */
+typedef struct cell_part {
+    int is_inside; /* 1: the triangle covers the cell; a constant where it is compiled */
+    int k, pixel;  /* the first one: its number in the cell, and in the tile */
+    vi at[3];      /* edges at the centres; read unless is_inside */
+    vm covered;    /* where the triangle is, or with several samples may be */
+} cell_part;
+
 /* Stores what of LANES pixels is nearer; returns the pixels whose samples all are. */
-BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *large, int is_inside,
-                            int samples, int keep, int32_t id, const vi at[3], vm covered, vf depth,
-                            int sample, unsigned *drawn) {
-    vm simple = covered;
-    for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
+BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *large, draw_kind kind,
+                            int32_t id, const cell_part *part, vf depth, unsigned *drawn) {
+    vm simple = part->covered;
+    int sample = burnish_sample_index(kind.samples, part->pixel, 0);
+    for (int s = 0; s < kind.samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         const vf before = vf_load(tile->buffer.depths + sample);
-        const vf at_sample = samples == 1 ? depth : vf_add(depth, vf_set(large->sample_depth[s]));
+        const vf at_sample =
+            kind.samples == 1 ? depth : vf_add(depth, vf_set(large->sample_depth[s]));
         const vf after = clamp_number(large, 0, at_sample);
         vm nearer = vf_greater(after, before);
-        if (!is_inside) {
-            nearer = vm_and(nearer, samples == 1 ? covered : cover_sample(large, at, s));
+        if (!part->is_inside) {
+            nearer = vm_and(nearer,
+                            kind.samples == 1 ? part->covered : cover_sample(large, part->at, s));
         }
         *drawn |= vm_bits(nearer);
-        if (keep == KEEP_LAYER) {
+        if (kind.keep == KEEP_LAYER) {
             keep_layers(tile, nearer, after, vi_set(id), sample);
             simple = vm_and(simple, vm_not(simple));
             continue;
         }
         vf_store(tile->buffer.depths + sample, vf_blend(nearer, after, before));
-        if (keep) {
+        if (kind.keep) {
             vi_store_where(nearer, tile->buffer.ids + sample, vi_set(id));
         }
         simple = vm_and(simple, nearer);
@@ -288,23 +298,22 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
     return simple;
 }
 
-/* Draws LANES pixels of a cell, from its pixel k on, which is the tile's `pixel`; `numbers` are the
- * planes at its first pixel. */
-BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *large, int is_inside,
-                                   int samples, int planes, int keep, int32_t id, const vi at[3],
-                                   vm covered, const float numbers[NUMBERS], int k, int pixel) {
+/* Draws LANES pixels of a cell; `numbers` are the planes at its first pixel. */
+BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *large, draw_kind kind,
+                                   int32_t id, const cell_part *part,
+                                   const float numbers[NUMBERS]) {
+    const int k = part->k, pixel = part->pixel;
     unsigned drawn = 0;
     const vf depth = vf_add(vf_set(numbers[0]), vf_load(large->pixels[0] + k));
-    const vm simple = draw_part(tile, large, is_inside, samples, keep, id, at, covered, depth,
-                                burnish_sample_index(samples, pixel, 0), &drawn);
+    const vm simple = draw_part(tile, large, kind, id, part, depth, &drawn);
     mark_dirty(tile, pixel, drawn != 0);
     if (!vm_any(simple)) {
         return;
     }
-    if (samples > 1 && tile->options.needs_position) {
+    if (kind.samples > 1 && tile->options.needs_position) {
         vf_store_where(simple, tile->buffer.center_depths + pixel, clamp_number(large, 0, depth));
     }
-    for (int p = 0; p < planes; ++p) {
+    for (int p = 0; p < kind.planes; ++p) {
         vf value = vf_add(vf_set(numbers[1 + p]), vf_load(large->pixels[1 + p] + k));
         if (large->is_needle) {
             value = clamp_number(large, 1 + p, value);
@@ -322,63 +331,64 @@ BURNISH_INLINE int pixel_of_cell(int x, int y, int k) {
 }
 
 /* Draws a cell that the triangle covers, whose first pixel is (x, y). */
-BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *large, int samples,
-                                    int planes, int keep, int32_t id, int x, int y) {
-    const vi none[3] = {vi_set(0), vi_set(0), vi_set(0)};
+BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *large, draw_kind kind,
+                                    int32_t id, int x, int y) {
+    cell_part part = {.is_inside = 1, .covered = vi_not_negative(vi_set(0))};
     float numbers[NUMBERS];
-    start_planes(large, planes, x, y, numbers);
-    for (int k = 0; k < CELL_PIXELS; k += LANES) {
-        draw_cell_part(tile, large, 1, samples, planes, keep, id, none, vi_not_negative(none[0]),
-                       numbers, k, pixel_of_cell(x, y, k));
+    start_planes(large, kind.planes, x, y, numbers);
+    for (part.k = 0; part.k < CELL_PIXELS; part.k += LANES) {
+        part.pixel = pixel_of_cell(x, y, part.k);
+        draw_cell_part(tile, large, kind, id, &part, numbers);
     }
 }
 
 /* Draws a cell that the triangle may cover in part. Which pixels it covers is unpredictable, so
  * they are found first, without a branch. */
-BURNISH_INLINE void draw_part_of_cell(burnish_tile *tile, const large_triangle *large, int samples,
-                                      int planes, int keep, int32_t id, int x, int y) {
+BURNISH_INLINE void draw_part_of_cell(burnish_tile *tile, const large_triangle *large,
+                                      draw_kind kind, int32_t id, int x, int y) {
     int32_t first[3];
     vm covered[CELL_PIXELS / LANES];
-    vi at[3];
+    cell_part part = {.is_inside = 0};
     uint64_t hit = 0;
     for (int i = 0; i < 3; ++i) {
         const large_edge *edge = &large->edges[i];
         first[i] = edge->start + x * edge->right + y * edge->down;
     }
     for (int k = 0; k < CELL_PIXELS; k += LANES) {
-        covered[k / LANES] = find_edges(large, first, samples, k, at);
+        covered[k / LANES] = find_edges(large, first, kind.samples, k, part.at);
         hit |= (uint64_t)(vm_any(covered[k / LANES]) != 0) << k / LANES;
     }
     if (!hit) {
         return;
     }
     float numbers[NUMBERS];
-    start_planes(large, planes, x, y, numbers);
+    start_planes(large, kind.planes, x, y, numbers);
     for (; hit; hit &= hit - 1) {
-        const int part = __builtin_ctzll(hit), k = part * LANES;
-        find_edges(large, first, samples, k, at);
-        draw_cell_part(tile, large, 0, samples, planes, keep, id, at, covered[part], numbers, k,
-                       pixel_of_cell(x, y, k));
+        part.k = __builtin_ctzll(hit) * LANES;
+        part.pixel = pixel_of_cell(x, y, part.k);
+        part.covered = covered[part.k / LANES];
+        find_edges(large, first, kind.samples, part.k, part.at);
+        draw_cell_part(tile, large, kind, id, &part, numbers);
     }
 }
 
 /* Draws a triangle of any size. */
 BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, size_t lane,
-                               int samples, int planes, int keep, int32_t id) {
+                               draw_kind kind, int32_t id) {
     large_triangle large;
     for (int i = 0; i < 3; ++i) {
-        if (!compute_large_edge(setup, lane, i, samples, &large.edges[i])) {
+        if (!compute_large_edge(setup, lane, i, kind.samples, &large.edges[i])) {
             return;
         }
     }
-    compute_planes(setup, lane, planes, &large);
-    compute_depth_bounds(&large, samples);
+    compute_planes(setup, lane, kind.planes, &large);
+    compute_depth_bounds(&large, kind.samples);
     const int x0 = setup->x0[lane] / BURNISH_HIZ_PIXELS, x1 = setup->x1[lane] / BURNISH_HIZ_PIXELS;
     const int y0 = setup->y0[lane] / BURNISH_HIZ_PIXELS, y1 = setup->y1[lane] / BURNISH_HIZ_PIXELS;
     for (int y = y0 & ~(CELL_ROWS - 1); y <= y1; y += CELL_ROWS) {
         for (int x = x0 & ~(CELL_COLUMNS - 1); x <= x1; x += CELL_COLUMNS) {
             unsigned inside;
-            unsigned rest = classify_cells(tile, &large, keep, x, y, &inside);
+            unsigned rest = classify_cells(tile, &large, kind.keep, x, y, &inside);
             for (; rest; rest &= rest - 1) {
                 const int cell = __builtin_ctz(rest);
                 const int column = x + cell % CELL_COLUMNS, row = y + cell / CELL_COLUMNS;
@@ -387,9 +397,9 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
                 }
                 const int u = column * BURNISH_HIZ_PIXELS, v = row * BURNISH_HIZ_PIXELS;
                 if (inside >> cell & 1) {
-                    draw_whole_cell(tile, &large, samples, planes, keep, id, u, v);
+                    draw_whole_cell(tile, &large, kind, id, u, v);
                 } else {
-                    draw_part_of_cell(tile, &large, samples, planes, keep, id, u, v);
+                    draw_part_of_cell(tile, &large, kind, id, u, v);
                 }
             }
         }

@@ -74,6 +74,11 @@ enum {
     KEEP_LAYER /* one more of its layers: depths and ids stay */
 };
 
+/* How triangles are drawn: constants where it is compiled, for most tiles. */
+typedef struct draw_kind {
+    int samples, planes, keep; /* per pixel; of attributes; KEEP_... */
+} draw_kind;
+
 /* No layer is that far away: a lane's that has none, and that of a lane that adds none. */
 #define NO_LAYER (2 * BURNISH_FARTHEST)
 #define NOTHING_TO_ADD (4 * BURNISH_FARTHEST)
@@ -123,14 +128,14 @@ BURNISH_INLINE void keep_layers(const burnish_tile *tile, vm lanes, vf depth, vi
 }
 
 /* Draws a stamp with several samples per pixel; e are the edge functions at the pixels' centres.
- * keep: KEEP_ID or KEEP_LAYER. Returns whether a sample was nearer. */
+ * Depths alone are never kept. Returns whether a sample was nearer. */
 BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants *constants,
-                                int samples, int planes, int keep, const vi e[3],
-                                const sample_steps *steps, size_t lane, int pixel) {
+                                draw_kind kind, const vi e[3], const sample_steps *steps,
+                                size_t lane, int pixel) {
     vm simple = vi_not_negative(vi_set(0));
     unsigned drawn = 0;
-    int sample = burnish_sample_index(samples, pixel, 0);
-    for (int s = 0; s < samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
+    int sample = burnish_sample_index(kind.samples, pixel, 0);
+    for (int s = 0; s < kind.samples; ++s, sample += BURNISH_BLOCK_PIXELS) {
         vi at[3];
         for (int i = 0; i < 3; ++i) {
             at[i] = vi_add(e[i], vi_set(steps->step[i][s][lane]));
@@ -140,7 +145,7 @@ BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants 
                               weight_from(constants, at, 2));
         vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->buffer.depths + sample)));
         drawn |= vm_bits(nearer);
-        if (keep == KEEP_LAYER) {
+        if (kind.keep == KEEP_LAYER) {
             keep_layers(tile, nearer, depth, constants->id, sample);
             continue;
         }
@@ -148,13 +153,13 @@ BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants 
         vf_store_where(nearer, tile->buffer.depths + sample, depth);
         vi_store_where(nearer, tile->buffer.ids + sample, constants->id);
     }
-    if (keep != KEEP_LAYER && vm_any(simple)) {
+    if (kind.keep != KEEP_LAYER && vm_any(simple)) {
         vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
         if (tile->options.needs_position) {
             vf_store_where(simple, tile->buffer.center_depths + pixel,
                            depth_from(constants->depth, weight1, weight2));
         }
-        interpolate_stamp(tile, constants, planes, simple, weight1, weight2, pixel);
+        interpolate_stamp(tile, constants, kind.planes, simple, weight1, weight2, pixel);
     }
     return drawn != 0;
 }
@@ -178,23 +183,23 @@ BURNISH_INLINE vi edge_of_stamp(const triangle_setup *setup, size_t lane, int i,
 
 /* Draws a stamp, one sample per pixel, where `covered` holds. Whether it is nearer is
  * unpredictable, so there is no branch. */
-BURNISH_INLINE void draw_stamp(burnish_tile *tile, const stamp_constants *constants, int planes,
-                               int keep, vm covered, const vi e[3], int pixel) {
+BURNISH_INLINE void draw_stamp(burnish_tile *tile, const stamp_constants *constants, draw_kind kind,
+                               vm covered, const vi e[3], int pixel) {
     vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);
     vf depth = depth_from(constants->depth, weight1, weight2);
     vf before = vf_load(tile->buffer.depths + pixel);
     vm nearer = vm_and(covered, vf_greater(depth, before));
-    if (keep == KEEP_LAYER) {
+    if (kind.keep == KEEP_LAYER) {
         keep_layers(tile, nearer, depth, constants->id, pixel);
         mark_dirty(tile, pixel, vm_any(nearer));
         return;
     }
     vf_store(tile->buffer.depths + pixel, vf_blend(nearer, depth, before));
-    if (keep) {
+    if (kind.keep) {
         vi_store_where(nearer, tile->buffer.ids + pixel, constants->id);
     }
-    interpolate_stamp(tile, constants, planes, nearer, weight1, weight2, pixel);
-    if (planes > 0 || keep) { /* nobody asks for a depth map's blocks */
+    interpolate_stamp(tile, constants, kind.planes, nearer, weight1, weight2, pixel);
+    if (kind.planes > 0 || kind.keep) { /* nobody asks for a depth map's blocks */
         mark_dirty(tile, pixel, vm_any(nearer));
     }
 }
@@ -290,13 +295,12 @@ BURNISH_INLINE int may_cover(const sample_steps *steps, size_t lane, const vi e[
 
 /* Draws a small triangle. steps: with several samples. */
 BURNISH_INLINE void draw_small(burnish_tile *tile, const triangle_setup *setup,
-                               const sample_steps *steps, size_t lane, int samples, int planes,
-                               int keep, int32_t id) {
+                               const sample_steps *steps, size_t lane, draw_kind kind, int32_t id) {
     const int x0 = setup->x0[lane] & ~(STAMP_WIDTH - 1), x1 = setup->x1[lane];
     const int y0 = setup->y0[lane] & ~(STAMP_HEIGHT - 1), y1 = setup->y1[lane];
     stamp_constants constants;
     vi row[3], across[3], down[3];
-    load_constants(setup, lane, planes, id, &constants);
+    load_constants(setup, lane, kind.planes, id, &constants);
     for (int i = 0; i < 3; ++i) {
         row[i] = edge_of_stamp(setup, lane, i, &across[i], &down[i]);
     }
@@ -304,15 +308,14 @@ BURNISH_INLINE void draw_small(burnish_tile *tile, const triangle_setup *setup,
         vi e[3] = {row[0], row[1], row[2]};
         for (int x = x0; x <= x1; x += STAMP_WIDTH) {
             const int pixel = burnish_pixel_index(x, y);
-            if (samples == 1) {
+            if (kind.samples == 1) {
                 const vm covered = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
                 if (vm_any(covered)) {
-                    draw_stamp(tile, &constants, planes, keep, covered, e, pixel);
+                    draw_stamp(tile, &constants, kind, covered, e, pixel);
                 }
             } else if (may_cover(steps, lane, e)) {
-                mark_dirty(
-                    tile, pixel,
-                    draw_samples(tile, &constants, samples, planes, keep, e, steps, lane, pixel));
+                mark_dirty(tile, pixel,
+                           draw_samples(tile, &constants, kind, e, steps, lane, pixel));
             }
             for (int i = 0; i < 3; ++i) {
                 e[i] = vi_add(e[i], across[i]);
@@ -347,27 +350,25 @@ BURNISH_INLINE int select_covered(const sample_steps *steps, int samples, int co
 }
 
 /* Draws the triangles `lanes`: none has more than STAMP_SIDE stamps across or down. ids: per lane,
- * where they are requested; steps: with several samples. */
+ * read if they are kept; steps: with several samples. */
 BURNISH_INLINE void draw_queued(burnish_tile *tile, const triangle_setup *setup,
-                                const sample_steps *steps, unsigned lanes, int samples, int planes,
+                                const sample_steps *steps, unsigned lanes, draw_kind kind,
                                 const int32_t *ids, stamp_queue *queue) {
     const int queued = queue_stamps(setup, lanes, queue);
-    const int selected = select_covered(steps, samples, queued, queue);
+    const int selected = select_covered(steps, kind.samples, queued, queue);
     for (int i = 0; i < selected; ++i) {
         const int stamp = queue->selected[i], pixel = queue->pixel[stamp] % BURNISH_TILE_PIXELS;
         const size_t lane = (size_t)queue->pixel[stamp] / BURNISH_TILE_PIXELS;
         stamp_constants constants;
         vi e[3];
-        load_constants(setup, lane, planes, ids ? ids[lane] : 0, &constants);
+        load_constants(setup, lane, kind.planes, kind.keep ? ids[lane] : 0, &constants);
         for (int k = 0; k < 3; ++k) {
             e[k] = edge_of_queued(queue, lane, stamp, k);
         }
-        if (samples == 1) {
-            draw_stamp(tile, &constants, planes, ids != NULL, queue->covered[i], e, pixel);
+        if (kind.samples == 1) {
+            draw_stamp(tile, &constants, kind, queue->covered[i], e, pixel);
         } else {
-            mark_dirty(
-                tile, pixel,
-                draw_samples(tile, &constants, samples, planes, KEEP_ID, e, steps, lane, pixel));
+            mark_dirty(tile, pixel, draw_samples(tile, &constants, kind, e, steps, lane, pixel));
         }
     }
 }

@@ -214,29 +214,28 @@ static void evict_hidden(burnish_tile *tile) {
 
 /* Draws one triangle. */
 BURNISH_INLINE void draw_alone(burnish_tile *tile, const triangle_setup *setup,
-                               const sample_steps *steps, size_t lane, int samples, int planes,
-                               int keep, int32_t id) {
+                               const sample_steps *steps, size_t lane, draw_kind kind, int32_t id) {
     if (setup->small >> lane & 1) {
-        draw_small(tile, setup, steps, lane, samples, planes, keep, id);
+        draw_small(tile, setup, steps, lane, kind, id);
     } else {
-        draw_large(tile, setup, lane, samples, planes, keep, id);
+        draw_large(tile, setup, lane, kind, id);
     }
 }
 
 /* Draws a group by queued stamps, but for its wide triangles, in order. */
 BURNISH_INLINE void draw_runs(burnish_tile *tile, const triangle_setup *setup,
-                              const sample_steps *steps, int samples, int planes, int ids,
-                              const int32_t *id, stamp_queue *queue) {
+                              const sample_steps *steps, draw_kind kind, const int32_t *ids,
+                              stamp_queue *queue) {
     unsigned rest = setup->live;
     while (rest) {
         const unsigned wide = rest & setup->wide;
         const unsigned first_wide = wide & (0u - wide), run = rest & (first_wide - 1);
         if (run) {
-            draw_queued(tile, setup, steps, run, samples, planes, ids ? id : NULL, queue);
+            draw_queued(tile, setup, steps, run, kind, ids, queue);
         }
         if (wide) {
             const size_t lane = (size_t)__builtin_ctz(wide);
-            draw_alone(tile, setup, steps, lane, samples, planes, ids, id[lane]);
+            draw_alone(tile, setup, steps, lane, kind, ids[lane]);
         }
         rest &= ~(run | first_wide);
     }
@@ -253,7 +252,7 @@ BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, const triangle_setup
     unsigned others = setup->live;
     uint64_t hits = 0;
     if (HAS_QUEUE && 2 * tiny < LANES) {
-        draw_runs(tile, setup, NULL, 1, planes, ids, id, queue);
+        draw_runs(tile, setup, NULL, (draw_kind){1, planes, ids}, id, queue);
         return;
     }
     if (tiny > 1) { /* the pixels of all tiny ones at once */
@@ -267,7 +266,7 @@ BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, const triangle_setup
         const uint64_t before = hits & ((1ull << 4 * lane) - 1);
         draw_tiny(tile, setup, pixels, before, planes, ids);
         hits ^= before;
-        draw_alone(tile, setup, NULL, lane, 1, planes, ids, id[lane]);
+        draw_alone(tile, setup, NULL, lane, (draw_kind){1, planes, ids}, id[lane]);
     }
     draw_tiny(tile, setup, pixels, hits, planes, ids);
 }
@@ -276,6 +275,7 @@ BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, const triangle_setup
 BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *setup, int samples,
                                       int planes, tiny_samples *found, stamp_queue *queue) {
     const size_t first = tile->primitives.count;
+    const draw_kind kind = {samples, planes, KEEP_ID};
     sample_steps steps;
     int32_t ids[LANES];
     append_primitives(&tile->primitives, setup);
@@ -291,12 +291,12 @@ BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *
         return;
     }
     if (HAS_QUEUE) {
-        draw_runs(tile, setup, &steps, samples, planes, 1, ids, queue);
+        draw_runs(tile, setup, &steps, kind, ids, queue);
         return;
     }
     for (unsigned rest = setup->live; rest; rest &= rest - 1) {
         const size_t lane = (size_t)__builtin_ctz(rest);
-        draw_alone(tile, setup, &steps, lane, samples, planes, 1, ids[lane]);
+        draw_alone(tile, setup, &steps, lane, kind, ids[lane]);
     }
 }
 
@@ -311,7 +311,7 @@ BURNISH_INLINE void draw_layers(burnish_tile *tile, const triangle_setup *setup,
     for (unsigned rest = setup->live; rest; rest &= rest - 1) {
         const size_t lane = (size_t)__builtin_ctz(rest);
         const int32_t id = (int32_t)(indices[lane] * 2 + back);
-        draw_alone(tile, setup, &steps, lane, samples, 0, KEEP_LAYER, id);
+        draw_alone(tile, setup, &steps, lane, (draw_kind){samples, 0, KEEP_LAYER}, id);
     }
 }
 

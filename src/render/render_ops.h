@@ -10,6 +10,9 @@
 #include "render/screen.h"
 #include "simd/isa.h"
 
+/* Normal, colour, position, w, first light, and BURNISH_TEXTURE_STREAMS. */
+enum { BURNISH_BATCH_STREAMS = 11 + 12 };
+
 struct burnish_ground_view;
 struct burnish_kernels_points;
 struct burnish_mask;
@@ -24,6 +27,13 @@ struct burnish_texture_scratch;
 struct burnish_texture_taps;
 struct burnish_textured_material;
 
+/* The arrays of a batch that shading reads, and where the items of one material go. */
+typedef struct burnish_batch_streams {
+    int count;
+    const float *from[BURNISH_BATCH_STREAMS];
+    float *to[BURNISH_BATCH_STREAMS];
+} burnish_batch_streams;
+
 typedef struct burnish_render_ops {
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
@@ -33,16 +43,16 @@ typedef struct burnish_render_ops {
     void (*position_from_depth)(const burnish_rays *rays, const burnish_screen_points *points,
                                 size_t count, float *const position[3], float *w);
 
-    /* Copies the vectors of points [first, count) in which `left` is `material`, one after another,
-     * from each of `streams` arrays to another; there `left` becomes -1. places[v] gets the first
-     * point of vector v, so count <= 256. Returns how many points were copied. Arrays are read and
-     * written up to the next multiple of 16. */
-    int (*collect_material)(int32_t material, int first, int count, int32_t *left, int streams,
-                            const float *const *from, float *const *to, uint8_t *places);
+    /* Copies the vectors of items [first, count) in which `left` is `material`, one after another,
+     * from each stream's array to its other one; there `left` becomes -1. starts[v] receives the
+     * first item of vector v, so count <= 256. Returns how many items were copied. Arrays are read
+     * and written up to the next multiple of 16. */
+    int (*collect_material)(int32_t material, int first, int count, int32_t *left,
+                            const burnish_batch_streams *streams, uint8_t *starts);
 
-    /* Takes `size` colours of such vectors back to where `materials` is `material`. */
+    /* Copies `size` colours of such vectors back to where `materials` is `material`. */
     void (*scatter_material)(int32_t material, const int32_t *materials, int size,
-                             const uint8_t *places, const float *const from[3], float *const to[3]);
+                             const uint8_t *starts, const float *const from[3], float *const to[3]);
 
     /* What count <= BURNISH_OCCLUDED_MAX points keep of their light: 1 less strength times the
      * share of the sky that is hidden from them. Positions count from the eye, normals are unit

@@ -34,17 +34,25 @@ burnish_isa burnish_kernels_get_isa(const burnish_kernels *kernels) {
 
 /* ---- Lobes ---- */
 
+/* Arrays of values, and what a lobe is evaluated from: BURNISH_LOBE_INPUT_... */
+typedef struct lobe_values {
+    int input;
+    size_t count;
+    const float *in;
+    float *out;
+} lobe_values;
+
 static burnish_status lobe_array(const burnish_kernels *kernels, const burnish_lobe_spec *lobe,
-                                 float exponent, int input, size_t count, const float *in,
-                                 float *out, burnish_error *error) {
+                                 float exponent, lobe_values values, burnish_error *error) {
     const burnish_environment environment = burnish_environment_enter();
     burnish_lobe_constants constants;
     float scale;
     burnish_status status = burnish_lobe_constants_make(lobe, exponent, &constants, &scale, error);
     if (status == BURNISH_STATUS_OK) {
-        or_best(kernels)->lobe[constants.body][input](&constants, count, in, out);
-        for (size_t i = 0; scale != 1.0f && i < count; ++i) {
-            out[i] *= scale;
+        or_best(kernels)->lobe[constants.body][values.input](&constants, values.count, values.in,
+                                                             values.out);
+        for (size_t i = 0; scale != 1.0f && i < values.count; ++i) {
+            values.out[i] *= scale;
         }
     }
     burnish_environment_leave(environment);
@@ -55,16 +63,16 @@ burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *kernels,
                                                const burnish_lobe_spec *lobe, float exponent,
                                                size_t count, const float *cosines, float *values,
                                                burnish_error *error) {
-    return lobe_array(kernels, lobe, exponent, BURNISH_LOBE_INPUT_COSINE, count, cosines, values,
-                      error);
+    const lobe_values arrays = {BURNISH_LOBE_INPUT_COSINE, count, cosines, values};
+    return lobe_array(kernels, lobe, exponent, arrays, error);
 }
 
 burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *kernels,
                                                const burnish_lobe_spec *lobe, float exponent,
                                                size_t count, const float *lambdas, float *values,
                                                burnish_error *error) {
-    return lobe_array(kernels, lobe, exponent, BURNISH_LOBE_INPUT_LAMBDA, count, lambdas, values,
-                      error);
+    const lobe_values arrays = {BURNISH_LOBE_INPUT_LAMBDA, count, lambdas, values};
+    return lobe_array(kernels, lobe, exponent, arrays, error);
 }
 
 void burnish_kernels_normalize(const burnish_kernels *kernels, size_t count,

@@ -96,11 +96,11 @@ static void draw_each(const soup *from, burnish_map_drawer *drawer, const burnis
     burnish_memory memory = burnish_memory_of(NULL, &run->error);
     burnish_tasks_begin(&tasks, NULL, 1);
     memset(run, 0, sizeof *run);
+    drawer->ops = burnish_raster_ops_for(BURNISH_ISA_SCALAR);
     for (int i = 0; i < 2 * count && run->status == BURNISH_STATUS_OK; ++i) {
         const burnish_map_view view = i % 2 ? burnish_map_view_back(views[i / 2]) : views[i / 2];
-        run->status =
-            burnish_map_draw(drawer, burnish_raster_ops_for(BURNISH_ISA_SCALAR), &from->mesh, &view,
-                             run->depths + (size_t)i * texels, &tasks, &memory);
+        run->status = burnish_map_draw(drawer, &from->mesh, &view, run->depths + (size_t)i * texels,
+                                       &tasks, &memory);
     }
 }
 
@@ -112,8 +112,10 @@ static void draw_pairs(const soup *from, burnish_map_drawer *drawer, const burni
     burnish_tasks_begin(&tasks, NULL, threads);
     memset(run, 0, sizeof *run);
     memset(run->depths, 0x55, sizeof run->depths);
-    run->status = burnish_map_pairs_draw(drawer, burnish_raster_ops_for(isa), &from->mesh, views,
-                                         count, run->depths, texels, NULL, &tasks, &memory);
+    drawer->ops = burnish_raster_ops_for(isa);
+    run->status = burnish_map_pairs_draw(
+        drawer, &from->mesh, &(burnish_map_pairs){views, count, run->depths, texels, NULL}, &tasks,
+        &memory);
     memset(run->depths + 2 * (size_t)count * texels, 0,
            sizeof run->depths - 2 * (size_t)count * texels * sizeof *run->depths);
 }

@@ -241,7 +241,8 @@ typedef struct expected_layers {
 /* Every transparent triangle alone: where it is nearer than the opaque ones it is a layer. */
 static void draw_layers(const reference_tile *opaque, const burnish_raster_view *view,
                         const burnish_geometry *geometry, const uint32_t *indices, size_t count,
-                        int column, int row, expected_layers *layers) {
+                        expected_layers *layers) {
+    const int column = opaque->x / BURNISH_TILE_SIZE, row = opaque->y / BURNISH_TILE_SIZE;
     reference_tile alone;
     CHECK1(reference_tile_create(&alone, opaque->samples, NULL) == BURNISH_STATUS_OK);
     memset(layers->counts, 0, sizeof layers->counts);
@@ -353,7 +354,7 @@ static void check_layers(const random_scene *scene, const burnish_raster_view *v
             tile.triangles[k] = REFERENCE_NO_TRIANGLE;
         }
         reference_draw_indices(&tile, view, &geometry, column, row, parts[0], counts[0]);
-        draw_layers(&tile, view, &geometry, parts[1], counts[1], column, row, &layers);
+        draw_layers(&tile, view, &geometry, parts[1], counts[1], &layers);
         if (burnish_tile_draw(&fast, ops, view, &geometry, &bins, column, row)) {
             CHECK(compare_owners(&tile, &fast, &geometry) == 0, "scene %d: opaque triangles",
                   number);

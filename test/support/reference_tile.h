@@ -333,14 +333,22 @@ static inline int reference_draw_missing(reference_tile *tile, const burnish_geo
     return missing;
 }
 
-/* Appends the point of `weight` samples whose offsets add up to (sum_x, sum_y) in 1/16 pixel. */
+/* The samples of a pixel that show a triangle: how many, and the sums of their offsets in 1/16
+ * pixel. */
+typedef struct sample_group {
+    uint32_t triangle;
+    int weight, sum_x, sum_y;
+} sample_group;
+
 static void append_fragment(const reference_tile *tile, const burnish_raster_view *view,
-                            const burnish_geometry *geometry, int pixel, uint32_t triangle,
-                            int weight, int sum_x, int sum_y, burnish_fragments *fragments) {
+                            const burnish_geometry *geometry, int pixel, sample_group group,
+                            burnish_fragments *fragments) {
+    const uint32_t triangle = group.triangle;
+    const int weight = group.weight;
     int dx = 0, dy = 0;
     if (weight < tile->samples) {
-        dx = sum_x * SAMPLE_STEP / weight;
-        dy = sum_y * SAMPLE_STEP / weight;
+        dx = group.sum_x * SAMPLE_STEP / weight;
+        dy = group.sum_y * SAMPLE_STEP / weight;
     }
     int pixel_x = tile->x + pixel % BURNISH_TILE_SIZE,
         pixel_y = tile->y + pixel / BURNISH_TILE_SIZE;
@@ -379,16 +387,16 @@ static void append_pixel(const reference_tile *tile, const burnish_raster_view *
         if ((taken >> s & 1) || triangles[s] == REFERENCE_NO_TRIANGLE) {
             continue;
         }
-        int weight = 0, sum_x = 0, sum_y = 0;
+        sample_group group = {.triangle = triangles[s]};
         for (int other = s; other < tile->samples; ++other) {
             if (triangles[other] == triangles[s]) {
                 taken |= 1u << other;
-                weight += 1;
-                sum_x += offsets[other][0];
-                sum_y += offsets[other][1];
+                group.weight += 1;
+                group.sum_x += offsets[other][0];
+                group.sum_y += offsets[other][1];
             }
         }
-        append_fragment(tile, view, geometry, pixel, triangles[s], weight, sum_x, sum_y, fragments);
+        append_fragment(tile, view, geometry, pixel, group, fragments);
     }
 }
 

@@ -67,13 +67,13 @@ static void shade_pass(const burnish_frame *frame, const burnish_surface *surfac
     burnish_texture_scratch *textures = &worker->scratch.texture;
     const int has_alpha = wanted && texturing && texturing->has_alpha;
     const int has_covers = has_alpha && texturing->smooth_samples;
+    const burnish_layer_values values = {wanted ? shaded : NULL, has_alpha ? textures->alpha : NULL,
+                                         has_covers ? textures->covers : NULL,
+                                         frame->output.samples, frame->output.limit};
     burnish_layer_cursor cursor = {0};
     while (burnish_layers_next(tile, surface->view, frame->geometry, &cursor, fragments)) {
         burnish_shade_fragments(surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
-        burnish_layer_light_add(worker->layers, surface, fragments, wanted ? shaded : NULL,
-                                has_alpha ? textures->alpha : NULL,
-                                has_covers ? textures->covers : NULL, frame->output.samples,
-                                frame->output.limit);
+        burnish_layer_light_add(worker->layers, surface, fragments, &values);
         for (int i = 0; i < fragments->count && frame->drawn; ++i) {
             __atomic_store_n(&frame->drawn[fragments->primitives[i].id_and_facing >> 1], 1,
                              __ATOMIC_RELAXED);

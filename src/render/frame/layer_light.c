@@ -65,20 +65,21 @@ static int is_there(const burnish_fragments *fragments, int i,
 }
 
 void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
-                             const burnish_fragments *fragments, const float *const *rgb,
-                             const float *alpha, float (*cover)[BURNISH_TEXTURE_BATCH], int samples,
-                             float limit) {
+                             const burnish_fragments *fragments,
+                             const burnish_layer_values *values) {
+    const float *const *rgb = values->rgb;
     for (int i = 0; i < fragments->count; ++i) {
         const int pixel = fragments->pixels[i];
-        const float textured = alpha ? alpha[i] : 1.0f;
+        const float textured = values->alpha ? values->alpha[i] : 1.0f;
         const float opacity = opacity_of(surface, fragments, i) * textured;
-        if (textured <= 0 || !is_there(fragments, i, cover)) {
+        if (textured <= 0 || !is_there(fragments, i, values->cover)) {
             continue; /* nothing is there */
         }
-        const float seen = lay_samples(layers, fragments, i, cover, opacity, samples);
+        const float seen =
+            lay_samples(layers, fragments, i, values->cover, opacity, values->samples);
         for (int k = 0; rgb && k < 3; ++k) {
             const float value = rgb[k][i];
-            layers->light[k][pixel] += seen * (value < limit ? value : limit);
+            layers->light[k][pixel] += seen * (value < values->limit ? value : values->limit);
         }
         layers->covered[pixel / BURNISH_BLOCK_PIXELS] |=
             (uint16_t)(1u << pixel % BURNISH_BLOCK_PIXELS);

@@ -24,14 +24,19 @@ burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *mem
 
 void burnish_layer_light_clear(burnish_layer_light *layers, int samples);
 
-/* Lays fragments, farther than those before, behind them.
- *   rgb    their light; NULL where nothing is shaded
- *   alpha  what textures leave of their opacity; NULL: all
- *   cover  what masks leave of it, for each of the samples; NULL: all */
+/* Light and opacity of fragments. */
+typedef struct burnish_layer_values {
+    const float *const *rgb;               /* NULL: nothing is shaded */
+    const float *alpha;                    /* what textures leave of the opacity; NULL: all */
+    float (*cover)[BURNISH_TEXTURE_BATCH]; /* what masks leave of it, per sample; NULL: all */
+    int samples;                           /* per pixel */
+    float limit;                           /* light is clamped to it */
+} burnish_layer_values;
+
+/* Adds fragments after, that is farther than, those before. */
 void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface *surface,
-                             const burnish_fragments *fragments, const float *const *rgb,
-                             const float *alpha, float (*cover)[BURNISH_TEXTURE_BATCH], int samples,
-                             float limit);
+                             const burnish_fragments *fragments,
+                             const burnish_layer_values *values);
 
 /* Sum of what passes to the samples `bits` of a pixel. */
 static inline float burnish_layers_through(const burnish_layer_light *layers, int samples,

@@ -181,6 +181,7 @@ static burnish_status set_drawer(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_status status = burnish_casters_update(
         &renderer->casters, burnish_mesh_get_view(d->mesh), &renderer->transparency, &d->memory);
+    renderer->occlusion.drawer.ops = d->raster;
     renderer->occlusion.drawer.transparent = renderer->casters.transparent;
     renderer->occlusion.drawer.max_overdraw = d->options->max_overdraw;
     return status;
@@ -192,17 +193,17 @@ static burnish_status update_maps(drawing *d, const double eye[3],
     burnish_renderer *renderer = d->renderer;
     const burnish_render_options *options = d->options;
     const int side = options->width < options->height ? options->width : options->height;
-    double up[3];
-    burnish_vec3_store(up_of(d), up);
+    const burnish_occlusion_options wanted = {
+        .count = options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
+        .size = side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE,
+        .eye = eye,
+        .up = up_of(d),
+        .pixel = d->view.pixel};
     const burnish_status status = set_drawer(d);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    return burnish_occlusion_update(&renderer->occlusion, d->raster, &renderer->casters.mesh,
-                                    options->occlusion ? options->occlusion
-                                                       : BURNISH_OCCLUSION_AUTO,
-                                    side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE,
-                                    eye, up, d->view.pixel, &renderer->tasks, &d->memory, lookup);
+    return status != BURNISH_STATUS_OK
+               ? status
+               : burnish_occlusion_update(&renderer->occlusion, &renderer->casters.mesh, &wanted,
+                                          &renderer->tasks, &d->memory, lookup);
 }
 
 /* What ambient occlusion needs of the mesh. */
@@ -223,6 +224,10 @@ static burnish_status update_shadow(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_render_options *options = d->options;
     const int side = options->width > options->height ? options->width : options->height;
+    const burnish_shadow_options wanted = {
+        .toward = d->view.key,
+        .size = side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL : BURNISH_SHADOW_LARGE,
+        .eye = d->view.eye};
     d->view.shading.shadow = NULL;
     if (!options->shadow || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
@@ -233,10 +238,9 @@ static burnish_status update_shadow(drawing *d) {
     }
     d->view.shading.shadow = &d->view.shadow;
     d->report.shadow = 1;
-    return burnish_shadow_update(
-        &renderer->shadow, &renderer->occlusion.drawer, d->raster, &renderer->casters.mesh,
-        d->view.key, side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL : BURNISH_SHADOW_LARGE,
-        d->view.eye, &renderer->tasks, &d->memory, &d->view.shadow);
+    return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,
+                                 &renderer->casters.mesh, &wanted, &renderer->tasks, &d->memory,
+                                 &d->view.shadow);
 }
 
 /* The ground's shadow, where the camera sees it; before what occlusion needs, whose maps it takes.
@@ -417,6 +421,7 @@ static burnish_status draw(drawing *d) {
     d->view.shading.ops = burnish_render_ops_for(d->report.isa);
     d->raster = burnish_raster_ops_for(d->report.isa);
     renderer->texturing.kernels = d->view.shading.kernels;
+    renderer->texturing.ops = d->view.shading.ops;
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
     d->report.triangles = burnish_mesh_get_view(d->mesh)->triangle_count;
     burnish_status status =

@@ -59,8 +59,9 @@ static void shade_material(const burnish_shading *shading, const burnish_kernels
         for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
             from[k] = streams[k];
         }
-        burnish_texture_shade(texturing, shading->ops, shader, material, points, from, count,
-                              scratch, rgb);
+        const burnish_texture_batch batch = {shading->ops, &texturing->materials[material], from,
+                                             count, scratch};
+        burnish_texture_shade(texturing, shader, points, &batch, rgb);
         return;
     }
     shading->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
@@ -76,14 +77,7 @@ static int has_one_material(const burnish_fragment_batch *batch) {
     return different == 0;
 }
 
-/* The arrays of a batch that shading reads, and where those of one material go. */
-typedef struct point_streams {
-    int count;
-    const float *from[BURNISH_SHADE_STREAMS];
-    float *to[BURNISH_SHADE_STREAMS];
-} point_streams;
-
-static void add_stream(point_streams *streams, const float *from, float *to) {
+static void add_stream(burnish_batch_streams *streams, const float *from, float *to) {
     streams->from[streams->count] = from;
     streams->to[streams->count] = to;
     streams->count += 1;
@@ -105,14 +99,14 @@ static void scatter_opacity(const burnish_shading *shading, const burnish_fragme
     const float *const from[3] = {scratch->texture.opacity, scratch->texture.opacity,
                                   scratch->texture.opacity};
     float *const to[3] = {alpha, alpha, alpha};
-    shading->ops->scatter_material(material, batch->material, size, scratch->group.places, from,
+    shading->ops->scatter_material(material, batch->material, size, scratch->group.starts, from,
                                    to);
     for (int s = 0; s < smooth_samples(shading, material, scratch); s += 2) { /* an even number */
         float(*cover)[BURNISH_TEXTURE_BATCH] = scratch->texture.cover + s;
         float(*covers)[BURNISH_TEXTURE_BATCH] = scratch->texture.covers + s;
         const float *const part[3] = {cover[0], cover[1], cover[1]};
         float *const all[3] = {covers[0], covers[1], covers[1]};
-        shading->ops->scatter_material(material, batch->material, size, scratch->group.places, part,
+        shading->ops->scatter_material(material, batch->material, size, scratch->group.starts, part,
                                        all);
     }
 }
@@ -121,8 +115,8 @@ static void scatter_opacity(const burnish_shading *shading, const burnish_fragme
 static void locate(const burnish_shading *shading, const burnish_fragment_batch *batch,
                    burnish_texture_scratch *scratch) {
     if (shading->texturing->needs_points) {
-        burnish_texture_locate(shading->texturing, shading->ops, &shading->rays, &batch->points,
-                               batch->material, batch->count, scratch);
+        burnish_texture_locate(shading->texturing, &shading->rays, &batch->points, batch->material,
+                               batch->count, scratch);
     }
     for (int i = 0; i < BURNISH_SHADE_BATCH && shading->texturing->has_alpha; ++i) {
         scratch->alpha[i] = 1.0f;
@@ -139,7 +133,7 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
     burnish_kernels_points brought = {.w = group->w};
     float *const light[3] = {group->light[0], group->light[1], group->light[2]};
     const float *const shaded[3] = {light[0], light[1], light[2]};
-    point_streams streams = {0};
+    burnish_batch_streams streams = {0};
     for (int k = 0; k < 3; ++k) {
         brought.normal[k] = group->normal[k];
         brought.diffuse[k] = points->diffuse[k] ? group->diffuse[k] : NULL;
@@ -170,11 +164,10 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         const int32_t material = group->left[i];
         if (material >= 0) {
             const int size = shading->ops->collect_material(material, i, batch->count, group->left,
-                                                            streams.count, streams.from, streams.to,
-                                                            group->places);
+                                                            &streams, group->starts);
             shade_material(shading, &brought, scratch->texture.brought, material, size,
                            &scratch->texture, light);
-            shading->ops->scatter_material(material, batch->material, size, group->places, shaded,
+            shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
                                            rgb);
             if (shading->texturing && shading->texturing->materials[material].is_alpha) {
                 scatter_opacity(shading, batch, material, size, scratch);
@@ -272,6 +265,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 11 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 

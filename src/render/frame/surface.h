@@ -23,9 +23,7 @@
 /* Fragments that are shaded at once: their arrays stay in L1. */
 enum {
     BURNISH_SHADE_BATCH = 256,
-    BURNISH_SHADE_PAD = 16, /* lanes of the longest vector */
-    /* normal, colour, position, w, first light; where textures are */
-    BURNISH_SHADE_STREAMS = 11 + BURNISH_TEXTURE_STREAMS
+    BURNISH_SHADE_PAD = 16 /* lanes of the longest vector */
 };
 
 /* Fragments to be shaded: arrays of `count` <= BURNISH_SHADE_BATCH, readable up to the next
@@ -75,7 +73,7 @@ typedef struct burnish_material_group {
     float lit[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
     int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
-    uint8_t places[BURNISH_SHADE_BATCH]; /* of vectors in the batch */
+    uint8_t starts[BURNISH_SHADE_BATCH]; /* of each vector: its first item in the batch */
 } burnish_material_group;
 
 /* A thread's arrays. All zero before the first use. */

@@ -63,7 +63,6 @@ static burnish_raster_view raster_view(const burnish_map_view *view,
 /* What the tasks of a map share. */
 typedef struct map_context {
     burnish_map_drawer *drawer;
-    const burnish_raster_ops *ops;
     const burnish_raster_view *view;
     uint16_t *depths;
 } map_context;
@@ -103,7 +102,7 @@ static void draw_tile(void *context, int column, int row, int thread) {
     const burnish_map_drawer *drawer = map->drawer;
     const size_t size = (size_t)map->view->width;
     burnish_tile *tile = &drawer->tiles[thread];
-    if (burnish_tile_draw(tile, map->ops, map->view, &drawer->geometry, &drawer->bins, column,
+    if (burnish_tile_draw(tile, drawer->ops, map->view, &drawer->geometry, &drawer->bins, column,
                           row)) {
         store_tile(tile, map->depths, size);
     } else {
@@ -158,28 +157,27 @@ static burnish_status check_overdraw(const burnish_map_drawer *drawer,
                                   "a depth map (ambient occlusion, ground, shadow)", memory->error);
 }
 
-burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
-                                const burnish_mesh_view *mesh, const burnish_map_view *view,
-                                uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory) {
+burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_mesh_view *mesh,
+                                const burnish_map_view *view, uint16_t *depths,
+                                burnish_tasks *tasks, burnish_memory *memory) {
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
                                          mesh->triangle_count, NULL};
     const burnish_raster_view raster = raster_view(view, mesh);
-    map_context map = {drawer, ops, &raster, depths};
+    map_context map = {drawer, &raster, depths};
     burnish_status status = prepare_tiles(drawer, burnish_tasks_threads(tasks), memory);
     for (int i = 0; i < drawer->tile_count; ++i) {
         drawer->tiles[i].transparent = drawer->transparent;
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_geometry_update(&drawer->geometry, ops, &raster, &triangles, tasks,
+        status = burnish_geometry_update(&drawer->geometry, drawer->ops, &raster, &triangles, tasks,
                                          memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_overdraw(drawer, &raster, drawer->geometry.cells, memory);
     }
     if (status == BURNISH_STATUS_OK) {
-        const burnish_bands bands = {&drawer->bins,  ops,   &drawer->geometry,
-                                     &raster,        tasks, drawer->tile_count,
-                                     memory->context};
+        const burnish_bands bands = {&drawer->bins, drawer->ops,        &drawer->geometry, &raster,
+                                     tasks,         drawer->tile_count, memory->context};
         status = burnish_bands_draw(&bands, draw_tile, &map, memory->error);
     }
     return status;
@@ -193,13 +191,8 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_raster
 /* What the tasks of many pairs share. */
 typedef struct maps_context {
     const burnish_map_drawer *drawer;
-    const burnish_raster_ops *ops;
     const burnish_mesh_view *mesh;
-    const burnish_map_view *views;
-    int count;
-    uint16_t *depths;
-    size_t stride;
-    burnish_map_finish *finish;
+    const burnish_map_pairs *pairs;
     uint64_t cells[BURNISH_MAP_PAIRS]; /* that each pair's triangles touch */
     atomic_int refused;                /* the first pair that is covered too often so far */
 } maps_context;
@@ -216,58 +209,57 @@ static void refuse_from(maps_context *all, int pair) {
 static void draw_pairs(void *context, size_t index, int thread) {
     maps_context *all = context;
     const burnish_mesh_view *mesh = all->mesh;
-    const int first = (int)index * BURNISH_MAPS, rest = all->count - first;
+    const burnish_map_pairs *pairs = all->pairs;
+    const int first = (int)index * BURNISH_MAPS, rest = pairs->count - first;
     burnish_raster_view views[BURNISH_MAPS];
     if (first > atomic_load(&all->refused)) {
         return;
     }
     burnish_maps maps = {.count = rest < BURNISH_MAPS ? rest : BURNISH_MAPS,
-                         .size = all->views->size,
+                         .size = pairs->views->size,
                          .vertices = all->drawer->vertices + (size_t)thread * mesh->vertex_count,
                          .indices = mesh->indices,
                          .triangle_count = mesh->triangle_count,
                          .transparent = all->drawer->transparent};
     for (int i = 0; i < maps.count; ++i) {
-        views[i] = raster_view(&all->views[first + i], mesh);
+        views[i] = raster_view(&pairs->views[first + i], mesh);
         for (int side = 0; side < 2; ++side) {
-            maps.depths[i][side] = all->depths + (size_t)(2 * (first + i) + side) * all->stride;
+            maps.depths[i][side] = pairs->depths + (size_t)(2 * (first + i) + side) * pairs->stride;
             memset(maps.depths[i][side], 0,
                    (size_t)maps.size * (size_t)maps.size * sizeof **maps.depths[i]);
         }
     }
-    all->ops->project_to_maps(views, mesh->positions, mesh->vertex_count, &maps);
-    all->ops->draw_maps(&maps);
+    all->drawer->ops->project_to_maps(views, mesh->positions, mesh->vertex_count, &maps);
+    all->drawer->ops->draw_maps(&maps);
     for (int i = 0; i < maps.count; ++i) {
         all->cells[first + i] = maps.cells[i];
         if (burnish_overdraw(maps.cells[i], &views[i]) > overdraw_limit(all->drawer, &views[i])) {
             refuse_from(all, first + i);
         }
-        for (int side = 0; side < 2 && all->finish; ++side) {
-            all->finish(maps.depths[i][side], (size_t)maps.size);
+        for (int side = 0; side < 2 && pairs->finish; ++side) {
+            pairs->finish(maps.depths[i][side], (size_t)maps.size);
         }
     }
 }
 
-burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
-                                      const burnish_mesh_view *mesh, const burnish_map_view *views,
-                                      int count, uint16_t *depths, size_t stride,
-                                      burnish_map_finish *finish, burnish_tasks *tasks,
+burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_mesh_view *mesh,
+                                      const burnish_map_pairs *pairs, burnish_tasks *tasks,
                                       burnish_memory *memory) {
     const size_t fit = VERTEX_BUDGET / sizeof *drawer->vertices / (mesh->vertex_count + 1) + 1;
     const size_t all = (size_t)burnish_tasks_threads(tasks), threads = all < fit ? all : fit;
-    maps_context pairs = {drawer, ops, mesh, views, count, depths, stride, finish, {0}, count};
+    maps_context context = {drawer, mesh, pairs, {0}, pairs->count};
     drawer->vertices = burnish_reserve_discard(memory, drawer->vertices, &drawer->vertex_capacity,
                                                threads * mesh->vertex_count,
                                                sizeof *drawer->vertices, "vertices of depth maps");
     if (memory->status != BURNISH_STATUS_OK) {
         return memory->status;
     }
-    burnish_tasks_run(tasks, ((size_t)count + BURNISH_MAPS - 1) / BURNISH_MAPS, 1, (int)threads,
-                      draw_pairs, &pairs);
+    burnish_tasks_run(tasks, ((size_t)pairs->count + BURNISH_MAPS - 1) / BURNISH_MAPS, 1,
+                      (int)threads, draw_pairs, &context);
     burnish_status status = burnish_tasks_check(tasks, memory->error);
-    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        const burnish_raster_view raster = raster_view(&views[i], mesh);
-        status = check_overdraw(drawer, &raster, pairs.cells[i], memory);
+    for (int i = 0; i < pairs->count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_raster_view raster = raster_view(&pairs->views[i], mesh);
+        status = check_overdraw(drawer, &raster, context.cells[i], memory);
     }
     return status;
 }

@@ -29,6 +29,7 @@ typedef struct burnish_map_rows {
 
 /* What maps are drawn with; kept from map to map. All zero before the first. */
 typedef struct burnish_map_drawer {
+    const burnish_raster_ops *ops; /* the caller's to set */
     burnish_geometry geometry;
     burnish_bins bins;
     burnish_tile *tiles; /* one per thread */
@@ -63,20 +64,26 @@ burnish_map_rows burnish_map_rows_make(const burnish_map_view *view, const doubl
 /* Draws the mesh's depth.
  *   depths  receives view->size^2 codes, row after row from the top
  * Errors: MEMORY, CANCELLED, LIMIT; destroy the drawer all the same. */
-burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
-                                const burnish_mesh_view *mesh, const burnish_map_view *view,
-                                uint16_t *depths, burnish_tasks *tasks, burnish_memory *memory);
+burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_mesh_view *mesh,
+                                const burnish_map_view *view, uint16_t *depths,
+                                burnish_tasks *tasks, burnish_memory *memory);
 
 /* What is made of a map of size^2 codes as soon as it is drawn, while it is in cache. */
 typedef void burnish_map_finish(uint16_t *depths, size_t size);
 
-/* Draws `count` <= BURNISH_MAP_PAIRS pairs of maps of the same size, which is a multiple of 16 and
- * at most BURNISH_MAPS_SIZE: of each view, and of what is seen against it at the same texels, which
- * is burnish_map_view_back. depths  receives the maps, each `stride` codes after the last */
-burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_raster_ops *ops,
-                                      const burnish_mesh_view *mesh, const burnish_map_view *views,
-                                      int count, uint16_t *depths, size_t stride,
-                                      burnish_map_finish *finish, burnish_tasks *tasks,
+/* Pairs of maps of one size, which is a multiple of 16 and at most BURNISH_MAPS_SIZE. */
+typedef struct burnish_map_pairs {
+    const burnish_map_view
+        *views;                 /* of each pair's first map; burnish_map_view_back of the other */
+    int count;                  /* of pairs, at most BURNISH_MAP_PAIRS */
+    uint16_t *depths;           /* receives the maps, pair after pair */
+    size_t stride;              /* codes from a map to the next */
+    burnish_map_finish *finish; /* or NULL */
+} burnish_map_pairs;
+
+/* Draws pairs of maps. Errors: MEMORY, CANCELLED, LIMIT; destroy the drawer all the same. */
+burnish_status burnish_map_pairs_draw(burnish_map_drawer *drawer, const burnish_mesh_view *mesh,
+                                      const burnish_map_pairs *pairs, burnish_tasks *tasks,
                                       burnish_memory *memory);
 
 void burnish_map_drawer_destroy(burnish_map_drawer *drawer, const burnish_context *context);

@@ -95,9 +95,8 @@ const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int
     return occlusion->depths + (size_t)i * map_texels(occlusion->size);
 }
 
-static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_raster_ops *ops,
-                                const burnish_mesh_view *mesh, int count, int size,
-                                burnish_tasks *tasks, burnish_memory *memory) {
+static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_mesh_view *mesh,
+                                int count, int size, burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = map_texels(size);
     occlusion->mesh = 0;
     occlusion->depths =
@@ -109,8 +108,9 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_rast
         views[i] = burnish_occlusion_view(2 * i, count, size);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_map_pairs_draw(&occlusion->drawer, ops, mesh, views, count / 2,
-                                        occlusion->depths, texels, find_blockers, tasks, memory);
+        const burnish_map_pairs pairs = {views, count / 2, occlusion->depths, texels,
+                                         find_blockers};
+        status = burnish_map_pairs_draw(&occlusion->drawer, mesh, &pairs, tasks, memory);
     }
     if (status == BURNISH_STATUS_OK) {
         occlusion->mesh = mesh->serial;
@@ -121,16 +121,18 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_rast
     return status;
 }
 
-burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_raster_ops *ops,
-                                        const burnish_mesh_view *mesh, int wanted, int size,
-                                        const double eye[3], const double up[3], double pixel,
+burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_mesh_view *mesh,
+                                        const burnish_occlusion_options *options,
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup) {
-    const int count = wanted == BURNISH_OCCLUSION_AUTO ? choose_count(mesh) : wanted + wanted % 2;
+    const int count = options->count == BURNISH_OCCLUSION_AUTO
+                          ? choose_count(mesh)
+                          : options->count + options->count % 2;
+    const int size = options->size;
     double texels = 1, plane = 0;
     if (occlusion->mesh != mesh->serial || occlusion->count != count || occlusion->size != size ||
         occlusion->max_overdraw > occlusion->drawer.max_overdraw) {
-        burnish_status status = draw_maps(occlusion, ops, mesh, count, size, tasks, memory);
+        burnish_status status = draw_maps(occlusion, mesh, count, size, tasks, memory);
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
@@ -140,10 +142,9 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
         burnish_occlusion_pair *pair = &occlusion->pairs[i];
         texels = view.texels;
         plane = burnish_map_plane(&view);
-        pair->map = burnish_map_rows_make(&view, eye);
+        pair->map = burnish_map_rows_make(&view, options->eye);
         burnish_space_store(view.toward, pair->toward);
-        const double height =
-            burnish_vec3_dot(burnish_vec3_loadf(pair->toward), burnish_vec3_load(up));
+        const double height = burnish_vec3_dot(burnish_vec3_loadf(pair->toward), options->up);
         pair->weight[0] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 + 0.5 * height));
         pair->weight[1] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 - 0.5 * height));
         pair->depths = burnish_occlusion_depths(occlusion, 2 * i);
@@ -161,7 +162,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
     lookup->least_radius = LEAST_RADIUS;
     lookup->most_radius = (float)(MOST_RADIUS * texels);
     lookup->reach = (float)(REACH / texels);
-    lookup->share = pixel > 0 && 4 * SQRT2 * pixel * texels < REACH ? 4 : 2;
+    lookup->share = options->pixel > 0 && 4 * SQRT2 * options->pixel * texels < REACH ? 4 : 2;
     return BURNISH_STATUS_OK;
 }
 

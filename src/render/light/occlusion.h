@@ -55,17 +55,21 @@ burnish_map_view burnish_occlusion_view(int i, int count, int size);
 /* Depth map i. */
 const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int i);
 
-/* Draws the maps unless they are there, and readies the look-up. The drawer's transparent triangles
- * are the caller's to set; the mesh has another serial where they are others.
- *   count  directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO; odd: one more
- *   size   of a map
- *   eye    the camera, in the raster's space
- *   up     the brighter side of the sky, a unit vector
- *   pixel  about what one is wide at the mesh, in the raster's space
- * Errors: MEMORY, CANCELLED; the maps are then nobody's. */
-burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_raster_ops *ops,
-                                        const burnish_mesh_view *mesh, int count, int size,
-                                        const double eye[3], const double up[3], double pixel,
+/* Which maps, and where they are looked up from. */
+typedef struct burnish_occlusion_options {
+    int count; /* directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO; odd: one more
+                */
+    int size;  /* of a map */
+    const double *eye; /* the camera, in the raster's space */
+    burnish_vec3 up;   /* the brighter side of the sky, a unit vector */
+    double pixel;      /* about what one is wide at the mesh, in the raster's space */
+} burnish_occlusion_options;
+
+/* Draws the maps unless they are there, and prepares the look-up. The drawer's transparent
+ * triangles are the caller's to set; the mesh has another serial if they are others. Errors:
+ * MEMORY, CANCELLED; the maps are then nobody's. */
+burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burnish_mesh_view *mesh,
+                                        const burnish_occlusion_options *options,
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup);
 void burnish_occlusion_destroy(burnish_occlusion *occlusion, const burnish_context *context);

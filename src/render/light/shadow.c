@@ -10,16 +10,15 @@
 #define RADIUS 2.5f
 
 static burnish_status draw(burnish_shadow *shadow, burnish_map_drawer *drawer,
-                           const burnish_raster_ops *ops, const burnish_mesh_view *mesh,
-                           const burnish_map_view *view, burnish_tasks *tasks,
-                           burnish_memory *memory) {
+                           const burnish_mesh_view *mesh, const burnish_map_view *view,
+                           burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = (size_t)view->size * (size_t)view->size;
     shadow->mesh = 0;
     shadow->depths = burnish_reserve_discard(memory, shadow->depths, &shadow->capacity, texels,
                                              sizeof *shadow->depths, "the shadow's depth map");
     burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_map_draw(drawer, ops, mesh, view, shadow->depths, tasks, memory);
+        status = burnish_map_draw(drawer, mesh, view, shadow->depths, tasks, memory);
     }
     if (status == BURNISH_STATUS_OK) {
         shadow->mesh = mesh->serial;
@@ -31,18 +30,19 @@ static burnish_status draw(burnish_shadow *shadow, burnish_map_drawer *drawer,
 }
 
 burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer *drawer,
-                                     const burnish_raster_ops *ops, const burnish_mesh_view *mesh,
-                                     burnish_vec3 toward, int size, const double eye[3],
-                                     burnish_tasks *tasks, burnish_memory *memory,
-                                     burnish_shadow_lookup *lookup) {
+                                     const burnish_mesh_view *mesh,
+                                     const burnish_shadow_options *options, burnish_tasks *tasks,
+                                     burnish_memory *memory, burnish_shadow_lookup *lookup) {
+    const burnish_vec3 toward = options->toward;
+    const int size = options->size;
     const burnish_map_view view = burnish_map_view_make(toward, burnish_space_across(toward), size);
     const burnish_vec3 turned = burnish_vec3_sub(shadow->toward, toward);
     burnish_status status = BURNISH_STATUS_OK;
     if (shadow->mesh != mesh->serial || shadow->size != size ||
         shadow->max_overdraw > drawer->max_overdraw || burnish_vec3_length(turned) > 0) {
-        status = draw(shadow, drawer, ops, mesh, &view, tasks, memory);
+        status = draw(shadow, drawer, mesh, &view, tasks, memory);
     }
-    lookup->map = burnish_map_rows_make(&view, eye);
+    lookup->map = burnish_map_rows_make(&view, options->eye);
     burnish_space_store(toward, lookup->toward);
     lookup->depths = shadow->depths;
     lookup->size = size;

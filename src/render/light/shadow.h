@@ -28,17 +28,21 @@ typedef struct burnish_shadow {
     size_t capacity;
 } burnish_shadow;
 
-/* Draws the map unless it is there, and readies the look-up.
+/* Which map, and where it is looked up from. */
+typedef struct burnish_shadow_options {
+    burnish_vec3 toward; /* the light, a unit vector */
+    int size;
+    const double *eye; /* the camera, in the raster's space */
+} burnish_shadow_options;
+
+/* Draws the map unless it is there, and prepares the look-up.
  *   drawer  its transparent triangles, which cast no shadow, are the caller's to set; the mesh has
- *           another serial where they are others
- *   toward  the light, a unit vector
- *   eye     the camera, in the raster's space
+ *           another serial if they are others
  * Errors: MEMORY, CANCELLED, LIMIT; the map is then nobody's. */
 burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer *drawer,
-                                     const burnish_raster_ops *ops, const burnish_mesh_view *mesh,
-                                     burnish_vec3 toward, int size, const double eye[3],
-                                     burnish_tasks *tasks, burnish_memory *memory,
-                                     burnish_shadow_lookup *lookup);
+                                     const burnish_mesh_view *mesh,
+                                     const burnish_shadow_options *options, burnish_tasks *tasks,
+                                     burnish_memory *memory, burnish_shadow_lookup *lookup);
 void burnish_shadow_destroy(burnish_shadow *shadow, const burnish_context *context);
 
 #endif

@@ -260,11 +260,19 @@ static void end_line(growing *g) {
 
 /* ---- Tracing ---- */
 
-/* Where a chain is walked: its segment, and the length before it. */
+/* A chain, and where it is walked: its segment, and the length before it. */
 typedef struct cursor {
-    size_t at;
+    const uint32_t *chain; /* as burnish_line_art_trace has it */
+    size_t count, at;
     double before, length; /* of the segment at hand */
 } cursor;
+
+/* The part of a chain that becomes a line. */
+typedef struct chain_part {
+    double from, to; /* lengths */
+    double width;
+    int is_rim;
+} chain_part;
 
 static double length_of(const burnish_line_art *art, uint32_t end) {
     const burnish_line_segment *s = &art->segments[end / 2];
@@ -273,28 +281,26 @@ static double length_of(const burnish_line_art *art, uint32_t end) {
 }
 
 /* Moves on to the segment that holds the chain's length `to`; returns where in it. */
-static double advance(const burnish_line_art *art, const uint32_t *chain, size_t count, cursor *c,
-                      double to) {
-    while (c->at + 1 < count && c->before + c->length <= to) {
+static double advance(const burnish_line_art *art, cursor *c, double to) {
+    while (c->at + 1 < c->count && c->before + c->length <= to) {
         c->before += c->length;
-        c->length = length_of(art, chain[++c->at]);
+        c->length = length_of(art, c->chain[++c->at]);
     }
     const double t = c->length > 0 ? (to - c->before) / c->length : 0;
     return t > 0 ? t < 1 ? t : 1 : 0;
 }
 
-/* The part of a chain from one length to another as a line. */
-static void add_line(burnish_line_art *art, const uint32_t *chain, size_t count, cursor *c,
-                     double from, double to, double width, int is_rim, burnish_memory *memory) {
+static void add_line(burnish_line_art *art, cursor *c, const chain_part *part,
+                     burnish_memory *memory) {
     growing g = {.art = art, .memory = memory};
     double point[2];
-    double t = advance(art, chain, count, c, from);
-    chain_point(art, chain[c->at], t, point);
-    begin_line(&g, width, is_rim, point);
+    double t = advance(art, c, part->from);
+    chain_point(art, c->chain[c->at], t, point);
+    begin_line(&g, part->width, part->is_rim, point);
     for (size_t before = c->at; memory->status == BURNISH_STATUS_OK; before = c->at) {
         const double end = c->before + c->length;
-        t = advance(art, chain, count, c, to < end ? to : end);
-        chain_point(art, chain[before], before == c->at ? t : 1, point);
+        t = advance(art, c, part->to < end ? part->to : end);
+        chain_point(art, c->chain[before], before == c->at ? t : 1, point);
         add_point(&g, point);
         if (before == c->at) {
             break;
@@ -306,7 +312,8 @@ static void add_line(burnish_line_art *art, const uint32_t *chain, size_t count,
 void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *scene,
                             const uint32_t *chain, size_t count, burnish_memory *memory) {
     uint8_t states[SAMPLES_MAX];
-    cursor c = {0, 0, length_of(art, chain[0])};
+    const cursor start = {chain, count, 0, 0, length_of(art, chain[0])};
+    cursor c = start;
     double length = 0;
     for (size_t i = 0; i < count; ++i) {
         length += length_of(art, chain[i]);
@@ -314,7 +321,7 @@ void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *sce
     const size_t samples = length < SAMPLES_MAX - 2 ? (size_t)length + 1 : SAMPLES_MAX;
     const double step = length / (double)samples;
     for (size_t i = 0; i < samples; ++i) {
-        const double t = advance(art, chain, count, &c, ((double)i + 0.5) * step);
+        const double t = advance(art, &c, ((double)i + 0.5) * step);
         const uint32_t end = chain[c.at];
         states[i] = look(scene, &art->segments[end / 2], end % 2 ? 1 - t : t);
     }
@@ -322,16 +329,17 @@ void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *sce
     close_runs(states, samples, INNER, SWITCH_MAX);
     close_runs(states, samples, OUTLINE, SWITCH_MAX);
     close_runs(states, samples, RIM, SWITCH_MAX);
-    c = (cursor){0, 0, length_of(art, chain[0])};
+    c = start;
     for (size_t first = 0, end; first < samples; first = end) {
         end = run_end(states, first, samples);
         const double from = (double)first * step, to = (double)end * step;
         const int is_stub = states[first] == INNER && to - from < STUB && end - first < samples &&
                             !scene->keeps_all;
         if (states[first] != HIDDEN && to - from > SHORTEST && !is_stub) {
-            add_line(art, chain, count, &c, from, to,
-                     states[first] == INNER ? scene->inner : scene->outline, states[first] == RIM,
-                     memory);
+            const chain_part part = {from, to,
+                                     states[first] == INNER ? scene->inner : scene->outline,
+                                     states[first] == RIM};
+            add_line(art, &c, &part, memory);
         }
     }
 }

@@ -102,15 +102,26 @@ BURNISH_INLINE vf mask_clamp(vf x, float low, float high) {
     return vf_min(vf_max(x, vf_set(low)), vf_set(high));
 }
 
-/* Vectors of points some of which lie in level 0. */
-BURNISH_INLINE void mask_vector(texture_kind kind, const burnish_texture_sampler *sampler,
-                                const burnish_mask *mask, const burnish_texture_taps *taps,
-                                const float *const *streams, vm is_level0, vf share, vf alpha,
-                                size_t i, float (*cover)[BURNISH_TEXTURE_BATCH]) {
+/* What the kernel was called with. */
+typedef struct mask_call {
+    const burnish_texture_sampler *sampler;
+    const burnish_mask *mask;
+    const burnish_texture_taps *taps;
+    const float *const *streams;
+    size_t count;
+    const float *alpha;
+    float (*cover)[BURNISH_TEXTURE_BATCH];
+} mask_call;
+
+/* A vector of points some of which lie in level 0. */
+BURNISH_INLINE void mask_vector(texture_kind kind, const mask_call *call, vm is_level0, size_t i) {
+    const burnish_mask *mask = call->mask;
+    const float *const *streams = call->streams;
+    const vf share = vf_load(call->taps->share + i), alpha = vf_load(call->alpha + i);
     const float step = 1.0f / BURNISH_SUBPIXELS * BURNISH_SAMPLE_STEP / mask->spread;
     const vf inverse_spread = vf_set(1.0f / mask->spread);
     const vf zero = vf_set(0.0f), one = vf_set(1.0f), half = vf_set(0.5f);
-    const mask_patch patch = mask_find(kind, sampler, taps, streams, i);
+    const mask_patch patch = mask_find(kind, call->sampler, call->taps, streams, i);
     const vf here = mask_interpolate(&patch, patch.x, patch.y);
     const vf edge = vf_add(vf_set(mask->alpha), vf_mul(share, vf_sub(half, vf_set(mask->alpha))));
     const vf inverse = vf_div(one, vf_blend(patch.is_sharp, one, share));
@@ -131,26 +142,21 @@ BURNISH_INLINE void mask_vector(texture_kind kind, const burnish_texture_sampler
         const vm is_out = vf_greater(vf_set(mask->cutoff), vf_mul(vf_set(mask->solid), moved));
         const vf sharp = vf_blend(is_out, zero, one);
         const vf near = vf_blend(patch.is_sharp, sharp, soft);
-        vf_store(cover[s] + i, vf_blend(is_level0, near, alpha));
+        vf_store(call->cover[s] + i, vf_blend(is_level0, near, alpha));
     }
 }
 
-BURNISH_INLINE void mask_points(texture_kind kind, const burnish_texture_sampler *sampler,
-                                const burnish_mask *mask, const burnish_texture_taps *taps,
-                                const float *const *streams, size_t count, const float *alpha,
-                                float (*cover)[BURNISH_TEXTURE_BATCH]) {
-    const burnish_texture_levels *levels = sampler->levels;
+BURNISH_INLINE void mask_points(texture_kind kind, const mask_call *call) {
+    const burnish_texture_levels *levels = call->sampler->levels;
     const vi end = vi_set(levels->count > 1 ? levels->offset[1] : INT32_MAX);
-    for (size_t i = 0; i < count; i += LANES) {
-        const vm is_level0 = vi_greater(end, vi_load(taps->level[0].upper + i));
-        const vf whole = vf_load(alpha + i);
+    for (size_t i = 0; i < call->count; i += LANES) {
+        const vm is_level0 = vi_greater(end, vi_load(call->taps->level[0].upper + i));
         if (vm_any(is_level0)) {
-            mask_vector(kind, sampler, mask, taps, streams, is_level0, vf_load(taps->share + i),
-                        whole, i, cover);
+            mask_vector(kind, call, is_level0, i);
             continue;
         }
-        for (int s = 0; s < mask->samples; ++s) {
-            vf_store(cover[s] + i, whole);
+        for (int s = 0; s < call->mask->samples; ++s) {
+            vf_store(call->cover[s] + i, vf_load(call->alpha + i));
         }
     }
 }
@@ -158,10 +164,11 @@ BURNISH_INLINE void mask_points(texture_kind kind, const burnish_texture_sampler
 static void cover_samples(const burnish_texture_sampler *sampler, const burnish_mask *mask,
                           const burnish_texture_taps *taps, const float *const *streams,
                           size_t count, const float *alpha, float (*cover)[BURNISH_TEXTURE_BATCH]) {
+    const mask_call call = {sampler, mask, taps, streams, count, alpha, cover};
     if (sampler->levels->texels) {
-        mask_points((texture_kind){1, 8}, sampler, mask, taps, streams, count, alpha, cover);
+        mask_points((texture_kind){1, 8}, &call);
     } else {
-        mask_points((texture_kind){0, 8}, sampler, mask, taps, streams, count, alpha, cover);
+        mask_points((texture_kind){0, 8}, &call);
     }
 }
 

@@ -36,8 +36,10 @@ void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *sam
     }
 }
 
-void burnish_masks_color(const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch) {
+void burnish_masks_color(const burnish_texture_batch *batch) {
+    const burnish_textured_material *material = batch->material;
+    burnish_texture_scratch *scratch = batch->scratch;
+    const int count = batch->count;
     enum { ALL = 15 };
     burnish_texture_sampler filtered = material->samplers[BURNISH_TEXTURE_COLOR];
     float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
@@ -53,8 +55,8 @@ void burnish_masks_color(const burnish_textured_material *material, const burnis
         return;
     }
     filtered.is_nearest = 0;
-    ops->find_taps(&filtered, streams, (size_t)count, &scratch->taps);
-    ops->sample_texture(filtered.levels, &scratch->taps, ALL, (size_t)count, out);
+    batch->ops->find_taps(&filtered, batch->streams, (size_t)count, &scratch->taps);
+    batch->ops->sample_texture(filtered.levels, &scratch->taps, ALL, (size_t)count, out);
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < count; ++i) {
             scratch->diffuse[k][i] = scratch->opacity[i] < material->mask_alpha
@@ -62,8 +64,8 @@ void burnish_masks_color(const burnish_textured_material *material, const burnis
                                          : scratch->diffuse[k][i];
         }
     }
-    ops->find_taps(&material->samplers[BURNISH_TEXTURE_COLOR], streams, (size_t)count,
-                   &scratch->taps);
+    batch->ops->find_taps(&material->samplers[BURNISH_TEXTURE_COLOR], batch->streams, (size_t)count,
+                          &scratch->taps);
 }
 
 /* ---- Pixels larger than texels ---- */
@@ -147,21 +149,22 @@ static void locate_quarters(const quarter *q, float (*from)[BURNISH_TEXTURE_BATC
 
 /* Each quarter of a pixel looks into its own level. It is the larger one of the two between which
  * the quarter lies: four of them make up for the smaller one. */
-static void cover_quarters(const burnish_texture_sampler *sampler, const burnish_mask *of_pixel,
-                           const burnish_render_ops *ops, const float *const *streams, int count,
-                           burnish_texture_scratch *scratch) {
+static void cover_quarters(const burnish_texture_batch *batch, const burnish_mask *of_pixel) {
+    const burnish_texture_sampler *sampler = &batch->material->samplers[BURNISH_TEXTURE_COLOR];
+    const burnish_render_ops *ops = batch->ops;
+    burnish_texture_scratch *scratch = batch->scratch;
     enum { ALPHA = 8 };
     uint8_t points[BURNISH_TEXTURE_BATCH + 1];
     burnish_texture_sampler single = *sampler;
     float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
                            scratch->sample[3]};
     const float *at[BURNISH_TEXTURE_STREAMS];
-    const int mixed = find_mixed(sampler->levels, scratch, count, points);
+    const int mixed = find_mixed(sampler->levels, scratch, batch->count, points);
     for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
         at[k] = scratch->at[k];
     }
     single.is_single = 1;
-    collect_mixed(streams, points, mixed, scratch->mixed);
+    collect_mixed(batch->streams, points, mixed, scratch->mixed);
     for (int number = 0; mixed && number < 4; ++number) {
         const quarter q = quarter_of(of_pixel->samples, number);
         burnish_mask mask = *of_pixel;
@@ -184,9 +187,10 @@ static void cover_quarters(const burnish_texture_sampler *sampler, const burnish
 
 /* ---- Points ---- */
 
-void burnish_masks_apply(const burnish_texturing *texturing,
-                         const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch) {
+void burnish_masks_apply(const burnish_texturing *texturing, const burnish_texture_batch *batch) {
+    const burnish_textured_material *material = batch->material;
+    burnish_texture_scratch *scratch = batch->scratch;
+    const int count = batch->count;
     const burnish_texture_sampler *sampler = &material->samplers[BURNISH_TEXTURE_COLOR];
     const burnish_mask mask = {1 - material->material.transparency,
                                material->material.alpha_cutoff,
@@ -195,9 +199,9 @@ void burnish_masks_apply(const burnish_texturing *texturing,
                                burnish_sample_offsets(texturing->smooth_samples),
                                1};
     if (material->is_smooth && scratch->has_shifts) {
-        ops->cover_samples(sampler, &mask, &scratch->taps, streams, (size_t)count, scratch->opacity,
-                           scratch->cover);
-        cover_quarters(sampler, &mask, ops, streams, count, scratch);
+        batch->ops->cover_samples(sampler, &mask, &scratch->taps, batch->streams, (size_t)count,
+                                  scratch->opacity, scratch->cover);
+        cover_quarters(batch, &mask);
         fill(scratch->opacity, count, 1.0f);
         return;
     }

@@ -12,13 +12,10 @@ void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *sam
 
 /* Where nearest texels count and that of a point is not there, others next to it may be, and show
  * in some samples: gives the point their mean colour. */
-void burnish_masks_color(const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch);
+void burnish_masks_color(const burnish_texture_batch *batch);
 
 /* The mask of points whose opacity and taps of the colour have been found: opacity becomes 0 or 1,
  * or 1 and cover what the mask leaves of each sample. */
-void burnish_masks_apply(const burnish_texturing *texturing,
-                         const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch);
+void burnish_masks_apply(const burnish_texturing *texturing, const burnish_texture_batch *batch);
 
 #endif

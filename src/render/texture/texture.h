@@ -92,7 +92,8 @@ typedef struct burnish_texturing {
     int has_alpha;      /* 1: some have alpha below 1 */
     int samples;        /* of a pixel */
     int smooth_samples; /* the same, where masks are decided sample by sample; 0: none is */
-    const burnish_kernels *kernels; /* the caller's to set */
+    const burnish_kernels *kernels; /* and ops: the caller's to set */
+    const burnish_render_ops *ops;
     const burnish_mesh_view *mesh;
     burnish_textured_material *materials; /* one per material */
     size_t material_capacity;
@@ -174,5 +175,14 @@ typedef struct burnish_texture_scratch {
     float mixed[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* their pixels */
     float part[BURNISH_MAX_SAMPLES / 4][BURNISH_TEXTURE_BATCH];
 } burnish_texture_scratch;
+
+/* Points of one special material that are shaded together. */
+typedef struct burnish_texture_batch {
+    const burnish_render_ops *ops;
+    const burnish_textured_material *material;
+    const float *const *streams; /* BURNISH_TEXTURE_STREAMS arrays */
+    int count;
+    burnish_texture_scratch *scratch;
+} burnish_texture_batch;
 
 #endif

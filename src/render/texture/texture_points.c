@@ -81,9 +81,10 @@ static void find_records(const burnish_texturing *texturing, const int32_t *mate
     }
 }
 
-void burnish_texture_locate(const burnish_texturing *texturing, const burnish_render_ops *ops,
-                            const burnish_rays *rays, const burnish_screen_points *points,
-                            const int32_t *materials, int count, burnish_texture_scratch *scratch) {
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_rays *rays,
+                            const burnish_screen_points *points, const int32_t *materials,
+                            int count, burnish_texture_scratch *scratch) {
+    const burnish_render_ops *ops = texturing->ops;
     float *to[BURNISH_TEXTURE_TANGENT];
     float *const weights[2] = {scratch->weights[0], scratch->weights[1]};
     if (scratch->record_count + count > BURNISH_TEXTURE_RECORDS) {

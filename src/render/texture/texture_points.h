@@ -9,8 +9,8 @@ void burnish_texture_begin(burnish_texture_scratch *scratch);
 
 /* Fills scratch->points for scratch->ids; points whose material needs none get some numbers.
  *   materials  of points; NULL: all have material 0 */
-void burnish_texture_locate(const burnish_texturing *texturing, const burnish_render_ops *ops,
-                            const burnish_rays *rays, const burnish_screen_points *points,
-                            const int32_t *materials, int count, burnish_texture_scratch *scratch);
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_rays *rays,
+                            const burnish_screen_points *points, const int32_t *materials,
+                            int count, burnish_texture_scratch *scratch);
 
 #endif

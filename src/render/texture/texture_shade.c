@@ -23,34 +23,32 @@ static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sam
 /* Channels by their bits. */
 enum { RED = 1, GREEN_BLUE = 6, COLOR = 7, ALL = 15 };
 
-/* Samples a slot; channels that are not wanted may be written, too. Returns 0 where the material
- * has no such texture. */
-static int sample_into(const burnish_textured_material *material, int slot, unsigned channels,
-                       const burnish_render_ops *ops, const float *const *streams, int count,
-                       burnish_texture_scratch *scratch, float *const out[4]) {
-    const burnish_texture_sampler *sampler = &material->samplers[slot];
+/* Samples a slot; channels that are not wanted may be written, too. Returns 0 if the material has
+ * no such texture. */
+static int sample_into(const burnish_texture_batch *batch, int slot, unsigned channels,
+                       float *const out[4]) {
+    const burnish_texture_sampler *sampler = &batch->material->samplers[slot];
+    burnish_texture_scratch *scratch = batch->scratch;
+    const size_t count = (size_t)batch->count;
     if (!sampler->levels) {
         return 0;
     }
     if (!scratch->taps_of || !same_taps(sampler, scratch->taps_of)) {
-        ops->find_taps(sampler, streams, (size_t)count, &scratch->taps);
+        batch->ops->find_taps(sampler, batch->streams, count, &scratch->taps);
         scratch->taps_of = sampler;
     }
     if (sampler->levels->bands && scratch->taps.least < sampler->levels->offset[1]) {
         burnish_texture_levels_need(sampler->levels, scratch->taps.level[0].upper,
-                                    scratch->taps.level[0].lower, (size_t)count);
+                                    scratch->taps.level[0].lower, count);
     }
-    ops->sample_texture(sampler->levels, &scratch->taps, channels, (size_t)count, out);
+    batch->ops->sample_texture(sampler->levels, &scratch->taps, channels, count, out);
     return 1;
 }
 
 /* The same into scratch->sample. */
-static int sample(const burnish_textured_material *material, int slot, unsigned channels,
-                  const burnish_render_ops *ops, const float *const *streams, int count,
-                  burnish_texture_scratch *scratch) {
-    float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
-                           scratch->sample[3]};
-    return sample_into(material, slot, channels, ops, streams, count, scratch, out);
+static int sample(const burnish_texture_batch *batch, int slot, unsigned channels) {
+    float(*const to)[BURNISH_TEXTURE_BATCH] = batch->scratch->sample;
+    return sample_into(batch, slot, channels, (float *const[]){to[0], to[1], to[2], to[3]});
 }
 
 static void fill(float *to, int count, float value) {
@@ -61,15 +59,14 @@ static void fill(float *to, int count, float value) {
 
 /* The colour of points, vertex colours included, in scratch->diffuse; opacity as far as colour and
  * opacity textures say. */
-static void find_color(const burnish_textured_material *material, const burnish_render_ops *ops,
-                       const burnish_kernels_points *points, const float *const *streams, int count,
-                       burnish_texture_scratch *scratch) {
-    const int takes_alpha = material->material.alpha_mode != BURNISH_ALPHA_IGNORE;
+static void find_color(const burnish_texture_batch *batch, const burnish_kernels_points *points) {
+    burnish_texture_scratch *scratch = batch->scratch;
+    const int count = batch->count;
+    const int takes_alpha = batch->material->material.alpha_mode != BURNISH_ALPHA_IGNORE;
     float *const out[4] = {scratch->diffuse[0], scratch->diffuse[1], scratch->diffuse[2],
                            scratch->opacity};
-    const int has_color = sample_into(material, BURNISH_TEXTURE_COLOR, takes_alpha ? ALL : COLOR,
-                                      ops, streams, count, scratch, out);
-    burnish_masks_color(material, ops, streams, count, scratch);
+    const int has_color = sample_into(batch, BURNISH_TEXTURE_COLOR, takes_alpha ? ALL : COLOR, out);
+    burnish_masks_color(batch);
     for (int k = 0; k < 3; ++k) {
         if (!has_color) {
             fill(scratch->diffuse[k], count, 1.0f);
@@ -81,8 +78,7 @@ static void find_color(const burnish_textured_material *material, const burnish_
     if (!has_color) {
         fill(scratch->opacity, count, 1.0f);
     }
-    if (takes_alpha &&
-        sample(material, BURNISH_TEXTURE_OPACITY, RED, ops, streams, count, scratch)) {
+    if (takes_alpha && sample(batch, BURNISH_TEXTURE_OPACITY, RED)) {
         for (int i = 0; i < count; ++i) {
             scratch->opacity[i] *= scratch->sample[0][i];
         }
@@ -91,24 +87,23 @@ static void find_color(const burnish_textured_material *material, const burnish_
 
 /* Normals as the texture turns them, in scratch->normal, and how much mean normals are shorter than
  * 1 in scratch->length. */
-static void turn_normals(const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const burnish_kernels_points *points, const float *const *streams,
-                         int count, burnish_texture_scratch *scratch) {
+static void turn_normals(const burnish_texture_batch *batch, const burnish_kernels_points *points) {
+    burnish_texture_scratch *scratch = batch->scratch;
     const float *const from[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
                                   scratch->sample[3]};
     float *const to[4] = {scratch->normal[0], scratch->normal[1], scratch->normal[2],
                           scratch->length};
-    sample(material, BURNISH_TEXTURE_NORMAL, ALL, ops, streams, count, scratch);
-    ops->turn_normals(material->material.textures[BURNISH_TEXTURE_NORMAL].strength, points->normal,
-                      streams + BURNISH_TEXTURE_TANGENT, from, (size_t)count, to);
+    sample(batch, BURNISH_TEXTURE_NORMAL, ALL);
+    batch->ops->turn_normals(batch->material->material.textures[BURNISH_TEXTURE_NORMAL].strength,
+                             points->normal, batch->streams + BURNISH_TEXTURE_TANGENT, from,
+                             (size_t)batch->count, to);
 }
 
 /* ---- Coefficients of each point ---- */
 
 /* Samples what coefficients are made of; bit k: there is slot k. */
-static unsigned sample_coefficients(const burnish_textured_material *material,
-                                    const burnish_render_ops *ops, const float *const *streams,
-                                    int count, burnish_texture_scratch *scratch) {
+static unsigned sample_coefficients(const burnish_texture_batch *batch) {
+    burnish_texture_scratch *scratch = batch->scratch;
     float(*const sample)[BURNISH_TEXTURE_BATCH] = scratch->sample;
     float(*const specular)[BURNISH_TEXTURE_BATCH] = scratch->specular;
     const struct {
@@ -127,78 +122,74 @@ static unsigned sample_coefficients(const burnish_textured_material *material,
         const int is_metal = wanted[i].slot == BURNISH_TEXTURE_METALLIC_ROUGHNESS;
         const int is_phong = wanted[i].slot == BURNISH_TEXTURE_SPECULAR ||
                              wanted[i].slot == BURNISH_TEXTURE_EXPONENT;
-        if (!(material->material.is_metallic ? is_phong : is_metal)) {
-            sampled |= (unsigned)sample_into(material, wanted[i].slot, wanted[i].channels, ops,
-                                             streams, count, scratch, wanted[i].out)
-                       << wanted[i].slot;
+        if (!(batch->material->material.is_metallic ? is_phong : is_metal)) {
+            sampled |=
+                (unsigned)sample_into(batch, wanted[i].slot, wanted[i].channels, wanted[i].out)
+                << wanted[i].slot;
         }
     }
     return sampled;
 }
 
-static void shade_varied(const burnish_texturing *texturing, const burnish_render_ops *ops,
-                         const burnish_textured_material *material,
-                         const burnish_kernels_points *points, const float *const *streams,
-                         int count, burnish_texture_scratch *scratch, float *const rgb[3]) {
+static void shade_varied(const burnish_texturing *texturing, const burnish_texture_batch *batch,
+                         const burnish_kernels_points *points, float *const rgb[3]) {
+    burnish_texture_scratch *scratch = batch->scratch;
+    const int has_normals = batch->material->has_normals;
     burnish_kernels_points turned = *points;
     burnish_point_materials each = {.exponent = scratch->exponent,
                                     .slopes = texturing->slopes,
                                     .scales = texturing->scales,
                                     .least_exponent = texturing->least_exponent};
-    if (material->has_normals) {
-        turn_normals(material, ops, points, streams, count, scratch);
+    if (has_normals) {
+        turn_normals(batch, points);
     }
-    const unsigned sampled = sample_coefficients(material, ops, streams, count, scratch);
-    ops->vary_points(material, sampled, (size_t)count, scratch);
+    batch->ops->vary_points(batch->material, sample_coefficients(batch), (size_t)batch->count,
+                            scratch);
     for (int k = 0; k < 3; ++k) {
         each.ambient[k] = scratch->ambient[k];
         each.diffuse[k] = scratch->diffuse[k];
         each.specular[k] = scratch->specular[k];
-        turned.normal[k] = material->has_normals ? scratch->normal[k] : points->normal[k];
+        turned.normal[k] = has_normals ? scratch->normal[k] : points->normal[k];
     }
     texturing->kernels->shade_each[texturing->white.lobe.body](&texturing->white, &turned, &each,
-                                                               (size_t)count, rgb);
+                                                               (size_t)batch->count, rgb);
 }
 
-static void add_emissive(const burnish_textured_material *material, const burnish_render_ops *ops,
-                         const float *const *streams, int count, burnish_texture_scratch *scratch,
-                         float *const rgb[3]) {
-    const float *emissive = material->material.emissive;
+static void add_emissive(const burnish_texture_batch *batch, int count, float *const rgb[3]) {
+    const float *emissive = batch->material->material.emissive;
     if (!(emissive[0] > 0 || emissive[1] > 0 || emissive[2] > 0)) {
         return;
     }
-    const int has_sample = sample(material, BURNISH_TEXTURE_EMISSIVE, COLOR, ops, streams,
-                                  padded_count(count), scratch);
+    const int has_sample = sample(batch, BURNISH_TEXTURE_EMISSIVE, COLOR);
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < count; ++i) {
-            rgb[k][i] += emissive[k] * (has_sample ? scratch->sample[k][i] : 1.0f);
+            rgb[k][i] += emissive[k] * (has_sample ? batch->scratch->sample[k][i] : 1.0f);
         }
     }
 }
 
-void burnish_texture_shade(const burnish_texturing *texturing, const burnish_render_ops *ops,
-                           const burnish_kernels_shader *shader, int number,
-                           const burnish_kernels_points *points, const float *const *streams,
-                           int count, burnish_texture_scratch *scratch, float *const rgb[3]) {
-    const burnish_textured_material *material = &texturing->materials[number];
-    const int all = padded_count(count); /* arrays are readable up to there */
-    scratch->taps_of = NULL;
-    find_color(material, ops, points, streams, all, scratch);
-    if (material->material.alpha_mode == BURNISH_ALPHA_MASK) {
-        burnish_masks_apply(texturing, material, ops, streams, all, scratch);
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_kernels_shader *shader,
+                           const burnish_kernels_points *points, const burnish_texture_batch *given,
+                           float *const rgb[3]) {
+    burnish_texture_batch batch = *given;
+    batch.count = padded_count(given->count); /* arrays are readable up to there */
+    batch.scratch->taps_of = NULL;
+    find_color(&batch, points);
+    if (batch.material->material.alpha_mode == BURNISH_ALPHA_MASK) {
+        burnish_masks_apply(texturing, &batch);
     }
     if (!rgb) {
         return;
     }
-    if (material->is_varied) {
-        shade_varied(texturing, ops, material, points, streams, all, scratch, rgb);
+    if (batch.material->is_varied) {
+        shade_varied(texturing, &batch, points, rgb);
     } else {
         burnish_kernels_points colored = *points;
         for (int k = 0; k < 3; ++k) {
-            colored.diffuse[k] = scratch->diffuse[k];
+            colored.diffuse[k] = batch.scratch->diffuse[k];
         }
         texturing->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
-            shader, &colored, (size_t)count, NULL, rgb);
+            shader, &colored, (size_t)given->count, NULL, rgb);
     }
-    add_emissive(material, ops, streams, count, scratch, rgb);
+    add_emissive(&batch, given->count, rgb);
 }

@@ -4,15 +4,13 @@
 
 #include "render/texture/texture.h"
 
-/* Light of `count` points of one special material.
- *   shader   of the material
- *   streams  BURNISH_TEXTURE_STREAMS arrays of the points
- *   rgb      receives linear light, >= 0; NULL: only opacity is wanted
- *   scratch  opacity becomes what the material's textures leave of its opacity, [0, 1]; where its
- *            mask is smoothed 1, and cover what the mask leaves of each sample */
-void burnish_texture_shade(const burnish_texturing *texturing, const burnish_render_ops *ops,
-                           const burnish_kernels_shader *shader, int material,
-                           const burnish_kernels_points *points, const float *const *streams,
-                           int count, burnish_texture_scratch *scratch, float *const rgb[3]);
+/* Light of a batch.
+ *   shader  of the batch's material
+ *   rgb     receives linear light, >= 0; NULL: only opacity is wanted
+ * The batch's scratch receives in opacity what the material's textures leave of its opacity, [0,
+ * 1]; if its mask is smoothed 1, and in cover what the mask leaves of each sample. */
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_kernels_shader *shader,
+                           const burnish_kernels_points *points, const burnish_texture_batch *batch,
+                           float *const rgb[3]);
 
 #endif
