@@ -34,10 +34,10 @@ static const struct layer {
     {"src/image/text", "core image/pixels.h burnish/image.h"},
     {"src/annotate",
      "core image image/text burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},
-    {"src/render", "core simd"},
+    {"src/render", "core raster simd burnish/mesh.h"},
     {"src/render/frame", "core simd raster shading render render/light render/lines render/texture "
                          "image/text/drawing.h burnish/core.h burnish/mesh.h burnish/render.h"},
-    {"src/render/light", "core simd raster render render/frame burnish/mesh.h burnish/render.h"},
+    {"src/render/light", "core simd raster render render/texture burnish/mesh.h burnish/render.h"},
     {"src/render/lines", "core mesh/edges.h image/text/strokes.h render/frame burnish/render.h"},
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
     {"program/batch", "cli import picture render render/output sandbox burnish"},

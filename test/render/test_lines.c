@@ -10,6 +10,7 @@
 #include "mesh/edges.h"
 #include "mesh_arrays.h"
 #include "render/lines/lines.h"
+#include "render/lines/lines_loose.h"
 #include "shapes.h"
 #include "svg_path.h"
 
