@@ -1,4 +1,4 @@
-/* Files packed by zip, as programs for printing write them: AMF is a text or an archive of one. */
+/* Files packed by zip. AMF from printing programs is a text file, or an archive with one. */
 #include "archive.h"
 
 #include <string.h>

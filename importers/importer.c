@@ -1,4 +1,5 @@
-/* The part of an importer that talks: arguments, the lock, reading, writing the stream. */
+/* The shared part of importers: arguments, the sandbox, reading the input and writing the stream.
+ */
 #include "importer.h"
 
 #include <errno.h>
@@ -259,7 +260,7 @@ importer_material importer_default_material(void) {
 
 /* ---- The process ---- */
 
-/* Standard input to its end: its size is not asked for, as the lock forbids that. */
+/* Reads standard input to its end. The sandbox forbids asking for its size. */
 static importer_input read_input(const char *ending) {
     const off_t end = lseek(STDIN_FILENO, 0, SEEK_END);
     size_t size = 0, capacity = end > 0 ? (size_t)end + 1 : FIRST_READ;
@@ -311,7 +312,7 @@ void importer_unpack(importer_input *input) {
     }
 }
 
-/* Libraries print what they like: standard output and error lead nowhere from now on. */
+/* Discards standard output and error from here on, because libraries print to them. */
 static void redirect(void) {
     const int opened = open("/dev/null", O_RDWR);
     const int nothing = opened >= 0 ? fcntl(opened, F_DUPFD, STREAM + 1) : -1; /* not STREAM */

@@ -19,7 +19,7 @@ typedef struct importer_input {
     const char *ending; /* the file extension, lower case, without the dot: "fbx" */
 } importer_input;
 
-/* In the order of the stream. Numbers out of range are brought into it when they are written. */
+/* In the order of the stream. Numbers out of range are clamped when they are written. */
 typedef struct importer_material {
     float ambient[3], diffuse[3], specular[3], emissive[3]; /* linear light */
     float exponent, opacity, metallic, roughness, alpha_cutoff, normal_scale;
@@ -83,7 +83,7 @@ void importer_put(const void *bytes, size_t size);
 void importer_put_word(uint32_t word);
 void importer_put_padded(const void *bytes, size_t size);
 
-/* Ends the process; what was written is all. */
+/* Ends the process. Nothing more is written. */
 #ifdef __cplusplus
 [[noreturn]]
 #else

@@ -9,7 +9,7 @@ enum {
     INSTANCES = 32, /* of constellations in constellations */
     GREY = 158      /* importer_default_material's, as a code of sRGB */
 };
-#define TRIANGLES_MAX 33554432 /* of objects that are placed again and again */
+#define TRIANGLES_MAX 33554432 /* of all placed objects together */
 
 static const tint *color_of_material(const amf *a, uint32_t id) {
     static const tint none = {.is_there = 0};
@@ -32,7 +32,7 @@ static tint color_of_volume(const amf *a, const amf_volume *volume) {
                : grey;
 }
 
-/* Every triangle has vertices of its own: burnish welds them. */
+/* Every triangle gets separate vertices, which burnish welds. */
 static void put_object(amf *a, amf_object *object, const double matrix[12]) {
     importer_mesh *mesh = a->mesh;
     tint around = {.is_there = 0};
@@ -83,7 +83,7 @@ static void multiply(const double m[12], const double n[12], double product[12])
     }
 }
 
-/* Counts the steps too: constellations of nothing may be many. */
+/* Also counts the steps, because there may be many empty constellations. */
 static void put_constellation(amf *a, const amf_constellation *constellation,
                               const double matrix[12], int depth, uint64_t *steps) {
     if (depth == INSTANCES || (*steps += constellation->count) > TRIANGLES_MAX ||

@@ -1,5 +1,5 @@
-/* AMF (ISO/ASTM 52915). Of libassimp 5.2.5 it has the first volume of each object alone, and
- * instances without their turns, so it is read here. */
+/* AMF (ISO/ASTM 52915). It is read here because libassimp 5.2.5 reads only the first volume of each
+ * object, and ignores the rotation of instances. */
 #ifndef BURNISH_IMPORT_ASSIMP_AMF_H
 #define BURNISH_IMPORT_ASSIMP_AMF_H
 

@@ -75,7 +75,7 @@ static const struct {
             {"mirrorx", INSTANCE, NUMBER, 10},
             {"mirrory", INSTANCE, NUMBER, 11},
             {"mirrorz", INSTANCE, NUMBER, 12}};
-/* Room for one more item, cleared. */
+/* Appends a cleared item. */
 static void *append(void **items, size_t *count, size_t *capacity, size_t size) {
     if (*count == *capacity) {
         const size_t wanted = *capacity > 0 ? 2 * *capacity : 64;
@@ -141,7 +141,7 @@ static void read_unit(amf *a, const char *name) {
     }
 }
 
-/* Goes down into an element. */
+/* Enters an element. */
 static element enter(amf *a, const char *name) {
     element self = OTHER;
     if (a->depth == AMF_DEPTH_MAX) {
@@ -155,7 +155,7 @@ static element enter(amf *a, const char *name) {
     }
     a->elements[++a->depth] = (uint8_t)self;
     a->text_size = 0;
-    if (self == COLOR) { /* inside what has numbers of its own */
+    if (self == COLOR) { /* nested in an element with numbers */
         memcpy(a->outer, a->numbers, sizeof a->outer);
         memcpy(a->has_outer, a->has_number, sizeof a->has_outer);
     }
@@ -292,7 +292,7 @@ static void end_triangle(amf *a) {
     ++object->triangle_count;
 }
 
-/* Turned about X, then Y, then Z, in degrees, and moved. */
+/* Rotated about X, then Y, then Z, in degrees, then moved. */
 static void end_instance(amf *a) {
     const double *n = a->numbers;
     double turn[3][2], size[3];

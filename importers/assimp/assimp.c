@@ -1,4 +1,4 @@
-/* burnish-import-assimp: FBX, COLLADA, 3DS, X3D and what else libassimp reads. */
+/* burnish-import-assimp: FBX, COLLADA, 3DS, X3D and the other formats of libassimp. */
 #include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/config.h>
@@ -23,7 +23,7 @@ enum {
 };
 
 void importer_prepare(void) {
-    aiGetImportFormatCount(); /* makes all readers once, and with them what they load */
+    aiGetImportFormatCount(); /* creates all readers once, with the libraries that they load */
 }
 
 /* ---- The one file that there is ---- */
@@ -161,7 +161,7 @@ static int has_triangles(const struct aiMesh *mesh) {
     return 0;
 }
 
-/* The coordinates of its material's textures, which may be others than the first. */
+/* The coordinates of its material's textures, which might not be the first set. */
 static const struct aiVector3D *coordinates_of(const walk *w, const struct aiMesh *mesh) {
     const unsigned set =
         mesh->mMaterialIndex < w->scene->mNumMaterials ? w->sets[mesh->mMaterialIndex] : 0;
@@ -233,7 +233,7 @@ static void put_position(walk *w, const struct aiMatrix4x4 *m, const struct aiVe
     put_vector(w, moved, to);
 }
 
-/* A unit vector; 0, which is to be generated, for what has no direction. */
+/* A unit vector; 0 if there is no direction, so the normal is generated. */
 static void put_normal(const double c[9], double sign, const struct aiVector3D *n, float *to) {
     double turned[3], square = 0;
     for (int i = 0; i < 3; ++i) {
@@ -280,7 +280,7 @@ static void draw_vertices(walk *w, const struct aiMesh *mesh, const struct aiMat
     }
 }
 
-/* A mirror turns triangles around. */
+/* Mirroring reverses triangles. */
 static void draw_triangles(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
     double cofactors[9], determinant;
     find_cofactors(matrix, cofactors, &determinant);
@@ -313,8 +313,8 @@ static void draw_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4
     w->vertices += mesh->mNumVertices;
 }
 
-/* Blender's vertices have smooth normals even if faces are flat. DXF knows no transparency, but
- * libassimp's grey of what has no colour there has an alpha of 0.6. */
+/* Blender's vertices have smooth normals even if faces are flat. DXF has no transparency, but
+ * libassimp's default grey for it has an alpha of 0.6. */
 static void flatten(const struct aiScene *scene, const char *ending, const unsigned *sets,
                     importer_mesh *mesh) {
     walk counted = {.scene = scene, .mesh = mesh, .sets = sets}, drawn = counted;

@@ -110,7 +110,7 @@ static int read_texture(reading *r, enum aiTextureType type, int slot, int is_co
         return 0;
     }
     path.data[sizeof path.data - 1] = 0;
-    path.data[strcspn(path.data, "\"")] = 0; /* of X3D's lists of names the first */
+    path.data[strcspn(path.data, "\"")] = 0; /* the first name of X3D's lists */
     if (mapping != aiTextureMapping_UV || (r->has_textures && set != r->set)) {
         importer_warn(r->mesh, "a texture with other coordinates than the material's first is "
                                "left out");
@@ -164,7 +164,7 @@ static int is_black(const float color[3]) {
     return !(color[0] > 0 || color[1] > 0 || color[2] > 0);
 }
 
-/* Exponent and colour of the highlight. Exponents below 1 are another measure, or none. */
+/* Exponent and colour of the highlight. Exponents below 1 have another meaning, or none. */
 static void read_highlight(const reading *r, importer_material *to) {
     float color[3] = {0, 0, 0}, exponent = 0, strength = 1;
     int model = 0;
@@ -186,7 +186,7 @@ static void read_highlight(const reading *r, importer_material *to) {
     importer_linear(color, to->specular);
 }
 
-/* Opacity of 0 is what exporters write who mean the contrary. */
+/* Some exporters write an opacity of 0 to mean opaque. */
 static void read_opacity(reading *r, importer_material *to, const char *color_name) {
     char name[1024] = "";
     float opacity = 1;

@@ -1,5 +1,5 @@
-// burnish-import-draco: the streams of KHR_draco_mesh_compression through libdraco. C++, as its interface is.
-// It gets streams and writes values, not a mesh: docs/importers.md, "Draco's streams".
+// burnish-import-draco: the streams of KHR_draco_mesh_compression through libdraco. In C++, like its interface.
+// It receives streams and writes values, not a mesh: docs/importers.md, "Draco's streams".
 #include <draco/compression/decode.h>
 #include <draco/mesh/mesh.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr char magic[] = "\x89" "BDA\r\n\x1a\n";
 
-// The componentType of glTF, 0 for what it has not.
+// The componentType of glTF; 0 for other types.
 uint32_t component_of(draco::DataType type) {
     switch (type) {
     case draco::DT_INT8:
@@ -40,7 +40,7 @@ uint32_t component_of(draco::DataType type) {
     }
 }
 
-// Components as files have them: the lowest byte first.
+// Components in little-endian order.
 void put_components(uint8_t *bytes, size_t count, size_t size) {
     const uint16_t one = 1;
     if (*reinterpret_cast<const uint8_t *>(&one) == 0) {
@@ -89,7 +89,7 @@ void put_mesh(const draco::Mesh &mesh) {
     }
 }
 
-// Of one that can't be decoded: nothing of everything.
+// If decoding fails, all outputs are empty.
 void put_stream(const uint8_t *bytes, size_t size) {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char *>(bytes), size);

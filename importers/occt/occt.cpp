@@ -1,4 +1,4 @@
-// burnish-import-occt: STEP, IGES and BREP through Open CASCADE, tessellated. C++, as its interface is.
+// burnish-import-occt: STEP, IGES and BREP through Open CASCADE, tessellated. In C++, like its interface.
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
@@ -179,8 +179,8 @@ void add_shape(scene &s, const TopoDS_Shape &shape, const gp_Trsf &place, const 
     }
 }
 
-// A part, an assembly, or an instance of one in another. What is further out counts less, but a
-// colour of where a part stands counts more than the part's own.
+// A part, an assembly, or an instance of one in another. Outer colours count
+// less, but the colour of an instance counts more than the part's own.
 void add_label(scene &s, const TDF_Label &label, const gp_Trsf &place, const color_of &inherited, int depth) {
     if (depth > depth_max) {
         importer_fail(BURNISH_BMS_LIMIT_ERROR, "its assemblies are nested deeper than 200");
@@ -273,7 +273,7 @@ void draw_face(scene &s, const drawn_face &drawn, uint64_t &vertices, uint64_t &
         return;
     }
     const gp_Trsf place = drawn.place * location.Transformation();
-    // a transformation of vectors mirrors them too, and a mirror turns the sense of triangles
+    // the transformation also mirrors vectors, and mirroring reverses triangles
     const bool is_reversed = drawn.face.Orientation() == TopAbs_REVERSED, is_mirrored = place.IsNegative();
     for (int i = 1; i <= net->NbNodes(); ++i) {
         const gp_Pnt point = net->Node(i).Transformed(place);
@@ -376,7 +376,7 @@ void read_step(scene &s) {
     transfer(s, reader, "STEP");
 }
 
-// Read by name alone, with fopen, which is ours below.
+// Open CASCADE reads only by file name, with fopen, which is replaced below.
 void read_iges(scene &s) {
     IGESCAFControl_Reader reader;
     if (reader.ReadFile(file_name) != IFSelect_RetDone) {
@@ -403,7 +403,7 @@ void read_brep(scene &s) {
 
 } // namespace
 
-// What Open CASCADE opens by itself: the one file that there is.
+// Open CASCADE opens files itself; only the input exists.
 extern "C" FILE *fopen(const char *name, const char *) {
     if (file && strcmp(name, file_name) == 0) {
         return fmemopen(const_cast<uint8_t *>(file->bytes), file->size, "rb");
