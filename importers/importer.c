@@ -328,8 +328,8 @@ int main(int count, char **arguments) {
     char ending[32] = "";
     if (count != 2 || arguments[1][0] == '-' || strlen(arguments[1]) >= sizeof ending) {
         fprintf(stderr,
-                "usage: %s ENDING <FILE >STREAM   (fbx, dae, ...: of the file's name)\n"
-                "burnish runs it by itself: burnish render part.ENDING\n",
+                "usage: %s EXTENSION <FILE >STREAM   (fbx, dae, ...: the file extension)\n"
+                "burnish runs it itself: burnish render part.EXTENSION\n",
                 importer_name);
         return 2;
     }
@@ -343,7 +343,7 @@ int main(int count, char **arguments) {
     const int code = sandbox_lock(STREAM + 1, 1, &wall);
     if (code != 0) {
         char text[160];
-        snprintf(text, sizeof text, "can't lock itself in (%s: %s)", wall, strerror(code));
+        snprintf(text, sizeof text, "can't enter its sandbox (%s: %s)", wall, strerror(code));
         importer_fail(BURNISH_BMS_FORMAT_ERROR, text);
     }
     importer_input input = read_input(ending);

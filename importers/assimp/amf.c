@@ -89,7 +89,7 @@ static void put_constellation(amf *a, const amf_constellation *constellation,
     if (depth == INSTANCES || (*steps += constellation->count) > TRIANGLES_MAX ||
         a->placed > TRIANGLES_MAX) {
         importer_fail(BURNISH_BMS_LIMIT_ERROR,
-                      "constellations hold each other more than 32 deep, or more than 33554432 "
+                      "constellations are nested more than 32 deep, or have more than 33554432 "
                       "triangles; simplify the file");
     }
     for (size_t i = 0; i < constellation->count; ++i) {

@@ -285,7 +285,7 @@ static void end_triangle(amf *a) {
     const size_t count = a->vertices.count - object->first_vertex;
     for (int i = 0; i < 3; ++i) {
         if (!a->has_number[i] || !(a->numbers[i] >= 0 && a->numbers[i] < (double)count)) {
-            fail(a, "a triangle names a vertex that is not there");
+            fail(a, "a triangle names a missing vertex");
         }
         triangle->corners[i] = (uint32_t)(object->first_vertex + (size_t)a->numbers[i]);
     }

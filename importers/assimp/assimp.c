@@ -367,7 +367,7 @@ static _Noreturn void fail_by_library(void) {
     const char *text = aiGetErrorString(), *advice = "";
     char line[400];
     if (!text || !*text) {
-        text = "libassimp says nothing of what is wrong";
+        text = "libassimp gives no reason";
     }
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         advice = strstr(text, rows[i].part) ? rows[i].advice : advice;

@@ -77,7 +77,7 @@ static uint32_t number_of(reading *r, const char *name, int is_color) {
         }
     }
     if (mesh->texture_count == TEXTURES_MAX) {
-        importer_warn(mesh, "the first 4096 textures are enough");
+        importer_warn(mesh, "only the first 4096 textures are used");
         return 0;
     }
     if (!mesh->textures) {

@@ -316,7 +316,7 @@ void draw(scene &s) {
     }
     if (missing > 0) {
         char line[100];
-        snprintf(line, sizeof line, "%zu of %zu faces could not be made triangles of", missing, s.faces.size());
+        snprintf(line, sizeof line, "%zu of %zu faces could not be triangulated", missing, s.faces.size());
         importer_warn(s.mesh, line);
     }
     if (s.mesh->triangle_count == 0) {

@@ -127,11 +127,11 @@ amf nested.amf '' '' '<constellation id="4"><instance objectid="5"><deltaz>1</de
 run info nested.amf --json
 check "in one another: $(json triangles), $(json min), $(json max), $(json volume)" [ "$(json triangles) $(json min) $(json max)" = "4 -1,0,1 0,1,2" -a "$(json flipped_triangles)" = 0 -a "$(json volume | cut -c1-4)" = 0.16 ]
 amf loop.amf '' '' '<constellation id="4"><instance objectid="5"/></constellation><constellation id="5"><instance objectid="6"/></constellation><constellation id="6"><instance objectid="5"/></constellation>'
-expect 5 "burnish: loop.amf: burnish-import-assimp: constellations hold each other more than 32 deep, or more than 33554432 triangles; simplify the file" info loop.amf
+expect 5 "burnish: loop.amf: burnish-import-assimp: constellations are nested more than 32 deep, or have more than 33554432 triangles; simplify the file" info loop.amf
 iconv -f UTF-8 -t UTF-16 all.amf >wide.amf
 check "UTF-16" [ "$(hash wide.amf)" = "$(hash all.amf)" ]
 sed 's/<v3>3/<v3>4/' all.amf >far.amf
-expect 4 "burnish: far.amf: burnish-import-assimp: line 6: a triangle names a vertex that is not there; repair the file" info far.amf
+expect 4 "burnish: far.amf: burnish-import-assimp: line 6: a triangle names a missing vertex; repair the file" info far.amf
 sed 's/<x>1/<x>nan/' all.amf >nan.amf
 expect 4 "burnish: nan.amf: burnish-import-assimp: line 3: a value is not a number; repair the file" info nan.amf
 head -c 700 all.amf >cut.amf

@@ -342,7 +342,7 @@ int burnish_reader_load_texture(burnish_reader *reader, const uint8_t *at, const
     }
     texture_name *known = find_name(names, name, is_color);
     if (!known) {
-        burnish_fail(&why, BURNISH_STATUS_LIMIT, "the first %d textures are enough", NAMES_MAX);
+        burnish_fail(&why, BURNISH_STATUS_LIMIT, "only the first %d textures are used", NAMES_MAX);
     } else if (known->name) {
         return known->number;
     } else {
