@@ -33,7 +33,7 @@ echo junk >in/broken.stl
 printf 'v 0 0\n' >in/bad.obj
 echo text >in/readme.txt
 
-# Pictures are those of render, wherever they lie; failures stop nothing.
+# Pictures are the same as render's in every folder, and a failure does not stop the batch.
 batch in -r -d out --size=32 --index --sheet=sheet.png -j7
 check "some failed: exit code $code" [ "$code" = 11 ]
 check "failures are listed: $(cat "$err")" [ "$(grep -c '^burnish: in/' "$err")" = 2 ]
@@ -67,7 +67,7 @@ lines out/burnish-batch.jsonl >one
 check "one worker, the same report" cmp one seven
 rm -f one seven sheet.png
 
-# What is unchanged is left; what has changed is drawn: an input, a file that it names, flags, a picture that is gone.
+# Unchanged pictures stay. A changed input, referenced file or flag, or a missing picture, causes a new drawing.
 # drawn WANTED ARGUMENTS...: the pictures that a run writes.
 drawn() {
     wanted=$1
@@ -138,7 +138,7 @@ expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' ba
 expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens them' batch in -d out --runners=1
 rm -rf out
 
-# Names: lists, templates, views; nothing outside the folder, no picture twice.
+# Names: lists, templates, views; nothing outside the folder, no duplicate pictures.
 printf 'in/a.obj\nin/a.obj\n' >list
 batch --files-from=list -d out --size=8
 check "a list: $(cat "$err")" [ "$code$(wc -l <out/burnish-batch.jsonl)" = 02 ]
@@ -159,7 +159,7 @@ batch :sphere -d out --size=8
 check "a file that is no picture of ours stays: $(cat "$err")" [ "$code" = 11 -a "$(cat out/sphere.png)" = text ]
 rm -rf out list empty
 
-# render with many inputs: the same pictures, and nothing beside them.
+# render with many inputs: the same pictures, and no other files.
 gives 11 render in/a.obj in/a.off in/bad.obj --size=32 --output-dir=thumbs $memory  # render, some failed
 check "render lists them: $(cat "$err")" grep -q '^burnish: in/bad.obj:1: vertex has 2 numbers' "$err"
 check "render: two pictures" [ "$(ls -A thumbs | tr '\n' ' ')" = 'a.obj.png a.off.png ' ]
@@ -190,7 +190,7 @@ expect 2 'burnish: --plane: is of one picture; draw one INPUT, without --output-
 expect 2 'burnish: --output: many pictures can'\''t go to standard output; leave it out' render in/a.obj in/a.off -o -
 rm -rf thumbs one.png
 
-# Limits: a worker that takes too long is ended alone.
+# Limits: only the worker that takes too long ends.
 awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }' >in/sheets.obj
 batch in/sheets.obj in/a.obj -d out --views=front --max-overdraw=1e9 --size=3000 --samples=16 --max-seconds=0.2
 check "--max-seconds: exit code $code" [ "$code" = 11 ]
@@ -209,7 +209,7 @@ check "a foreign file of a long name: $(cat "$err")" grep -q 'exists and is no p
 check "it is replaced" [ "$(cat "out/$part/$part/$part/a.png")" = mine ]
 rm -rf long out
 
-# A signal: what is done is kept, and the next run goes on.
+# A signal: finished pictures stay, and the next run continues.
 mkdir many
 for i in 1 2 3 4 5 6 7 8 9; do cp in/a.obj many/$i.obj; done
 cp in/sheets.obj many

@@ -10,7 +10,7 @@ lobe_keys="over_copy schlick_over squarings_over table_over vector_pow_over slee
     libm_over"
 shade_keys="none_over libmvec_over sleef_over table_over vector_pow_over schlick_over"
 
-# keys_of_last_output: a run of one instruction set, so that each key stands once (and once among the missing).
+# keys_of_last_output: of a run with one instruction set, in which each key occurs once (and once among the missing).
 check_keys() {
     for key in $(for k in $lobe_keys; do echo "lobe.l1.$k"; done) lobe.memory.over_nt_copy \
         $(for k in $shade_keys; do echo "shade.directional.$k shade.point.$k"; done) \

@@ -40,7 +40,7 @@ passes --threshold=1 --metric=pixels
 fails --threshold=0.01 --metric=flip
 passes --threshold=0.1 --metric=flip
 
-# Meshes: the camera frames both, what is told of them differs, a picture of the mesh is the mesh.
+# Meshes: the camera frames both, the reported facts differ, and a mesh equals its own picture.
 "$burnish" render :teapot --size=48 -o teapot.png
 gives 0 compare :teapot teapot.png --json  # a mesh and its picture
 check "a mesh and its picture have one silhouette: $(json silhouette_iou)" [ "$(json silhouette_iou)" = 1 ]
@@ -62,7 +62,7 @@ for isa in scalar auto; do
 done
 check "every instruction set has the same numbers" cmp scalar.json auto.json
 
-# The same mesh in two formats, which stand on different axes: both stand as the first one does.
+# The same mesh in two formats with different up axes: both use the axis of the first.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\n' >corner.obj
 {
     echo solid corner

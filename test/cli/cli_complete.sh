@@ -9,7 +9,7 @@ for shell in bash zsh fish; do
     cp "$out" burnish.$shell
 done
 
-# words LINE...: what bash offers for the last of these words, after its own division at =.
+# words LINE...: bash's completions of the last word, after bash has split the line at =.
 cat >ask.bash <<'END'
 source ./burnish.bash
 compopt() { :; }

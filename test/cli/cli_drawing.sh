@@ -4,8 +4,8 @@
 # usage: cli_drawing.sh BURNISH SCRATCH
 . "$(dirname "$0")/lib.sh"
 
-# What each flag does to the SVG of a teapot: drawn (it differs), same (as it does to no picture),
-# refused (exit code 2), or other (it needs what this call has not: several inputs, another format).
+# Effect of each flag on the SVG of a teapot: drawn (it differs), same (the flag changes no picture),
+# refused (exit code 2), or other (it needs several inputs or another format).
 cat >../drawing.table <<'END'
 other output
 other output-dir

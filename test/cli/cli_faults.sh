@@ -1,5 +1,5 @@
 #!/bin/sh
-# Faults from outside while a picture is read, drawn or written: one line, the right exit code, no half file, nothing left.
+# External faults while a mesh is read, drawn or written: one line, the right exit code, no partial file, no temporary files.
 # Usage: cli_faults.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
@@ -13,7 +13,7 @@ check "a closed pipe: exit code $(cat ../code)" [ "$(cat ../code)" = 7 ]
 check "a closed pipe: $(cat "$err")" grep -qx "burnish: standard output: can't be written: Broken pipe; the reader closed the pipe" "$err"
 rm -f ../code
 
-# A file that shrinks and grows while it is read: a picture or a refusal, never a signal.
+# A file that shrinks and grows while it is read gives a picture or an error, never a signal.
 awk 'BEGIN { for (i = 0; i < 40000; ++i) print "v " i % 7 " " i % 11 " " i % 13; for (i = 1; i < 39000; ++i) print "f " i " " i + 1 " " i + 2 }' >whole.obj
 (
     while [ -e whole.obj ]; do
@@ -49,7 +49,7 @@ if env --default-signal=INT true 2>/dev/null; then
     rm -f old.png
 fi
 
-# A file system that is full, a file that something is mounted on; where this user may mount.
+# A full file system, and a file that is a mount point, if this user can mount.
 mounted() { # SCRIPT: with $burnish, in a name space of its own; its output is in $out
     unshare -r -m sh -c "$1" sh "$burnish" >"$out" 2>"$err"
     code=$?

@@ -204,7 +204,7 @@ check "docs/theory.md: $(python3 "$root/scripts/tables" theory "$burnish" "$root
 sed 's/0\.0916/0.0915/' "$root/docs/theory.md" >stale.md
 check "a changed number is not noticed" sh -c "! python3 '$root/scripts/tables' theory '$burnish' stale.md --check"
 rm stale.md
-# What its text says in round numbers.
+# Rounded numbers in its text.
 about() {
     run lobe table --lobes="$1" --exponents="$2" --metrics="$3" --format=csv
     check "$3 of $1 at n = $2 is not about $4" awk -F, -v about="$4" 'NR == 2 { exit !(int($3 + 0.5) == about) }' "$out"

@@ -98,7 +98,7 @@ for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE '"LOBE TABLE"' '"LOBE FIT"'
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1
 done
-# What is said of JSON is what is written.
+# The documented JSON keys are the keys that are written.
 json_keys() { tr -d '\n\t ' <"$out" | grep -oE '"[a-z0-9_]+":' | tr -d '":'; }
 run render :sphere --size=16 --json -o p.png
 json_keys >keys.txt
@@ -122,7 +122,7 @@ for variable in BURNISH_ISA PATH; do
     check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
 done
 check "the manual takes an underscore inside a word for italics" grep -q 'Default: burnish_boundary\.' page.txt
-# Marks of *bold* and _italics_ are closed where they stand, and none is left as it is typed.
+# Marks of *bold* and _italics_ are balanced, and none remains in the output.
 check "marks that are not closed: $(awk 'gsub(/\\f[BI]/, "&") != gsub(/\\fR/, "&")' burnish.1 | head -1)" \
     awk 'gsub(/\\f[BI]/, "&") != gsub(/\\fR/, "&") { exit 1 }' burnish.1
 check "marks in the text: $(grep -F '*' burnish.1 | head -1)" sh -c '! grep -qF "*" burnish.1'

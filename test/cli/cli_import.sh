@@ -1,5 +1,5 @@
 #!/bin/sh
-# Importers: how they are found and started, and what becomes of those that do other than they should. Scripts stand for them.
+# Importers: how burnish finds and starts them, and how it handles faulty ones. Scripts act as importers.
 # Usage: cli_import.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
@@ -13,7 +13,7 @@ tail -c +4 "$bin/seeds/bms/error" >"$bin/error.bms"
 echo "an FBX" >a.fbx
 name=burnish-import-assimp
 
-# importer COMMANDS: what the importer does from now on.
+# importer COMMANDS: replaces the importer by a script.
 importer() {
     printf '#!/bin/sh\n%s\n' "$1" >"$bin/$name"
     chmod +x "$bin/$name"
@@ -25,7 +25,7 @@ if "$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null; then
 fi
 rm -f s.png
 
-# refused CODE LINE: of the importer as it is, in each of the ways to load a mesh.
+# refused CODE LINE: expects this error from the current importer, for each way to load a mesh.
 refused() {
     expect "$1" "burnish: a.fbx: $name $2" info a.fbx
     expect "$1" "burnish: a.fbx: $name $2" render a.fbx -o p.png
@@ -82,7 +82,7 @@ for there in yes no; do
     rm p.fbx p.step
 done
 
-# A limit of time ends the importer too. This one waits for a line that nobody writes.
+# A time limit ends the importer too. This one waits for a line that never comes.
 mkfifo "$bin/never"
 importer "echo \$\$ >'$bin/number'; read line <'$bin/never'"
 for flag in --no-sandbox $boxed; do
@@ -126,7 +126,7 @@ expect 5 'burnish: a.fbx: larger than the limit of 3 bytes; raise the limit or s
     render a.fbx --max-input-bytes=3 -o r.png
 gives 4 render a.fbx --input-format=stl -o r.png  # a format that is named is not imported
 
-# Whatever the name, and through standard input: --input-format says what it is.
+# With any file name, and from standard input: --input-format selects the format.
 cp a.fbx a.dat
 importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; cat '$bin/all.bms'"
 same_as_fbx() { # TEXT, of a picture r.png
@@ -177,7 +177,7 @@ rm -f a.dat
 importer "cat '$bin/all.bms'"
 expect 3 "burnish: none.fbx: can't be opened: No such file or directory" render none.fbx -o r.png
 
-# Folders of a batch: importers' files where the importer is installed.
+# Folders of a batch include importers' files if the importer is installed.
 mkdir models
 cp a.fbx models
 echo text >models/a.txt

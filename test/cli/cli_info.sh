@@ -79,7 +79,7 @@ expect 0 'burnish: warning: lines.obj: cut but not filled: lines have no inside'
 run compare points.obj lines.obj --size=16 --json
 check "compare: $(json size_y), $(json volume)" grep -q '"vertices":[[:space:]]*null' "$out"
 
-# One vertex with another last digit: closed, and the report says how.
+# One vertex differs in its last digit: the mesh counts as closed, and the report shows the tolerance.
 box '0,/vertex 1 2 3/s//vertex 1.0000005 2 3/' >rounded.stl
 run info rounded.stl
 check "closed by joining: $(grep closed "$out")" grep -qx '  closed                yes, with vertices within 3e-06 joined (4 open edges without)' "$out"
@@ -150,7 +150,7 @@ run info "$name" --json
 check "JSON with an odd file name is valid" valid_json
 rm -f ./*
 
-# Far from the origin: a picture and a size as at the origin, and coordinates of the file, also on the command line.
+# Far from the origin: same picture and size as at the origin; coordinates, also in flags, are those of the file.
 get() { sed -n "s/^.*\"$1\":[[:space:]]*//p" "$2" | sed 's/,$//;q'; } # KEY FILE
 moved() { # X Y Z
     for p in '0 0 0' '1 0 0' '0 2 0' '0 0 3'; do

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Bounds of time and memory: small files that want to take long, streams without end.
+# Limits of time and memory: small files that would take long, endless streams.
 # Usage: cli_limits.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
 
-# Streams: refused by their first 64 KiB, unless they may be a mesh.
+# Streams: rejected within their first 64 KiB, unless they may be a mesh.
 refusal='burnish: standard input: its first 65536 bytes match no supported format; give a mesh'
 stream() { # COMMAND FLAGS...: what the command writes
     command=$1

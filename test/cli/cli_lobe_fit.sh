@@ -47,7 +47,7 @@ check "schlick's exponent" within "$(best schlick)" 40 1e-6
 lobe 4 12.2 0.8 0 | awk -F, '{ printf "%.17g %.17g\n", $1 * atan2(0, -1) / 180, $2 }' >s.csv
 run lobe fit s.csv --unit=rad --format=json
 check "radians" within "$(best zeta)" 12.2 1e-6
-# an offset is found where it is asked for, and spoils the fit where not
+# an offset is found with --offset, and spoils the fit without
 lobe 2 20 5 1.5 >s.csv
 run lobe fit s.csv --offset --format=json
 check "--offset: $(best offset)" within "$(best offset)" 1.5 1e-6

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Planes of numbers: refusals here, values in planes.py.
+# Planes of numbers: errors. planes.py tests the values.
 # usage: cli_planes.sh BURNISH SCRATCH
 . "$(dirname "$0")/lib.sh"
 here=$(dirname "$(realpath "$0")")

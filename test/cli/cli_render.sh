@@ -6,8 +6,8 @@
 # is_png FILE WIDTH HEIGHT
 is_png() { [ "$(png_size "$1")" = "$2 $3" ]; }
 
-# hash ARGUMENTS...: the hash of the sphere-sized picture that they make.
-# Few directions of ambient occlusion: it takes most of the time under sanitizers.
+# hash ARGUMENTS...: the hash of the picture.
+# Few directions of ambient occlusion, which takes most of the time under sanitizers.
 hash() {
     run render --occlusion=8 "$@" --json -o picture.png
     [ "$code" = 0 ] || fail "burnish render $*: exit code $code: $(cat "$err")"
@@ -70,8 +70,8 @@ check "a file over the limit of the shell ends with 7, not a signal: $(cat ../co
 check "a file over the limit: one line, not $(cat "$err")" grep -q "^burnish: s.png: can't be written: File too large" "$err"
 check "a file over the limit replaces a picture" [ "$(cat s.png)" = mine ]
 
-# A signal that ends the program ends it as such, and leaves no temporary, also where the file system
-# has no files without names: there access() says so.
+# After a fatal signal the exit status shows the signal, and no temporary file is left, also if the file system
+# does not support unnamed files, which a failing access() simulates.
 mkdir signals
 cd signals || exit 1
 printf 'int access(const char *path, int mode);\nint access(const char *path, int mode) { (void)path, (void)mode; return -1; }\n' >../access.c
@@ -96,7 +96,7 @@ for name in TERM HUP; do
 done
 cd ..
 
-# A name made from the input's replaces nothing: a texture may lie beside the mesh.
+# A default output name replaces no file, which may be a texture of the mesh.
 mkdir model
 cd model || exit 1
 triangle >part.stl
@@ -174,7 +174,7 @@ run render :sphere --size=16 --timing -o t.png
 check "--timing" grep -qx 'burnish: start [0-9.]* ms, read [0-9.]* ms, build [0-9.]* ms, transform [0-9.]* ms, draw [0-9.]* ms, encode [0-9.]* ms, write [0-9.]* ms, total [0-9.]* ms' "$err"
 check "--timing leaves standard output alone" [ ! -s "$out" ]
 
-# What the picture looks like, for those who can't see it: flat white on black, on white, and black on a
+# The report's description of the picture: flat white on black, on white, and black on a
 # dark and on no background.
 tones() {
     run render :sphere --look=plain --size=32 --samples=1 --light=none --specular=0 "$@" --json --quiet -o t.png
@@ -198,7 +198,7 @@ run render :sphere $unseen --json -o t.png
 check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has one colour' "$err"
 expect 0 '' render :sphere --size=16 --fail-on-blank -o t.png
 
-# The report in a file, beside a picture on standard output.
+# The report in a file, the picture on standard output.
 "$burnish" render :torus --size=16 --json=report.json -o - >piped.png
 check "a picture beside its report" is_png piped.png 16 16
 cp report.json "$out"
@@ -253,7 +253,7 @@ same "a turn of 360 degrees and --size" "$(hash :teapot --resolution=64,64 --cam
 same "standard views are parallel projections" "$(hash :teapot --size=64 --camera-direction=0,0,-1 --camera-orthographic)" \
     "$(hash :teapot --size=64 --views=front)"
 same "STL stands on +Z" "$(hash in/part.v2.stl --size=32)" "$(hash in/part.v2.stl --size=32 --up=+Z)"
-# A binary STL whose header begins as a PLY's does: only the flag says what it is.
+# A binary STL file with a header that begins like PLY: the flag selects the format.
 {
     printf 'ply\n'
     head -c 76 /dev/zero
@@ -302,7 +302,7 @@ expect 2 'burnish: --same-scale: a perspective has no scale; leave out --camera-
 expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
 expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already says how large the object is; leave one out' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
 
-# A block that lies flat in x and z stands on +Y; a sheet on its edge does not.
+# A block that is flat in x and z keeps +Y as its up axis; a sheet on its edge does not.
 printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nv 0 0 .1\nv 9 0 .1\nv 9 7 .1\nv 0 7 .1\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 4 3 7 8\nf 1 4 8 5\nf 2 3 7 6\n' >sheet.obj
 up() {
     run render "$@" --size=16 --occlusion=none --json -o s.png
@@ -330,7 +330,7 @@ else
     same "without a font: ?" "$(json hash)" "$(hash :torus --views=front,top --size=60 --occlusion=none --labels="K?rper,b")"
 fi
 
-# Annotations: each changes the picture, none what the report says of the object's light.
+# Annotations: each changes the picture, and none the brightness in the report.
 bare=$(hash block.obj --size=200 --camera-orthographic)
 for kind in axes box dimensions scale grid axes,grid,scale; do
     differs "--annotate=$kind" "$bare" "$(hash block.obj --size=200 --camera-orthographic --annotate=$kind)"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Rows of a picture: refusals, the report, and files of rows that make the whole when put together.
+# Rows of a picture: errors, the report, and files of rows that form the whole picture together.
 # usage: cli_rows.sh BURNISH SCRATCH
 . "$(dirname "$0")/lib.sh"
 

@@ -87,7 +87,7 @@ done
 same_there :knot --size=8 --json=r.json $planes -o OUT.png
 rm -f r.json
 
-# A material library is one of the input's folder: what a link shows elsewhere is not read.
+# Material libraries are read only from the input's folder, not through links that lead out of it.
 mkdir in in/folder.mtl
 echo "newmtl a
 Kd 1 0 0" >secret.mtl

@@ -1,5 +1,5 @@
 #!/bin/sh
-# burnish serve-stdio: the pictures of render, failures that end nothing, limits, framing, processes that are locked in.
+# burnish serve-stdio: render's pictures, failures that do not end the server, limits, framing, sandboxed processes.
 # Usage: cli_serve.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
@@ -63,7 +63,7 @@ printf 'newmtl r\nKd 1 0 0\n' >m.mtl
 printf 'v 0 0\n' >bad.obj
 : >empty
 
-# Pictures and reports are those of render.
+# Pictures and reports are the same as render's.
 {
     request 7 '{"name": "a.obj", "flags": ["--size=32"], "files": [{"name": "m.mtl", "bytes": 18}]}' a.obj m.mtl
     request 4294967295 '{"name": ":teapot", "flags": ["--views=front,top", "--color=#fa0", "--no-labels"]}'
@@ -178,7 +178,7 @@ if [ -d /proc/self/fd ] && command -v pgrep >/dev/null; then
         done
     fi
     request 1 '{"flags": ["--views=front", "--size=3000", "--samples=16"]}' sheets.obj >&9
-    # busy: the workers that draw a picture; waiting for a request takes no processor time.
+    # busy: the number of workers that use processor time, so draw a picture.
     busy() { for worker in $(pgrep -P $server); do ! computes "$worker" || echo "$worker"; done; }
     is_drawn() { [ -n "$(busy)" ]; }
     await is_drawn
@@ -195,7 +195,7 @@ if [ -d /proc/self/fd ] && command -v pgrep >/dev/null; then
     rm -f pipe later
 fi
 
-# Importers: by the name's ending or by a flag, with the request's files as textures and its limits. A script stands for one.
+# Importers: chosen by extension or flag, with the request's files as textures and its limits. A script acts as an importer.
 bin=$scratch.bin
 rm -rf "$bin"
 mkdir "$bin"
@@ -255,7 +255,7 @@ check "the next one is drawn" [ -s 2.picture ]
 check "the importer has ended" await ended "$(cat "$bin/number")"
 rm -f ./*.line ./*.picture a.fbx a.png
 
-# What is no frame ends the server, after the answers.
+# An invalid frame ends the server after it has answered the requests.
 request 1 '{}' a.obj >in
 printf 'GET / HTTP/1.0\r\n\r\n' >>in
 serve -j1 --size=8

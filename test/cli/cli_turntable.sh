@@ -1,5 +1,5 @@
 #!/bin/sh
-# Turntables: refusals and files here, frames in turntable.py.
+# Turntables: errors and files. turntable.py tests the frames.
 # usage: cli_turntable.sh BURNISH SCRATCH
 . "$(dirname "$0")/lib.sh"
 here=$(dirname "$(realpath "$0")")
@@ -50,7 +50,7 @@ check "the report is JSON" valid_json
 run render :sphere $few --turntable=t.gif --frames=5 --json
 check "the hash is not that of the first frame" [ "$(json hash)" = "$first" ]
 
-# The same bytes from every instruction set and number of threads, where no library compresses.
+# The same bytes with every instruction set and number of threads, without compression by a library.
 for isa in $(instruction_sets); do
     for threads in 1 2 7; do
         gives 0 render :knot $few --isa=$isa --threads=$threads --turntable=s.gif

@@ -63,7 +63,7 @@ expect 0 '' render :sphere --size=16 --isa=scalar -o x.png
 unset BURNISH_ISA
 rm -f x.png
 nothing_left "wrong usage"
-# What there was no memory for, be it one thing or several. Sanitizers need more before they begin.
+# Out of memory, for one input or several. Sanitizers need more memory from the start.
 run render :sphere --max-memory=5M -o a.png
 if [ "$code" = 6 ]; then
     check "memory: $(cat "$err")" grep -qE '^burnish: out of memory: no [0-9]+ bytes for [^;]+; ' "$err"

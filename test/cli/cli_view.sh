@@ -1,6 +1,6 @@
 #!/bin/sh
-# burnish view without anybody at the keys: what it refuses; that saved pictures are those of the
-# command that it prints. Windows are SDL's that nobody sees.
+# burnish view without a user: errors; saved pictures are the same as those of the
+# printed command. Windows use SDL's dummy driver.
 # Usage: cli_view.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
@@ -25,7 +25,7 @@ SDL_VIDEODRIVER=none run view :sphere --do=quit
 check "no display: exit code $code" [ "$code" = 3 ]
 check "no display: one line: $(cat "$err")" grep -q '^burnish: view: no window can be opened: .*; use burnish render where there is no display$' "$err"
 
-# same_picture ACTIONS INPUT FLAGS...: what P saves is what the command of C writes.
+# same_picture ACTIONS INPUT FLAGS...: key P saves the picture that the command printed by key C writes.
 same_picture() {
     actions=$1
     shift
@@ -45,7 +45,7 @@ same_picture projection,turn-down,exponent-down,other-lobe,split :torus --ground
 same_picture look,wireframe,iso,section-x,section-x :sphere
 same_picture bottom,turn-up,lobe-back :teapot --up=+Z --samples=1
 
-# The number in the name, and two lobes that are the same on both sides of what divides them.
+# The number in the file name, and a split view with the same lobe on both sides.
 run view :sphere --resolution=64,64 --do=screenshot,screenshot,quit
 check "two pictures of two names" cmp -s sphere-1.png sphere-2.png
 run view :sphere --resolution=64,64 --lobe=power,schlick --do=screenshot,quit

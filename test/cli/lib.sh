@@ -73,7 +73,7 @@ computes() {
     [ "$(awk '{ print $14 + $15 }' "/proc/$1/stat")" -ge 10 ]
 }
 
-# ended PID: the process has exited; nobody may have waited for it yet.
+# ended PID: the process has exited, even if no process has waited for it yet.
 ended() {
     [ -z "$(cut -d' ' -f3 "/proc/$1/stat" 2>/dev/null | grep -v Z)" ]
 }

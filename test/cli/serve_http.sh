@@ -1,5 +1,5 @@
 #!/bin/sh
-# The example of docs/serve.md behind its web server: pictures are those of render, errors are errors.
+# The example of docs/serve.md behind its web server: the same pictures as render's, and HTTP errors for errors.
 # Usage: serve_http.sh PROGRAM FOLDER SOURCES
 for tool in waitress-serve curl; do
     command -v $tool >/dev/null || { echo "serve_http: $tool is missing (Debian: python3-waitress, curl)"; exit 77; }

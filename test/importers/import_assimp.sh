@@ -1,6 +1,6 @@
 #!/bin/sh
 # burnish-import-assimp over the files of Debian's assimp-testmodels, whole and damaged.
-# Usage: import_assimp.sh PROGRAM FOLDER        (the importer lies beside the program)
+# Usage: import_assimp.sh PROGRAM FOLDER        (the importer is in the program's folder)
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../cli/lib.sh"
 models=/usr/share/assimp/models
@@ -10,7 +10,7 @@ models=/usr/share/assimp/models
 }
 unset BURNISH_IMPORTERS
 
-# holds FILE TRIANGLES UP: what info and render say of it.
+# holds FILE TRIANGLES UP: the results of info and render.
 holds() {
     run info "$models/$1" --json
     check "$1: $(json triangles) triangles, not $2: $(cat "$err")" [ "$(json triangles)" = "$2" ]
@@ -47,13 +47,13 @@ run render $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --size=32 -o p.pn
 check "no warning of them: $(cat "$err")" [ ! -s "$err" ]
 run info $models/X3D/HelloWorld.x3d
 check "of a list of names the first: $(cat "$err")" sh -c "! grep -q '\"http' '$err'"
-# libassimp's grey of what has no colour has an alpha of 0.6, which DXF does not know
+# libassimp's default grey has an alpha of 0.6, but DXF has no opacity
 inside="$models/DXF/wuson.dxf --views=left --camera-zoom-factor=12"
 # shellcheck disable=SC2086
 check "DXF is opaque" [ "$(hash $inside --background-color=1,0,0)" = "$(hash $inside --background-color=0,0,1)" -a -n "$(json hash)" ]
 rm -f p.png
 
-# What libassimp makes up where a file says nothing is burnish's grey; what a file says is drawn.
+# burnish's grey replaces libassimp's invented default colours; colours in the file are drawn.
 printf 'v 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\n' >grey.obj
 printf '0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0\n0\nENDSEC\n0\nEOF\n' >grey.dxf
 check "DXF without colours" [ "$(hash grey.dxf)" = "$(hash grey.obj --up=-Z)" ]
@@ -97,7 +97,7 @@ check "light of a material goes through its texture" [ "$(hash dark.x)" = "$(has
 check "it is there without: $(hash bright.x --no-textures)" [ "$(hash dark.x --no-textures)" != "$(hash bright.x --no-textures)" ]
 rm -f grey.* colors.* red.nff green.nff dark.x bright.x black.png
 
-# AMF: all volumes, instances where they are, colours of what is nearest; what is damaged.
+# AMF: all volumes, placed instances, the innermost colour; damaged files.
 tetrahedron='<triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle><triangle><v1>0</v1><v2>1</v2><v3>3</v3></triangle>'
 slope='<triangle><v1>0</v1><v2>3</v2><v3>2</v3></triangle><triangle><v1>1</v1><v2>2</v2><v3>3</v3>%s</triangle>'
 amf() { # FILE MORE-OF-THE-OBJECT COLOUR-OF-A-TRIANGLE REST
@@ -180,7 +180,7 @@ expect 4 "burnish: $models/MDL/MDL (HL1)/man.mdl: burnish-import-assimp: Missing
 check "a saved stream" [ "$(hash a.bms)" = "$(hash $models/FBX/spider.fbx)" ]
 rm -f a.bms
 
-# What is damaged ends as one line and an exit code, or is drawn: whatever libassimp does with it.
+# Damaged files give one line and an exit code, or a picture, whatever libassimp does.
 python3 "$here/damage.py" "$burnish" $models "${IMPORT_DAMAGED:-150}" >"$out" 2>&1
 check "damaged files: $(tail -n 3 "$out")" [ $? = 0 ]
 tail -n 1 "$out" # what became of them

@@ -1,6 +1,6 @@
 #!/bin/sh
 # burnish-import-draco: glTF with KHR_draco_mesh_compression; whole, damaged, in a sandbox.
-# Usage: import_draco.sh PROGRAM FOLDER        (the importer lies beside the program)
+# Usage: import_draco.sh PROGRAM FOLDER        (the importer is in the program's folder)
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../cli/lib.sh"
 unset BURNISH_IMPORTERS
@@ -22,7 +22,7 @@ json hash >>hashes
 check "one picture from a file, in a sandbox and from standard input: $(cat hashes)" [ "$(sort -u hashes | wc -l)" = 1 ]
 rm -f hashes p.png plain.glb
 
-# Without the importer, and with one that does other than it should.
+# Without the importer, and with faulty ones.
 mkdir "$scratch.bin"
 trap 'rm -rf "$scratch.bin"' EXIT
 export BURNISH_IMPORTERS="$scratch.bin"

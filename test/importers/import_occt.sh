@@ -1,6 +1,6 @@
 #!/bin/sh
-# burnish-import-occt over test/import: one part in three formats, and two of it in STEP; whole and damaged.
-# Usage: import_occt.sh PROGRAM FOLDER        (the importer lies beside the program)
+# burnish-import-occt: one part in three formats, and an assembly of two in STEP; intact and damaged.
+# Usage: import_occt.sh PROGRAM FOLDER        (the importer is in the program's folder)
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../cli/lib.sh"
 unset BURNISH_IMPORTERS

@@ -19,7 +19,7 @@ for size in 48 128 256; do
     check "an icon of $size pixels" [ "$(json width | head -n 1)" = $size ]
 done
 
-# MIME types, beside freedesktop's.
+# MIME types, in addition to freedesktop's.
 cp /usr/share/mime/packages/freedesktop.org.xml "$share/mime/packages/"
 update-mime-database "$share/mime" 2>mime.log || fail "update-mime-database"
 check "update-mime-database: $(grep -i burnish mime.log)" sh -c '! grep -qiE "burnish|error" mime.log'
@@ -51,7 +51,7 @@ if ! bwrap --ro-bind /usr /usr --symlink /usr/lib /lib --symlink /usr/lib64 /lib
     finish
     exit
 fi
-# What fuzzing starts from, without the bytes that are the fuzzer's own.
+# Fuzzing seeds, without the bytes that control the fuzzer.
 "$source/test/fuzz/seeds" seeds >seeds.log 2>&1 || fail "seeds: $(tail -n 2 seeds.log)"
 mkdir files
 for seed in seeds/*/*; do

@@ -26,7 +26,7 @@ bright=$(tail -c +16 "$scratch/copy.ppm" | od -An -v -tu1 -w3 | awk '$1 >= 235 {
 echo "examples: $far bytes differ by more than 1, $bright bright pixels"
 [ "$far" -eq 0 ] && [ "$bright" -gt 50 ]
 
-# In integers: the same bits from every compiler, so that one sum is enough.
+# Integer results have the same bits with every compiler, so one checksum is enough.
 $compiler -std=c99 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$source/docs/examples/shade_integers.c" -o "$scratch/shade_integers"
 sum=$("$scratch/shade_integers" | cksum)
 echo "examples: integers $sum"

@@ -9,7 +9,7 @@ failures=0
 checks=0
 mkdir -p "$scratch"
 
-# Both compilers where both are installed.
+# Both compilers, if installed.
 c_compilers=gcc cpp_compilers=g++
 command -v clang >/dev/null && c_compilers="gcc clang" cpp_compilers="g++ clang++"
 
@@ -66,7 +66,7 @@ for compiler in $c_compilers; do
     sed 's,/\*.*\*/,,' "$scratch/lobe_q15.h" "$scratch/shade_q15.h" | grep -nE '\b(float|double|u?int64_t|long long)\b' | grep -v '^[0-9]*: \*' && failures=$((failures + 1))
 done
 
-# the arrays beside them, with and without vectors
+# the array functions, with and without SIMD
 cp "$source/include/burnish/arrays_q15.h" "$source/include/burnish/vector_q15.h" "$scratch"
 cat >"$scratch/arrays.c" <<'CODE'
 #include "arrays_q15.h"

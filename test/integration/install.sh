@@ -90,7 +90,7 @@ while read -r line; do
     [ -z "$line" ] || grep -qF -- "$line" "$source/docs/examples/picture.c" || fail "docs/api.md: not in docs/examples/picture.c: $line"
 done <"$scratch/page.txt"
 
-# `make install` builds what is installed, and nothing else
+# `make install` builds only what it installs
 if ninja -C "$build" -t commands burnish_installed >"$scratch/commands" 2>/dev/null; then
     grep -oE -- '-o (CMakeFiles/)?(test|bench|python|importers|burnish_(bench|python|import))[^ ]*' "$scratch/commands" | head -n 3 >"$scratch/others"
     [ ! -s "$scratch/others" ] || fail "make install also builds: $(cat "$scratch/others")"

@@ -1,4 +1,4 @@
-# Sourced: what tests of kernels and test_visibility are made of on a processor that this build is not for.
+# Sourced by the tests that cross-compile the kernel tests and test_visibility: their sources.
 # shellcheck disable=SC2034
 flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_GNU_SOURCE"
 

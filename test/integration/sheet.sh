@@ -1,5 +1,5 @@
 #!/bin/sh
-# The picture of the firmware's frames: what `make mcu` ends with.
+# The contact sheet of the firmware's frames, which `make mcu` writes.
 # usage: sheet.sh PROGRAM SCRATCH
 command -v python3 >/dev/null || { echo "sheet: python3 is missing"; exit 77; }
 . "$(dirname "$0")/../cli/lib.sh"

@@ -33,7 +33,7 @@ if idle $(cat scripts); then
 fi
 echo "shell: $(wc -l <scripts) scripts looked through"
 
-# A make target whose folder is missing ends before it has built anything.
+# A make target fails before it builds anything if its folder is missing.
 for call in "bench-peers MESHES" "bench-peers PARTS" "bench-load FILES" "formats FORMATS_FILES"; do
     name=${call#* }
     # shellcheck disable=SC2086

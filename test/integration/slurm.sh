@@ -1,5 +1,5 @@
 #!/bin/sh
-# A Slurm of this test's own, one machine, and what docs/scale.md says to type: the pictures and the report are those of one run.
+# Runs the commands of docs/scale.md on a private one-machine Slurm: pictures and report are the same as in one run.
 # Usage: slurm.sh PROGRAM FOLDER SOURCES [BURNISH_MPI]
 for tool in munged slurmctld slurmd sbatch srun; do
     PATH=$PATH:/usr/sbin command -v $tool >/dev/null || { echo "slurm: $tool is missing (Debian: slurm-wlm, munge)"; exit 77; }
@@ -26,7 +26,7 @@ trap 'exit 1' HUP INT TERM
 dd if=/dev/urandom of="$home/key" bs=128 count=1 2>/dev/null
 chmod 600 "$home/key"
 
-# 64 processors are said, so that tasks run side by side whatever machine this is.
+# Declares 64 processors, so tasks run in parallel on every machine.
 node=$(uname -n | cut -d. -f1)
 configure() {
     cat >"$home/slurm.conf" <<END

@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 "$burnish" view :sphere --help >/dev/null && SDL_VIDEODRIVER=dummy "$burnish" view :sphere --resolution=64,64 --do=quit ||
     { echo "view_window: SKIPPED: built without SDL2" && exit 77; }
 
-# A display number that is free: Xvfb says which.
+# Xvfb prints a free display number.
 mkfifo display
 Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp -noreset 3>display >/dev/null 2>&1 &
 server=$!
@@ -41,7 +41,7 @@ close() {
     viewer=
 }
 
-# becomes TEXT PICTURE: the window shows that picture at last.
+# becomes TEXT PICTURE: waits until the window shows that picture.
 is_seen() {
     import -silent -window "$window" png24:"$shots/seen.png" && "$burnish" compare "$shots/seen.png" "$1"
 }
@@ -73,7 +73,7 @@ becomes "Home, W" "$shots/wires.png"
 xdotool key w s
 draw power :teapot --exponent=40 --lobe=power
 
-# What divides two lobes, dragged: the left part is one's and the right the other's.
+# Dragging the divider of two lobes: one on the left, the other on the right.
 xdotool mousemove --window "$window" 160 60 mousedown 1 mousemove --window "$window" 200 60 mousemove --window "$window" 240 60 mouseup 1
 convert "$shots/start.png" \( "$shots/power.png" -crop 70x240+250+0 +repage \) -geometry +250+0 -composite png24:"$shots/both.png"
 # the divider and its handle cover 18 columns
@@ -89,7 +89,7 @@ check "two lobes, divided at 240" await is_divided
 xdotool key s
 becomes "S again" "$shots/start.png"
 
-# The mouse: what is dragged and what the wheel does is what C prints.
+# The mouse: dragging and the wheel change the command that key C prints.
 xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove --window "$window" 130 110 mouseup 1 click 4
 xdotool key c
 await [ -s ../view.out ]
