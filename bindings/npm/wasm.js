@@ -56,7 +56,8 @@ function list(options, isWanted) {
     }
     const repeated = Array.isArray(value) && value.some((item) => typeof item === "string");
     for (const item of repeated ? value : [value]) {
-      pairs.push([key, item === true || typeof item === "string" ? item : typeof item === "object" ? Array.from(item, Number) : [Number(item)]]);
+      const isNumbers = item !== true && typeof item !== "string";
+      pairs.push([key, isNumbers ? Array.from(typeof item === "object" ? item : [item], Number) : item]);
     }
   }
   return pairs;

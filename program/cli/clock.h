@@ -4,7 +4,7 @@
 
 #include <time.h>
 
-/* Seconds since some moment, never going back. */
+/* Seconds on a monotonic clock. */
 static inline double cli_seconds_now(void) {
     struct timespec now = {0};
     clock_gettime(CLOCK_MONOTONIC, &now);

@@ -6,7 +6,7 @@
 #include "cli/run.h"
 #include "cli/values.h"
 
-/* What a visit of every command that does work takes; path is "render" or "lobe table". */
+/* Called for every command that has a work function; path is "render" or "lobe table". */
 typedef void visitor(const cli_command *command);
 
 static void visit(const cli_command *const *commands, visitor *take) {

@@ -8,7 +8,7 @@ void cli_file_set_writer(cli_file_writer *writer) {
     chosen = writer;
 }
 
-/* Bytes as a source, and what is done when they are written. */
+/* Bytes in memory as the source of a file. */
 typedef struct byte_source {
     const char *next;
     size_t rest;

@@ -1,5 +1,4 @@
-/* Where the program's outputs go: to files, or, in a sandbox, to the process that may write them.
- */
+/* Where the program's outputs go: to files or, in a sandbox, to the process that writes them. */
 #ifndef TOOL_CLI_FILE_H
 #define TOOL_CLI_FILE_H
 
@@ -9,7 +8,7 @@
 typedef burnish_status cli_file_writer(const char *path, burnish_file_source *source, void *context,
                                        burnish_file_check *ready, burnish_error *error);
 
-/* What the functions below write by from now on: process-wide, as a sandbox is. NULL: files. */
+/* Sets the writer that the functions below use from now on, for the whole process. NULL: files. */
 void cli_file_set_writer(cli_file_writer *writer);
 
 /* As burnish_file_write, burnish_file_write_checked and burnish_file_write_stream_checked. */

@@ -1,4 +1,4 @@
-/* The help screens: a row per flag, in groups; where there are many flags, by topics. */
+/* The help screens: a row per flag, in groups. Commands with many flags have topics. */
 #include <stdio.h>
 #include <string.h>
 
@@ -54,7 +54,7 @@ static int has_topics(const cli_command *command) {
     return command->flag_count > 0 && command->flags[0].topic;
 }
 
-/* Which flags a screen shows: all, those of a topic, or the common ones. */
+/* A screen shows all flags, the flags of a topic, or the common ones. */
 typedef struct screen {
     const cli_command *command;
     const char *topic; /* NULL: the common ones */
@@ -65,7 +65,7 @@ static int shows(const screen *s, const cli_flag *flag, int is_own, const char *
     return s->all || (s->topic ? strcmp(s->topic, topic) == 0 : flag->common && is_own);
 }
 
-/* Prints the groups, or, where print is 0, only measures the names. */
+/* Prints the groups or, if print is 0, only measures the names. */
 static int print_groups(const screen *s, int width, int print) {
     const char *topic = "", *group = NULL;
     char names[ROW_MAX];

@@ -1,4 +1,4 @@
-/* What every command that loads a mesh takes. */
+/* Input flags of the commands that load a mesh. */
 #include "cli/input.h"
 
 #include <string.h>
@@ -11,10 +11,11 @@ const cli_word cli_input_formats[] = {{"auto", BURNISH_FORMAT_AUTO} BURNISH_FORM
                                       {NULL, 0}};
 #define MANUAL(name, word, ...) "*" #word "*, "
 #define FOREIGN_MANUAL(word) " *" #word "*"
-const char cli_input_format_manual[] = "Format of _INPUT_, whatever its name: " BURNISH_FORMAT_LIST(
-    MANUAL) "or *auto*, which looks at the name's ending and the first bytes. Also, where the "
-            "importer is installed (docs/importers.md), the endings of what it reads, without the "
-            "point:" CLI_OCCT_LIST(FOREIGN_MANUAL) CLI_ASSIMP_LIST(FOREIGN_MANUAL) ".";
+const char cli_input_format_manual[] =
+    "Format of _INPUT_, regardless of its name: " BURNISH_FORMAT_LIST(
+        MANUAL) "or *auto*, which checks the file extension and the first bytes. If an importer is "
+                "installed (docs/importers.md), also the extensions that it reads, without the "
+                "dot:" CLI_OCCT_LIST(FOREIGN_MANUAL) CLI_ASSIMP_LIST(FOREIGN_MANUAL) ".";
 
 #define LISTED(name, word, ...) ", " #word
 #define FOREIGN_NAME(word) #word,
@@ -29,8 +30,8 @@ const char *cli_foreign_ending(int format) {
 burnish_status cli_refuse_foreign(int format, burnish_error *error) {
     const char *ending = cli_foreign_ending(format);
     return ending ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                             "--input-format: %s needs an importer, and none is run here; convert "
-                             "the file to glTF, OBJ, PLY or STL",
+                             "--input-format: %s needs an importer, which is not available here; "
+                             "convert the file to glTF, OBJ, PLY or STL",
                              ending)
                   : BURNISH_STATUS_OK;
 }
@@ -57,7 +58,7 @@ burnish_status cli_flag_input_format(const cli_flag *flag, const char *text, voi
                ? BURNISH_STATUS_OK
                : cli_fail(error, BURNISH_STATUS_ARGUMENT,
                           "--%s: \"%.60s\" is not one of auto" BURNISH_FORMAT_LIST(
-                              LISTED) ", nor an ending that an importer reads (fbx, step ...; "
+                              LISTED) ", nor a file extension of an importer (fbx, step ...; "
                                       "docs/importers.md)",
                           flag->name, text);
 }
@@ -92,7 +93,8 @@ static burnish_status load_companion(void *user_data, const char *name, uint64_t
         }
     }
     return cli_fail(error, BURNISH_STATUS_READ,
-                    "%.300s: is not among the files that came with it; hand it over too", name);
+                    "%.300s: is not one of the files that were passed with the input; pass it too",
+                    name);
 }
 
 burnish_file_loader cli_companion_loader(cli_companions *companions) {

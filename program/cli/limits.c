@@ -111,7 +111,7 @@ void cli_limit_child(long process) {
     atomic_store(&child, process);
 }
 
-/* Until it is reaped the system gives its number to no other process. */
+/* Until it is reaped, the system does not reuse its number. */
 int cli_wait_child(long process) {
     siginfo_t info;
     int state = 0;
@@ -138,7 +138,7 @@ static void end_child(int number) {
     }
 }
 
-/* The timer goes on: a process may begin after its first signal. */
+/* The timer repeats: a process can start after the first signal. */
 void cli_limit_child_seconds(double seconds) {
     const struct sigaction action = {.sa_handler = end_child, .sa_flags = SA_RESTART};
     struct itimerval timer = {.it_value = {(time_t)seconds, 0}};

@@ -16,10 +16,10 @@ const cli_example cli_examples[] = {
     {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
     {"burnish render :teapot --lobe=power,schlick,energy:2,taylor:2", "lobes side by side"},
     {"burnish render part.obj --json --fail-on-blank", "for programs"},
-    {"burnish batch parts --recursive -d thumbs --index", "many, and a page of them"},
-    {"burnish compare before.stl after.stl -o changes.png", "what differs"},
+    {"burnish batch parts --recursive -d thumbs --index", "many files, and an index page"},
+    {"burnish compare before.stl after.stl -o changes.png", "the differences"},
     {"burnish render - --input-format=ply -o - <in.ply >out.png", "in a pipe"},
-    {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest lobe that will do"},
+    {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest suitable lobe"},
     {NULL, NULL},
 };
 
@@ -39,16 +39,17 @@ static const cli_word shell_words[] = {
 static const cli_flag help_flags[] = {
     {.group = "Options",
      .name = "man",
-     .help = "the manual page in roff, covering every command",
+     .help = "print the manual page of all commands in roff",
      .manual = "Prints this page: *burnish help --man | man -l -*",
      .handler = cli_flag_switch,
      .offset = offsetof(help_settings, man)},
     {.name = "completion",
      .value = "SHELL",
-     .help = "completions to source",
+     .help = "print completions to source",
      .words = shell_words,
      .manual = "Prints the completions of commands, flags and their values for a shell. They are "
-               "installed with the program; by hand: *source <(burnish help --completion=bash)*.",
+               "installed with the program. To load them manually: *source <(burnish help "
+               "--completion=bash)*.",
      .handler = cli_flag_word,
      .offset = offsetof(help_settings, shell)},
 };
@@ -57,7 +58,7 @@ const cli_command cli_help_command = {
     .name = "help",
     .operand = "[COMMAND]",
     .summary = "a command's flags; --man prints the manual page (roff)",
-    .operand_help = "a command, such as render or lobe table; without it the commands are listed",
+    .operand_help = "a command, such as render or lobe table; default: a list of all commands",
     .manual = "Prints the help screen of a command, or the list of commands.",
     .operands_max = 2,
     .flags = help_flags,
@@ -89,7 +90,7 @@ static burnish_status help_about(const cli_call *call, burnish_error *error) {
     if (command && call->operand_count == 2) {
         if (!command->parts) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "help: \"%.60s\": %s has no commands of its own; burnish help %s",
+                            "help: \"%.60s\": %s has no subcommands; try burnish help %s",
                             call->operands[1], command->name, command->name);
         }
         command = cli_find_command(command->parts, command, call->operands[1], error);

@@ -7,11 +7,11 @@
 #include "cli/run.h"
 #include "cli/values.h"
 
-/* When the words below were last changed; part of the page's header. */
+/* Date of the last change to the text below, for the page's header. */
 #define PAGE_DATE "2026-11-24"
 
-/* Where *bold* and _italics_ begin and end: a mark opens after and closes before what is no letter
- * or digit, so that one inside a word, as in burnish_boundary, stands for itself. */
+/* 1 for the marks of *bold* and _italics_. A mark opens before and closes after a word, so a mark
+ * inside a word, as in burnish_boundary, is a plain character. */
 static int is_mark(const char *text, size_t at, size_t length, char open) {
     char c = text[at];
     char before = at > 0 ? text[at - 1] : ' ', after = at + 1 < length ? text[at + 1] : ' ';
@@ -22,7 +22,7 @@ static int is_mark(const char *text, size_t at, size_t length, char open) {
                 : !isalnum((unsigned char)before) && after != ' ';
 }
 
-/* Prints text for roff: marks, everything else literally, control lines defused. */
+/* Prints text for roff: marks as fonts, everything else literally. */
 static void print_span(const char *text, size_t length) {
     char open = 0;
     for (size_t i = 0; i < length; ++i) {
@@ -52,7 +52,7 @@ static void print_text(const char *text) {
     print_span(text, strlen(text));
 }
 
-/* Paragraphs that newlines separate; the first follows what stands before. */
+/* Paragraphs separated by newlines; the first one continues the preceding text. */
 static void print_paragraphs(const char *text) {
     const char *rest = text;
     while (rest) {
@@ -71,7 +71,7 @@ static void print_tagged(const char *tag, const char *text) {
     print_paragraphs(text);
 }
 
-/* The default as a reader knows it: names that stand for something are spelled out. */
+/* The default in words: "-" and "." are spelled out. */
 static const char *default_words(const cli_flag *flag) {
     const char *shown = cli_default_label(flag);
     return strcmp(shown, "-") == 0   ? "standard output (*-*)"
@@ -109,7 +109,7 @@ static void print_flag(const cli_flag *flag) {
         if (has_both && !strchr(flag->default_text, ',')) {
             length += snprintf(line + length, sizeof line - (size_t)length, " (*%s*)",
                                flag->default_text);
-        } else if (has_both) { /* lines may end at the blanks */
+        } else if (has_both) { /* lines can break at the blanks */
             const char *rest = flag->default_text, *item;
             for (const char *before = ": "; rest; before = ", ") {
                 int size = (int)cli_next_item(&rest, ',', &item);
@@ -123,7 +123,7 @@ static void print_flag(const cli_flag *flag) {
     }
 }
 
-/* The commands, with those that consist of others opened up, each with its heading. */
+/* A command and its subcommands, each with a heading. */
 static void print_command(const cli_command *command) {
     printf(".SH \"");
     for (const char *c = command->name; *c; ++c) {
@@ -171,7 +171,7 @@ static void print_colors(void) {
     printf(".\n");
 }
 
-/* The sections that commands bring along. */
+/* Additional sections of commands. */
 static void print_sections(const cli_command *command) {
     for (const cli_section *s = command->sections; s && s->heading; ++s) {
         printf(".SH \"%s\"\n", s->heading);

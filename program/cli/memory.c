@@ -1,6 +1,6 @@
-/* Memory for a process that lives for milliseconds: where the first touch of a page costs more than
- * what is written there, freed memory is used again instead of given back, and large pages are
- * asked for (bench/NOTES.md has the figures). A wish to the C library; nothing depends on it. */
+/* Memory for a process that lives for milliseconds, where page faults cost more than writing the
+ * pages: freed memory is reused instead of returned, and large pages are requested (figures:
+ * bench/NOTES.md). These are hints to the C library; nothing depends on them. */
 #include "cli/run.h"
 
 #include <stdint.h>
@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 enum {
-    ROOM = 24 << 20, /* what drawing a common mesh takes at once; only touched pages count */
-    KEPT = 32 << 20, /* the largest threshold that the library takes */
+    ROOM = 24 << 20, /* needed to draw a common mesh; only touched pages count */
+    KEPT = 32 << 20, /* the largest threshold that the library accepts */
     LARGE_PAGE = 1 << 21
 };
 
@@ -22,8 +22,8 @@ void cli_prepare_memory(void) {
         !mallopt(M_ARENA_MAX, 1)) {
         return;
     }
-    /* What the heap has before its next large page is taken for good and never touched: memory
-     * begins with large pages. */
+    /* The rest of the heap up to the next large page is allocated and never used, so all memory is
+     * in large pages. */
     void *volatile skipped = malloc(LARGE_PAGE - (uintptr_t)sbrk(0) % LARGE_PAGE);
     char *room = malloc(ROOM);
     (void)skipped;
@@ -31,7 +31,7 @@ void cli_prepare_memory(void) {
     if (room) {
         uintptr_t first = ((uintptr_t)room + LARGE_PAGE - 1) & ~(uintptr_t)(LARGE_PAGE - 1);
         uintptr_t end = ((uintptr_t)room + ROOM) & ~(uintptr_t)(LARGE_PAGE - 1);
-        madvise((void *)first, end - first, MADV_HUGEPAGE); /* no error matters */
+        madvise((void *)first, end - first, MADV_HUGEPAGE); /* errors do not matter */
     }
 #endif
     free(room); /* stays in the heap: below the trim threshold */

@@ -1,4 +1,4 @@
-/* The parser of the command line, driven by a command's table of flags. */
+/* The parser of the command line, which reads a command's table of flags. */
 #include "cli/options.h"
 
 #include <stdarg.h>
@@ -105,9 +105,9 @@ burnish_status cli_fail_unknown(burnish_error *error, const char *where, const c
                     where, typed, kind, lister);
 }
 
-/* Whether the name is an item of a list with commas, which may be NULL. */
+/* Whether the name is an item of a list with commas; the list can be NULL. */
 static int in_list(const char *list, const char *name, size_t length) {
-    while (list) { /* often: every picture of a session has its flags parsed */
+    while (list) { /* called often: a session sets flags for every picture */
         if (strncmp(list, name, length) == 0 && (list[length] == ',' || list[length] == 0)) {
             return 1;
         }
@@ -156,7 +156,7 @@ static const cli_flag *find_letter(const cli_command *command, char letter) {
     return NULL;
 }
 
-/* The flag that a whole argument names, so that `--output --json` is not a file called --json. */
+/* The flag that a whole argument names: `--output --json` lacks a value. */
 static const cli_flag *flag_of_argument(const cli_command *command, const char *argument) {
     if (strncmp(argument, "--", 2) != 0 || !argument[2]) {
         return NULL;
@@ -171,7 +171,7 @@ static const char *flag_name_at(const void *list, size_t index) {
     return flag ? flag->name : ended ? "help" : NULL;
 }
 
-/* The flag that another program calls so, or NULL. */
+/* The flag with this name in another program, or NULL. */
 static const char *flag_of_alias(const cli_command *command, const char *name) {
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
@@ -199,7 +199,7 @@ static burnish_status fail_unknown(const cli_command *command, const char *argum
                     cli_full_name(command).text);
 }
 
-/* Its bit in the settings of the command that the flag is of. */
+/* The flag's bit in the settings of its command. */
 static uint64_t *given_bit(const cli_command *command, const cli_flag *flag, const void *settings,
                            uint64_t *mask) {
     while (command && !(command->flag_count > 0 && flag >= command->flags &&
@@ -340,12 +340,12 @@ static burnish_status take_operand(const cli_command *command, const char *argum
                                    burnish_error *error) {
     if (call->operand_count == command->operands_max && command->operands_max == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "%s: \"%s\" is no flag; \"%s --help\" lists the flags", command->name,
+                        "%s: \"%s\" is not a flag; \"%s --help\" lists the flags", command->name,
                         argument, cli_full_name(command).text);
     }
     if (call->operand_count == command->operands_max) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "%s: \"%s\" is one operand too many; usage: %s %s [options]", command->name,
+                        "%s: \"%s\" is an extra operand; usage: %s %s [options]", command->name,
                         argument, cli_full_name(command).text, command->operand);
     }
     if (call->operand_count < sizeof call->operands / sizeof *call->operands) {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 double cli_file_coordinate(float value, double origin) {
-    enum { EXACT = 17 }; /* digits that tell any double */
+    enum { EXACT = 17 }; /* digits that identify any double */
     const double exact = (double)value + origin;
     char text[40];
     if (origin == 0) {

@@ -1,4 +1,4 @@
-/* What commands write: whole files; tables as text, Markdown, CSV and JSON; numbers. */
+/* Output of commands: whole files, tables and numbers as text, Markdown, CSV and JSON. */
 #include "cli/output.h"
 
 #include <math.h>
@@ -80,7 +80,7 @@ void cli_print_wrapped(FILE *stream, const char *text, int indent, int width) {
 
 /* ---- Tables for reading ---- */
 
-/* Numbers that the column's decimals would show as hardly more than 0 get two digits instead. */
+/* Numbers that would round to almost 0 are printed with two significant digits. */
 static void format_number(const cli_column *column, double value, char text[CELL_SIZE]) {
     double magnitude = fabs(value);
     if (isnan(value)) {
@@ -103,7 +103,7 @@ static const cli_value *cell_of(const cli_table *table, size_t row, size_t colum
     return &table->cells[row * table->column_count + column];
 }
 
-/* The cell as text for reading; a number is written to `number`. */
+/* The cell as readable text; a number is written to `number`. */
 static const char *cell_text(const cli_table *table, size_t row, size_t column,
                              char number[CELL_SIZE]) {
     const cli_value *cell = cell_of(table, row, column);
@@ -117,7 +117,7 @@ static const char *cell_text(const cli_table *table, size_t row, size_t column,
     return number;
 }
 
-/* What stands in place of a row's number for the two lines above the rows. */
+/* Row numbers of the two lines above the rows. */
 static const size_t HEADINGS = SIZE_MAX, UNITS = SIZE_MAX - 1;
 
 static const char *line_text(const cli_table *table, size_t line, size_t column,
@@ -138,7 +138,7 @@ static int column_width(const cli_table *table, size_t column) {
     return (int)width;
 }
 
-/* The columns of one part: the repeated ones and those from first up to end. */
+/* The columns of one part: the repeated columns and first to end - 1. */
 typedef struct part {
     const cli_table *table;
     const int *widths;
@@ -149,7 +149,7 @@ static int shown(const part *p, size_t column) {
     return column < p->table->repeated || (column >= p->first && column < p->end);
 }
 
-/* Prints a row of the part, or the line of headings or units. Blanks at its end are left out. */
+/* Prints a row of the part, or the line of headings or units, without trailing blanks. */
 static void print_line(FILE *stream, const part *p, size_t line) {
     int blanks = 0;
     for (size_t i = 0; i < p->table->column_count; ++i) {
@@ -323,7 +323,8 @@ cJSON *cli_json_seconds(double value) {
     return cJSON_CreateRaw(text);
 }
 
-/* Length of the UTF-8 sequence at text (RFC 3629: no overlong forms, no surrogates), 0 for none. */
+/* Length of the UTF-8 sequence at text (RFC 3629: no overlong forms, no surrogates); 0 if it is
+ * invalid. */
 static size_t sequence_length(const unsigned char *text) {
     unsigned char first = text[0];
     if (first < 0x80) {

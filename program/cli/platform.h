@@ -1,4 +1,4 @@
-/* What systems lack of POSIX, as the program needs it. */
+/* Parts of POSIX that some systems lack. */
 #ifndef CLI_PLATFORM_H
 #define CLI_PLATFORM_H
 
@@ -15,7 +15,7 @@
 /* strtod in the C locale; NaN without memory. */
 static inline double cli_strtod(const char *text) {
 #ifdef _WIN32
-    return strtod(text, NULL); /* the program leaves the C locale nowhere */
+    return strtod(text, NULL); /* the program never leaves the C locale */
 #else
     const locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     const double value = c_locale ? strtod_l(text, NULL, c_locale) : NAN;
@@ -26,7 +26,7 @@ static inline double cli_strtod(const char *text) {
 #endif
 }
 
-/* Opens a stream whose text cli_close_memory puts at *text, *size bytes and a 0, to be freed.
+/* Opens a stream in memory. cli_close_memory sets *text to its *size bytes and a 0, to be freed.
  * NULL without memory. */
 static inline FILE *cli_open_memory(char **text, size_t *size) {
 #ifdef _WIN32
@@ -38,7 +38,7 @@ static inline FILE *cli_open_memory(char **text, size_t *size) {
 #endif
 }
 
-/* Returns 0, or EOF without memory; *text is then to be freed too. */
+/* Returns 0, or EOF without memory; free *text in both cases. */
 static inline int cli_close_memory(FILE *stream, char **text, size_t *size) {
 #ifdef _WIN32
     const long length = ftell(stream);
@@ -57,7 +57,7 @@ static inline int cli_close_memory(FILE *stream, char **text, size_t *size) {
 #endif
 }
 
-/* Whether two names stand for one regular file. */
+/* Whether two names are names of the same regular file. */
 static inline int cli_same_file(const char *a, const char *b) {
 #ifdef _WIN32
     char whole_a[1024], whole_b[1024]; /* files have no numbers here */
@@ -70,7 +70,7 @@ static inline int cli_same_file(const char *a, const char *b) {
 #endif
 }
 
-/* Whether a name is taken, by a link to nothing too. */
+/* Whether a name exists, including a dangling link. */
 static inline int cli_name_exists(const char *path) {
     struct stat status;
 #ifdef _WIN32

@@ -1,4 +1,4 @@
-/* The one way in which a command runs. */
+/* Running a command. */
 #include "cli/run.h"
 
 #include <errno.h>
@@ -23,7 +23,7 @@ void cli_handle_signals(void) {
     for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
         struct sigaction before, action = {.sa_handler = end, .sa_flags = SA_RESETHAND};
         if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL) {
-            sigaction(ending[i], &action, NULL); /* not where nohup has it ignored */
+            sigaction(ending[i], &action, NULL); /* a signal that nohup ignores stays ignored */
         }
     }
 }
@@ -49,7 +49,7 @@ static const char *short_name_at(const void *list, size_t index) {
     return commands[index] ? cli_short_name(commands[index]) : NULL;
 }
 
-/* A file's name in place of a command means that `render` was left out. */
+/* A file's name instead of a command: `render` was forgotten. */
 static int is_input(const char *name) {
     const char *dot = strrchr(name, '.');
     return name[0] == ':' || (dot && strlen(dot) <= 5) || strchr(name, '/');
@@ -121,7 +121,7 @@ int cli_run(const cli_command *command, int argc, char **argv) {
     if (command->parts) {
         return run_part(command, argc, argv);
     }
-    void *settings = calloc(1, command->settings_size + 1); /* + 1: none may be needed */
+    void *settings = calloc(1, command->settings_size + 1); /* + 1: never 0 bytes */
     call.arguments = calloc((size_t)argc + 1, sizeof *call.arguments);
     burnish_status status = settings && call.arguments ? cli_defaults(command, settings, &error)
                                                        : cli_fail(&error, BURNISH_STATUS_MEMORY,

@@ -16,7 +16,7 @@ typedef struct named_color {
     uint8_t rgb[3];
 } named_color;
 
-/* CSS values, but for the strong primaries, which are toned down to look like painted things. */
+/* CSS values, except for strong primaries, which are toned down to look like paint. */
 static const named_color color_names[] = {
     {"white", {255, 255, 255}}, {"silver", {192, 192, 192}}, {"grey", {128, 128, 128}},
     {"gray", {128, 128, 128}},  {"black", {0, 0, 0}},        {"red", {204, 44, 40}},
@@ -38,7 +38,7 @@ static size_t digits(const char *text, size_t length, size_t at) {
     return at - start;
 }
 
-/* Decimal floating point without the hexadecimal, infinite and padded forms that strtod takes. */
+/* Decimal floating point without the hexadecimal, infinite and padded forms of strtod. */
 static int is_decimal(const char *text, size_t length) {
     size_t at = length > 0 && (text[0] == '+' || text[0] == '-');
     size_t whole = digits(text, length, at), fraction = 0;
@@ -64,7 +64,7 @@ static int is_decimal(const char *text, size_t length) {
 }
 
 int cli_read_real(const char *text, size_t length, double *value) {
-    char copy[64]; /* enough for every double that is written to be read */
+    char copy[64]; /* enough for any reasonable double */
     if (length >= sizeof copy || !is_decimal(text, length)) {
         return 0;
     }
@@ -109,7 +109,7 @@ int cli_read_reals(const char *text, size_t length, double *values, size_t count
     return 1;
 }
 
-/* The squares of larger ones overflow, and two directions could not be compared. */
+/* Squares of larger coordinates overflow. */
 #define LARGEST_COORDINATE 1e100
 
 static burnish_status fail_number(const cli_flag *flag, const char *text, const char *what,
@@ -118,7 +118,7 @@ static burnish_status fail_number(const cli_flag *flag, const char *text, const 
                     flag->name, text, what, flag->low, flag->high);
 }
 
-/* A whole number of at most 18 digits, so that it fits. */
+/* A whole number of at most 18 digits, which fits into 64 bits. */
 static int read_count(const char *text, size_t length, uint64_t *value) {
     if (length == 0 || length > 18 || digits(text, length, 0) != length) {
         return 0;

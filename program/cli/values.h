@@ -7,7 +7,7 @@
 #define CLI_PI 3.14159265358979323846
 #define CLI_DEGREE (CLI_PI / 180) /* in radians */
 
-/* Values that may be left out. */
+/* Optional values. */
 typedef struct cli_real {
     int given;
     double value;
@@ -31,7 +31,7 @@ cli_handler cli_flag_integer; /* int in [low, high] */
 cli_handler cli_flag_count;   /* uint64_t in [low, high] */
 cli_handler cli_flag_bytes;   /* uint64_t in [low, high], with K, M or G */
 cli_handler cli_flag_size;    /* int[2] in [low, high]: W,H or WxH */
-cli_handler cli_flag_square;  /* int[2]: both the one number */
+cli_handler cli_flag_square;  /* int[2]: the same number twice */
 cli_handler cli_flag_real;    /* cli_real in [low, high] */
 cli_handler cli_flag_angle;   /* the same, low and high excluded */
 cli_handler cli_flag_vector;  /* cli_vector */
@@ -39,25 +39,25 @@ cli_handler cli_flag_nonzero; /* the same, not 0,0,0 */
 cli_handler cli_flag_word;    /* int: value of one of flag->words */
 cli_handler cli_flag_color;   /* cli_color */
 
-/* The whole text as a finite decimal number. Returns 0 when it is none. */
+/* The whole text as a finite decimal number. Returns 0 if it is not one. */
 int cli_read_real(const char *text, size_t length, double *value);
 
-/* The shortest decimal that reads back as the same double, whatever the locale is. "inf", "-inf"
+/* The shortest decimal that reads back as the same double, in any locale. "inf", "-inf"
  * and "nan" for numbers that are not finite. */
 enum { CLI_REAL_SIZE = 40 };
 const char *cli_shortest(double value, char text[CLI_REAL_SIZE]);
 
-/* The whole text as `count` numbers between commas. Returns 0 when it is not that. */
+/* The whole text as `count` numbers between commas. Returns 0 if it is not. */
 int cli_read_reals(const char *text, size_t length, double *values, size_t count);
 
-/* The instruction set that --isa=name asks for; "auto" follows BURNISH_ISA. Not a handler: a
- * default of "auto" must not fail where a later flag overrides the variable. */
+/* The instruction set of --isa=name; "auto" follows BURNISH_ISA. It is not a handler: the default
+ * "auto" must not fail if a later flag overrides the variable. */
 burnish_status cli_choose_isa(const char *name, burnish_isa *isa, burnish_error *error);
 
-/* #rgb, #rrggbb, r,g,b in [0, 1] or a name. Returns 0 when it is none of these. */
+/* #rgb, #rrggbb, r,g,b in [0, 1] or a name. Returns 0 for other texts. */
 int cli_read_color(const char *text, size_t length, float srgb[3]);
 
-/* What the messages say about a colour. */
+/* The valid forms of a colour, for messages. */
 extern const char cli_color_forms[];
 
 /* The table of colour names, for the man page: NULL past the end. */
@@ -66,7 +66,7 @@ const char *cli_color_name(size_t index);
 /* Writes the names as "a, b, c". */
 void cli_word_list(const cli_word *words, char *text, size_t size);
 
-/* 8-bit code of an sRGB value in [0, 1]. */
+/* 8-bit value of an sRGB value in [0, 1]. */
 uint8_t cli_color_code(float srgb);
 
 /* The item at *text up to the separator or the end; *text moves past it, NULL after the last. */

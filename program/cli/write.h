@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* All of the bytes, whatever interrupts. Returns 1, or 0 when the other side takes no more. */
+/* Writes all bytes, also after interrupted calls. Returns 1, or 0 if writing fails. */
 int cli_write_all(int descriptor, const void *bytes, size_t size);
 
 #endif

@@ -62,16 +62,15 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
         !(cell->camera.orthographic_height > 0)) {
         render_result_warn(result, 1,
                            "%.300s: --annotate: scale: a perspective has no scale, so %s has no "
-                           "bar; give --camera-orthographic, or leave it out",
+                           "bar; use --camera-orthographic, or omit it",
                            settings->input.name,
                            result->cell_count > 1 ? cell->label : "the picture");
     }
     if (status == BURNISH_STATUS_OK && left_out > 0) {
-        render_result_warn(result, 1,
-                           "%.300s: %s has no room for %zu of the annotations; make it larger, or "
-                           "show more of it",
-                           settings->input.name,
-                           result->cell_count > 1 ? cell->label : "the picture", left_out);
+        render_result_warn(
+            result, 1,
+            "%.300s: %s has no room for %zu of the annotations; enlarge the picture or its margin",
+            settings->input.name, result->cell_count > 1 ? cell->label : "the picture", left_out);
     }
     return status;
 }
@@ -107,7 +106,7 @@ static burnish_status write_svg(const render_result *result, const burnish_drawi
     char title[256], *text = NULL;
     snprintf(title, sizeof title, "%s", slash ? slash + 1 : settings->input.name);
     for (char *c = title; *c; ++c) {
-        *c = (signed char)*c < 0 ? '?' : *c; /* names may hold bytes that are not UTF-8 */
+        *c = (signed char)*c < 0 ? '?' : *c; /* names can contain bytes that are not UTF-8 */
     }
     const burnish_status status = burnish_drawing_encode_svg(
         drawing, title, options->transparent ? NULL : options->background,

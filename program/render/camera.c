@@ -1,9 +1,9 @@
-/* From the camera flags to a camera. What reaches pixels is computed with plain IEEE operations. */
+/* Cameras from flags. Everything that affects pixels uses plain IEEE operations. */
 #include "render/camera.h"
 
 #include <string.h>
 
-/* A right-handed frame for every up axis: right x up = front, front is toward the viewer. */
+/* A right-handed frame for every up axis: right x up = front, which points to the viewer. */
 typedef struct frame {
     const char *name;
     double up[3], right[3], front[3];
@@ -18,7 +18,8 @@ static const frame frames[] = {
     [UP_NEGATIVE_Z] = {"-Z", {0, 0, -1}, {1, 0, 0}, {0, 1, 0}},
 };
 
-/* Where a view's camera stands, in multiples of right, up and front, and what is upward there. */
+/* The direction to a view's camera, in multiples of right, up and front, and the view's up
+ * direction. */
 typedef struct standard_view {
     const char *name;
     double toward[3];
@@ -44,7 +45,7 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* That of --up, or the one nearest to the mesh's own up axis, or guessed. */
+/* The frame of --up, or the one nearest to the mesh's own up axis, or a guess. */
 static const frame *frame_in_use(const burnish_mesh *mesh, const render_camera_settings *camera) {
     if (camera->up != UP_FORMAT && camera->up != UP_AUTO) {
         return &frames[camera->up];
@@ -85,14 +86,14 @@ static void subtract(const double a[3], const double b[3], double result[3]) {
     }
 }
 
-/* 1 when the sine of the angle between a and b is below 1e-6: no upward direction is left. */
+/* 1 if the sine of the angle between a and b is below 1e-6, so the up direction is undefined. */
 static int parallel(const double a[3], const double b[3]) {
     double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                        a[0] * b[1] - a[1] * b[0]};
     return dot(cross, cross) <= 1e-12 * (dot(a, a) * dot(b, b));
 }
 
-/* The up axis, or, looking along it, what is upward in a plan: the back of the object. */
+/* The up axis or, for a view along it, the back of the object, as in a floor plan. */
 static void usual_upward(const frame *axes, const double direction[3], double upward[3]) {
     memcpy(upward, axes->up, sizeof axes->up);
     if (parallel(direction, upward)) {
@@ -112,14 +113,14 @@ static burnish_status choose_upward(const frame *axes, const render_camera_setti
     }
     memcpy(upward, camera->view_up.values, sizeof camera->view_up.values);
     if (parallel(direction, upward)) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--camera-view-up: it is parallel to the direction of view; give "
-                        "another vector");
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--camera-view-up: it is parallel to the direction of view; use another vector");
     }
     return BURNISH_STATUS_OK;
 }
 
-/* What the camera flags and a view ask of framing. */
+/* Whether a view is a parallel projection. */
 static int is_parallel(const render_settings *settings, render_view view) {
     return settings->camera.projection == PROJECTION_PARALLEL || settings->camera.same_scale ||
            settings->camera.orthographic_height.given ||
@@ -147,8 +148,8 @@ burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
     return annotations;
 }
 
-/* What the shadows on the ground need: the sky's falls on all sides, the key light's to the right.
- * Wide enough for a cube; of what stands higher the shadow's end is left out. */
+/* Room for the shadows on the ground: ambient light casts them on all sides, the key light to the
+ * right. Enough for a cube; the shadows of taller objects can be cut off. */
 static const double ground_inset[4] = {0.08, 0.08, 0.1, 0};
 #define KEY_SHADOW_INSET 0.16
 
@@ -178,7 +179,7 @@ static burnish_status frame_with_room(const burnish_mesh *mesh, const render_set
                                        : status;
 }
 
-/* Frames the object seen along direction with upward up. */
+/* Frames the object for a direction of view and an up direction. */
 static burnish_status fit_along(const burnish_mesh *mesh, const render_settings *settings,
                                 burnish_framing options, const double direction[3],
                                 const double upward[3], render_room *room, burnish_camera *camera,
@@ -202,7 +203,7 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
     subtract(focal, settings->camera.position.values, direction);
     if (dot(direction, direction) == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--camera-position: it is the focal point; move one of them");
+                        "--camera-position: it is equal to the focal point; move one of them");
     }
     burnish_status status = choose_upward(axes, &settings->camera, direction, upward, error);
     if (status == BURNISH_STATUS_OK && options->orthographic) {
@@ -248,7 +249,7 @@ static burnish_status framed_camera(const burnish_mesh *mesh, const render_setti
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    /* A rolled picture has other extents: frame again along the direction just found. */
+    /* The extents change when the picture is rolled: frame again along this direction. */
     subtract(camera->focal_point, camera->position, direction);
     status = choose_upward(axes, &settings->camera, direction, upward, error);
     return status == BURNISH_STATUS_OK
@@ -272,12 +273,12 @@ static burnish_status own_camera(const burnish_mesh *mesh, const render_settings
     }
     if (count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--camera: the input has no cameras of its own; leave it out");
+                        "--camera: the input has no cameras; omit the flag");
     }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--camera: \"%s\" is none of the input's %zu; give a name, or a number from 0 "
-                    "to %zu",
-                    wanted, count, count - 1);
+    return cli_fail(
+        error, BURNISH_STATUS_ARGUMENT,
+        "--camera: \"%s\" is not one of the input's %zu; use a name, or a number from 0 to %zu",
+        wanted, count, count - 1);
 }
 
 void render_upward(const burnish_mesh *mesh, const render_camera_settings *camera, double up[3]) {

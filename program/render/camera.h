@@ -1,22 +1,22 @@
-/* From the camera flags to a camera. */
+/* Cameras from flags. */
 #ifndef TOOL_RENDER_CAMERA_H
 #define TOOL_RENDER_CAMERA_H
 
 #include "render/settings.h"
 
-/* What framing leaves around the object, and how large it shows it. */
+/* The room around the object, and its scale. */
 typedef struct render_room {
-    double inset[4]; /* as burnish_framing has it; what annotations need where is_given is 0 */
+    double inset[4]; /* as in burnish_framing; computed for annotations if is_given is 0 */
     int is_given;
-    double height; /* of a parallel projection before --camera-zoom-factor; 0: as the flags say */
+    double height; /* of a parallel projection, before --camera-zoom-factor; 0: from the flags */
 } render_room;
 
-/* The camera of one view of the mesh. room->inset receives what it was framed with. */
+/* The camera of one view of the mesh. room->inset receives the insets of the framing. */
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error);
 
-/* What --annotate asks for, but for colours. */
+/* The annotations of --annotate, without colours. */
 burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
                                                  const render_settings *settings);
 
@@ -26,11 +26,11 @@ void render_upward(const burnish_mesh *mesh, const render_camera_settings *camer
 /* "front", "right" ...; "view" for VIEW_FREE. */
 const char *render_view_name(render_view view);
 
-/* The up axis in use, never UP_AUTO, and its direction, along one of the coordinates' axes. */
+/* The up axis in use, never UP_AUTO, and its direction, which is a coordinate axis. */
 render_up render_up_in_use(const burnish_mesh *mesh, const render_camera_settings *camera,
                            double direction[3]);
 
-/* The up axis in use, as --up names it. */
+/* The up axis in use, as a value of --up. */
 const char *render_up_name(const burnish_mesh *mesh, const render_camera_settings *camera);
 
 #endif

@@ -26,7 +26,7 @@ static const char *sheet_flag(const render_settings *settings) {
                                                : NULL;
 }
 
-/* A turntable takes the place of the picture. */
+/* A turntable replaces the picture. */
 static burnish_status check_turntable(render_settings *settings, burnish_error *error) {
     const char *extra = settings->output.path               ? "output"
                         : settings->output.planes.count > 0 ? "plane"
@@ -34,19 +34,18 @@ static burnish_status check_turntable(render_settings *settings, burnish_error *
                         : settings->output.reference        ? "reference"
                                                             : sheet_flag(settings);
     if (extra) {
-        return cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            settings->output.path
-                ? "--%s: --turntable already names a file; leave one out"
-                : "--%s: a turntable shows one view and one lobe and nothing besides; leave it out",
-            extra);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        settings->output.path
+                            ? "--%s: --turntable already names a file; omit one of them"
+                            : "--%s: a turntable shows only one view and one lobe; omit the flag",
+                        extra);
     }
     settings->output.path = settings->output.turntable;
     return BURNISH_STATUS_OK;
 }
 
-/* The name of the picture when none is given: the input's, in the current folder, with the ending
- * of --output-format. */
+/* The default name of the picture: the input's, in the current folder, with the extension of
+ * --output-format. */
 static burnish_status name_output(render_settings *settings, burnish_error *error) {
     const char *input = settings->input.name;
     if (settings->output.turntable) {
@@ -69,14 +68,14 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
                                             : (picture_format)settings->output.format);
     if (length == 0 || length + strlen(ending) + sizeof "." > sizeof settings->output.derived) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "\"%.60s\" gives the picture no name; name it with --output=FILE", input);
+                        "\"%.60s\" has no name for the picture; name it with --output=FILE", input);
     }
     snprintf(name, sizeof settings->output.derived, "%.*s.%s", (int)length, base, ending);
     settings->output.is_derived = 1;
     return BURNISH_STATUS_OK;
 }
 
-/* The report may replace neither the input nor the picture. */
+/* The report can not replace the input or the picture. */
 static burnish_status check_report(render_settings *settings, burnish_error *error) {
     const char *others[] = {settings->input.name, render_output_path(&settings->output)};
     for (int i = 0; i < 2 && settings->output.json && !is_standard(settings->output.json); ++i) {
@@ -90,19 +89,19 @@ static burnish_status check_report(render_settings *settings, burnish_error *err
     return BURNISH_STATUS_OK;
 }
 
-/* Whether two names of files are the same, or stand for one file. */
+/* Whether two names are equal, or of the same file. */
 static int is_same(const char *a, const char *b) {
     return a && b && !is_standard(a) && !is_standard(b) &&
            (strcmp(a, b) == 0 || cli_same_file(a, b));
 }
 
-/* Planes go into files that nothing else goes into, and exist of one picture. */
+/* Planes need separate files and a single picture. */
 static burnish_status check_planes(render_settings *settings, burnish_error *error) {
     if (sheet_flag(settings) &&
         (settings->output.planes.count > 0 || settings->output.format == PICTURE_EXR ||
          settings->output.format == PICTURE_NPY)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: a sheet has no planes of numbers; draw one view and one lobe",
+                        "--%s: a sheet has no planes; draw one view and one lobe",
                         settings->output.planes.count > 0 ? "plane" : "output");
     }
     for (size_t i = 0; i < settings->output.planes.count; ++i) {
@@ -122,9 +121,9 @@ static burnish_status check_planes(render_settings *settings, burnish_error *err
         }
         if (status == BURNISH_STATUS_OK && plane->kind == PLANE_COLOR &&
             plane->format == PICTURE_PNG) {
-            status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "--plane: linear colour goes into NPY or EXR; the PNG in sRGB is "
-                              "--output's");
+            status = cli_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "--plane: linear colour can be written as NPY or EXR; --output writes PNG in sRGB");
         }
         if (status != BURNISH_STATUS_OK) {
             return status;
@@ -143,20 +142,20 @@ static int is_svg(const render_settings *settings) {
 static burnish_status choose_svg(render_settings *settings, burnish_error *error) {
     if (settings->shading.look != BURNISH_LOOK_DRAWING) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: \"%.200s\": an SVG holds lines, no shading; draw them with "
-                        "--look=drawing, or end the name in .png",
+                        "--output: \"%.200s\": an SVG has lines, not shading; use --look=drawing, "
+                        "or the extension .png",
                         render_output_path(&settings->output));
     }
     if (settings->picture.rows.count > 0) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--rows: an SVG holds the lines of all rows; leave it out, or end the name "
-                        "in .png");
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--rows: an SVG has the lines of all rows; omit the flag, or use the extension .png");
     }
     settings->output.format = PICTURE_SVG;
     return BURNISH_STATUS_OK;
 }
 
-/* The output's format, and flags that ask of it what it can't hold. */
+/* Finds the output's format, and checks the flags that it does not support. */
 static burnish_status choose_format(render_settings *settings, burnish_error *error) {
     picture_format format;
     if (!settings->output.turntable && is_svg(settings)) {
@@ -183,17 +182,17 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     }
     if (settings->output.quality > 0 && format != PICTURE_JPEG && format != PICTURE_WEBP) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--quality: only JPEG and WebP lose any; leave it out");
+                        "--quality: only JPEG and WebP have it; omit the flag");
     }
     if (settings->output.dots_per_inch.given &&
         (settings->output.turntable || (format != PICTURE_PNG && format != PICTURE_JPEG))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--dpi: only PNG, JPEG and SVG hold it; leave it out");
+                        "--dpi: only PNG, JPEG and SVG have it; omit the flag");
     }
     return BURNISH_STATUS_OK;
 }
 
-/* 1 for a PNG that says in its first chunks that burnish wrote it. */
+/* 1 for a PNG whose first chunks name burnish as its writer. */
 static int is_own_picture(const char *path) {
     static const char mark[] = "tEXtSoftware\0burnish";
     char head[128];
@@ -215,13 +214,13 @@ static burnish_status check_output(render_settings *settings, burnish_error *err
     if (is_standard(render_output_path(&settings->output))) {
         if (settings->output.json && is_standard(settings->output.json)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--json: standard output already carries the picture; name a "
-                            "file with --output=FILE or --json=FILE");
+                            "--json: standard output is used for the picture; name a file with "
+                            "--output=FILE or --json=FILE");
         }
         if (isatty(STDOUT_FILENO)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--output: standard output is a terminal, which can't show a "
-                            "picture; redirect it, or name a file with --output=FILE");
+                            "--output: standard output is a terminal; redirect it, or name a file "
+                            "with --output=FILE");
         }
         return choose_format(settings, error);
     }
@@ -230,19 +229,19 @@ static burnish_status check_output(render_settings *settings, burnish_error *err
                         "--output: \"%.200s\" is the input; name another file",
                         render_output_path(&settings->output));
     }
-    /* What happens to have the picture's name may be a texture of the mesh. */
+    /* An existing file with this name can be a texture of the mesh. */
     if (settings->output.is_derived && !settings->output.overwrite &&
         cli_name_exists(render_output_path(&settings->output)) &&
         !is_own_picture(render_output_path(&settings->output))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "%.200s: exists and is no picture by burnish; replace it with --overwrite, "
-                        "or name the picture with --output=FILE",
+                        "%.200s: exists and was not written by burnish; replace it with "
+                        "--overwrite, or name the picture with --output=FILE",
                         render_output_path(&settings->output));
     }
     return choose_format(settings, error);
 }
 
-/* A scale is one of a parallel projection, and there is one. */
+/* Only a parallel projection has a scale, and only one flag sets it. */
 static burnish_status check_scale_flags(const render_settings *settings, burnish_error *error) {
     const int parallel = settings->picture.views.count > 0
                              ? settings->camera.projection != PROJECTION_PERSPECTIVE
@@ -252,20 +251,18 @@ static burnish_status check_scale_flags(const render_settings *settings, burnish
                                                                    : NULL;
     if (scale && settings->camera.projection == PROJECTION_PERSPECTIVE) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: a perspective has no scale; leave out --camera-orthographic=no",
-                        scale);
+                        "--%s: a perspective has no scale; omit --camera-orthographic=no", scale);
     }
     if (settings->picture.annotations == BURNISH_ANNOTATION_SCALE && !scale && !parallel &&
         !settings->camera.own) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
-            "--annotate: scale: a perspective has no scale; give --camera-orthographic, "
-            "or leave it out");
+            "--annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it");
     }
     if (settings->camera.orthographic_height.given && settings->camera.zoom.value != 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--camera-zoom-factor: --camera-orthographic-height already says how large "
-                        "the object is; leave one out");
+                        "--camera-zoom-factor: --camera-orthographic-height already sets the "
+                        "scale; omit one of them");
     }
     return BURNISH_STATUS_OK;
 }
@@ -289,8 +286,7 @@ static burnish_status check_camera_flags(const render_settings *settings, burnis
         return check_scale_flags(settings, error);
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--%s: --%s already says where the camera looks from; leave one out", extra,
-                    fixed);
+                    "--%s: --%s already sets the camera; omit one of them", extra, fixed);
 }
 
 static burnish_status check_labels(render_settings *settings, burnish_error *error) {
@@ -303,15 +299,14 @@ static burnish_status check_labels(render_settings *settings, burnish_error *err
     const size_t valid = length > 0 ? utf8_valid_length(settings->picture.labels, length) : 0;
     if (valid < length) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--labels: byte %zu, 0x%02x, is not UTF-8; give the texts in UTF-8",
-                        valid + 1, (unsigned)(unsigned char)settings->picture.labels[valid]);
+                        "--labels: byte %zu, 0x%02x, is not UTF-8; use UTF-8", valid + 1,
+                        (unsigned)(unsigned char)settings->picture.labels[valid]);
     }
     if (!settings->picture.labels || texts == cells) {
         return BURNISH_STATUS_OK;
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--labels: %zu texts for %zu cells; give one text per cell, between "
-                    "commas",
+                    "--labels: %zu labels for %zu cells; use one label per cell, between commas",
                     texts, cells);
 }
 
@@ -320,7 +315,7 @@ burnish_status render_check(render_settings *settings, burnish_error *error) {
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 
-/* Rows are those of one picture that nothing is drawn over. */
+/* Rows need a single picture without annotations. */
 static burnish_status check_rows(render_settings *settings, burnish_error *error) {
     const char *extra = settings->output.turntable      ? "turntable"
                         : settings->picture.annotations ? "annotate"
@@ -335,12 +330,12 @@ static burnish_status check_rows(render_settings *settings, burnish_error *error
                         settings->picture.size[1]);
     }
     return extra ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: not with --rows, which are of one picture; leave one out", extra)
+                            "--%s: not available with --rows; omit one of them", extra)
                  : BURNISH_STATUS_OK;
 }
 
-/* Others draw frames of a turntable, or bands of a picture, of which nothing but its file is made:
- * nobody holds all of it. */
+/* Other processes draw frames of a turntable or bands of a picture. No process has the whole
+ * picture, so the file is the only output. */
 static burnish_status check_runners(render_settings *settings, burnish_error *error) {
     const char *flag = settings->job.runner ? "runner" : "runners";
     const char *extra = settings->output.turntable          ? NULL
@@ -357,24 +352,26 @@ static burnish_status check_runners(render_settings *settings, burnish_error *er
     }
     if (settings->job.sandbox) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: others draw without --sandbox; leave one out", flag);
+                        "--%s: not available with --sandbox; omit one of them", flag);
     }
     return extra ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: not of a picture that others draw parts of; leave it out", extra)
+                            "--%s: not available if other processes draw parts of the picture; "
+                            "omit the flag",
+                            extra)
                  : BURNISH_STATUS_OK;
 }
 
-/* Bands of a picture go into a PNG. Checked when the format is known. */
+/* Bands of a picture are written as PNG. Checked when the format is known. */
 static burnish_status check_shared_output(render_settings *settings, burnish_error *error) {
     return render_is_shared(&settings->job) && !settings->output.turntable &&
                    settings->output.format != PICTURE_PNG
                ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "--output: others draw parts of a PNG or of a --turntable; end the name "
-                          "in .png")
+                          "--output: other processes can only draw parts of a PNG or a "
+                          "--turntable; use the extension .png")
                : BURNISH_STATUS_OK;
 }
 
-/* In this order: later ones need the output's name, and then its format. */
+/* The order matters: later checks need the output's name, and then its format. */
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
     typedef burnish_status check(render_settings * settings, burnish_error * error);
     static check *const checks[] = {render_check,           check_runners,        check_rows,

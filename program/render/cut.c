@@ -1,4 +1,4 @@
-/* `burnish render --clip`: cuts, and what there is to say of them. */
+/* `burnish render --clip`: cuts, and warnings about them. */
 #include "render/origin.h"
 #include "render/output/report.h"
 
@@ -7,20 +7,18 @@ static void warn_open(render_result *result, const burnish_mesh *mesh) {
     const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
     const char *input = result->settings->input.name;
     if (!facts) {
-        render_result_warn(result, 1, "%.300s: cut but not filled: %s have no inside", input,
+        render_result_warn(result, 1, "%.300s: cut but not filled: %s have no volume", input,
                            burnish_mesh_get_info(mesh)->line_count > 0 ? "lines" : "points");
     } else if (!facts->is_closed) {
         render_result_warn(
             result, 1,
-            "%.300s: cut but not filled: the mesh is not closed, %zu of its edges are "
-            "open",
-            input, facts->open_edge_count);
+            "%.300s: cut but not filled: the mesh is not closed; %zu of its edges are open", input,
+            facts->open_edge_count);
     } else {
-        render_result_warn(
-            result, 1,
-            "%.300s: cut but not filled: the mesh is no solid, its triangles are not "
-            "wound consistently or it has no volume",
-            input);
+        render_result_warn(result, 1,
+                           "%.300s: cut but not filled: the mesh is not a solid; its winding is "
+                           "inconsistent or it has no volume",
+                           input);
     }
 }
 
@@ -32,13 +30,13 @@ burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_err
         const burnish_clip_plane *plane = &clip->items[i];
         const int before = view->cut_count;
         status = burnish_mesh_clip(mesh, plane, error);
-        if (status == BURNISH_STATUS_ARGUMENT) { /* "clip: ..." is a flag here */
-            const burnish_error said = *error;
-            cli_fail(error, status, "--%s", said.text);
+        if (status == BURNISH_STATUS_ARGUMENT) { /* "clip: ..." is a flag in the program */
+            const burnish_error reason = *error;
+            cli_fail(error, status, "--%s", reason.text);
         }
         if (status == BURNISH_STATUS_OK && view->cut_count == before) {
             render_result_warn(result, 1,
-                               "%.300s: nothing of the mesh is beyond the plane %g,%g,%g,%g",
+                               "%.300s: no part of the mesh is beyond the plane %g,%g,%g,%g",
                                result->settings->input.name, plane->normal[0], plane->normal[1],
                                plane->normal[2], render_file_offset(plane, view->origin));
         }

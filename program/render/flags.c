@@ -1,4 +1,4 @@
-/* The flags of `burnish render`: the one description that parser, help and man page share. */
+/* The flags of `burnish render`, for the parser, the help screens and the man page. */
 #include <stdio.h>
 
 #include "cli/commands.h"
@@ -64,7 +64,7 @@ static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}}
 #define AXIS_010(word)
 #define AXIS_001(word) ", " #word " +Z"
 #define FORMAT_AXIS(name, word, endings, x, y, z) AXIS_##x##y##z(word)
-/* "+Y, stl +Z": most formats stand on +Y. */
+/* "+Y, stl +Z": +Y is the up axis of most formats. */
 static const char format_axes[] = "+Y" BURNISH_FORMAT_LIST(FORMAT_AXIS);
 
 /* Values of coordinates and angles beyond this are mistakes. */
@@ -81,311 +81,305 @@ static const cli_flag flags[] = {
      .common = 1,
      .takes_file = 1,
      .aliases = "out",
-     .manual = "Writes the picture to _FILE_, or to standard output for *-*, in the format that "
-               "its ending says: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.exr* or *.npy*; see "
-               "*FORMATS*. Other names are PNG. The file appears whole or not at all: it is "
-               "written beside its final name and renamed. Without this flag the name is that of "
-               "_INPUT_ with *.png* in the current folder (*teapot.png* for *:teapot*), and "
-               "standard output when _INPUT_ is *-*; a file that has this name already is replaced "
-               "only if burnish wrote it, or *--overwrite* is given. A file that _FILE_ names is "
-               "replaced. A terminal is refused as output, and so is an ending of a format that "
-               "burnish does not write.\n*{model}*, *{folder}*, *{ending}* and *{view}* in _FILE_ "
-               "stand for parts of _INPUT_'s name and for the view, as in *burnish batch*; with "
-               "more than one _INPUT_ there has to be one of them, or *--output-dir*."},
-    {CLI_FLAG("output-dir", "FOLDER", "where pictures go, one per INPUT", cli_flag_text,
+     .manual =
+         "Writes the picture to _FILE_, or to standard output for *-*. The file extension chooses "
+         "the format: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.exr* or *.npy*; see *FORMATS*. "
+         "Other names are PNG, but extensions of formats that burnish can not write are an error, "
+         "and so is a terminal as standard output. The file is complete or does not appear: it is "
+         "written under a temporary name and renamed. An existing _FILE_ is replaced. Without this "
+         "flag the picture has the name of _INPUT_ with *.png*, in the current folder "
+         "(*teapot.png* for *:teapot*), or goes to standard output when _INPUT_ is *-*. A file "
+         "that already has this default name is replaced only if burnish wrote it, or with "
+         "*--overwrite*.\n*{model}*, *{folder}*, *{ending}* and *{view}* in _FILE_ are replaced by "
+         "parts of _INPUT_'s name and by the view, as in *burnish batch*. Several inputs need one "
+         "of them, or *--output-dir*."},
+    {CLI_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,
               output.folder),
      .letter = 'd', .common = 1, .takes_file = 1, .aliases = "outdir,out-dir",
-     .manual = "The folder of the pictures, made where it is missing. _INPUT_ may then be a folder "
-               "too, of which all meshes are taken."},
-    {CLI_SWITCH("recursive", "folders below an INPUT that is one, too", job.recursive),
-     .letter = 'r',
-     .manual = "As of *burnish batch*: takes the meshes in all folders below an _INPUT_ that is a "
-               "folder."},
-    {CLI_FLAG("files-from", "FILE", "names of INPUTs; -: standard input", cli_flag_text,
+     .manual = "The folder of the pictures; it is created if it is missing. _INPUT_ can then be a "
+               "folder, whose meshes are all drawn."},
+    {CLI_SWITCH("recursive", "search folders recursively", job.recursive), .letter = 'r',
+     .manual = "Draws the meshes in all folders below an _INPUT_ that is a folder, as *burnish "
+               "batch* does."},
+    {CLI_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
               job.files_from),
      .takes_file = 1, .aliases = "inputs-from,files0-from,from-file",
-     .manual = "As of *burnish batch*: reads names of inputs from _FILE_."},
+     .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
     {CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size, picture.size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_text = "1024,768", .common = 1,
      .aliases = "width,height,res",
-     .manual = "Width and height of the picture in pixels, each from 1 to 16384; _W_*x*_H_ is "
-               "understood too. On a sheet this is the size of each cell."},
-    {CLI_FLAG("size", "N", "a square: --resolution=N,N", cli_flag_square, picture.size),
+     .manual = "Width and height of the picture in pixels, each from 1 to 16384. _W_*x*_H_ is the "
+               "same. On a sheet this is the size of each cell."},
+    {CLI_FLAG("size", "N", "square: --resolution=N,N", cli_flag_square, picture.size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .common = 1,
      .manual = "The same as *--resolution=*_N_*,*_N_."},
     {CLI_FLAG("rows", "FIRST:COUNT", "draw only these rows of the picture", render_flag_rows,
               picture.rows),
      .default_label = "all",
-     .manual =
-         "Draws _COUNT_ rows of the picture from row _FIRST_ on, counted from 0, and no others: "
-         "the file holds these rows, with the bits that they have in the whole picture, whatever "
-         "the other flags are. So many machines can draw one picture (docs/scale.md). Multiples of "
-         "64 take least time. Without sheets, turntables, *--annotate* and SVG; what warns of a "
-         "blank picture is silent; depths in PNG have the range of these rows."},
-    {CLI_SWITCH("cull-back-faces", "leave out triangles seen from their back",
-                picture.cull_back_faces),
+     .manual = "Draws only _COUNT_ rows of the picture, starting with row _FIRST_, counted from 0. "
+               "The file holds these rows with the same bits as in the whole picture, so several "
+               "machines can draw one picture (docs/scale.md). Multiples of 64 are fastest. Not "
+               "available for sheets, turntables, *--annotate* and SVG. A blank part is not "
+               "reported, and depths in PNG have the range of these rows."},
+    {CLI_SWITCH("cull-back-faces", "skip back-facing triangles", picture.cull_back_faces),
      .aliases = "backface-culling",
-     .manual = "Leaves out triangles that are seen from their back: a closed surface looks the "
-               "same and takes less time. Otherwise both sides of a surface are lit."},
-    {CLI_FLAG("samples", "N", "per pixel, along edges", cli_flag_word, picture.samples),
+     .manual = "Skips back-facing triangles: a closed surface looks the same and is faster to "
+               "draw. Without this flag both sides of a surface are lit."},
+    {CLI_FLAG("samples", "N", "samples per pixel (anti-aliasing)", cli_flag_word, picture.samples),
      .default_text = "4", .words = sample_words, .aliases = "antialiasing,anti-aliasing,aa,msaa",
-     .manual = "Samples per pixel along the edges: 1 (none smoothed), 4, 8 or 16."},
+     .manual = "Samples per pixel along edges: 1 (no anti-aliasing), 4, 8 or 16."},
     {CLI_FLAG("background-color", "COLOR", "#rgb, #rrggbb, r,g,b or a name", render_flag_background,
               picture.background),
      .default_label = "the look's", .common = 1, .aliases = "bg-color,bg,background",
-     .manual = "Colour of the background, see *COLOURS*, or *none*. The later of this flag and "
-               "*--no-background* counts."},
-    {CLI_FLAG("no-background", NULL, "transparent", render_flag_no_background, picture.background),
+     .manual = "Colour of the background, see *COLOURS*, or *none*. If *--no-background* is given "
+               "too, the last of both counts."},
+    {CLI_FLAG("no-background", NULL, "transparent background", render_flag_no_background,
+              picture.background),
      .common = 1, .aliases = "transparent,transparency",
-     .manual = "Leaves the background transparent: the PNG gets an alpha channel."},
-    {CLI_FLAG("views", "LIST", "one, or a sheet", render_flag_views, picture.views), .common = 1,
+     .manual = "Makes the background transparent: the PNG has an alpha channel."},
+    {CLI_FLAG("views", "LIST", "one or more", render_flag_views, picture.views), .common = 1,
      .words = view_words, .aliases = "view",
-     .manual =
-         "Standard views, seen along the axes; several, between commas, make one labelled sheet. "
-         "*front* looks at the side that faces the viewer when the up axis points up (+Z for up "
-         "+Y, -Y for up +Z), *iso* is the isometric direction from the upper right front. They are "
-         "parallel projections unless *--camera-orthographic=no* is given. Each view is framed on "
-         "its own, in a scale of its own unless *--same-scale* is given."},
-    {CLI_FLAG("annotate", "LIST", "measure", render_flag_annotate, picture.annotations),
+     .manual = "Standard views along the axes; a list with commas makes one labelled sheet. "
+               "*front* shows the side that faces the viewer when the up axis points up (+Z for up "
+               "+Y, -Y for up +Z), *iso* is the isometric view from the upper right front. They "
+               "are parallel projections unless *--camera-orthographic=no* is given. Each view is "
+               "framed separately, in its own scale unless *--same-scale* is given."},
+    {CLI_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
      .words = annotation_words,
      .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",
-     .manual = "Draws lines and numbers around the object, several between commas: *axes*, the "
-               "directions of X, Y and Z in a corner; *box*, the edges of the bounding box, dashed "
-               "behind the object; *dimensions*, the lengths of the bounding box with arrows; "
-               "*scale*, a bar of 1, 2 or 5 times a power of 10, of a parallel projection (of a "
-               "perspective it is left out, with a warning); *grid*, lines of the ground so far "
-               "apart, with their spacing. Numbers are in the units of the input, rounded to four "
-               "digits. Framing leaves room for them; what finds none is left out with a warning."},
-    {CLI_FLAG("columns", "N", "of a sheet", cli_flag_integer, picture.columns), CLI_RANGE(1, 256),
-     .default_label = "near a square",
-     .manual = "Cells in a row of a sheet. Cells are views times lobes, the lobes of a view side "
-               "by side."},
-    {CLI_FLAG("labels", "LIST", "of a sheet, one text per cell, between commas", cli_flag_text,
-              picture.labels),
-     .manual = "What stands below the cells of a sheet instead of the views' and lobes' names: one "
-               "text per cell, between commas, in UTF-8."},
-    {CLI_FLAG("font", "FILE", "of all labels", cli_flag_text, picture.font),
-     .default_label = "burnish's own; the system's beyond ASCII", .takes_file = 1,
      .manual =
-         "TrueType or OpenType font of all labels. Without this flag labels are drawn in burnish's "
-         "own letters, which are the same everywhere, as long as all are ASCII, and else in the "
-         "system's sans-serif, with other fonts for scripts that it lacks. Scripts that run to the "
-         "left and letters that join or combine are set as they are written."},
+         "Draws lines and numbers around the object, a list with commas: *axes*, the directions of "
+         "X, Y and Z in a corner; *box*, the edges of the bounding box, dashed behind the object; "
+         "*dimensions*, the lengths of the bounding box with arrows; *scale*, a bar of 1, 2 or 5 "
+         "times a power of 10 (parallel projections only; in perspective it is omitted with a "
+         "warning); *grid*, lines on the ground with such a spacing, and the spacing. Numbers are "
+         "in the units of the input, rounded to four digits. Framing leaves room for annotations; "
+         "one that does not fit is omitted with a warning."},
+    {CLI_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),
+     CLI_RANGE(1, 256), .default_label = "near a square",
+     .manual = "Number of cells in a row of a sheet. A sheet has a cell for each view and lobe; "
+               "the lobes of a view are next to each other."},
+    {CLI_FLAG("labels", "LIST", "labels of a sheet's cells, between commas", cli_flag_text,
+              picture.labels),
+     .manual = "Labels below the cells of a sheet, instead of the names of views and lobes: one "
+               "per cell, between commas, in UTF-8."},
+    {CLI_FLAG("font", "FILE", "font of labels", cli_flag_text, picture.font),
+     .default_label = "burnish's own; the system's beyond ASCII", .takes_file = 1,
+     .manual = "TrueType or OpenType font of all labels. Without this flag ASCII labels use "
+               "burnish's own letters, which are the same on every machine; other labels use the "
+               "system's sans-serif font, with fallback fonts for missing scripts. Right-to-left "
+               "scripts, joining letters and combining characters are supported."},
     {CLI_SWITCH("no-labels", "a sheet without labels", picture.no_labels),
-     .manual = "Leaves out the names below the cells of a sheet."},
+     .manual = "Omits the labels below the cells of a sheet."},
     {.group = "Files",
      .topic = "files",
-     CLI_FLAG("output-format", "NAME", "one of", cli_flag_word, output.format),
+     CLI_FLAG("output-format", "NAME", "format", cli_flag_word, output.format),
      .words = format_words,
-     .manual = "Format of the picture, whatever _FILE_'s ending says: for standard output. *auto*, "
-               "the default, goes by the ending."},
-    {CLI_FLAG("quality", "N", "of JPEG and WebP", cli_flag_integer, output.quality),
+     .manual = "Format of the picture, regardless of the file extension: for standard output. "
+               "*auto*, the default, uses the extension."},
+    {CLI_FLAG("quality", "N", "quality of JPEG and WebP", cli_flag_integer, output.quality),
      CLI_RANGE(1, 100), .default_label = "90, WebP without loss",
-     .manual = "Quality of JPEG (90 without this flag) and WebP (without loss), from 1 to 100."},
+     .manual = "Quality of JPEG (90 by default) and WebP (lossless by default), from 1 to 100."},
     {CLI_FLAG("dpi", "N", "dots per inch, for printing", cli_flag_real, output.dots_per_inch),
      CLI_RANGE(1, 65535), .default_label = "none",
-     .manual = "Dots per inch that PNG and JPEG say they are printed with; the pixels stay. The "
-               "width and height of an SVG are then millimetres, 25.4 times pixels by _N_: 25.4 "
-               "times the report's *pixels_per_unit* makes a drawing in millimetres print at 1:1."},
+     .manual = "Print resolution stored in PNG and JPEG; the pixels do not change. The width and "
+               "height of an SVG are then in millimetres: pixels times 25.4 / _N_. With _N_ = 25.4 "
+               "times *pixels_per_unit* of the report, a drawing in millimetres prints at 1:1."},
     {CLI_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
               render_flag_plane, output.planes),
-     .manual = "Numbers of each pixel, in a file of their own beside the picture; may be repeated. "
-               "*depth* is the distance from the camera along its axis, *normal* the interpolated "
-               "normal in the object's axes, *triangle* and *material* are numbers from 0, "
-               "*coverage* is the part of the pixel that the object takes, *color* linear light. "
-               "Where several triangles share a pixel, it shows one of them; nothing is mixed but "
-               "*coverage* and *color*. See *PLANES*."},
-    {CLI_FLAG("turntable", "FILE", ".gif .png .webp .y4m; - is Y4M on standard output",
-              cli_flag_text, output.turntable),
+     .manual =
+         "Writes a buffer of numbers for each pixel to its own file, in addition to the picture; "
+         "can be repeated. *depth* is the distance from the camera along its axis, *normal* the "
+         "interpolated normal in the object's coordinates, *triangle* and *material* are numbers "
+         "from 0, *coverage* is the share of the pixel that the object covers, *color* is linear "
+         "light. If several triangles share a pixel, the buffers have the values of one of them; "
+         "only *coverage* and *color* are averaged. See *PLANES*."},
+    {CLI_FLAG("turntable", "FILE", "animation: .gif .png .webp .y4m; -: Y4M", cli_flag_text,
+              output.turntable),
      .takes_file = 1,
-     .manual = "Instead of a picture a turn of the camera around the object, to the right around "
-               "the up axis through the focal point; the last frame continues into the first. All "
-               "frames have one framing, in which nothing is cut off. *.gif* has one palette for "
-               "all frames; *.png* is an animated PNG; *.webp* is without loss unless *--quality* "
-               "is given; *.y4m* is for video encoders: 4:2:0, limited range, BT.709. For example "
-               "*burnish render part.stl --turntable=- | ffmpeg -i - -colorspace bt709 part.mp4*."},
-    {CLI_FLAG("frames", "N", "of a turntable", cli_flag_integer, output.frames), CLI_RANGE(2, 3600),
-     .default_text = "60", .manual = "Frames of a turn, from 2 to 3600."},
+     .manual = "Writes an animation instead of a picture: one turn of the camera to the right, "
+               "around the up axis through the focal point. The last frame continues into the "
+               "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
+               "one palette for all frames; *.png* is an animated PNG; *.webp* is lossless unless "
+               "*--quality* is given; *.y4m*, and *-* for standard output, is for video encoders: "
+               "4:2:0, limited range, BT.709. For example *burnish render part.stl --turntable=- | "
+               "ffmpeg -i - -colorspace bt709 part.mp4*."},
+    {CLI_FLAG("frames", "N", "frames of a turntable", cli_flag_integer, output.frames),
+     CLI_RANGE(2, 3600), .default_text = "60", .manual = "Number of frames, from 2 to 3600."},
     {CLI_FLAG("fps", "N", "frames per second of a turntable", cli_flag_integer, output.fps),
      CLI_RANGE(1, 120), .default_text = "20", .aliases = "frame-rate",
-     .manual = "Frames per second of a turntable, from 1 to 120; of a GIF at most 50."},
-    {CLI_FLAG("runners", "N", "N sockets, from descriptor 3 on, lead to others", cli_flag_integer,
-              job.runners),
+     .manual = "Frames per second of a turntable, from 1 to 120; at most 50 in a GIF."},
+    {CLI_FLAG("runners", "N", "share the work with N processes", cli_flag_integer, job.runners),
      CLI_RANGE(0, 65536),
-     .manual = "Frames of a turntable, or bands of one picture, are drawn by others too, to whom "
-               "the sockets from descriptor 3 on lead: *burnish render --runner* with the same "
-               "flags. *burnish-mpi* starts both (docs/scale.md). The file has the same bytes. A "
-               "picture is written as PNG, and as it is never whole in memory there are no sheets, "
-               "*--rows*, *--annotate*, *--plane*, *--reference*, *--json* and *--fail-on-blank*."},
-    {CLI_SWITCH("runner", "draw parts for a burnish with --runners", job.runner),
-     .manual =
-         "Draws the frames or bands that the socket at descriptor 3 asks for, and writes no file."},
-    {CLI_SWITCH("overwrite", "replace a file with INPUT's name and .png, whoever wrote it",
-                output.overwrite),
-     .manual = "Replaces a file that has the name made from _INPUT_'s, whoever wrote it. Without "
-               "this flag only pictures by burnish are replaced."},
+     .manual = "Shares the frames of a turntable, or bands of one picture, with _N_ processes "
+               "*burnish render --runner* with the same flags, which are connected by sockets at "
+               "descriptors 3, 4 and so on. *burnish-mpi* starts both (docs/scale.md). The file "
+               "has the same bytes. A picture is written as PNG. It is never complete in memory, "
+               "so sheets, *--rows*, *--annotate*, *--plane*, *--reference*, *--json* and "
+               "*--fail-on-blank* are not available."},
+    {CLI_SWITCH("runner", "draw parts for a process with --runners", job.runner),
+     .manual = "Draws the frames or bands that are requested by the socket at descriptor 3, and "
+               "writes no file."},
+    {CLI_SWITCH("overwrite", "replace a file with the default name", output.overwrite),
+     .manual = "Replaces any file that has the picture's default name. Without this flag only "
+               "pictures written by burnish are replaced."},
     {.group = "Camera",
      .topic = "camera",
-     CLI_FLAG("up", "AXIS", "upward", cli_flag_word, camera.up),
+     CLI_FLAG("up", "AXIS", "up axis", cli_flag_word, camera.up),
      .default_label = format_axes,
      .common = 1,
      .words = up_words,
      .aliases = "up-axis,up-direction",
-     .manual = "The axis of the object that points up. *auto* is a guess: of +Y and +Z the one "
-               "that the input's format says, unless the object would fall over that way and "
-               "stands well the other way."},
-    {CLI_FLAG("camera-direction", "X,Y,Z", "look along this and frame the object", cli_flag_nonzero,
+     .manual = "The axis of the object that points up. *auto* guesses between +Y and +Z: it takes "
+               "the axis of the input's format, unless the object would fall over that way and is "
+               "stable the other way."},
+    {CLI_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object", cli_flag_nonzero,
               camera.direction),
      .default_label = "three-quarter", .common = 1,
-     .manual = "Direction from the camera into the scene, of any length. The camera stands where "
-               "the whole object fits into the picture, as large as *--margin* allows."},
-    {CLI_FLAG("camera-azimuth-angle", "DEG", "turn to the right around the up axis", cli_flag_real,
-              camera.azimuth),
+     .manual = "Direction from the camera into the scene, of any length. The camera is placed so "
+               "that the whole object fills the picture, up to *--margin*."},
+    {CLI_FLAG("camera-azimuth-angle", "DEG", "rotate to the right around the up axis",
+              cli_flag_real, camera.azimuth),
      CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_text = "0", .common = 1,
      .aliases = "azimuth,rotate",
-     .manual = "Turns the camera around the up axis, positive to the right. The framing follows."},
-    {CLI_FLAG("camera-elevation-angle", "DEG", "lift toward the up axis", cli_flag_real,
-              camera.elevation),
+     .manual = "Rotates the camera around the up axis, positive to the right. Framing takes it "
+               "into account."},
+    {CLI_FLAG("camera-elevation-angle", "DEG", "raise the camera", cli_flag_real, camera.elevation),
      CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_text = "0", .common = 1,
      .aliases = "elevation,tilt",
-     .manual = "Lifts the camera, positive upward. The framing follows."},
-    {CLI_FLAG("camera", "NAME", "one of the input's own, by name or number from 0", cli_flag_text,
+     .manual = "Raises the camera, positive upward. Framing takes it into account."},
+    {CLI_FLAG("camera", "NAME", "camera of the input, by name or number from 0", cli_flag_text,
               camera.own),
      .aliases = "camera-index",
-     .manual = "Takes the picture from where this camera of the input stands (glTF), by its name "
-               "or its number from 0, instead of framing the object. Standard views are framed."},
-    {CLI_FLAG("camera-position", "X,Y,Z", "stand exactly here; nothing is framed", cli_flag_vector,
+     .manual = "Uses this camera of the input (glTF), by its name or its number from 0, instead of "
+               "framing the object. Standard views are still framed."},
+    {CLI_FLAG("camera-position", "X,Y,Z", "exact position, without framing", cli_flag_vector,
               camera.position),
      .manual = "Puts the camera at this position, in the units of the input, instead of framing "
                "the object."},
-    {CLI_FLAG("camera-focal-point", "X,Y,Z", "the middle of the picture", cli_flag_vector,
+    {CLI_FLAG("camera-focal-point", "X,Y,Z", "point in the middle of the picture", cli_flag_vector,
               camera.focal_point),
      .default_label = "middle of the object",
      .manual = "The point in the middle of the picture. Without *--camera-position* the framed "
-               "camera is moved sideways until it looks there, direction and distance unchanged."},
-    {CLI_FLAG("camera-view-up", "X,Y,Z", "what is upward in the picture", cli_flag_nonzero,
+               "camera moves sideways until it looks there; direction and distance do not change."},
+    {CLI_FLAG("camera-view-up", "X,Y,Z", "up direction in the picture", cli_flag_nonzero,
               camera.view_up),
      .default_label = "the up axis",
-     .manual = "Direction that is upward in the picture: rolls the camera. It may not be parallel "
+     .manual = "Direction that points up in the picture: rolls the camera. It can not be parallel "
                "to the direction of view."},
-    {CLI_FLAG("camera-view-angle", "DEG", "angle from the lower to the upper edge", cli_flag_real,
+    {CLI_FLAG("camera-view-angle", "DEG", "vertical field of view in degrees", cli_flag_real,
               camera.view_angle),
      CLI_RANGE(0.001, 179), .default_text = "30", .aliases = "fov,field-of-view",
-     .manual =
-         "Angle from the lower to the upper edge of the picture, in degrees, from 0.001 to 179."},
-    {CLI_FLAG("camera-zoom-factor", "F", "come nearer: the distance is divided by F", cli_flag_real,
-              camera.zoom),
+     .manual = "Vertical field of view: the angle from the lower to the upper edge of the picture, "
+               "in degrees, from 0.001 to 179."},
+    {CLI_FLAG("camera-zoom-factor", "F", "divide the distance by F", cli_flag_real, camera.zoom),
      CLI_RANGE(1e-3, 1e3), .default_text = "1", .aliases = "zoom",
-     .manual = "Comes nearer: the distance from the focal point, or the height of a parallel "
-               "projection, is divided by _F_, from 0.001 to 1000."},
+     .manual = "Moves the camera nearer: divides the distance from the focal point, or the height "
+               "of a parallel projection, by _F_, from 0.001 to 1000."},
     {CLI_FLAG("camera-orthographic", "no", "parallel projection; no: perspective",
               render_flag_projection, camera.projection),
      .default_label = "for --views", .common = 1, .optional = 1, .aliases = "ortho,parallel",
-     .manual = "Parallel projection, which standard views have without this flag; *no* draws those "
-               "in perspective too. With *--camera-position* the height of the picture is the one "
-               "that frames the object."},
+     .manual =
+         "Parallel projection, which is the default for standard views; *no* draws all views in "
+         "perspective. With *--camera-position* the object still fills the height of the picture."},
     {CLI_FLAG("camera-orthographic-height", "H", "parallel projection, H units of the input high",
               cli_flag_real, camera.orthographic_height),
      CLI_RANGE(1e-30, 1e30), .default_label = "what fits",
      .aliases = "parallel-scale,ortho-scale,orthographic-height",
-     .manual = "Parallel projection in which the picture's height shows _H_ units of the input: "
-               "pictures of different objects, or of different runs, have one scale. The object "
-               "stays in the middle; *--margin* has no meaning."},
-    {CLI_SWITCH("same-scale", "parallel projection, all cells of a sheet in one scale",
-                camera.same_scale),
-     .manual = "Draws all cells of a sheet in one scale, the largest in which each view fits: "
-               "lengths can be compared across views, and what is at one height in *front* is at "
-               "that height in *right*. Implies *--camera-orthographic*. The report's "
-               "*pixels_per_unit* tells the scale."},
-    {CLI_FLAG("margin", "F", "share left free at each side by framing", cli_flag_real,
+     .manual = "Parallel projection in which the height of the picture is _H_ units of the input: "
+               "pictures of different objects, or of different runs, have the same scale. The "
+               "object stays in the middle; *--margin* has no effect."},
+    {CLI_SWITCH("same-scale", "one scale for all cells of a sheet", camera.same_scale),
+     .manual =
+         "Draws all cells of a sheet in one scale, the largest in which each view fits: lengths "
+         "can be compared across views, and a feature has the same height in *front* and in "
+         "*right*. Implies *--camera-orthographic*. The scale is *pixels_per_unit* in the report."},
+    {CLI_FLAG("margin", "F", "free share of the picture at each side", cli_flag_real,
               camera.margin),
      CLI_RANGE(0, 0.45), .default_text = "0.05",
-     .manual = "Share of the picture's smaller side that framing leaves free at each side."},
+     .manual = "Share of the picture's shorter side that framing leaves free at each side."},
     {.group = "Surface and light",
      .topic = "light",
      CLI_FLAG("look", "NAME", "style", cli_flag_word, shading.look),
      .default_text = "studio",
      .common = 1,
      .words = render_look_words,
-     .manual = "Lights, ground, burnish's grey, ambient occlusion and edges by one name; see "
-               "*LOOKS*. Other flags change parts of it."},
-    {CLI_FLAG("color", "COLOR", "of the whole object", cli_flag_color, shading.color), .common = 1,
-     .aliases = "colour,object-color",
-     .manual = "Colour of the whole object instead of the input's colours; see *COLOURS*."},
-    {CLI_FLAG("material", "NAME", "surface by name", cli_flag_word, shading.material), .common = 1,
+     .manual = "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
+               "see *LOOKS*. Other flags change parts of it."},
+    {CLI_FLAG("color", "COLOR", "colour of the whole object", cli_flag_color, shading.color),
+     .common = 1, .aliases = "colour,object-color",
+     .manual = "Colour of the whole object, instead of the colours of the input; see *COLOURS*."},
+    {CLI_FLAG("material", "NAME", "material preset", cli_flag_word, shading.material), .common = 1,
      .words = render_preset_words,
-     .manual = "A surface by name, for the whole object; see *MATERIALS*. Colours stay."},
-    {CLI_FLAG("opacity", "F", "of the whole object", cli_flag_real, shading.opacity),
+     .manual = "A material preset for the whole object; see *MATERIALS*. Colours do not change."},
+    {CLI_FLAG("opacity", "F", "opacity of the whole object", cli_flag_real, shading.opacity),
      CLI_RANGE(0, 1), .default_label = "the input's",
-     .manual = "Opacity of the whole object, from 0 to 1, times that of the input's materials "
-               "(*d*, *Tr*) and colours (alpha). Transparent surfaces are drawn in the order of "
-               "their depths at every sample, both sides of them, and cast no shadows, unless they "
-               "are opaque but for a mask."},
+     .manual =
+         "Opacity of the whole object, from 0 to 1. It is multiplied by the opacity of materials "
+         "(*d*, *Tr*) and colours (alpha). Both sides of transparent surfaces are drawn, sorted by "
+         "depth at every sample. They cast no shadows, unless they are opaque apart from a mask."},
     {CLI_FLAG("specular", "F", "strength of the highlight, ks", cli_flag_real, shading.specular),
      CLI_RANGE(0, 1), .default_label = "the input's",
      .manual = "Strength of the highlight, the specular coefficient ks, for every material."},
     {CLI_FLAG("exponent", "N", "exponent of the highlight, n", cli_flag_real, shading.exponent),
      CLI_RANGE(1, 65536), .aliases = "shininess",
-     .manual =
-         "Exponent n of the highlight, for every material: the larger, the smaller and sharper."},
-    {CLI_FLAG("lobe", "FIT:ORDER", "highlight's shape; a list makes a sheet", render_flag_lobes,
+     .manual = "Exponent n of the highlight, for every material: a larger exponent makes it "
+               "smaller and sharper."},
+    {CLI_FLAG("lobe", "FIT:ORDER", "shape of the highlight; a list: a sheet", render_flag_lobes,
               shading.lobes),
      .default_text = "energy:2", .common = 1,
-     .manual = "The specular lobe; see *LOBES*. Several, between commas, make one labelled sheet. "
-               "Of a repeated flag the last list counts."},
-    {CLI_FLAG("equation", "NAME", "cosine that the lobe is taken of", cli_flag_word,
+     .manual = "The specular lobe; see *LOBES*. A list with commas makes one labelled sheet."},
+    {CLI_FLAG("equation", "NAME", "cosine that the lobe is applied to", cli_flag_word,
               shading.equation),
      .default_text = "blinn", .words = equation_words,
-     .manual = "Which cosine the lobe is taken of: *blinn*, N.H with the half vector, or *phong*, "
-               "R.V with the mirrored light."},
-    {CLI_FLAG("viewer", "NAME", "where highlights take the viewer to be", cli_flag_word,
+     .manual = "The cosine that the lobe is applied to: *blinn*, N.H with the half vector, or "
+               "*phong*, R.V with the mirrored light."},
+    {CLI_FLAG("viewer", "NAME", "position of the viewer for highlights", cli_flag_word,
               shading.viewer),
      .default_text = "local", .words = viewer_words,
-     .manual = "Where highlights take the viewer to be: *local*, at the camera, or *distant*, "
-               "infinitely far along the camera's axis."},
+     .manual = "Position of the viewer for highlights: *local*, at the camera, or *distant*, "
+               "infinitely far away along the camera's axis."},
     {CLI_FLAG("light", "SPEC", "KIND:X,Y,Z[:F[:COLOR]], file; repeatable", render_flag_light,
               shading.lights),
      .default_label = "key, fill, rim",
-     .manual = "A light, in place of the default rig of key, fill and rim light; see *LIGHTS*. May "
-               "be repeated up to 64 times. *file*: those of the input. *none* takes away the rig "
-               "and all lights so far."},
-    {CLI_FLAG("ambient", "F|COLOR", "light from everywhere, linear", render_flag_ambient,
-              shading.ambient),
+     .manual = "A light that replaces the default rig of key, fill and rim light; see *LIGHTS*. "
+               "Can be repeated up to 64 times. *file* adds the lights of the input. *none* "
+               "removes the rig and all lights so far."},
+    {CLI_FLAG("ambient", "F|COLOR", "ambient light, linear", render_flag_ambient, shading.ambient),
      CLI_RANGE(0, 16), .default_label = "a little",
      .manual = "Ambient light: a number from 0 to 16, linear, or a colour."},
-    {CLI_FLAG("occlusion", "N", "directions of the sky, or none", render_flag_occlusion,
+    {CLI_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
               shading.occlusion),
      CLI_RANGE(1, BURNISH_OCCLUSION_MAX), .default_label = "the look's",
      .aliases = "ambient-occlusion,ao",
-     .manual = "Ambient occlusion: creases, holes and undersides, which see less of the sky, are "
-               "darker. From how many directions the sky is looked at, or *none*; an odd number "
-               "counts as the next even one. More directions are smoother and take longer."},
+     .manual = "Ambient occlusion darkens creases, holes and undersides. _N_ is the number of "
+               "directions from which light arrives, or *none*; odd numbers are rounded up. More "
+               "directions are smoother and slower."},
     {CLI_SWITCH("ground", "a soft shadow below the object", shading.ground), .common = 1,
      .aliases = "contact-shadow,ground-shadow",
-     .manual = "A soft shadow on the plane through the object's lowest point, across the up axis, "
-               "where the camera is above it. The plane itself is not seen: the background is "
-               "darkened, and a transparent one becomes black with the shadow as its alpha. "
-               "Framing leaves room for it, and more on the right with *--shadow*."},
-    {CLI_SWITCH("shadow", "the first light's, on the object itself", shading.shadow),
+     .manual = "A soft shadow on the horizontal plane through the object's lowest point, if the "
+               "camera is above it. The plane itself is invisible: it darkens the background, and "
+               "a transparent background becomes black with the shadow as alpha. Framing leaves "
+               "room for the shadow, and more on the right with *--shadow*."},
+    {CLI_SWITCH("shadow", "shadow of the first light on the object", shading.shadow),
      .aliases = "shadows,cast-shadows",
-     .manual = "The first light casts a shadow with a soft edge on the object itself, and on the "
-               "ground of *--ground*. The light must be directional, as the looks' key light is."},
-    {CLI_FLAG("edges", "LIST", "lines", render_flag_edges, shading.edges), .common = 1,
+     .manual =
+         "The first light casts a shadow with a soft edge on the object itself, and on the ground "
+         "of *--ground*. The light must be directional, like the key light of all looks."},
+    {CLI_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges), .common = 1,
      .optional = 1, .words = edge_words, .aliases = "outline,outlines,feature-edges",
-     .manual = "Draws edges as lines, hidden ones left out: *silhouettes*, where a step in depth "
-               "is; *creases*, where the surface is shaded with an edge; *boundaries* of open "
-               "surfaces; borders between *materials*; or *none*. Without _LIST_ all of them, "
-               "without the flag those of the look. Lines at a step in depth are *--edge-width* "
-               "wide, the others have 3/5 of that."},
+     .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "
+               "edges; *boundaries* of open surfaces; borders between *materials*; or *none*. "
+               "Without _LIST_ all of them; without the flag the look decides. Lines at a step in "
+               "depth are *--edge-width* wide, others 3/5 of it."},
     {CLI_SWITCH("wireframe", "draw the edges of all triangles", shading.wireframe),
-     .aliases = "wire,mesh-lines",
-     .manual = "Draws the edges of all triangles as lines, hidden ones left out."},
-    {CLI_FLAG("edge-width", "PIXELS", "of outlines; other lines have 3/5 of it", cli_flag_real,
+     .aliases = "wire,mesh-lines", .manual = "Draws the visible edges of all triangles as lines."},
+    {CLI_FLAG("edge-width", "PIXELS", "width of outlines; other lines: 3/5 of it", cli_flag_real,
               shading.edge_width),
      CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .aliases = "line-width",
-     .manual = "Width of lines at a step in depth, in pixels, from 0.1 to 100. The others have 3/5 "
-               "of it."},
-    {CLI_FLAG("edge-color", "COLOR", "of lines", cli_flag_color, shading.edge_color),
+     .manual = "Width of lines at a step in depth, in pixels, from 0.1 to 100. Other lines have "
+               "3/5 of it."},
+    {CLI_FLAG("edge-color", "COLOR", "colour of lines", cli_flag_color, shading.edge_color),
      .default_label = "near black", .aliases = "edge-colour,line-color",
      .manual = "Colour of lines; see *COLOURS*."},
     {.group = "Input and report",
@@ -394,18 +388,18 @@ static const cli_flag flags[] = {
     {CLI_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
               render_flag_clip, input.clip),
      .aliases = "clipping,clip-plane,cut,section",
-     .manual = "Cuts away what is beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in the "
-               "units and axes of the input. *--clip=0,0,1,5* takes off all above z = 5. May be "
-               "repeated up to 6 times. What the cut opens of a solid, a closed mesh that is wound "
-               "consistently, is filled and hatched; other meshes, and transparent surfaces, are "
-               "cut and not filled. The camera frames what is left."},
+     .manual = "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
+               "the coordinates of the input. *--clip=0,0,1,5* removes everything above z = 5. Can "
+               "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
+               "winding, are filled and hatched; cuts through other meshes and transparent "
+               "surfaces are not. The camera frames the rest."},
     {CLI_FLAG("crease-angle", "DEG", "smooth edges below this angle", cli_flag_real, input.crease),
      CLI_RANGE(0, 180), .default_label = "auto",
-     .manual = "Where the input has no normals: smooth across all edges whose faces differ by "
-               "less, 0 shades every face flat. Without the flag each edge is judged by what is "
-               "around it: smooth up to 20 degrees; up to 60 between faces that bend at all their "
-               "edges, as in scans; up to 40 as a step of a curve; chamfers and pockets stay "
-               "sharp, and fillets do not bend planes."},
+     .manual = "For inputs without normals: edges whose faces differ by less than this angle are "
+               "smooth; 0 shades every face flat. By default each edge depends on its "
+               "surroundings: it is smooth up to 20 degrees, up to 60 between faces that bend at "
+               "all their edges, as in scans, and up to 40 as a step of a curve. Chamfers and "
+               "pockets stay sharp, and fillets do not bend planes."},
     {CLI_TESSELLATION_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_TIME_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_FLAG(render_settings, input.load)},
@@ -416,31 +410,31 @@ static const cli_flag flags[] = {
     {CLI_MAX_TRIANGLES_FLAG(render_settings, input.load)},
     {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, input.load)},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, input.load)},
-    {CLI_FLAG("max-overdraw", "N", "refuse what covers the picture so many times", cli_flag_real,
-              job.max_overdraw),
+    {CLI_FLAG("max-overdraw", "N", "limit on large triangles", cli_flag_real, job.max_overdraw),
      CLI_RANGE(1, 1e9), .default_text = "1000",
-     .manual = "A bound of time: refuses (exit code 5) to draw a mesh whose large triangles, "
-               "hidden ones included, cover the picture more than _N_ times (of less than 512 x "
-               "512 pixels: as many pixels as _N_ pictures of these have), or a depth map of "
-               "ambient occlusion, ground or shadow more than 2 _N_ times. Transparent triangles "
-               "count 16 times. Triangles of up to 16 pixels are not counted, and "
-               "*--max-triangles* limits these. *overdraw* of *--json* tells the number."},
-    {CLI_FLAG("max-seconds", "N", "end after so long", cli_flag_real, job.max_seconds),
-     CLI_RANGE(0, 1e6), .default_text = "0", .default_label = "never",
-     .manual = "Ends the run after _N_ seconds by the clock, without a picture and with exit code "
-               "5. 0 means never."},
-    {CLI_FLAG("max-memory", "N", "bytes at most, such as 500M or 2G", cli_flag_bytes,
+     .manual =
+         "Limits the time: a mesh is refused (exit code 5) if its large triangles, visible or "
+         "hidden, cover the picture more than _N_ times (a picture with less than 512 x 512 pixels "
+         "counts as one with so many), or a depth map of ambient occlusion, ground or shadow more "
+         "than 2 _N_ times. Transparent triangles count 16 times. Triangles of up to 16 pixels do "
+         "not count; *--max-triangles* limits them. The number is *overdraw* in *--json*."},
+    {CLI_FLAG("max-seconds", "N", "time limit", cli_flag_real, job.max_seconds), CLI_RANGE(0, 1e6),
+     .default_text = "0", .default_label = "never",
+     .manual = "Ends the run after _N_ seconds of wall-clock time, without a picture and with exit "
+               "code 5. 0: no limit."},
+    {CLI_FLAG("max-memory", "N", "memory limit, such as 500M or 2G", cli_flag_bytes,
               job.max_memory),
      CLI_RANGE(1, 9e18), .default_label = "all",
-     .manual = "Memory that the run may have, addresses included that it does not touch: threads "
-               "have some. What needs more ends with exit code 6. _N_ may end in *K*, *M* or *G*."},
+     .manual = "Limit on the address space of the process in bytes, including reserved but unused "
+               "memory such as the stacks of threads. A run that needs more ends with exit code 6. "
+               "_N_ can end in *K*, *M* or *G*."},
     {CLI_SWITCH("sandbox", "read and draw in a process that can't open files", job.sandbox),
-     .manual =
-         "Reads, draws and encodes in a process of its own, which can open no file, no socket and "
-         "start no program: Linux's seccomp ends it when it tries, and Landlock, where the kernel "
-         "has it, forbids files once more. It has the open input, and asks this one, which parses "
-         "nothing, for material libraries and textures in the input's folder and to write the "
-         "files named here. Pictures are the same. docs/security.md says more."},
+     .manual = "Reads, draws and encodes in a separate process that can not open files or sockets "
+               "or start programs: Linux's seccomp ends the process if it tries, and Landlock, if "
+               "the kernel has it, denies access to files as well. The process receives the open "
+               "input. It requests material libraries and textures in the input's folder from the "
+               "main process, which parses nothing and writes the files named on the command line. "
+               "Pictures are the same. See docs/security.md."},
     {CLI_FLAG("no-sandbox", NULL, "read and draw in this process", render_flag_no_sandbox,
               job.sandbox),
      .manual = "Reads and draws in this process. This is the default."},
@@ -449,47 +443,47 @@ static const cli_flag flags[] = {
     {CLI_SWITCH("timing", "milliseconds per phase on standard error", job.timing),
      .aliases = "time,verbose",
      .manual = "Prints the milliseconds of each phase on standard error: *start* is the processor "
-               "time before loading; *total* starts after it."},
-    {CLI_SWITCH("quiet", "no warnings and no progress", job.quiet),
-     .manual = "No warnings and no progress on standard error; errors stay."},
+               "time before loading; *total* begins after it."},
+    {CLI_SWITCH("quiet", "no warnings, no progress", job.quiet),
+     .manual = "No warnings and no progress on standard error; errors are still printed."},
     {CLI_FLAG("threads", "N", "number of threads (does not affect the result)", cli_flag_integer,
               job.threads),
      CLI_RANGE(0, 1024), .default_text = "0", .default_label = "all cores", .aliases = "jobs",
-     .manual = "Threads to draw with, 0 for as many as the machine offers. The picture's bytes are "
-               "the same for every number."},
+     .manual =
+         "Number of threads, 0 for all processors. The bytes of the picture do not depend on it."},
     {CLI_FLAG("isa", "NAME", "instruction set (does not affect the result)", cli_flag_text,
               job.isa_name),
      .default_text = "auto",
      .manual =
-         "The instruction set of the kernels: *auto* for the fastest that the processor has, "
-         "*scalar*, *sse2*, *avx2*, *avx512* or *neon*. *auto* follows the environment variable "
-         "*BURNISH_ISA* where it is set. The picture's bytes are the same for every one."},
-    {CLI_SWITCH("fail-on-blank", "a blank picture ends with exit code 8 and no file",
-                output.fail_on_blank),
+         "The instruction set of the kernels: *auto* for the fastest one that the processor "
+         "supports, *scalar*, *sse2*, *avx2*, *avx512* or *neon*. *auto* follows the environment "
+         "variable *BURNISH_ISA* if it is set. The bytes of the picture do not depend on it."},
+    {CLI_SWITCH("fail-on-blank", "exit code 8 and no file if blank", output.fail_on_blank),
      .common = 1,
      .manual =
-         "When the picture, or a cell of a sheet, shows nothing or is of one colour, ends with "
-         "exit code 8 and writes no picture. Otherwise a blank picture only gives a warning."},
-    {CLI_FLAG("reference", "FILE", "a PNG; exit code 10 where the picture differs", cli_flag_text,
+         "If the picture, or a cell of a sheet, shows nothing or has only one colour, ends with "
+         "exit code 8 and writes no picture. Without this flag a blank picture is a warning."},
+    {CLI_FLAG("reference", "FILE", "compare with a PNG; exit code 10 if different", cli_flag_text,
               output.reference),
      .takes_file = 1, .aliases = "ref",
-     .manual = "Compares the picture, or the sheet, with a PNG of the same size. Where it differs, "
-               "the picture is written all the same, one line tells how, and the exit code is 10. "
-               "*--json* has the numbers under *reference*; they are those of *burnish compare*."},
-    {CLI_FLAG("reference-threshold", "X", "largest error that passes", cli_flag_real,
+     .manual =
+         "Compares the picture, or the sheet, with a PNG of the same size. If they differ, the "
+         "picture is still written, one line describes the difference, and the exit code is 10. "
+         "The numbers, the same as those of *burnish compare*, are under *reference* in *--json*."},
+    {CLI_FLAG("reference-threshold", "X", "largest accepted error", cli_flag_real,
               output.reference_threshold),
      CLI_RANGE(0, 1), .default_label = "no pixel may differ", .aliases = "ref-threshold",
-     .manual = "The picture passes where its error, 1 less the structural similarity to the "
-               "reference, is at most _X_, from 0 to 1. The same pictures always pass."},
+     .manual = "The picture passes if its error, 1 minus the structural similarity to the "
+               "reference, is at most _X_, from 0 to 1. Identical pictures always pass."},
     {CLI_FLAG("reference-difference", "FILE", "reference, picture and difference side by side",
               cli_flag_text, output.reference_difference),
      .takes_file = 1,
-     .manual = "Writes the reference, the picture and their difference side by side into _FILE_, "
-               "as *burnish compare --output* does, where the sizes are the same."},
+     .manual = "If the sizes are the same, writes the reference, the picture and their difference "
+               "side by side into _FILE_, as *burnish compare --output* does."},
 };
 
 static const cli_example examples[] = {
-    {"burnish render *.stl --output-dir=thumbs", "a picture of each"},
+    {"burnish render *.stl --output-dir=thumbs", "one picture per file"},
     {NULL, NULL},
 };
 
@@ -501,19 +495,18 @@ const cli_command render_command = {
     .summary = "draw a mesh into a picture",
     .operand_help = CLI_INPUT_HELP,
     .manual =
-        "Loads _INPUT_ and draws it with the Phong illumination equation. _INPUT_ is a glTF, GLB, "
-        "OBJ (with its material library), OFF, PLY, STL or 3MF file, also in gzip, *-* for "
-        "standard input, or a built-in object: "
-        "*:teapot*, *:sphere*, *:torus* or *:knot*.\n"
-        "Without flags the whole object is shown from a pleasant three-quarter view, lit by a rig "
-        "that follows the camera. Values follow a flag after *=* or as the next argument; flags "
-        "can't be abbreviated; of a repeated flag the last counts, but for *--light*; *--* ends "
-        "the flags. A flag that can have no effect is an error: *--frames* without *--turntable*, "
-        "*--columns* of one picture.\n"
-        "Several inputs have a picture each, drawn as *burnish batch* does: each in a process of "
-        "its own, locked in unless *--no-sandbox* is given, *--threads* at a time. Those that fail "
-        "are listed, and the exit code is 11. *--json* is then the report of a batch. What is "
-        "unchanged is drawn again: *burnish batch* leaves it, and takes folders within folders.",
+        "Draws _INPUT_ with the Phong illumination equation. _INPUT_ is a glTF, GLB, OBJ (with its "
+        "material library), OFF, PLY, STL or 3MF file, optionally compressed with gzip, *-* for "
+        "standard input, or a built-in object: *:teapot*, *:sphere*, *:torus* or *:knot*.\nWithout "
+        "flags the picture shows the whole object in a three-quarter view, lit by a rig that "
+        "follows the camera. The value of a flag follows after *=* or as the next argument. Flags "
+        "can't be abbreviated. If a flag is repeated, the last one counts, except for *--light*, "
+        "*--clip* and *--plane*. *--* ends the flags. A flag without an effect is an error: "
+        "*--frames* without *--turntable*, *--columns* for a single picture.\nSeveral inputs are "
+        "drawn as *burnish batch* does: one picture and one process per input, sandboxed unless "
+        "*--no-sandbox* is given, *--threads* at a time. Inputs that fail are listed, and the exit "
+        "code is 11. *--json* is then the report of a batch. All pictures are drawn, also "
+        "unchanged ones, which *burnish batch* skips.",
     .operands_max = SIZE_MAX,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,

@@ -1,4 +1,4 @@
-/* What other files read of the table of flags. */
+/* Parts of the table of flags that other files use. */
 #ifndef TOOL_RENDER_FLAGS_H
 #define TOOL_RENDER_FLAGS_H
 
@@ -6,8 +6,8 @@
 
 extern const cli_word render_look_words[]; /* burnish_look */
 
-/* Names of flags of a picture, for commands that draw as this one does: flags of its topics
- * picture, files and report that belong neither to a file nor to a limit. */
+/* Picture flags for other commands that draw: the flags of the topics picture, files and report
+ * that do not name a file or set a limit. */
 #define RENDER_PICTURE_FLAGS                                                                       \
     "cull-back-faces,samples,background-color,no-background,views,annotate,columns,labels,"        \
     "no-labels,quality,dpi,input-format,clip,crease-angle,tessellation,animation-time,animation,"  \

@@ -11,7 +11,7 @@ burnish_load_options render_load_options(const render_input_settings *input, int
         options.crease_angle = input->crease.value;
     }
     options.threads = threads;
-    options.measure = input->clip.count > 0; /* whether it is a solid, to be filled */
+    options.measure = input->clip.count > 0; /* only solids are filled */
     return options;
 }
 
@@ -28,7 +28,7 @@ burnish_status render_load(const render_input_settings *input, int threads, burn
                : status;
 }
 
-/* One material as the flags want it. */
+/* One material, changed by the flags. */
 static burnish_material adjusted_material(const render_shading_settings *shading,
                                           burnish_material material) {
     if (shading->color.given) {

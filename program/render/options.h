@@ -1,4 +1,4 @@
-/* Settings as options of the library. */
+/* The library's options for settings. */
 #ifndef TOOL_RENDER_OPTIONS_H
 #define TOOL_RENDER_OPTIONS_H
 
@@ -9,7 +9,7 @@ burnish_load_options render_load_options(const render_input_settings *input, int
 burnish_status render_load(const render_input_settings *input, int threads, burnish_mesh **mesh,
                            burnish_error *error);
 
-/* Changes every material as --color, --material, --specular, --exponent and --opacity say. */
+/* Applies --color, --material, --specular, --exponent and --opacity to every material. */
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
                                        burnish_error *error);
 

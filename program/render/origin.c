@@ -6,7 +6,7 @@ static void subtract(double position[3], const double origin[3]) {
     }
 }
 
-/* normal . origin: what an offset is larger by in coordinates of the file */
+/* normal . origin: the offset in coordinates of the file minus the offset in the mesh's */
 static double along(const burnish_clip_plane *plane, const double origin[3]) {
     const double *n = plane->normal;
     return n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2];
@@ -41,18 +41,18 @@ burnish_status render_add_own_lights(const render_lights *lights, const burnish_
     }
     if (count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--light=file: the input has no lights of its own; leave it out");
+                        "--light=file: the input has no lights; omit the flag");
     }
     if (count > (size_t)(BURNISH_LIGHT_MAX - options->light_count)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--light: %d and %zu of the input are more than %d lights; leave some out",
+                        "--light: %d lights and %zu of the input are more than %d; omit some",
                         options->light_count, count, BURNISH_LIGHT_MAX);
     }
     for (size_t i = 0; i < count; ++i) {
         const burnish_file_light *own = burnish_mesh_get_light(mesh, i);
         options->lights[options->light_count++] = own->light;
         if (own->is_spot) {
-            *warning = "--light=file: spot lights shine to all sides, as point lights do";
+            *warning = "--light=file: spot lights shine in all directions, like point lights";
         }
     }
     return BURNISH_STATUS_OK;

@@ -1,4 +1,4 @@
-/* What the command line says in coordinates of the file, in those of a mesh with an origin. */
+/* Conversion of settings from coordinates of the file to coordinates of a mesh with an origin. */
 #ifndef BURNISH_RENDER_ORIGIN_H
 #define BURNISH_RENDER_ORIGIN_H
 

@@ -13,7 +13,7 @@ static picture_rule rule_of(const render_settings *settings) {
                           .metric = PICTURE_SSIM};
 }
 
-/* Whether two names stand for one file; standard input and output for none. */
+/* Whether two names are of the same file; standard input and output are not files. */
 static int is_same(const char *a, const char *b) {
     return a && b && strcmp(a, "-") != 0 && strcmp(b, "-") != 0 &&
            (strcmp(a, b) == 0 || cli_same_file(a, b));
@@ -27,13 +27,12 @@ burnish_status render_check_reference(render_settings *settings, burnish_error *
                                                                    : NULL;
     if (!reference && alone) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: there is nothing to compare with; name it with --reference=FILE",
-                        alone);
+                        "--%s: there is no reference; name it with --reference=FILE", alone);
     }
     if (reference &&
         (settings->output.format == PICTURE_EXR || settings->output.format == PICTURE_NPY)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--reference: --output=%.200s holds planes; name a picture",
+                        "--reference: --output=%.200s has planes; name a picture",
                         render_output_path(&settings->output));
     }
     if (is_same(reference, render_output_path(&settings->output))) {
@@ -45,10 +44,10 @@ burnish_status render_check_reference(render_settings *settings, burnish_error *
                             settings->output.json};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         if (is_same(difference, others[i])) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--reference-difference: \"%.200s\" is another of this call's files; "
-                            "name one of its own",
-                            difference);
+            return cli_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "--reference-difference: \"%.200s\" is used for another file; choose another name",
+                difference);
         }
     }
     picture_format unused;

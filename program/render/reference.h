@@ -1,4 +1,4 @@
-/* --reference: the picture against an older one. */
+/* --reference: comparing the picture with an older one. */
 #ifndef TOOL_RENDER_REFERENCE_H
 #define TOOL_RENDER_REFERENCE_H
 
@@ -7,17 +7,17 @@
 /* Checks the flags' files. Errors: ARGUMENT. */
 burnish_status render_check_reference(render_settings *settings, burnish_error *error);
 
-/* Reads the reference where there is one: before anything is drawn. Errors: READ, FORMAT, LIMIT,
+/* Reads the reference, if there is one, before anything is drawn. Errors: READ, FORMAT, LIMIT,
  * MEMORY. */
 burnish_status render_read_reference(render_result *result, burnish_error *error);
 
-/* Compares result->picture with it, and writes the picture of both where it is asked for. */
+/* Compares result->picture with the reference, and writes --reference-difference. */
 burnish_status render_judge(render_result *result, burnish_error *error);
 
 /* Adds the key "reference" to the report. */
 void render_add_reference(cJSON *root, const render_result *result, int *failed);
 
-/* 1, and one line on standard error, where the picture does not pass. */
+/* If the picture does not pass, prints one line on standard error and returns 1. */
 int render_report_difference(const render_result *result);
 
 #endif

@@ -1,4 +1,4 @@
-/* `burnish render`: load a mesh, draw one picture or a sheet of them, write it, report. */
+/* `burnish render`: loads a mesh, draws one picture or a sheet, writes it and reports. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,17 +27,17 @@
 #include "render/up.h"
 #include "sandbox/sandbox.h"
 
-/* Processor time so far: of the loader and of what came before loading, as wall time can't tell. */
+/* Processor time so far: of the dynamic loader and of start-up, for which there is no wall time. */
 static double processor_seconds(void) {
     struct timespec used;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
     return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
 }
 
-/* The one line of a run that --fail-on-blank ends. */
+/* Prints the line of a run that ends by --fail-on-blank. */
 static void report_blank(const render_result *result) {
     const char *input = result->settings->input.name;
-    size_t unseen = 0; /* cells where the camera is not to blame */
+    size_t unseen = 0; /* cells whose camera is right */
     burnish_error error;
     for (size_t i = 0; i < result->cell_count; ++i) {
         unseen += result->cells[i].report.covered_pixels > 0 && result->cells[i].has_one_color;
@@ -47,17 +47,16 @@ static void report_blank(const render_result *result) {
                                                      : "the camera";
     if (result->cell_count > 1) {
         cli_fail(&error, BURNISH_STATUS_OK,
-                 "%.300s: %zu of %zu cells are blank; check %s; nothing was written", input,
+                 "%.300s: %zu of %zu cells are blank; check %s; no file was written", input,
                  result->blank_cells, result->cell_count, cure);
     } else {
-        cli_fail(&error, BURNISH_STATUS_OK, "%.300s: the picture %s; check %s; nothing was written",
+        cli_fail(&error, BURNISH_STATUS_OK, "%.300s: the picture %s; check %s; no file was written",
                  input, unseen > 0 ? "has one colour" : "is blank", cure);
     }
     fprintf(stderr, "burnish: %s\n", error.text);
 }
 
-/* What a turntable draws its frames by: without annotations, so that no depth is wanted, and for
- * no report. */
+/* Draws a frame of a turntable, without annotations and report. */
 static burnish_status draw_frame(render_result *result, burnish_renderer *renderer,
                                  burnish_render_options *options, render_cell *cell,
                                  burnish_error *error) {
@@ -68,8 +67,8 @@ static burnish_status draw_frame(render_result *result, burnish_renderer *render
     return status;
 }
 
-/* Passes of cells that share a scale: how much room annotations need on each side, how high the
- * picture must be, the cameras. Cells that share no scale take one. */
+/* Passes for cells with one scale: the room that annotations need on each side, the height of the
+ * picture, the cameras. Other cells need only the last pass. */
 enum { AIM_ROOM, AIM_HEIGHT, AIM_CAMERA, AIM_PASSES };
 
 static void widen(render_room *shared, const render_room *room, double height) {
@@ -103,7 +102,7 @@ static burnish_status aim_cells(render_result *result, burnish_error *error) {
     return status;
 }
 
-/* The planes that the output and --plane need, of a picture that is no sheet. */
+/* Draws the planes of the output and of --plane, for a single picture. */
 static burnish_status draw_planes(render_result *result, burnish_renderer *renderer,
                                   const burnish_render_options *options, burnish_error *error) {
     const render_settings *settings = result->settings;
@@ -140,8 +139,8 @@ static burnish_status draw_cells(render_result *result, burnish_renderer *render
     return status;
 }
 
-/* When the output's bytes are all on disk but not yet in place: a report that can't be printed
- * leaves an older picture as it was. */
+/* Called when the output's bytes are on disk under a temporary name: if printing the report fails,
+ * an older picture stays. */
 static burnish_status report(void *context, burnish_error *error) {
     render_result *result = context;
     double now = cli_seconds_now();
@@ -207,7 +206,7 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
     return status;
 }
 
-/* A picture that others draw, too. */
+/* A picture shared with other processes. */
 static burnish_status make_bands(render_result *result, burnish_renderer *renderer,
                                  burnish_render_options *options, burnish_error *error) {
     const render_bands bands = {result, renderer, options, report};
@@ -218,7 +217,7 @@ static burnish_status make_bands(render_result *result, burnish_renderer *render
     return (result->settings->job.runner ? render_serve_bands : render_write_bands)(&bands, error);
 }
 
-/* Draws, composes and writes; leaves in result what there is to report. */
+/* Draws, composes and writes; result receives the facts of the report. */
 static burnish_status make_picture(render_result *result, burnish_renderer *renderer,
                                    burnish_render_options *options, burnish_image *sheet,
                                    burnish_error *error) {
@@ -248,7 +247,7 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
                                                 : write_picture(result, error);
 }
 
-/* Loads the mesh, prints its warnings and settles which way is up. */
+/* Loads the mesh, prints its warnings and finds the up axis. */
 static burnish_status load(render_result *result, render_settings *settings,
                            burnish_render_options *options, burnish_error *error) {
     burnish_mesh *mesh = NULL;
@@ -329,8 +328,8 @@ static void release(render_result *result) {
     burnish_mesh_destroy(result->mesh);
 }
 
-/* The limits that the system keeps, and the sandbox: *code is the exit code where its worker has
- * done all there is to do, else -1. */
+/* Sets the system's limits and enters the sandbox. *code is the exit code if the worker has done
+ * everything, else -1. */
 static burnish_status begin(const render_settings *settings, int *code, burnish_error *error) {
     sandbox_plan plan = {.input = settings->input.name,
                          .format = settings->input.load.format,
@@ -348,7 +347,7 @@ static burnish_status begin(const render_settings *settings, int *code, burnish_
     }
     if (settings->output.reference) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--sandbox: no other picture is read in it; leave out --reference");
+                        "--sandbox: the reference can not be read in it; omit --reference");
     }
     plan.output_count = 1;
     if (settings->output.json) {
@@ -401,8 +400,8 @@ static int is_folder(const char *name) {
     return stat(name, &state) == 0 && S_ISDIR(state.st_mode);
 }
 
-/* "render part.stl part.png", as other programs have it: nothing is drawn. With an output that is
- * named, a shell's * may have listed textures among meshes. */
+/* Refuses "render part.stl part.png", the syntax of other programs. With -o, images are allowed,
+ * since a shell's * can list textures among meshes. */
 static burnish_status refuse_output_operand(const render_settings *settings, const cli_call *call,
                                             burnish_error *error) {
     const char *last = NULL;
@@ -414,8 +413,8 @@ static burnish_status refuse_output_operand(const render_settings *settings, con
         return BURNISH_STATUS_OK;
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "render: \"%.200s\" is a name of a picture, not of a mesh; an output is named "
-                    "with -o: burnish render %.100s -o %.100s",
+                    "render: \"%.200s\" is an image, not a mesh; name an output with -o: burnish "
+                    "render %.100s -o %.100s",
                     last, call->operands[0], last);
 }
 
@@ -438,7 +437,7 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     }
     if (is_folder(call->operands[0])) {
         return cli_fail(error, BURNISH_STATUS_READ,
-                        "%.300s: is a folder; --output-dir=FOLDER draws all meshes of it",
+                        "%.300s: is a folder; use --output-dir=FOLDER to draw all its meshes",
                         call->operands[0]);
     }
     settings->input.name = call->operands[0];

@@ -1,10 +1,10 @@
-/* One picture, sheet or turntable, by settings that render_finish has completed. */
+/* One picture, sheet or turntable, from settings that render_finish has completed. */
 #ifndef TOOL_RENDER_RENDER_H
 #define TOOL_RENDER_RENDER_H
 
 #include "render/settings.h"
 
-/* Draws, writes and reports. Sets *exit_code where success is not 0. */
+/* Draws, writes and reports. Sets *exit_code if success is not 0. */
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error);
 
 /* The work of the subcommand. */

@@ -1,6 +1,6 @@
-/* The options of `burnish render`, as its flags set them. Each part has a header of its own, so
- * that code takes only the parts it uses. Settings are plain data: a copy is independent, but texts
- * are those of the command line and must outlive it. */
+/* The options of `burnish render`, as set by its flags. Each part has its own header, so code
+ * includes only the parts that it uses. Settings are plain data and can be copied; their texts
+ * belong to the command line. */
 #ifndef TOOL_RENDER_SETTINGS_H
 #define TOOL_RENDER_SETTINGS_H
 

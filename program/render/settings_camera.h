@@ -1,4 +1,4 @@
-/* Where the camera is, and which way is up. */
+/* The camera and the up axis. */
 #ifndef TOOL_RENDER_SETTINGS_CAMERA_H
 #define TOOL_RENDER_SETTINGS_CAMERA_H
 
@@ -23,7 +23,7 @@ typedef enum render_projection {
 
 typedef struct render_camera_settings {
     int up;               /* render_up */
-    int stands_otherwise; /* UP_AUTO's guess, once the mesh is loaded: not the format's axis */
+    int stands_otherwise; /* 1: UP_AUTO has chosen the other axis than the format's */
     cli_vector direction, position, focal_point, view_up;
     const char *own; /* name or number of a camera of the input; NULL: none */
     cli_real azimuth, elevation, view_angle, zoom, margin;

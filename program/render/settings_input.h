@@ -1,4 +1,4 @@
-/* What is drawn, and how it is read. */
+/* The input and how it is read. */
 #ifndef TOOL_RENDER_SETTINGS_INPUT_H
 #define TOOL_RENDER_SETTINGS_INPUT_H
 

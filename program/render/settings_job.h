@@ -7,12 +7,12 @@
 struct render_result;
 
 typedef struct render_job_settings {
-    const char *files_from; /* NULL: inputs are operands alone */
-    int recursive;          /* 1: folders in folders */
+    const char *files_from; /* NULL: all inputs are operands */
+    int recursive;          /* 1: includes folders in folders */
     int threads;            /* 0: all */
     const char *isa_name;   /* as the flag says */
     burnish_isa isa;
-    int runners; /* sockets from descriptor 3 on, to processes that draw frames or bands */
+    int runners; /* number of processes that draw frames or bands, at descriptors 3, 4 ... */
     int runner;  /* 1: this is such a process */
     int sandbox;
     cli_real max_overdraw, max_seconds;

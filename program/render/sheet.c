@@ -10,8 +10,8 @@ static size_t empty_cells(size_t count, size_t columns) {
     return (columns - count % columns) % columns;
 }
 
-/* Columns of a sheet: as asked; a row per view when there are several lobes too; one row for up to
- * three cells; else near a square, one column more where that leaves fewer cells empty. */
+/* --columns; else a row per view if there are several views and lobes; one row for up to three
+ * cells; else almost a square, with one more column if that leaves fewer empty cells. */
 int render_sheet_columns(const render_settings *settings, size_t count) {
     size_t columns = 1;
     if (settings->picture.columns > 0) {
@@ -29,7 +29,7 @@ int render_sheet_columns(const render_settings *settings, size_t count) {
     return (int)(columns + (empty_cells(count, columns + 1) < empty_cells(count, columns)));
 }
 
-/* Copies the text between the commas before and after item `index` of a list that has so many. */
+/* Copies item `index` of a list with commas, which has more than `index` items. */
 static void copy_item(const char *list, size_t index, char *text, size_t size) {
     for (; index > 0; --index) {
         list = strchr(list, ',') + 1;
@@ -118,10 +118,10 @@ burnish_status render_open_font(render_result *result, burnish_error *error) {
 static void warn_about_font(render_result *result) {
     const unsigned missing = (unsigned)font_missing(result->font);
     if (missing > 0) {
-        render_result_warn(result, 1,
-                           "--labels: no font has U+%04X; a box stands for it and others that are "
-                           "missing",
-                           missing);
+        render_result_warn(
+            result, 1,
+            "--labels: no font has U+%04X; it and other missing characters are drawn as boxes",
+            missing);
     }
 }
 
@@ -134,7 +134,7 @@ burnish_status render_check_sheet(render_result *result, burnish_error *error) {
     render_list_cells(result, &sheet);
     const burnish_status status = burnish_image_sheet_size(sheet.cells, result->cell_count,
                                                            result->columns, &width, &height, error);
-    warn_about_font(result); /* which knows the letters now */
+    warn_about_font(result); /* whose missing letters are known now */
     return status;
 }
 

@@ -1,22 +1,22 @@
-/* The cells of a sheet: which there are, what their labels say, and their common image. */
+/* The cells of a sheet, their labels, and the image of the sheet. */
 #ifndef TOOL_RENDER_SHEET_H
 #define TOOL_RENDER_SHEET_H
 
 #include "render/output/report.h"
 
-/* The cells as the library takes them. */
+/* The cells as arguments of the library. */
 typedef struct render_sheet {
     burnish_sheet_cell cells[RENDER_LIST_MAX * RENDER_LIST_MAX];
     uint8_t ink[3]; /* of labels: black or white, whichever stands out from the background */
 } render_sheet;
 
-/* How many columns a sheet of `count` cells has. */
+/* The number of columns of a sheet of `count` cells. */
 int render_sheet_columns(const render_settings *settings, size_t count);
 
 /* Sets views, lobes, sizes and labels of the cells. The lobes of a view are side by side. */
 void render_describe_cells(render_result *result);
 
-/* Opens the font that labels need, if any. Errors: those of font_open with --font. */
+/* Opens the font that labels need, if any. Errors: see font_open; only with --font. */
 burnish_status render_open_font(render_result *result, burnish_error *error);
 
 /* Checks the sheet's size, and warns about letters that no font has. */

@@ -1,23 +1,24 @@
-/* Which way is up: a guess from how the object would stand. Files come with up +Y or +Z, and their
- * format tells which only mostly. An object touches the ground with what lies within 1 % of its
- * height above its lowest point. It stands where its centre lies above the convex hull of that, the
- * better the further inside and the lower. docs/up.md has measured how often this is right. */
+/* A guess of the up axis from how the object would stand on the ground. Files use +Y or +Z, and the
+ * format does not reliably define which. The contact area of an object is everything within 1 % of
+ * its height above its lowest point. The object is stable if its centre is above the convex hull of
+ * the contact area; the further inside and the lower the centre, the more stable. docs/up.md has
+ * measurements. */
 #include "render/up.h"
 
 #include <float.h>
 #include <math.h>
 
-enum { DIRECTIONS = 32 }; /* in which the hull is measured */
+enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
 
-/* What touches the ground, of the height. */
+/* Height of the contact area, as a share of the object's height. */
 #define CONTACT 0.01
 
-/* Tangents of tipping angles: below the first, 6 degrees, the format is doubted; from the second
- * on, 22 degrees, the other axis is believed. */
+/* Tangents of tipping angles. The format's axis is doubted below 6 degrees; the other axis is
+ * accepted from 22 degrees on. */
 #define DOUBTED 0.1
 #define BELIEVED 0.4
 
-/* Centre of the surface, every area weighing the same. */
+/* Centroid of the surface. */
 static void find_center(const burnish_mesh_view *view, double center[3]) {
     double sum[3] = {0}, total = 0;
     for (size_t t = 0; t < view->triangle_count; ++t) {
@@ -43,7 +44,7 @@ static void find_center(const burnish_mesh_view *view, double center[3]) {
     }
 }
 
-/* How far what touches the ground reaches from the centre, in each direction. */
+/* Distance from the centre to the edge of the contact area, in each direction. */
 static void measure_reach(const burnish_mesh_view *view, int axis, const double center[3],
                           double reach[DIRECTIONS]) {
     const double low = (double)view->bounds_min[axis];

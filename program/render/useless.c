@@ -1,4 +1,4 @@
-/* Flags that were given and change nothing are errors: nobody waits for their effect. */
+/* A flag without an effect is an error, so users notice it. */
 #include "render/useless.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@ static int is_given(const render_settings *settings, const char *flag) {
     return cli_is_given(&render_command, settings, flag);
 }
 
-/* Flags that need something. */
+/* Flags with a condition. */
 typedef struct need {
     const char *flags; /* between commas */
     int is_met;
@@ -33,14 +33,15 @@ static const char *find_given(const render_settings *settings, const char *flags
     return NULL;
 }
 
-/* Whether any picture can have lines: those of views along an axis are of parallel projections. */
+/* Whether any picture can have lines. Looks with lines only in views along an axis need a parallel
+ * projection. */
 static int has_lines(const render_settings *settings, int is_parallel) {
     const burnish_render_options options = render_make_options(settings);
     return options.edges == BURNISH_EDGES_AXIS_VIEWS ? is_parallel : options.edges != 0;
 }
 
-/* Whether some picture is a perspective, and whether some is parallel: a camera of the input's own
- * may be either. */
+/* Whether some picture is a perspective, and whether some is parallel. A camera of the input can be
+ * either. */
 static int is_perspective(const render_settings *settings) {
     return settings->camera.own || settings->camera.projection == PROJECTION_PERSPECTIVE ||
            (settings->camera.projection == PROJECTION_AUTO && settings->picture.views.count == 0 &&
@@ -51,7 +52,8 @@ static int is_parallel(const render_settings *settings) {
     return settings->camera.own || !is_perspective(settings);
 }
 
-/* Flags that change nothing of what an SVG has; --ambient, --color and --material change areas. */
+/* Flags that do not affect an SVG. --ambient, --color and --material change the colours of areas.
+ * */
 static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
     static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
                                   "viewer,samples,quality";
@@ -61,8 +63,8 @@ static burnish_status check_svg(const render_settings *settings, burnish_error *
             ? "occlusion"
             : find_given(settings, unshown, name, sizeof name);
     return flag ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                           "--%s: an SVG holds lines and areas of one colour, which it does not "
-                           "change; leave it out, or end the name in .png",
+                           "--%s: it does not affect the lines and areas of an SVG; omit the flag, "
+                           "or use the extension .png",
                            flag)
                 : BURNISH_STATUS_OK;
 }
@@ -72,17 +74,17 @@ burnish_status render_check_useless(render_settings *settings, burnish_error *er
     const int is_framed = !settings->camera.own && !settings->camera.position.given;
     const need needs[] = {
         {"frames,fps", settings->output.turntable != NULL,
-         "only a turntable has frames; write one with --turntable=FILE, or leave it out"},
+         "only a turntable has frames; use --turntable=FILE, or omit the flag"},
         {"columns,labels,no-labels,font", is_sheet,
-         "only a sheet has them; ask for several --views or lobes, or leave it out"},
+         "only a sheet has them; use several --views or lobes, or omit the flag"},
         {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),
-         "no lines are drawn; draw them with --edges, or leave it out"},
+         "no lines are drawn; use --edges, or omit the flag"},
         {"camera-view-angle", is_perspective(settings),
-         "a parallel projection has no angle; give --camera-orthographic=no, or leave it out"},
+         "a parallel projection has no angle; use --camera-orthographic=no, or omit the flag"},
         {"margin",
          (is_framed || settings->picture.views.count > 0 || is_parallel(settings)) &&
              !settings->camera.orthographic_height.given,
-         "the object is not framed, since the camera's flags say where it is; leave it out"},
+         "the object is not framed, because other flags set the camera; omit the flag"},
     };
     for (size_t i = 0; i < sizeof needs / sizeof *needs; ++i) {
         char name[32];

@@ -1,4 +1,4 @@
-/* Values of flags that only `burnish render` has. */
+/* Values of the flags that only `burnish render` has. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 
 /* Chosen by eye on the teapot under the default rig. */
 const render_preset render_presets[] = {
-    {"matte", "chalk, plaster: no highlight to speak of", 0.02F, 6.0F, 1.0F, 0.0F},
+    {"matte", "chalk, plaster: almost no highlight", 0.02F, 6.0F, 1.0F, 0.0F},
     {"satin", "painted wood, rubber: a broad soft sheen", 0.18F, 16.0F, 1.0F, 0.0F},
     {"plastic", "moulded plastic: a clear highlight", 0.40F, 48.0F, 1.0F, 0.0F},
     {"polished", "glazed ceramic, lacquer: small and bright", 0.70F, 220.0F, 1.0F, 0.0F},
@@ -41,7 +41,7 @@ burnish_status render_flag_no_background(const cli_flag *flag, const char *text,
     return BURNISH_STATUS_OK;
 }
 
-/* The next item of a list as a text of its own; an item too long is cut, which no parser accepts.
+/* Copies the next item of a list. An item that is too long is cut, and no parser accepts it.
  */
 static void copy_item(const char **text, char *copy, size_t size) {
     const char *item;
@@ -50,7 +50,7 @@ static void copy_item(const char **text, char *copy, size_t size) {
 }
 
 static burnish_status fail_list(const cli_flag *flag, burnish_error *error) {
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d items; leave some out",
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d items; omit some",
                     flag->name, RENDER_LIST_MAX);
 }
 
@@ -127,17 +127,16 @@ burnish_status render_flag_plane(const cli_flag *flag, const char *text, void *t
     char name[CLI_NAME_MAX];
     int kind = 0;
     cli_flag named = *flag;
-    named.words = render_plane_words; /* not in the table: with them the row of help is too long */
+    named.words = render_plane_words; /* not in the table, because the help row would be too long */
     snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
     burnish_status status = cli_flag_word(&named, name, &kind, error);
     if (status == BURNISH_STATUS_OK && (!colon || !colon[1])) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.60s\" names no file; write %s:FILE", flag->name, text, name);
+                        "--%s: \"%.60s\" has no file name; write %s:FILE", flag->name, text, name);
     }
     if (status == BURNISH_STATUS_OK && planes->count == RENDER_PLANES_MAX) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: more than %d of them; leave some out", flag->name,
-                        RENDER_PLANES_MAX);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d of them; omit some",
+                        flag->name, RENDER_PLANES_MAX);
     }
     if (status == BURNISH_STATUS_OK) {
         planes->items[planes->count++] =
@@ -187,7 +186,7 @@ static const char *read_light(const char *text, burnish_light *light) {
     *light = (burnish_light){.kind = word->kind, .follows_camera = word->follows_camera};
     length = text ? cli_next_item(&text, ':', &item) : 0;
     if (length == 0 || !cli_read_reals(item, length, light->vector, 3)) {
-        return "after the kind come three numbers, such as directional:-1,1,2";
+        return "the kind is followed by three numbers, such as directional:-1,1,2";
     }
     if (light->kind == BURNISH_LIGHT_DIRECTIONAL && light->vector[0] == 0 &&
         light->vector[1] == 0 && light->vector[2] == 0) {
@@ -220,7 +219,7 @@ burnish_status render_flag_light(const cli_flag *flag, const char *text, void *t
         return BURNISH_STATUS_OK;
     }
     if (lights->count == BURNISH_LIGHT_MAX) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d lights; leave some out",
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d lights; omit some",
                         flag->name, BURNISH_LIGHT_MAX);
     }
     const char *wrong = read_light(text, &lights->items[lights->count]);
@@ -248,7 +247,7 @@ burnish_status render_flag_clip(const cli_flag *flag, const char *text, void *ta
                         flag->name, text);
     }
     if (clip->count == BURNISH_CUTS_MAX) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d planes; leave some out",
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d planes; omit some",
                         flag->name, BURNISH_CUTS_MAX);
     }
     burnish_clip_plane *plane = &clip->items[clip->count++];

@@ -4,20 +4,20 @@
 #include "render/output/pieces.h"
 #include "render/output/stream.h"
 
-enum { BAND_ROWS = 64 }; /* a row of the library's tiles, of which none is then drawn twice */
+enum { BAND_ROWS = 64 }; /* a row of the library's tiles, so no tile is drawn twice */
 
-/* What there is to say of a band beside its pixels. */
+/* Facts of a band in addition to its pixels. */
 enum { NOTE_COVERED, NOTE_LAYERS, NOTE_LOBES, NOTES };
 _Static_assert((int)NOTES == (int)RENDER_PIECE_NOTES, "all notes come with the pixels");
 
-/* A picture on its way into its file. */
+/* A picture that is being written. */
 typedef struct stream {
     const render_bands *bands;
     burnish_png_stream *png;
     render_pieces *pieces;
     uint64_t notes[NOTES], sums[NOTES];
     int count;      /* of bands */
-    uint8_t *bytes; /* of the last one, in the file */
+    uint8_t *bytes; /* of the last band, in the file */
 } stream;
 
 static int band_rows(const stream *s, int band) {
@@ -25,7 +25,7 @@ static int band_rows(const stream *s, int band) {
     return left < BAND_ROWS ? left : BAND_ROWS;
 }
 
-/* The rows of a band in the cell's image, whose rows below the picture's end hold anything. */
+/* The rows of a band in the cell's image. Rows below the end of the picture are undefined. */
 static burnish_pixels band_pixels(const stream *s, int band) {
     burnish_pixels pixels = burnish_image_get_pixels(&s->bands->result->cells[0].image);
     pixels.height = band_rows(s, band);
@@ -51,7 +51,7 @@ static burnish_status draw_band(void *context, int band, burnish_error *error) {
     return status;
 }
 
-/* Bands are drawn as the cell would be. */
+/* Prepares drawing bands of the cell. */
 static burnish_status begin(stream *s, burnish_error *error) {
     const render_bands *b = s->bands;
     render_cell *cell = &b->result->cells[0];

@@ -1,22 +1,22 @@
-/* A picture drawn by others too, a band of rows at a time, into a PNG that grows with them. */
+/* A picture drawn by several processes, in bands of rows, and written band by band as PNG. */
 #ifndef TOOL_RENDER_BANDS_H
 #define TOOL_RENDER_BANDS_H
 
 #include "render/output/report.h"
 
-/* What bands are drawn with; the only cell has its camera. */
+/* A picture in bands. The only cell has its camera. */
 typedef struct render_bands {
     render_result *result;
     burnish_renderer *renderer;
     burnish_render_options *options;
-    burnish_file_check *ready; /* gets result, when the file is written */
+    burnish_file_check *ready; /* receives result when the file is written */
 } render_bands;
 
-/* Draws and writes all bands, of which no more wait than their order needs: the file of one
- * machine. Errors: those of drawing, of encoding and of writing, after which no file appears. */
+/* Draws and writes all bands. The file has the same bytes as with one process. Errors: as for
+ * drawing, encoding and writing; no file appears then. */
 burnish_status render_write_bands(const render_bands *bands, burnish_error *error);
 
-/* Draws the bands that --runner is asked for, and writes nothing. */
+/* Draws the bands that are requested from --runner, and writes no file. */
 burnish_status render_serve_bands(const render_bands *bands, burnish_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* Drawing a cell whose camera is set, and what there is to say of it. */
+/* Drawing a cell whose camera is set, and warnings about it. */
 #include <stdlib.h>
 
 #include "render/annotate.h"
@@ -8,7 +8,7 @@
 void render_warn_about_cell(render_result *result, const render_cell *cell) {
     const char *input = result->settings->input.name;
     const char *picture = result->cell_count > 1 ? cell->label : "the picture";
-    const int is_told =
+    const int is_printed =
         !result->settings->output.fail_on_blank && result->settings->picture.rows.count == 0;
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
@@ -20,21 +20,20 @@ void render_warn_about_cell(render_result *result, const render_cell *cell) {
                            burnish_mesh_get_material_count(result->mesh), lobe);
     }
     if (cell->report.layers_dropped > 0) {
-        render_result_warn(
-            result, 1,
-            "%.300s: some samples have more transparent layers than %d, or than --max-overdraw "
-            "allows; the farthest ones are left out",
-            input, BURNISH_TRANSPARENT_LAYERS_MAX);
+        render_result_warn(result, 1,
+                           "%.300s: some samples have more transparent layers than %d, or than "
+                           "--max-overdraw allows; the farthest ones are omitted",
+                           input, BURNISH_TRANSPARENT_LAYERS_MAX);
     }
     if (cell->report.covered_pixels == 0) {
         ++result->blank_cells;
-        render_result_warn(result, is_told,
-                           "%.300s: %s is blank: nothing of the object is in it; check the camera",
-                           input, picture);
+        render_result_warn(result, is_printed,
+                           "%.300s: %s is blank: the object is not in it; check the camera", input,
+                           picture);
     } else if (cell->has_one_color) {
         ++result->blank_cells;
-        render_result_warn(result, is_told,
-                           "%.300s: %s has one colour: the object can't be seen in it; check "
+        render_result_warn(result, is_printed,
+                           "%.300s: %s has only one colour: the object is invisible; check "
                            "colours, lights and background",
                            input, picture);
     }

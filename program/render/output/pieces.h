@@ -1,6 +1,5 @@
-/* Pieces of an output, drawn by others too: frames of a turntable or bands of a picture. Sockets
- * lead to processes with the same command line, which draw the pieces that they are asked for
- * (docs/scale.md). */
+/* Pieces of an output, drawn by several processes: frames of a turntable or bands of a picture. The
+ * processes have the same command line and are connected by sockets (docs/scale.md). */
 #ifndef TOOL_RENDER_PIECES_H
 #define TOOL_RENDER_PIECES_H
 
@@ -15,9 +14,9 @@ typedef burnish_status render_piece_drawer(void *context, int piece, burnish_err
 typedef struct render_pieces_plan {
     int runners;                /* sockets, from descriptor 3 on */
     int count;                  /* pieces */
-    size_t triangles, vertices; /* of the mesh, which all runners must have */
-    const burnish_image *image; /* what the drawer draws into; its size counts from the start */
-    uint64_t *notes; /* RENDER_PIECE_NOTES numbers that come with a piece's pixels; NULL: none */
+    size_t triangles, vertices; /* of the mesh, the same in all processes */
+    const burnish_image *image; /* the drawer's target, whose size is already known */
+    uint64_t *notes; /* RENDER_PIECE_NOTES numbers that accompany the pixels; NULL: none */
     render_piece_drawer *draw;
     void *context;
 } render_pieces_plan;
@@ -29,13 +28,13 @@ burnish_status render_pieces_create(const render_pieces_plan *plan, render_piece
                                     burnish_error *error);
 void render_pieces_destroy(render_pieces *pieces); /* NULL is allowed */
 
-/* Leaves the piece in the image and its notes, pieces being asked for in their order, each once;
- * those after it are in work then. What nobody else draws is drawn here, so that others can only
- * help. Errors: those of the drawer. */
+/* Leaves the piece in the image and its notes. Call it once for each piece, in order; other
+ * processes draw the following pieces in the meantime. Pieces that no other process has are drawn
+ * here. Errors: as for the drawer. */
 burnish_status render_pieces_take(render_pieces *pieces, int piece, burnish_error *error);
 
-/* A runner's whole life; runners is 0. Errors: ARGUMENT (no socket, another mesh or version), those
- * of the drawer. */
+/* The loop of a runner, with 0 runners in the plan. Errors: ARGUMENT (no socket, another mesh or
+ * version), and as for the drawer. */
 burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* Planes: numbers of each pixel for other programs. */
+/* Planes: buffers of numbers for other programs. */
 #include "render/output/planes.h"
 
 #include <math.h>
@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A plane as its formats have it. */
+/* A plane in its file formats. */
 typedef struct plane_row {
     picture_kind kind;
     int channels;
-    const char *names[4]; /* of the channels in EXR, as compositing programs expect them */
+    const char *names[4]; /* of the EXR channels, as expected by compositing programs */
 } plane_row;
 
 static const plane_row rows[PLANE_KINDS] = {
@@ -135,7 +135,7 @@ void render_release_planes(render_plane_data *data) {
 
 /* ---- PNG: numbers of 16 bits ---- */
 
-/* 0 where nothing shows, else from 1 at the least depth to 65535 at the largest. */
+/* 0 for empty pixels, else 1 for the least depth to 65535 for the largest. */
 static void map_depth(const render_plane_data *data, uint16_t *codes) {
     const double range = (double)data->high - data->low;
     const double scale = range > 0 ? 65534 / range : 0;
@@ -145,7 +145,7 @@ static void map_depth(const render_plane_data *data, uint16_t *codes) {
     }
 }
 
-/* 0, 0, 0 where nothing shows, else -1 to 0 and 1 to 65535. */
+/* 0, 0, 0 for empty pixels, else 1 for -1 to 65535 for 1. */
 static void map_normals(const render_plane_data *data, uint16_t *codes) {
     for (size_t i = 0; i < pixel_count(data); ++i) {
         const float *normal = data->normals + 3 * i;
@@ -163,8 +163,8 @@ static void map_coverage(const render_plane_data *data, uint16_t *codes) {
     }
 }
 
-/* Ids plus 1, so that 0 is none, in three bytes, the highest in red: 8 bits per channel, since
- * many readers of 16 bits keep the upper ones only. Returns 0 for an id that does not fit. */
+/* Ids plus 1 (0 is none) in three bytes, the highest in red. The channels have 8 bits, because many
+ * readers drop the lower half of 16. Returns 0 for an id that does not fit. */
 static int map_ids(const uint32_t *ids, size_t count, uint8_t *bytes) {
     for (size_t i = 0; i < count; ++i) {
         const uint32_t code = ids[i] + 1; /* UINT32_MAX becomes 0 */
@@ -218,8 +218,8 @@ static burnish_status encode_npy(const render_plane_data *data, render_plane_kin
     return picture_encode_npy(&array, file, error);
 }
 
-/* Values as EXR has them: coverage as floats from 0 to 1, colour with alpha multiplied in. NULL
- * without memory. */
+/* Values for EXR: coverage as floats from 0 to 1, colour with premultiplied alpha. NULL without
+ * memory. */
 static float *convert(const render_plane_data *data, render_plane_kind kind) {
     const size_t count = pixel_count(data);
     int failed = 0;

@@ -1,4 +1,4 @@
-/* Planes: numbers of each pixel for other programs, beside the picture or as it. */
+/* Planes: buffers of numbers for other programs, in addition to the picture or instead of it. */
 #ifndef TOOL_RENDER_PLANES_H
 #define TOOL_RENDER_PLANES_H
 
@@ -15,14 +15,14 @@ typedef enum render_plane_kind {
     PLANE_KINDS
 } render_plane_kind;
 
-/* The words of --plane. */
+/* The values of --plane. */
 extern const cli_word render_plane_words[];
 
 /* One --plane=NAME:FILE. */
 typedef struct render_plane {
     render_plane_kind kind;
     const char *path;
-    picture_format format; /* set by render_check_planes */
+    picture_format format; /* set by render_finish */
 } render_plane;
 
 enum { RENDER_PLANES_MAX = 3 * PLANE_KINDS };
@@ -32,20 +32,20 @@ typedef struct render_planes {
     size_t count;
 } render_planes;
 
-/* What was drawn; width * height items each, NULL where nothing asks for them. */
+/* The buffers, width * height items each; NULL if not requested. */
 typedef struct render_plane_data {
     int width, height;
     float *color;        /* linear RGBA, straight alpha */
-    float *depth;        /* infinity where nothing shows */
-    float *normals;      /* x, y, z; 0, 0, 0 where nothing shows */
-    uint32_t *triangles; /* UINT32_MAX, which is -1, where nothing shows */
+    float *depth;        /* infinity for empty pixels */
+    float *normals;      /* x, y, z; 0, 0, 0 for empty pixels */
+    uint32_t *triangles; /* UINT32_MAX, which is -1, for empty pixels */
     uint32_t *materials; /* the same */
     uint8_t *coverage;
-    float low, high; /* of the depths that are finite; both 0 without any */
+    float low, high; /* of the finite depths; both 0 if there are none */
 } render_plane_data;
 
-/* Draws the planes of a set of kinds, bits 1 << render_plane_kind, by the camera and lobe of
- * options. Release them also after an error. Errors: MEMORY, and those of drawing. */
+/* Draws the planes of a set of kinds, bits 1 << render_plane_kind, with the camera and lobe of
+ * options. Release them also after an error. Errors: MEMORY, and as for drawing. */
 burnish_status render_draw_planes(burnish_renderer *renderer, const burnish_mesh *mesh,
                                   const burnish_render_options *options, unsigned kinds,
                                   render_plane_data *data, burnish_error *error);

@@ -1,4 +1,4 @@
-/* What `burnish render` tells: JSON, times, warnings. */
+/* The report of `burnish render`: JSON, times, warnings. */
 #include "render/output/report.h"
 #include "render/flags.h"
 
@@ -34,7 +34,7 @@ void render_result_warn(render_result *result, int printed, const char *format, 
         result->warnings = grown;
     }
     if (!grown || !copy) {
-        free(copy); /* the line has been printed; only the JSON lacks it */
+        free(copy); /* the line is already printed, but missing in the JSON */
         return;
     }
     result->warnings[result->warning_count++] = copy;

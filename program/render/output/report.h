@@ -1,4 +1,4 @@
-/* What `burnish render` tells: JSON, times, warnings. */
+/* The result and the report of `burnish render`: JSON, times, warnings. */
 #ifndef TOOL_RENDER_REPORT_H
 #define TOOL_RENDER_REPORT_H
 
@@ -7,7 +7,7 @@
 #include "render/output/tones.h"
 #include "render/settings.h"
 
-/* One picture: all there is, or a cell of a sheet. */
+/* The only picture, or a cell of a sheet. */
 typedef struct render_cell {
     render_view view;
     burnish_lobe_spec lobe;
@@ -21,13 +21,13 @@ typedef struct render_cell {
     char label[256];    /* UTF-8 */
 } render_cell;
 
-/* Wall time of the phases, but for start: the processor time of the program before it loads. Load
- * is read and build together; total begins with load. */
+/* Wall time of the phases, except start, which is processor time before loading. load is read plus
+ * build; total begins with load. */
 typedef struct render_seconds {
     double start, load, read, build, transform, draw, encode, write, total;
 } render_seconds;
 
-/* Everything that a run has found out. */
+/* The results of a run. */
 typedef struct render_result {
     const render_settings *settings;
     burnish_mesh *mesh;
@@ -39,13 +39,13 @@ typedef struct render_result {
     uint64_t hash;
     int columns;
     font *font;            /* of labels; NULL: burnish's own */
-    size_t blank_cells;    /* that show nothing */
-    int written;           /* 1: the output is written, but for its name */
+    size_t blank_cells;    /* blank cells */
+    int written;           /* 1: the output is written under a temporary name */
     double start, encoded; /* clock, in seconds: before loading, after encoding */
     render_seconds seconds;
     struct {
         burnish_image image;     /* empty without --reference */
-        picture_verdict verdict; /* of no pixels where the sizes differ */
+        picture_verdict verdict; /* with 0 pixels if the sizes differ */
     } reference;
     char **warnings; /* warning_count lines, owned */
     size_t warning_count;
@@ -56,7 +56,7 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
                                 burnish_render_options *options, render_cell *cell,
                                 burnish_error *error);
 
-/* Only its pixels, without annotations; *depth as render_draw. */
+/* Draws only its pixels, without annotations; *depth as in render_draw. */
 burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
                                   burnish_render_options *options, render_cell *cell, float **depth,
                                   burnish_error *error);
@@ -65,26 +65,25 @@ burnish_status render_draw_pixels(render_result *result, burnish_renderer *rende
 void render_aim_options(const render_result *result, burnish_render_options *options,
                         const render_cell *cell);
 
-/* What a drawn cell's report gives cause to warn of. */
+/* Warns about the facts of a drawn cell's report. */
 void render_warn_about_cell(render_result *result, const render_cell *cell);
 
-/* 1: nothing of the object is in the picture, or it can't be told from the background. */
+/* 1: the object is not in the picture, or looks like the background. */
 int render_is_blank(const render_cell *cell);
 
-/* Adds a line to the result and, where printed is 1 and without --quiet, prints it on standard
- * error. */
+/* Adds a line to the result. If printed is 1, and without --quiet, prints it on standard error. */
 __attribute__((format(printf, 3, 4))) void render_result_warn(render_result *result, int printed,
                                                               const char *format, ...);
 
-/* Cuts the mesh as --clip says, and warns where that has no effect or can't be filled. Errors:
- * those of burnish_mesh_clip. */
+/* Applies --clip to the mesh, and warns about cuts without an effect or a filling. Errors: see
+ * burnish_mesh_clip. */
 burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_error *error);
 
-/* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 where a
- * part of it is missing. */
+/* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 if a part
+ * of it is missing. */
 cJSON *render_camera_object(const burnish_camera *camera, const double origin[3], int *failed);
 
-/* Writes the JSON object where --json says. Errors: MEMORY, WRITE. */
+/* Writes the JSON object to the file of --json. Errors: MEMORY, WRITE. */
 burnish_status render_write_json(const render_result *result, burnish_error *error);
 
 /* Prints one line of milliseconds on standard error. */

@@ -7,10 +7,10 @@
 #include "cli/clock.h"
 #include "cli/file.h"
 
-/* On its way. */
+/* The state of writing. */
 typedef struct writer {
     const render_stream *stream;
-    int piece; /* the one that comes next */
+    int piece; /* the next one */
     const uint8_t *bytes;
     size_t size, taken;
     int progress;

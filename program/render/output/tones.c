@@ -1,14 +1,14 @@
-/* What a finished picture says of its light. */
+/* Statistics of brightness and contrast. */
 #include "render/output/tones.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { NEAR = 5 }; /* steps of 255 that no eye tells apart */
+enum { NEAR = 5 }; /* steps of 255 that look the same */
 
 #define LUMINANCE_ONE (10000.0 * 65535)
 
-/* BT.709's weights of linear light, as integers: their sums come out the same in any order. */
+/* BT.709's weights of linear light as integers, whose sums do not depend on the order. */
 typedef struct luminance_table {
     uint32_t channels[3][256];
 } luminance_table;
@@ -41,7 +41,7 @@ static int is_near(const uint8_t *pixel, const uint8_t *other) {
     return !difference;
 }
 
-/* What one pixel adds. */
+/* The sums of one pixel. */
 static tone_sums sums_of(const luminance_table *table, const uint8_t *ground,
                          const uint8_t *pixel) {
     static const uint8_t white[3] = {255, 255, 255}, black[3] = {0, 0, 0};
@@ -57,27 +57,27 @@ static void add_one(tone_sums *to, const tone_sums *one) {
     to->count += one->count;
 }
 
-/* Takes off as many as there are; never below 0. */
-static void take_off(uint64_t *from, uint64_t one, uint64_t times) {
+/* Subtracts up to 0. */
+static void subtract(uint64_t *from, uint64_t one, uint64_t times) {
     *from -= times * one < *from ? times * one : *from;
 }
 
-static void take_off_pixels(tone_sums *from, const tone_sums *one, uint64_t times) {
-    take_off(&from->white, one->white, times);
-    take_off(&from->black, one->black, times);
-    take_off(&from->ground, one->ground, times);
-    take_off(&from->luminance, one->luminance, times);
-    take_off(&from->count, one->count, times);
+static void subtract_pixels(tone_sums *from, const tone_sums *one, uint64_t times) {
+    subtract(&from->white, one->white, times);
+    subtract(&from->black, one->black, times);
+    subtract(&from->ground, one->ground, times);
+    subtract(&from->luminance, one->luminance, times);
+    subtract(&from->count, one->count, times);
 }
 
-/* (L + 0.05) / (M + 0.05), the larger one above. */
+/* (L + 0.05) / (M + 0.05), the larger one in the numerator. */
 static double contrast_of(double a, double b) {
     const double x = a / LUMINANCE_ONE + 0.05, y = b / LUMINANCE_ONE + 0.05;
     return x > y ? x / y : y / x;
 }
 
-/* Pixels that show nothing have the background's colour and are taken off again, as no plane tells
- * them apart; without a background they are those of alpha 0. */
+/* Empty pixels have the background's colour and are subtracted at the end, since no plane
+ * identifies them. Without a background their alpha is 0. */
 render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
                                   const burnish_render_options *options) {
     const size_t channels = (size_t)image->channels;
@@ -94,7 +94,7 @@ render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
         }
     }
     const tone_sums empty = sums_of(&table, ground, ground);
-    take_off_pixels(&sums, &empty, has_ground ? all - covered : 0);
+    subtract_pixels(&sums, &empty, has_ground ? all - covered : 0);
     const double count = (double)sums.count, none = (double)NAN;
     if (sums.count == 0) {
         return (render_tones){none, none, none, none};

@@ -1,21 +1,21 @@
-/* What a finished picture says of its light: for programs that can't look at it. */
+/* Statistics of a finished picture's brightness and contrast, for programs. */
 #ifndef TOOL_RENDER_TONES_H
 #define TOOL_RENDER_TONES_H
 
 #include "burnish/render.h"
 
-/* Of the pixels that show the object; shares are in [0, 1]. NaN where there is nothing to tell. */
+/* Statistics of the pixels that show the object; shares are in [0, 1]. NaN if undefined. */
 typedef struct render_tones {
     double near_white;  /* share: all channels at least 250 */
     double near_black;  /* share: all channels at most 5 */
     double like_ground; /* share: all channels within 5 of the background's */
     double contrast;    /* (L + 0.05) / (M + 0.05) of the mean luminances of object and background,
-                           the larger one above: [1, 21], as WCAG 2.2 defines it */
+                           the larger one in the numerator: [1, 21], as defined by WCAG 2.2*/
 } render_tones;
 
 /* One pass over the image.
  *   covered  pixels that show the object
- *   options  the picture was drawn with; tell the background */
+ *   options  of the picture; they have the background */
 render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
                                   const burnish_render_options *options);
 

@@ -1,5 +1,5 @@
-/* Turntables: frames are drawn, encoded and written one after the other; none is kept but the one
- * before. What reaches pixels is computed with plain IEEE operations. */
+/* Turntables: frames are drawn, encoded and written one after the other; only the previous one is
+ * kept. Everything that affects pixels uses plain IEEE operations. */
 #include "render/output/turntable.h"
 
 #include <math.h>
@@ -13,10 +13,10 @@
 #include "render/output/pieces.h"
 #include "render/output/stream.h"
 
-/* ---- The camera's way ---- */
+/* ---- The camera's path ---- */
 
-/* Sine and cosine of `index` of `count` parts of a turn. The eighth of a turn that the angle lies
- * in is found in integers; there the series ends below 1e-17. */
+/* Sine and cosine of index / count of a turn. The eighth of the turn is found in integers; within
+ * it the truncated series has an error below 1e-17. */
 static void turn(int index, int count, double *sine, double *cosine) {
     const long eighths = (8L * index / count) & 7; /* the part of the turn, in eighths */
     const long rest = 8L * index - (8L * index / count) * count;
@@ -59,7 +59,7 @@ static void find_pivot(const burnish_mesh *mesh, const render_settings *settings
     }
 }
 
-/* The camera of a frame: what a camera turned to the right sees. */
+/* Rotates a camera to the right, to a frame. */
 static void orbit(const burnish_mesh *mesh, const render_settings *settings, int frame,
                   burnish_camera *camera) {
     double sine, cosine, axis[3], pivot[3];
@@ -86,7 +86,7 @@ enum {
     SEGMENTS = 96 /* of a ring; it lies outside its circle by 0.05 % at its corners */
 };
 
-/* Vertices of one slice of the height: the largest distance from the axis, and between which
+/* Vertices of one slice of the height: the largest distance from the axis, and the range of
  * heights. */
 typedef struct slice {
     double radius, low, high; /* radius -1: no vertex */
@@ -122,7 +122,7 @@ static void measure_slices(const burnish_mesh_view *view, const double axis[3],
         s->high = s->radius < 0 || height > s->high ? height : s->high;
         s->radius = squared > s->radius ? squared : s->radius;
     }
-    for (int i = 0; i < SLICES; ++i) { /* squares so far; a slice on the axis keeps some area */
+    for (int i = 0; i < SLICES; ++i) { /* squares so far; a slice on the axis has a minimal area */
         const double least = 1e-8 * diagonal;
         slices[i].radius = slices[i].radius < 0       ? -1
                            : slices[i].radius < least ? sqrt(least)
@@ -130,7 +130,7 @@ static void measure_slices(const burnish_mesh_view *view, const double axis[3],
     }
 }
 
-/* What the object sweeps through in a turn: discs at the ends of every slice. */
+/* The volume that the object sweeps in a turn: discs at the ends of every slice. */
 typedef struct swept {
     float positions[2 * SLICES][SEGMENTS + 1][3]; /* the last one of each is its middle */
     uint32_t indices[2 * SLICES][SEGMENTS][3];
@@ -139,7 +139,7 @@ typedef struct swept {
 
 static void add_disc(swept *s, const double axis[3], const double pivot[3], double radius,
                      double height) {
-    const double u[3] = {axis[1], axis[2], axis[0]}; /* the axis is one of the coordinates' */
+    const double u[3] = {axis[1], axis[2], axis[0]}; /* the axis is a coordinate axis */
     const double v[3] = {axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2],
                          axis[0] * u[1] - axis[1] * u[0]};
     const uint32_t first = (uint32_t)s->discs * (SEGMENTS + 1);
@@ -207,10 +207,10 @@ burnish_status render_turntable_camera(const burnish_mesh *mesh, const render_se
 
 /* ---- Frames ---- */
 
-/* Frames that a palette is chosen from, at most. */
+/* Maximum number of frames for the palette. */
 enum { SAMPLED = 8 };
 
-/* A turntable on its way into its file. */
+/* A turntable that is being written. */
 typedef struct stream {
     const render_turntable *turntable;
     picture_animation *animation;
@@ -227,7 +227,7 @@ static burnish_status draw_frame(void *context, int frame, burnish_error *error)
     cell->camera = s->first;
     orbit(t->result->mesh, t->result->settings, frame, &cell->camera);
     burnish_status status = t->draw(t->result, t->renderer, t->options, cell, error);
-    cell->camera = s->first; /* the report tells of the first frame */
+    cell->camera = s->first; /* the report is about the first frame */
     cell->report = first;
     return status;
 }
@@ -254,7 +254,7 @@ static burnish_status next_frame(void *context, int frame, const uint8_t **bytes
     return status;
 }
 
-/* A palette from frames all round. */
+/* A palette from frames of the whole turn. */
 static burnish_status choose_palette(stream *s, picture_palette *palette, burnish_error *error) {
     const render_turntable *t = s->turntable;
     const int count = t->result->settings->output.frames;

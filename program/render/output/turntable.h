@@ -1,35 +1,35 @@
-/* Turntables: one turn of the camera around the object, frame after frame into one file. */
+/* Turntables: one turn of the camera around the object, written as one file. */
 #ifndef TOOL_RENDER_TURNTABLE_H
 #define TOOL_RENDER_TURNTABLE_H
 
 #include "render/camera.h"
 #include "render/output/report.h"
 
-/* The camera of the first frame, from which the object stays within the picture for the whole turn.
- * Errors: ARGUMENT, MEMORY. */
+/* The camera of the first frame, which keeps the object in the picture for the whole turn. Errors:
+ * ARGUMENT, MEMORY. */
 burnish_status render_turntable_camera(const burnish_mesh *mesh, const render_settings *settings,
                                        render_view view, render_room *room, burnish_camera *camera,
                                        burnish_error *error);
 
-/* Draws cell->image by cell->camera. */
+/* Draws cell->image with cell->camera. */
 typedef burnish_status render_draw_frame(render_result *result, burnish_renderer *renderer,
                                          burnish_render_options *options, render_cell *cell,
                                          burnish_error *error);
 
-/* What a turntable is made with; result->cells[0] has the first frame's camera and an image. */
+/* A turntable. result->cells[0] has the first frame's camera and an image. */
 typedef struct render_turntable {
     render_result *result;
     burnish_renderer *renderer;
     burnish_render_options *options;
     render_draw_frame *draw;
-    burnish_file_check *ready; /* gets result, when all frames are written */
+    burnish_file_check *ready; /* receives result when all frames are written */
 } render_turntable;
 
-/* Draws and writes all frames; afterwards the cell's image is that of the last one. Errors: those
- * of drawing, of the format and of writing, after which no file appears. */
+/* Draws and writes all frames; afterwards the cell has the image of the last one. Errors: as for
+ * drawing, the format and writing; no file appears then. */
 burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error);
 
-/* Draws the frames that --runner is asked for, and writes nothing. */
+/* Draws the frames that are requested from --runner, and writes no file. */
 burnish_status render_serve_turntable(const render_turntable *turntable, burnish_error *error);
 
 #endif
