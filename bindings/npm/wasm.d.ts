@@ -151,7 +151,7 @@ export interface Picture {
   /** The axis that points up: "+Y". */
   up: string;
   camera: Camera;
-  /** Lines about what was passed over. */
+  /** Lines about ignored or repaired parts of the input. */
   warnings: string[];
 }
 

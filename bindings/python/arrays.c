@@ -1,4 +1,4 @@
-/* Numbers that come and go by Python's buffer protocol. */
+/* Arrays of numbers by Python's buffer protocol. */
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -7,10 +7,10 @@
 
 #include "module.h"
 
-/* ---- Going out ---- */
+/* ---- Exporting ---- */
 
 typedef struct array_object {
-    PyObject_HEAD PyObject *owner; /* of the items; NULL: they are this object's */
+    PyObject_HEAD PyObject *owner; /* of the items; NULL: this object owns them */
     void *items;
     array_layout layout;
     Py_ssize_t strides[ARRAY_DIMENSIONS];
@@ -93,7 +93,7 @@ PyObject *array_create_type(PyObject *module) {
     return PyType_FromModuleAndSpec(module, &spec, NULL);
 }
 
-/* ---- Coming in ---- */
+/* ---- Importing ---- */
 
 /* An object's buffer as rows of numbers. */
 typedef struct rows {

@@ -1,4 +1,4 @@
-/* burnish.Image: pixels, and what is known of them. */
+/* burnish.Image: pixels and their properties. */
 #include <stdio.h>
 #include <string.h>
 
@@ -121,7 +121,7 @@ static PyObject *to_bytes(PyObject *object, PyObject *unused) {
                                      (Py_ssize_t)image->width * image->height * image->channels);
 }
 
-/* ---- What is known ---- */
+/* ---- Properties ---- */
 
 static PyObject *get_width(PyObject *object, void *unused) {
     (void)unused;

@@ -1,4 +1,5 @@
-/* Lobes: their values as pictures have them, and what theory.h and `burnish lobe` say of them. */
+/* Lobes: their values, which are the same as in pictures, and facts of theory.h and `burnish lobe`.
+ * */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,7 +103,7 @@ static int set(PyObject *dictionary, const char *key, PyObject *value) {
     return done;
 }
 
-/* None where there is no number. */
+/* None for a missing number. */
 static PyObject *number(double value) {
     return isnan(value) ? Py_NewRef(Py_None) : PyFloat_FromDouble(value);
 }

@@ -1,4 +1,4 @@
-/* burnish.Mesh: loading, and drawing again and again. */
+/* burnish.Mesh: a loaded mesh, which can be drawn many times. */
 #include <stdatomic.h>
 #include <string.h>
 
@@ -12,13 +12,13 @@ typedef struct mesh_object {
     atomic_int is_held;
 } mesh_object;
 
-/* Waits for the lock without Python's. Drawing runs handlers of signals: in one of them this thread
- * has the lock already and would wait for itself, which is an exception instead. */
+/* Acquires the lock, without Python's. Signal handlers run while drawing: there this thread already
+ * has the lock and would wait for itself, so it raises an exception. */
 static int enter(mesh_object *self) {
     const unsigned long thread = PyThread_get_thread_ident();
     if (atomic_load(&self->is_held) && atomic_load(&self->holder) == thread) {
         PyErr_SetString(PyExc_RuntimeError,
-                        "a signal's handler can't use the mesh that it interrupts; use another");
+                        "a signal handler can't use the mesh that it interrupts; use another mesh");
         return 0;
     }
     Py_BEGIN_ALLOW_THREADS;
@@ -34,7 +34,7 @@ static void leave(mesh_object *self) {
     PyThread_release_lock(self->lock);
 }
 
-/* ---- Making ---- */
+/* ---- Creation ---- */
 
 /* An instance of cls, a class that is or is derived from Mesh. */
 static mesh_object *create(const module_state *state, PyObject *cls) {
@@ -66,8 +66,7 @@ static void destroy(PyObject *object) {
     module_free(object);
 }
 
-/* Options as the session takes them, released by PyMem_Free(numbers) and PyMem_Free(items). Texts
- * are those of the Python objects. */
+/* Options of a session, to be released. Texts belong to the Python objects. */
 typedef struct option_list {
     session_option *items;
     double *numbers;
@@ -174,7 +173,7 @@ static bytes_input *offer(session *s, PyObject *files, Py_ssize_t count) {
 
 static PyObject *opened(const module_state *state, mesh_object *self, burnish_status status,
                         const burnish_error *error) {
-    if (status != BURNISH_STATUS_OK || PyErr_Occurred()) { /* a signal's */
+    if (status != BURNISH_STATUS_OK || PyErr_Occurred()) { /* of a signal */
         Py_DECREF(self);
         return module_fail(state, error);
     }
@@ -216,7 +215,7 @@ PyObject *mesh_load(PyObject *module, PyObject *arguments) {
     return opened(state, self, status, &error);
 }
 
-/* The arrays of a mesh that is built. */
+/* The arrays of a mesh. */
 typedef struct build_inputs {
     array_input vertices, faces, normals, colors, uv;
 } build_inputs;
@@ -308,7 +307,8 @@ PyObject *mesh_check(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-/* Adds a command's flags: which of the two commands has them, what stands for a value, help. */
+/* Adds a command's flags: which of the two commands has them, the placeholder of the value, help.
+ * */
 static int add_flags(PyObject *names, const cli_command *command, const cli_command *other,
                      int is_loading) {
     for (size_t i = 0; cli_flag_at(command, i); ++i) {
@@ -339,7 +339,7 @@ PyObject *mesh_flags(PyObject *module, PyObject *unused) {
     return names;
 }
 
-/* ---- What is known ---- */
+/* ---- Properties ---- */
 
 static const burnish_mesh_view *view_of(PyObject *object) {
     return burnish_mesh_get_view(session_mesh(((mesh_object *)object)->session));
@@ -409,16 +409,15 @@ static PyObject *represent(PyObject *object) {
 }
 
 static PyGetSetDef properties[] = {
-    {"vertices", get_vertices, NULL, "Positions, (N, 3) of float32, to be read.", NULL},
-    {"faces", get_faces, NULL, "Triangles, (N, 3) of uint32, to be read.", NULL},
-    {"normals", get_normals, NULL, "Unit normals, (N, 3) of float32, to be read.", NULL},
-    {"colors", get_colors, NULL, "sRGB and alpha, (N, 4) of uint8, to be read; None without.",
-     NULL},
+    {"vertices", get_vertices, NULL, "Positions, (N, 3) of float32, read-only.", NULL},
+    {"faces", get_faces, NULL, "Triangles, (N, 3) of uint32, read-only.", NULL},
+    {"normals", get_normals, NULL, "Unit normals, (N, 3) of float32, read-only.", NULL},
+    {"colors", get_colors, NULL, "sRGB and alpha, (N, 4) of uint8, read-only; or None.", NULL},
     {"bounds", get_bounds, NULL, "The least and the largest coordinates.", NULL},
     {"origin", get_origin, NULL,
-     "What is to be added to vertices: (0, 0, 0) but for files whose objects are far from there.",
+     "To be added to vertices: (0, 0, 0), except for files whose objects are far away from it.",
      NULL},
-    {"warnings", get_warnings, NULL, "Lines about what was passed over.", NULL},
+    {"warnings", get_warnings, NULL, "Lines about ignored or repaired parts of the input.", NULL},
     {0},
 };
 

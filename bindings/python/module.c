@@ -1,10 +1,10 @@
-/* burnish._burnish: the library for Python. What users see of it is in burnish/__init__.py. */
+/* burnish._burnish: the library for Python. Its public interface is in burnish/__init__.py. */
 #include "module.h"
 
 #include <string.h>
 
 module_state *module_state_of(PyTypeObject *type) {
-    while (type && !PyType_GetModule(type)) { /* a class of Python's derived from one here */
+    while (type && !PyType_GetModule(type)) { /* a Python class that is derived from one of these */
         PyErr_Clear();
         type = PyType_GetSlot(type, Py_tp_base);
     }
@@ -44,7 +44,7 @@ PyObject *module_fail(const module_state *state, const burnish_error *error) {
     return NULL;
 }
 
-/* Whether a signal's handler has raised an exception: Ctrl-C ends a long call. */
+/* Whether a signal handler has raised an exception: Ctrl-C ends a long call. */
 static int has_signal(void *user_data) {
     (void)user_data;
     const PyGILState_STATE held = PyGILState_Ensure();

@@ -1,4 +1,4 @@
-/* What the files of the extension share. Python's stable interface of 3.11, the first one with
+/* Declarations of the extension. It uses the stable interface of Python 3.11, the first one with
  * buffers. */
 #ifndef PYTHON_MODULE_H
 #define PYTHON_MODULE_H
@@ -13,10 +13,11 @@
 typedef struct module_state {
     PyObject *error;                               /* burnish.Error */
     PyObject *array_type, *image_type, *mesh_type; /* heap types */
-    burnish_context *context;                      /* ends calls when Python has a signal */
+    burnish_context *context;                      /* cancels calls when Python has a signal */
 } module_state;
 
-/* Raises burnish.Error with its status, or what a signal's handler has raised. Returns NULL. */
+/* Raises burnish.Error with its status, unless a signal handler has raised an exception. Returns
+ * NULL. */
 PyObject *module_fail(const module_state *state, const burnish_error *error);
 
 /* A zeroed instance of a heap type, and the end of its tp_dealloc. */
@@ -35,7 +36,7 @@ module_state *module_state_of(PyTypeObject *type);
 
 #define ARRAY_DIMENSIONS 3
 
-/* Memory as a buffer shows it: packed items, the last dimension's lie side by side. */
+/* Memory as a buffer: packed items in C order. */
 typedef struct array_layout {
     const void *items;
     const char *format; /* of the struct module, one item */
@@ -44,15 +45,15 @@ typedef struct array_layout {
     Py_ssize_t shape[ARRAY_DIMENSIONS];
 } array_layout;
 
-/* Fills a view that can't be written to; shape and strides point into *layout and *strides, which
- * live as long as the exporter. Returns 0, or -1 after BufferError. */
+/* Fills a read-only view. Its shape and strides point into *layout and *strides, which live as long
+ * as the exporter. Returns 0, or -1 after BufferError. */
 int array_fill_view(PyObject *exporter, const array_layout *layout,
                     Py_ssize_t strides[ARRAY_DIMENSIONS], Py_buffer *view, int flags);
 
-/* A memoryview of items that belong to `owner`, or that it takes over and frees (owner NULL). */
+/* A memoryview of items that belong to `owner`; if owner is NULL, it takes ownership of them. */
 PyObject *array_memoryview(const module_state *state, PyObject *owner, const array_layout *layout);
 
-/* An object's numbers as the library reads them: in place where they lie so, else copied. */
+/* An object's numbers in the library's layout: in place if possible, else copied. */
 typedef struct array_input {
     Py_buffer view;
     int has_view;
@@ -62,7 +63,7 @@ typedef struct array_input {
 } array_input;
 
 /* Each takes a buffer of one dimension (items one after another), two, or three, and returns 1, or
- * 0 after an exception; None gives an array that is not there. array_release takes all of them.
+ * 0 after an exception; None gives an empty array. Release each array, also after an exception.
  *   floats   float32 or float64, `components` per item
  *   indices  any integers, three or more per face: polygons become fans
  *   colors   3 or 4 per vertex: uint8, or floats in [0, 1] */
@@ -73,7 +74,7 @@ void array_release(array_input *input);
 
 /* ---- Images ---- */
 
-/* Takes the session's picture and what is known of it. */
+/* Creates an Image from the session's picture and its facts. */
 PyObject *image_take(const module_state *state, session *s);
 
 /* The warnings of a session as a tuple of texts. */

@@ -1,5 +1,5 @@
-/* `burnish lobe COMMAND`, with what it prints as a text: the program's own tables, claims, fits and
- * boundary memories. */
+/* `burnish lobe COMMAND`, which returns its output as a string: the program's tables, claims, fits
+ * and boundary memories. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,7 @@ WASM_EXPORT(lobe_command)
 const char *run_lobe(const char *arguments, int count, const char *name, const void *bytes,
                      size_t size);
 
-/* Module state, for the length of a call: the one file that can be opened, and what was printed. */
+/* Module state during a call: the only file that can be opened, and the output. */
 static struct {
     const char *name;
     const void *bytes;
@@ -30,7 +30,8 @@ FILE *fopen(const char *restrict path, const char *restrict mode) {
 burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
                               burnish_error *error) {
     if (strcmp(path, "-") != 0) {
-        return cli_fail(error, BURNISH_STATUS_WRITE, "%.200s: no files here; leave out -o", path);
+        return cli_fail(error, BURNISH_STATUS_WRITE, "%.200s: files can't be written here; omit -o",
+                        path);
     }
     free(printed);
     printed = malloc(size + 1);
@@ -52,11 +53,12 @@ static const cli_command *find(const char *name, burnish_error *error) {
         }
     }
     cli_fail(error, BURNISH_STATUS_ARGUMENT,
-             "\"lobe %.60s\": not here; table, claims, choose, fit and boundary are", name);
+             "\"lobe %.60s\": not available here; use table, claims, choose, fit or boundary",
+             name);
     return NULL;
 }
 
-/* words: count texts, each with its zero. */
+/* words: count zero-terminated strings. */
 static burnish_status run(const char *words, int count, burnish_error *error) {
     const cli_command *command =
         count > 0 ? find(words, error)
@@ -72,7 +74,7 @@ static burnish_status run(const char *words, int count, burnish_error *error) {
                                 : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     for (int i = 0; i < count - 1 && arguments; ++i) {
         words += strlen(words) + 1;
-        arguments[i] = (char *)words; /* as argv: the parser changes none */
+        arguments[i] = (char *)words; /* like argv, which the parser does not change */
     }
     if (status == BURNISH_STATUS_OK) {
         status = cli_parse(command, count - 1, arguments, settings, &call, error);
@@ -88,10 +90,10 @@ static burnish_status run(const char *words, int count, burnish_error *error) {
     return status;
 }
 
-/* Runs a command of `burnish lobe`, but neither plot nor sample.
+/* Runs a command of `burnish lobe`, except plot and sample.
  *   arguments          count texts, each with its zero: "table", "--lobes=energy:2" ...
  *   name, bytes, size  a file that the arguments may name; NULL: none
- * Returns what it prints, until the next call, or NULL after an error. */
+ * Returns its output, valid until the next call, or NULL after an error. */
 const char *run_lobe(const char *arguments, int count, const char *name, const void *bytes,
                      size_t size) {
     free(printed);

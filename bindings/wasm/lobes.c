@@ -1,4 +1,4 @@
-/* Lobes: their values as pictures have them, and what theory.h says of them. */
+/* Lobes: their values, which are the same as in pictures, and facts of theory.h. */
 #include <math.h>
 #include <stddef.h>
 
@@ -40,7 +40,7 @@ int theory_values(const char *words, double exponent, size_t count, const double
     return 1;
 }
 
-/* One fact of a lobe, in the order of wasm.js; NaN after an error, and where there is none. */
+/* One fact of a lobe, in the order of wasm.js; NaN after an error or if it is undefined. */
 double theory_number(const char *words, double exponent, int which) {
     burnish_theory_model m;
     if (burnish_theory_model_parse(words, exponent, &m, module_error()) != BURNISH_STATUS_OK) {
@@ -92,7 +92,7 @@ double theory_convert(int which, double value) {
                : NAN;
 }
 
-/* Words of a lobe of each sort, NULL from the end on. */
+/* An example of each kind of lobe, NULL past the last. */
 const char *lobe_example(size_t index) {
     return burnish_lobe_spec_example(index);
 }

@@ -1,5 +1,5 @@
-/* Pictures that somebody else decodes: the first loading of a mesh notes what its materials want,
- * the caller decodes that, and the second loading finds it. */
+/* Images that the caller decodes: loading a mesh lists the images of its materials, the caller
+ * decodes them, and the mesh is loaded again with them. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 #include "image/decode/decode.h"
 #include "module.h"
 
-/* A file that a material names, and its pixels once they are there. */
+/* A file that a material refers to, and its decoded pixels. */
 typedef struct wanted {
     uint8_t *bytes;
     size_t size;
@@ -20,13 +20,13 @@ WASM_EXPORT(picture_size) size_t picture_size(size_t index);
 WASM_EXPORT(picture_pixels) uint8_t *picture_pixels(size_t index, int width, int height);
 WASM_EXPORT(picture_forget) void picture_forget(void);
 
-/* Lives from one loading to the next: loading has no other way to the caller. */
+/* Lives from one load to the next, because the loader has no other way to reach the caller. */
 static struct {
     wanted *items;
     size_t count;
 } list;
 
-/* The bytes of a file that is wanted, NULL past the last. */
+/* The bytes of a requested file, NULL past the last. */
 const uint8_t *picture_bytes(size_t index) {
     return index < list.count ? list.items[index].bytes : NULL;
 }
@@ -35,7 +35,7 @@ size_t picture_size(size_t index) {
     return index < list.count ? list.items[index].size : 0;
 }
 
-/* Room for the pixels of a file, to be filled; NULL without memory. */
+/* Memory for the pixels of a file, to be filled; NULL without memory. */
 uint8_t *picture_pixels(size_t index, int width, int height) {
     wanted *item = index < list.count ? &list.items[index] : NULL;
     if (!item || item->pixels || width < 1 || height < 1 || width > (1 << 14) ||
@@ -68,7 +68,7 @@ static const wanted *find(const burnish_encoded *from) {
     return NULL;
 }
 
-/* Without memory it is not noted, and the texture stays away. */
+/* Requests an image. Without memory the request is lost, and the texture is missing. */
 static void note(const burnish_encoded *from) {
     wanted *grown = realloc(list.items, (list.count + 1) * sizeof *grown);
     uint8_t *copy = malloc(from->size);
@@ -88,10 +88,10 @@ static burnish_status decode(const burnish_encoded *from, burnish_memory *memory
         note(from);
     }
     if (!found || !found->pixels) {
-        return burnish_fail(memory->error, BURNISH_STATUS_ARGUMENT,
-                            "%.200s: nobody decodes pictures here; read() in a browser does, or "
-                            "with the option decode",
-                            from->name);
+        return burnish_fail(
+            memory->error, BURNISH_STATUS_ARGUMENT,
+            "%.200s: images can't be decoded here; use read() in a browser, or the option decode",
+            from->name);
     }
     const burnish_status status = burnish_decode_reserve(
         from, (uint64_t)found->width, (uint64_t)found->height, 4, memory, picture);

@@ -4,7 +4,7 @@
 #include "module.h"
 #include "session.h"
 
-static burnish_camera camera_shown; /* what open_camera points to: one caller at a time */
+static burnish_camera camera_shown; /* of open_camera: one caller at a time */
 
 WASM_EXPORT(session_create) session *open_create(void);
 WASM_EXPORT(session_destroy) void open_destroy(session *s);
@@ -34,8 +34,8 @@ int open_offer(session *s, const char *name, const void *bytes, size_t size) {
     return session_offer(s, name, bytes, size);
 }
 
-/* Loads bytes, or what a name like ":teapot" stands for, into a session that has no mesh yet.
- * Returns 1, or 0 after an error. */
+/* Loads bytes, or a built-in object such as ":teapot", into a session without a mesh. Returns 1, or
+ * 0 after an error. */
 int open_load(session *s, const char *name, const void *bytes, size_t size,
               const session_option *options, size_t count) {
     return session_open(s, name, name[0] == ':' ? NULL : bytes, size,
@@ -43,8 +43,8 @@ int open_load(session *s, const char *name, const void *bytes, size_t size,
                         module_error()) == BURNISH_STATUS_OK;
 }
 
-/* Draws the session's mesh. Returns 1, or 0 after an error, and may be called again after either.
- */
+/* Draws the session's mesh. Returns 1, or 0 after an error, and can be called again after either.
+ * */
 int open_draw(session *s, const session_option *options, size_t count) {
     return session_draw(s, (session_options){options, count, SESSION_CAMEL_CASE}, module_error()) ==
            BURNISH_STATUS_OK;
@@ -55,12 +55,12 @@ const char *open_warning(const session *s, size_t index) {
     return session_warning(s, index);
 }
 
-/* Rows from the top without gaps, until the next picture. */
+/* Rows from the top without gaps, valid until the next picture. */
 const uint8_t *open_pixels(const session *s) {
     return session_image(s)->pixels;
 }
 
-/* The same with four channels each, alpha 255 where the picture has none. */
+/* The same with four channels; alpha is 255 if the picture has none. */
 void open_rgba(const session *s, uint8_t *to) {
     const burnish_image *image = session_image(s);
     const size_t count = (size_t)image->width * (size_t)image->height;
@@ -107,7 +107,7 @@ double open_number(const session *s, int which) {
     return which >= 0 && (size_t)which < sizeof numbers / sizeof *numbers ? numbers[which] : 0;
 }
 
-/* Endings of format number `index`, "" for none; NULL past the last. */
+/* File extensions of format number `index`, "" for none; NULL past the last. */
 const char *format_endings(int index) {
     const burnish_format_info *info = burnish_format_get_info((burnish_format)index);
     return info ? info->extensions : NULL;

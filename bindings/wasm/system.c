@@ -1,6 +1,5 @@
-/* The operating system that wasi-libc expects, where there is none: no file, no clock, no
- * environment. With these the modules import nothing. The first ones are WASI's,
- * preview 1, with its names of results. */
+/* An operating system for wasi-libc without files, clock and environment, so the modules import
+ * nothing. The first functions are from WASI preview 1, with its names of results. */
 #include <errno.h>
 #include <stdint.h>
 #include <string.h>
@@ -9,7 +8,7 @@
 #include "burnish/core.h"
 #include "mesh/read/io/open_beside.h"
 
-/* A call of WASI's as libc.a names it, of parameters that mean nothing here. */
+/* A WASI call with its name in libc.a, whose parameters are not used. */
 #pragma clang diagnostic ignored "-Wunused-parameter"
 #define SYSTEM(name, result, ...)                                                                  \
     int32_t __imported_wasi_snapshot_preview1_##name(__VA_ARGS__);                                 \
@@ -50,14 +49,14 @@ void __imported_wasi_snapshot_preview1_proc_exit(int32_t code) {
     __builtin_trap();
 }
 
-/* expat's salt against files whose names collide. There is nothing random where nothing is
-   imported; such a file slows down its own instance. */
+/* expat's salt against files with colliding names. Without imports there are no random numbers;
+ * such a file slows down only its own instance. */
 void arc4random_buf(void *bytes, size_t size);
 void arc4random_buf(void *bytes, size_t size) {
     memset(bytes, 0x5a, size);
 }
 
-/* ---- What burnish has of its own for systems ---- */
+/* ---- Functions of burnish that need a system ---- */
 
 int burnish_open_beside(const char *input, const char *name, burnish_memory *memory) {
     (void)input, (void)name, (void)memory;

@@ -1,6 +1,6 @@
-/* The pool of threads of a module whose memory is shared: the caller and workers that each have an
- * instance of the module with the same memory. As src/core/pool.c it waits for nobody who has not
- * begun. */
+/* The thread pool of a module with shared memory: the caller and workers, each with its own
+ * instance of the module and the same memory. Like src/core/pool.c it does not wait for threads
+ * that have not started. */
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -26,14 +26,14 @@ WASM_EXPORT(thread_loop) _Noreturn void thread_loop(void);
 
 enum {
     STACK_SIZE = 1 << 20,
-    CLOSED = 1 << 30 /* of the gate: nobody may begin any more */
+    CLOSED = 1 << 30 /* of the gate: no more threads can start */
 };
 
 static int threads = 1; /* the caller's included */
 
 static struct {
     atomic_int number; /* of the job: threads sleep on it */
-    atomic_int gate;   /* how many are at the job, and whether it is closed */
+    atomic_int gate;   /* number of threads at the job, and CLOSED */
     atomic_int taken;  /* numbers of threads */
     atomic_int busy;   /* 1 while there is a job */
     int wanted;
@@ -55,7 +55,7 @@ int burnish_processor_count(void) {
 
 int burnish_pool_run(int count, burnish_pool_work *work, void *data) {
     if (atomic_exchange(&job.busy, 1)) {
-        return 0; /* work that runs work: by its own thread alone */
+        return 0; /* work that runs work: only by its own thread */
     }
     job.work = work;
     job.data = data;
@@ -73,7 +73,7 @@ int burnish_pool_run(int count, burnish_pool_work *work, void *data) {
     return 1;
 }
 
-/* What a worker does for ever, with a stack of its own in __stack_pointer. */
+/* The endless loop of a worker, with its own stack in __stack_pointer. */
 void thread_loop(void) {
     for (int seen = 0;;) {
         sleep_while(&job.number, seen);
@@ -90,16 +90,15 @@ void thread_loop(void) {
     }
 }
 
-/* One thread more: the stack that it is to enter with; NULL without memory. Called while no job
- * runs. */
+/* Adds a thread and returns its stack; NULL without memory. Call it while no job runs. */
 void *threads_add(void) {
     char *stack = malloc(STACK_SIZE);
     threads += stack != NULL;
     return stack ? (void *)(((uintptr_t)stack + STACK_SIZE) & ~(uintptr_t)15) : NULL;
 }
 
-/* ---- Memory: wasi-libc's allocator is for one thread; the linker has these called in its place
- * ---- */
+/* ---- Memory: the linker replaces wasi-libc's allocator, which is not thread-safe, by these ----
+ * */
 
 static atomic_int lock;
 

@@ -1,7 +1,7 @@
-/* What needs a library that the modules do not have. */
+/* Functions of libraries that the modules do not have. */
 #include <cjson/cJSON.h>
 
-/* JSON: there is none, and what prints it says so. */
+/* Without cJSON, printing JSON is an error. */
 
 #define NO_ITEM(name, ...)                                                                         \
     cJSON *name(__VA_ARGS__) {                                                                     \

@@ -21,26 +21,26 @@ static const cli_word map_words[] = {{"codes", COMPARE_CODES}, {"flip", COMPARE_
 static const cli_flag flags[] = {
     {.group = "Comparing",
      .topic = "comparing",
-     CLI_FLAG("threshold", "X", "largest error that passes", cli_flag_real, rule.threshold),
+     CLI_FLAG("threshold", "X", "largest accepted error", cli_flag_real, rule.threshold),
      CLI_RANGE(0, 1),
      .default_label = "no pixel may differ",
      .common = 1,
-     .manual = "The pictures pass where their error is at most _X_, from 0 to 1; *--metric* says "
-               "which error. Without this flag, and besides it, they pass where no pixel differs "
-               "by more than *--tolerance*. What does not pass ends with exit code 10."},
-    {CLI_FLAG("tolerance", "N", "8-bit codes that a channel may differ by", cli_flag_integer,
+     .manual = "The pictures pass if their error, as chosen by *--metric*, is at most _X_, from 0 "
+               "to 1, or if no pixel differs by more than *--tolerance*. If they do not pass, the "
+               "exit code is 10."},
+    {CLI_FLAG("tolerance", "N", "largest accepted difference of a channel", cli_flag_integer,
               rule.tolerance),
      CLI_RANGE(0, 255), .default_text = "0", .common = 1,
-     .manual = "A pixel differs where one of its channels, alpha included, differs by more than "
-               "_N_ codes."},
-    {CLI_FLAG("metric", "NAME", "the error", cli_flag_word, rule.metric), .default_text = "ssim",
+     .manual = "A pixel differs if one of its channels, including alpha, differs by more than _N_ "
+               "of 255."},
+    {CLI_FLAG("metric", "NAME", "error metric", cli_flag_word, rule.metric), .default_text = "ssim",
      .words = picture_metric_words,
      .manual =
-         "Which error *--threshold* limits: *ssim*, 1 less the structural similarity; *flip*, the "
-         "mean of FLIP; *pixels*, the share of pixels that differ. See *NUMBERS OF A COMPARISON*."},
-    {CLI_FLAG("map", "NAME", "what the third panel shows", cli_flag_word, map),
+         "The error of *--threshold*: *ssim*, 1 minus the structural similarity; *flip*, the mean "
+         "of FLIP; *pixels*, the share of pixels that differ. See *NUMBERS OF A COMPARISON*."},
+    {CLI_FLAG("map", "NAME", "content of the third panel", cli_flag_word, map),
      .default_text = "codes", .words = map_words,
-     .manual = "What the third panel of the picture shows: *codes*, the difference of the channel "
+     .manual = "Content of the third panel of the picture: *codes*, the difference of the channel "
                "that differs most; *flip*, FLIP of each pixel."},
     {CLI_JSON_FLAG(compare_settings, json, "one JSON object instead of text, in FILE too",
                    "NUMBERS OF A COMPARISON")},
@@ -51,63 +51,58 @@ static const cli_flag flags[] = {
      .common = 1,
      .takes_file = 1,
      .manual = "Writes both pictures and their difference side by side, with a legend: blue where "
-               "_B_ is darker, orange where it is lighter. A frame holds all pixels that differ. "
-               "Small pictures are enlarged. The name's ending chooses the format, as in *burnish "
-               "render*; *-* is standard output, which then carries no text."},
-    {CLI_FLAG("resolution", "W,H", "of meshes that are drawn", cli_flag_size, size),
+               "_B_ is darker, orange where it is lighter. A frame surrounds all pixels that "
+               "differ. Small pictures are enlarged. The file extension chooses the format, as in "
+               "*burnish render*. With *-* for standard output, no text is printed."},
+    {CLI_FLAG("resolution", "W,H", "size of drawn meshes", cli_flag_size, size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_label = "the picture's, else 1024,768",
      .common = 1, .aliases = "width,height,res",
-     .manual = "Width and height in which meshes are drawn. With a picture as _A_ or _B_ they are "
-               "the picture's."},
-    {CLI_FLAG("size", "N", "a square: --resolution=N,N", cli_flag_square, size),
+     .manual = "Width and height of drawn meshes. If _A_ or _B_ is a picture, they are its size."},
+    {CLI_FLAG("size", "N", "square: --resolution=N,N", cli_flag_square, size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .manual = "The same as *--resolution=*_N_*,*_N_."},
 };
 
 static const cli_example examples[] = {
     {"burnish compare before.png after.png", "numbers and an exit code"},
-    {"burnish compare before.stl after.stl -o changes.png", "two meshes by one camera"},
+    {"burnish compare before.stl after.stl -o changes.png", "two meshes with one camera"},
     {"burnish compare part.stl reference.png --threshold=0.02", "a mesh drawn like a picture"},
     {"burnish compare part.stl --lobe=power,energy:2 -o lobes.png", "two lobes on one mesh"},
     {NULL, NULL},
 };
 
 static const cli_term number_terms[] = {
-    {"*burnish, output*", "the version; the picture's name or null"},
+    {"*burnish, output*", "the version; the name of the picture or null"},
     {"*a, b*",
-     "*input*, *kind* (*picture* or *mesh*), *width*, *height*; of a mesh *lobe*, *camera*, *up*, "
-     "*facts* "
-     "(*triangles*, *vertices*, *shells*, *open_edges*, *size_x*, *size_y*, *size_z*, *area*, and "
-     "*volume*, null for what is not closed) and *warnings*"},
-    {"*passes*", "true where the exit code is 0"},
+     "*input*, *kind* (*picture* or *mesh*), *width*, *height*; for a mesh *lobe*, *camera*, *up*, "
+     "*facts* (*triangles*, *vertices*, *shells*, *open_edges*, *size_x*, *size_y*, *size_z*, "
+     "*area*, and *volume*, null if it is not closed) and *warnings*"},
+    {"*passes*", "true if the exit code is 0"},
     {"*metric, error, threshold, tolerance*",
-     "the error by the metric; of pictures that are too small for SSIM the share of pixels that "
-     "differ. *threshold* is null where none was given"},
+     "the error of the metric; for pictures that are too small for SSIM, the share of pixels that "
+     "differ. *threshold* is null if it is not given"},
     {"*pixels, different_pixels, different_share, different_bounds*",
-     "all pixels; those that differ by more than the tolerance; their share; x0, y0, x1, y1 of "
-     "them, ends excluded, or null"},
+     "the number of pixels; the number and share of pixels that differ by more than the tolerance; "
+     "their x0, y0, x1, y1, ends excluded, or null"},
     {"*largest_difference, mean_difference*",
-     "of red, green, blue and alpha, in 8-bit codes; means over all pixels. Transparent pixels lie "
-     "on white"},
-    {"*mean_squared_error, psnr*",
-     "over red, green and blue; 10 log10(255^2 / mean squared error) in dB, null where the "
-     "pictures are the same"},
-    {"*ssim*",
-     "mean structural similarity (Wang and others, 2004) of 0.299 R + 0.587 G + 0.114 B, in "
-     "windows "
-     "of 11 x 11 pixels weighted by a Gaussian of deviation 1.5, K1 = 0.01, K2 = 0.03; 1 for the "
-     "same pictures; null where a side is below 11 pixels"},
-    {"*flip*", "mean FLIP (Andersson and others, 2020), at 67 pixels per degree; 0 for the same "
-               "pictures, 1 for the most different"},
+     "of red, green, blue and alpha, as 8-bit values; means over all pixels. Transparent pixels "
+     "are blended with white"},
+    {"*mean_squared_error, psnr*", "over red, green and blue; 10 log10(255^2 / mean squared error) "
+                                   "in dB, null if the pictures are the same"},
+    {"*ssim*", "mean structural similarity (Wang and others, 2004) of 0.299 R + 0.587 G + 0.114 B, "
+               "in windows of 11 x 11 pixels weighted by a Gaussian of deviation 1.5, K1 = 0.01, "
+               "K2 = 0.03; 1 for identical pictures; null if a side is shorter than 11 pixels"},
+    {"*flip*", "mean FLIP (Andersson and others, 2020), at 67 pixels per degree; 0 for identical "
+               "pictures, 1 for the largest difference"},
     {"*silhouette_iou*",
-     "what both objects cover by what either covers. Of a mesh the covered part of each pixel "
-     "counts; of a picture alpha or, without it, what differs by more than 4 codes from the colour "
-     "of all four corners. Null where there is no telling"},
+     "the area that both objects cover divided by the area that at least one covers. For a mesh, "
+     "the coverage of each pixel counts; for a picture, alpha or, without alpha, a difference of "
+     "more than 4 of 255 from the colour of all four corners. Null if it is undefined"},
     {NULL, NULL},
 };
 
 static const cli_section sections[] = {
     {.heading = "NUMBERS OF A COMPARISON",
-     .text = "What *burnish compare --json* prints: one object. Numbers are the same on every "
+     .text = "The output of *burnish compare --json* is one object. Numbers are the same on every "
              "machine and for any number of threads.",
      .terms = number_terms},
     {.heading = NULL},
@@ -116,21 +111,19 @@ static const cli_section sections[] = {
 const cli_command compare_command = {
     .name = "compare",
     .operand = "A B",
-    .summary = "what differs between two pictures or meshes",
-    .operand_help = "PNG files, or what burnish render draws, with its flags of camera and light",
-    .manual =
-        "Compares _A_ with _B_, the reference with what is judged or before with after, and ends "
-        "with exit code 0 where they are alike enough and 10 where they are not. Each is a PNG "
-        "file or a mesh as *burnish render* takes it; *-* is standard input and may be either. "
-        "Two meshes are drawn by one camera, which frames both, with the up axis of _A_ unless "
-        "*--up* names one, and what differs in their sizes and counts is printed; a mesh beside a "
-        "picture is drawn in the picture's size. One mesh "
-        "with two lobes, *--lobe=*_A_*,*_B_, is drawn with each.\n"
-        "Pictures of different sizes are different. Besides the flags below, those of *burnish "
-        "render* that say where the camera stands, how the surface and its light look and how "
-        "_INPUT_ is read have the same meaning here, and so have *--samples*, "
-        "*--background-color*, *--no-background*, *--cull-back-faces*, *--views* with one view, "
-        "*--threads*, *--isa* and *--quiet*.",
+    .summary = "compare two pictures or meshes",
+    .operand_help = "PNG files, or inputs of burnish render, with its flags for camera and light",
+    .manual = "Compares _A_, the reference or the state before, with _B_. The exit code is 0 if "
+              "they are similar enough, and 10 if they are not. Each is a PNG file or a mesh, that "
+              "is, an input of *burnish render*; *-* is standard input, a PNG or a mesh. Two "
+              "meshes are drawn with one camera, which frames both, and with the up axis of _A_ "
+              "unless *--up* is given; differences of their sizes and counts are printed. A mesh "
+              "that is compared with a picture is drawn in the picture's size. One mesh with two "
+              "lobes, *--lobe=*_A_*,*_B_, is drawn with each lobe.\nPictures of different sizes "
+              "are different. In addition to the flags below, the flags of *burnish render* for "
+              "the camera, the surface, lights and the input have the same meaning here, and so "
+              "have *--samples*, *--background-color*, *--no-background*, *--cull-back-faces*, "
+              "*--views* with one view, *--threads*, *--isa* and *--quiet*.",
     .operands_max = 2,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
@@ -157,19 +150,18 @@ static burnish_status check_operands(const compare_settings *settings, const cli
     }
     if (call->operand_count == 1 && lobes != 2) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "compare: nothing to compare \"%.100s\" with; name another input, or two "
-                        "lobes as --lobe=power,energy:2",
+                        "compare: only one input, \"%.100s\"; name another one, or two lobes, such "
+                        "as --lobe=power,energy:2",
                         call->operands[0]);
     }
     if (call->operand_count == 2 && lobes > 1) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--lobe: %zu lobes for two inputs; give one lobe, or two lobes and one "
-                        "input",
-                        lobes);
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--lobe: %zu lobes for two inputs; use one lobe, or two lobes and one input", lobes);
     }
     if (settings->render.picture.views.count > 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--views: %zu views; two pictures of one view are compared",
+                        "--views: %zu views; only one view can be compared",
                         settings->render.picture.views.count);
     }
     if (call->operand_count == 2 && strcmp(call->operands[0], "-") == 0 &&
@@ -180,7 +172,7 @@ static burnish_status check_operands(const compare_settings *settings, const cli
     return BURNISH_STATUS_OK;
 }
 
-/* Neither the picture nor the report replaces what is compared. */
+/* The picture and the report can not replace the inputs. */
 static burnish_status check_file(const char *flag, const char *path, const cli_call *call,
                                  burnish_error *error) {
     for (size_t i = 0; path && i < call->operand_count; ++i) {
@@ -208,8 +200,8 @@ static burnish_status check_output(compare_settings *settings, const cli_call *c
     if (status == BURNISH_STATUS_OK && strcmp(settings->output, "-") == 0 &&
         isatty(STDOUT_FILENO)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: standard output is a terminal, which can't show a picture; "
-                        "redirect it, or name a file with --output=FILE");
+                        "--output: standard output is a terminal; redirect it, or name a file with "
+                        "--output=FILE");
     }
     if (status == BURNISH_STATUS_OK) {
         status =
@@ -219,7 +211,7 @@ static burnish_status check_output(compare_settings *settings, const cli_call *c
     return status;
 }
 
-/* Pictures of different sizes have no numbers. */
+/* Pictures of different sizes are not compared further. */
 static burnish_status report_sizes(const comparison *c, cli_call *call, burnish_error *error) {
     const burnish_image *a = compare_image(&c->sides[0]), *b = compare_image(&c->sides[1]);
     fprintf(stderr, "burnish: %s has %d x %d pixels, %s %d x %d: nothing else was compared\n",

@@ -1,4 +1,4 @@
-/* What `burnish compare` was asked for, and what it has found. */
+/* The settings and results of `burnish compare`. */
 #ifndef TOOL_COMPARE_COMPARE_H
 #define TOOL_COMPARE_COMPARE_H
 
@@ -7,7 +7,7 @@
 #include "render/output/report.h"
 
 typedef struct compare_settings {
-    render_settings render; /* first: its flags are ours too */
+    render_settings render; /* first: its flags are shared */
     int size[2];            /* 0: not given */
     picture_rule rule;
     int map; /* compare_map */
@@ -18,17 +18,17 @@ typedef struct compare_settings {
 
 typedef enum compare_map { COMPARE_CODES, COMPARE_FLIP } compare_map;
 
-/* One of the two that are compared: a picture, or a mesh that is drawn. */
+/* One side of a comparison: a picture, or a mesh that is drawn. */
 typedef struct compare_side {
     const char *input;
     char label[160];          /* below its panel */
-    burnish_image picture;    /* a picture's; empty for a mesh */
-    render_settings settings; /* a mesh's: those of the flags, with its input and one lobe */
+    burnish_image picture;    /* empty for a mesh */
+    render_settings settings; /* of a mesh: the flags, its input and one lobe */
     burnish_render_options options;
     render_result result;
     render_cell cell;
     uint8_t *coverage;   /* of the mesh's picture */
-    burnish_mesh *owned; /* NULL where the mesh is the other side's */
+    burnish_mesh *owned; /* NULL if the other side has the mesh */
 } compare_side;
 
 typedef struct comparison {
@@ -47,11 +47,11 @@ static inline int compare_is_mesh(const compare_side *side) {
     return side->result.mesh != NULL;
 }
 
-/* Reads both inputs and draws what is a mesh, by one camera that frames all meshes. */
+/* Reads both inputs and draws meshes, with one camera that frames all of them. */
 burnish_status compare_draw_sides(comparison *c, burnish_error *error);
 void compare_release_sides(comparison *c);
 
-/* Writes text, or JSON where --json says. */
+/* Writes text, or JSON to the file of --json. */
 burnish_status compare_write_report(const comparison *c, burnish_error *error);
 
 #endif

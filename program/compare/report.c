@@ -1,4 +1,4 @@
-/* What `burnish compare` tells: text and JSON. */
+/* The report of `burnish compare`: text and JSON. */
 #include <math.h>
 #include <string.h>
 
@@ -141,7 +141,7 @@ burnish_status compare_write_report(const comparison *c, burnish_error *error) {
     const char *json = c->settings->json;
     cli_output output;
     if (!json && c->settings->output && strcmp(c->settings->output, "-") == 0) {
-        return BURNISH_STATUS_OK; /* the picture is there */
+        return BURNISH_STATUS_OK; /* which has the picture */
     }
     burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {

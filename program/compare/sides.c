@@ -24,7 +24,7 @@ static int ends_in_png(const char *path) {
     return dot && (strcmp(dot, ".png") == 0 || strcmp(dot, ".PNG") == 0);
 }
 
-/* A file of any name that begins as a PNG does, and any file of such a name. */
+/* A file that begins like a PNG, or has the extension .png. */
 static int is_picture(const char *path) {
     uint8_t head[8];
     FILE *file = path[0] == ':' ? NULL : fopen(path, "rb");
@@ -35,7 +35,7 @@ static int is_picture(const char *path) {
     return picture_is_png(head, size) || (path[0] != ':' && ends_in_png(path));
 }
 
-/* first: the mesh whose space it shares; NULL: none */
+/* first: the mesh whose origin it shares; NULL: none */
 static burnish_load_options load_options(const compare_side *side, const burnish_mesh *first) {
     burnish_load_options options =
         render_load_options(&side->settings.input, side->settings.job.threads);
@@ -54,7 +54,7 @@ static burnish_status take_mesh(compare_side *side, burnish_status loaded, burni
                : loaded;
 }
 
-/* Standard input holds either: its bytes tell. */
+/* Standard input is a PNG or a mesh, depending on its first bytes. */
 static burnish_status read_standard(compare_side *side, const burnish_load_options *options,
                                     burnish_error *error) {
     uint8_t *bytes;
@@ -85,7 +85,7 @@ static burnish_status read_side(compare_side *side, const burnish_mesh *first,
 
 /* ---- Drawing ---- */
 
-/* The size of what is drawn: a picture's, else the flags'. */
+/* The size of drawn meshes: the size of the picture, if there is one, or of the flags. */
 static burnish_status choose_size(comparison *c, burnish_error *error) {
     const int *given = c->settings->size;
     int size[2];
@@ -104,15 +104,15 @@ static burnish_status choose_size(comparison *c, burnish_error *error) {
         size[1] = picture->height;
     }
     for (int i = 0; i < 2; ++i) {
-        memcpy(c->sides[i].settings.picture.size, size, sizeof size); /* which framing asks for */
+        memcpy(c->sides[i].settings.picture.size, size, sizeof size); /* for framing */
         c->sides[i].options.width = size[0];
         c->sides[i].options.height = size[1];
     }
     return BURNISH_STATUS_OK;
 }
 
-/* All triangles of both meshes as one mesh, for the camera to frame. Positions count; normals are
- * there so that none are generated. */
+/* All triangles of both meshes as one mesh, for framing. Only positions matter; normals are copied
+ * because generating them takes time. */
 static burnish_status join(const burnish_mesh *const meshes[2], burnish_mesh **joined,
                            burnish_error *error) {
     const burnish_mesh_view *views[2] = {burnish_mesh_get_view(meshes[0]),
@@ -176,7 +176,7 @@ static burnish_status aim(comparison *c, burnish_error *error) {
     return status;
 }
 
-/* The picture, and once more which part of each pixel the object covers. */
+/* Draws the picture, and then the coverage of each pixel. */
 static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
                                 burnish_error *error) {
     burnish_render_options *options = &side->options;
@@ -194,7 +194,7 @@ static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
     target.coverage_stride = (size_t)options->width;
     options->counts = BURNISH_COUNTS_NONE;
     options->occlusion = 0;
-    options->edges = 0; /* lines stand out over the silhouette */
+    options->edges = 0; /* lines extend beyond the silhouette */
     return burnish_renderer_draw_into(renderer, side->result.mesh, options, &target, NULL, error);
 }
 
@@ -239,7 +239,7 @@ static void describe(comparison *c, int i) {
     snprintf(side->cell.label, sizeof side->cell.label, "%s", "the picture");
 }
 
-/* One up axis for both, the first mesh's: it decides where the camera stands and where the sky is.
+/* Both sides have the up axis of the first mesh, for the camera and ambient occlusion.
  */
 static void choose_up(comparison *c) {
     const int first = compare_is_mesh(&c->sides[0]) ? 0 : 1;
@@ -267,10 +267,10 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
     }
     if (status == BURNISH_STATUS_OK && c->lobes) {
         if (!c->sides[0].result.mesh) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "compare: %.200s is a picture, which has no lobes; name another one "
-                            "or a mesh to compare it with",
-                            c->sides[0].input);
+            return cli_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "compare: %.200s is a picture, which has no lobes; name another picture or a mesh",
+                c->sides[0].input);
         }
         c->sides[1].result.mesh = c->sides[0].result.mesh;
     }

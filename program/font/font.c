@@ -1,5 +1,5 @@
-/* Fonts of the system: FriBidi says what runs which way, fontconfig which font has a character,
- * HarfBuzz which glyphs stand where and what their outlines are. Outlines are not hinted. */
+/* System fonts: FriBidi finds directions, fontconfig the font of a character, HarfBuzz the glyphs,
+ * their positions and outlines. Outlines are not hinted. */
 #include "font/font.h"
 
 #if BURNISH_HAS_FONTS
@@ -29,7 +29,7 @@ struct font {
     uint32_t missing;
 };
 
-/* Characters that are set together. */
+/* Characters that are shaped together. */
 typedef struct run {
     int start, count, face;
     FriBidiLevel level;
@@ -62,7 +62,7 @@ static int capital_height(hb_font_t *shaper, int units) {
     return units * 7 / 10;
 }
 
-/* Adds the font of a file. Returns its index, -1 where it can't be used. */
+/* Adds the font of a file. Returns its index, or -1 if it can't be used. */
 static int add_face(font *to, const char *path, unsigned index, int entry) {
     hb_blob_t *blob = font_calls.hb_blob_create_from_file_or_fail(path);
     if (!blob || to->face_count == FACES_MAX) {
@@ -88,7 +88,7 @@ static int has_glyph(const face *in, uint32_t code) {
     return font_calls.hb_font_get_nominal_glyph(in->shaper, code, &glyph);
 }
 
-/* The face of an entry of the list, opened when it is first wanted; -1 where it can't be used. */
+/* The face of an entry of the list, opened on first use; -1 if it can't be used. */
 static int face_of_entry(font *from, int entry) {
     FcChar8 *path;
     int index = 0;
@@ -105,7 +105,7 @@ static int face_of_entry(font *from, int entry) {
     return add_face(from, (const char *)path, (unsigned)index & 0xFFFF, entry);
 }
 
-/* The first face that has the character; the first of all, and missing, where none has it. */
+/* The first face that has the character; else the first face, and the character is missing. */
 static int choose_face(font *from, uint32_t code) {
     for (int i = 0; from->list && i < from->list->nfont; ++i) {
         FcCharSet *characters;
@@ -126,7 +126,7 @@ static int choose_face(font *from, uint32_t code) {
 
 /* ---- Runs ---- */
 
-/* What follows the character before it into its run: marks, joiners, blanks. */
+/* Marks, joiners and blanks belong to the run of the preceding character. */
 static int is_follower(uint32_t code) {
     switch (
         font_calls.hb_unicode_general_category(font_calls.hb_unicode_funcs_get_default(), code)) {
@@ -190,8 +190,8 @@ static void find_runs(font *from, line *made) {
     }
 }
 
-/* Rule L2: from the highest level down to the lowest odd one, runs at that level or above are
- * turned round. */
+/* Rule L2: from the highest level to the lowest odd one, runs at that level or above are reversed.
+ * */
 static void reorder_runs(line *made) {
     for (int level = FRIBIDI_BIDI_MAX_EXPLICIT_LEVEL + 1; level > 0; --level) {
         for (int i = 0; i < made->run_count; ++i) {
@@ -266,7 +266,7 @@ static hb_draw_funcs_t *make_draw_functions(void) {
     return made;
 }
 
-/* Shapes one run and hands its glyphs over. Returns its advance in font units. */
+/* Shapes one run and passes its glyphs on. Returns its advance in font units. */
 static double set_run(const face *in, const line *of, const run *which, pen *with,
                       hb_draw_funcs_t *functions, hb_buffer_t *buffer) {
     unsigned count = 0;
@@ -400,10 +400,9 @@ const int font_is_available = 0;
 burnish_status font_open(const char *file, font **opened, burnish_error *error) {
     (void)file;
     *opened = NULL;
-    return cli_fail(
-        error, BURNISH_STATUS_ARGUMENT,
-        "--font: this program was built without HarfBuzz, FriBidi and fontconfig, which "
-        "fonts need; leave it out");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--font: this program was built without HarfBuzz, FriBidi and fontconfig, "
+                    "which fonts need; omit the flag");
 }
 
 const burnish_font *font_setter(const font *opened) {

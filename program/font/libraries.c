@@ -9,7 +9,7 @@
 
 font_library_calls font_calls;
 
-/* By the name of their binary interface, which the headers are of. */
+/* The names of the binary interfaces that the headers describe. */
 #define HARFBUZZ_FILE "libharfbuzz.so.0"
 #define FRIBIDI_FILE "libfribidi.so.0"
 #define FONTCONFIG_FILE "libfontconfig.so.1"
@@ -21,7 +21,8 @@ static burnish_status load(const char *library, void **handle, burnish_error *er
                               "%s, which fonts need, can't be loaded; install it", library);
 }
 
-/* C has no conversion from an object's address to a function's; POSIX has their bytes alike. */
+/* C can not convert a pointer to an object into one to a function; POSIX guarantees that their
+ * bytes are the same. */
 static burnish_status find(void *handle, const char *library, const char *name, void *call,
                            burnish_error *error) {
     void *const address = dlsym(handle, name);
@@ -54,6 +55,6 @@ burnish_status font_load_libraries(burnish_error *error) {
 
 #else
 
-typedef int font_libraries_are_left_out; /* a file may not be empty */
+typedef int font_libraries_are_left_out; /* ISO C forbids an empty file */
 
 #endif

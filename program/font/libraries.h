@@ -1,5 +1,5 @@
-/* HarfBuzz, FriBidi and fontconfig, loaded when a label needs them: linked, they and what they need
- * would double the time that every start of the program takes. */
+/* HarfBuzz, FriBidi and fontconfig are loaded when a label needs them. Linking them would double
+ * the start-up time of the program. */
 #ifndef TOOL_FONT_LIBRARIES_H
 #define TOOL_FONT_LIBRARIES_H
 
@@ -10,7 +10,7 @@
 
 #include "burnish/core.h"
 
-/* What font.c calls of each. */
+/* The functions that are used. */
 #define FONT_HARFBUZZ_CALLS(X)                                                                     \
     X(hb_blob_create_from_file_or_fail)                                                            \
     X(hb_blob_destroy)                                                                             \
@@ -72,7 +72,7 @@ typedef struct font_library_calls {
 /* Set once font_load_libraries has succeeded. */
 extern font_library_calls font_calls;
 
-/* Errors: READ where a library is not there, or lacks a function. */
+/* Errors: READ if a library or one of its functions is missing. */
 burnish_status font_load_libraries(burnish_error *error);
 
 #endif

@@ -5,15 +5,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes of the well-formed character that text begins with, and its code point; 0 where there is
- * none: a stray or missing continuation, a form longer than needed, a surrogate, a code point above
- * U+10FFFF, or no byte at all. */
+/* The number of bytes of the first character, and its code point; 0 if it is not well-formed: a
+ * stray or missing continuation, an overlong form, a surrogate, a code point above U+10FFFF, or an
+ * empty text. */
 size_t utf8_decode(const char *text, size_t length, uint32_t *code);
 
-/* Bytes before the first that begins no well-formed character; length where all are well. */
+/* The number of bytes before the first one that is not well-formed; length if all are. */
 size_t utf8_valid_length(const char *text, size_t length);
 
-/* The longest beginning of at most `most` bytes that cuts no character. */
+/* The longest prefix of at most `most` bytes that does not cut a character. */
 size_t utf8_cut(const char *text, size_t most);
 
 #endif

@@ -1,4 +1,4 @@
-/* `burnish info`: size, volume and soundness of a mesh, as text or JSON. */
+/* `burnish info`: size, volume and validity of a mesh, as text or JSON. */
 #include <float.h>
 #include <math.h>
 
@@ -10,7 +10,7 @@
 
 typedef struct info_settings {
     cli_input load;
-    const char *json; /* where to; NULL: text */
+    const char *json; /* file; NULL: text on standard output */
     int threads, quiet;
 } info_settings;
 
@@ -30,12 +30,11 @@ static const cli_flag flags[] = {
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(info_settings, load)},
     {CLI_SWITCH("quiet", "no warnings", quiet),
-     .manual = "No warnings on standard error; errors stay, and so do the warnings in JSON."},
+     .manual = "No warnings on standard error. Errors and the warnings in JSON remain."},
     {CLI_FLAG("threads", "N", "number of threads (does not affect the result)", cli_flag_integer,
               threads),
      CLI_RANGE(0, 1024), .default_text = "0", .default_label = "all cores", .aliases = "jobs",
-     .manual =
-         "Threads to load with, 0 for as many as the machine offers. No digit depends on it."},
+     .manual = "Number of threads, 0 for all processors. No digit depends on it."},
 };
 
 static const cli_example examples[] = {
@@ -47,26 +46,25 @@ static const cli_example examples[] = {
 static const cli_term json_terms[] = {
     {"*burnish*", "the version"},
     {"*input, format*", "the format that was read"},
-    {"*triangles, vertices*",
-     "as read: polygons cut into triangles; equal positions are one vertex. Without faces 0 and "
-     "null"},
-    {"*points, lines*", "how many an input without faces has; then *area* and everything below it "
-                        "but *origin* and *warnings* is null"},
+    {"*triangles, vertices*", "of the file, with polygons divided into triangles; equal positions "
+                              "are one vertex. 0 and null without faces"},
+    {"*points, lines*", "number of points and lines of an input without faces; then *area* and "
+                        "everything below it, except *origin* and *warnings*, is null"},
     {"*materials*", "after loading: at least 1"},
-    {"*unit*", "of lengths, as a 3MF file says or glTF has it: micron, millimeter, centimeter, "
-               "inch, foot or meter; null: the file does not say"},
+    {"*unit*", "of lengths, from 3MF or glTF: micron, millimeter, centimeter, inch, foot or meter; "
+               "null if unknown"},
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions "
                        "of points or lines, in the units of the input"},
-    {"*area*", "of all triangles, both of those that coincide"},
-    {"*volume*", "what the triangles enclose, by the divergence theorem. It means something where "
-                 "*solid* is true; a surface that is inside out has a negative one; cavities that "
-                 "are wound inward are subtracted"},
-    {"*center_of_mass*", "of the volume where *solid* is true, else of the surface"},
-    {"*origin*", "what is subtracted from coordinates, in double precision, before they are "
-                 "rounded to single precision: 0, 0, 0, or where the file is far from there, near "
-                 "its middle. Positions here have it added, so that they are the file's"},
-    {"*solid*", "true where the surface is closed, its winding consistent and its volume not 0"},
-    {"*closed*", "true where every edge belongs to an even number of triangles"},
+    {"*area*", "of all triangles, including duplicates"},
+    {"*volume*",
+     "enclosed volume, by the divergence theorem. It is meaningful if *solid* is true, negative "
+     "for a surface that is inside out, and cavities with inward winding are subtracted"},
+    {"*center_of_mass*", "of the volume if *solid* is true, else of the surface"},
+    {"*origin*", "subtracted from coordinates, in double precision, before they are rounded to "
+                 "single precision: 0, 0, 0, or a position near the middle of a file that is far "
+                 "away from it. Positions in this report are coordinates of the file"},
+    {"*solid*", "true if the surface is closed, its winding is consistent and its volume is not 0"},
+    {"*closed*", "true if every edge belongs to an even number of triangles"},
     {"*join_tolerance, exact_open_edges*",
      "0 and *open_edges*, if equal positions are enough to know. A surface that is not closed by "
      "them, but is with vertices of its open edges joined that lie within a millionth of the "
@@ -74,28 +72,26 @@ static const cli_term json_terms[] = {
      "distance, *exact_open_edges* counts without joining, and edges, shells and windings are "
      "those "
      "of the joined surface"},
-    {"*consistent_winding*", "true where *inconsistent_edges* is 0"},
-    {"*shells*", "parts that no edge joins; those that touch in a vertex are two"},
+    {"*consistent_winding*", "true if *inconsistent_edges* is 0"},
+    {"*shells*", "parts connected by edges; parts that only share a vertex are separate"},
     {"*edges, open_edges, non_manifold_edges*",
-     "all of them; those of one triangle, where a hole or a sheet ends; those of three or more"},
-    {"*inconsistent_edges*", "those of an even number of triangles that do not run along it as "
-                             "often one way as the other"},
-    {"*flipped_triangles*", "the fewest that must be turned to make windings agree"},
-    {"*unorientable_parts*",
-     "parts where no turning does, such as a Moebius strip; their triangles "
-     "are not in *flipped_triangles*"},
-    {"*degenerate_triangles*", "without area: no picture has them. Those with three different "
-                               "vertices still join their neighbours"},
-    {"*duplicate_triangles*", "with the three vertices of an earlier one, in any order"},
+     "all edges; edges with one triangle, at holes and borders; edges with three or more"},
+    {"*inconsistent_edges*",
+     "edges with an even number of triangles that do not run in both directions equally often"},
+    {"*flipped_triangles*", "the least number of triangles to flip for a consistent winding"},
+    {"*unorientable_parts*", "parts without a consistent winding, such as a Moebius strip; their "
+                             "triangles are not in *flipped_triangles*"},
+    {"*degenerate_triangles*", "triangles without area, which are not drawn. If their vertices "
+                               "differ, they still connect their neighbours"},
+    {"*duplicate_triangles*", "triangles with the vertices of an earlier one, in any order"},
     {"*warnings*", "lines, also with *--quiet*"},
     {NULL, NULL},
 };
 
 static const cli_section sections[] = {
     {.heading = "FACTS IN JSON",
-     .text = "What *burnish info --json* prints: one object. Lengths are in *unit*; numbers read "
-             "back as "
-             "exactly the values that were computed, in double precision from single precision "
+     .text = "The output of *burnish info --json* is one object. Lengths are in *unit*. Numbers "
+             "read back as exactly the computed values, in double precision from single precision "
              "coordinates.",
      .terms = json_terms},
     {.heading = NULL},
@@ -104,22 +100,20 @@ static const cli_section sections[] = {
 const cli_command info_command = {
     .name = "info",
     .operand = "INPUT",
-    .summary = "size, volume and soundness of a mesh",
+    .summary = "size, volume and validity of a mesh",
     .operand_help = CLI_INPUT_HELP,
     .manual =
-        "Prints what can be measured and counted of _INPUT_, which may be whatever *burnish "
-        "render* takes: bounding box, area, volume, centre of mass, whether the surface is closed "
-        "and wound consistently, open and non-manifold edges, shells, flipped, degenerate and "
-        "duplicate triangles. Of an input that has points or lines instead of faces it prints "
-        "their number and the box of their positions; how large *burnish render* draws them does "
-        "not count.\n"
-        "All of it is true of the triangles as they were read, before *burnish render* turns those "
-        "that contradict their normals and leaves out those without area. Vertices are one where "
-        "their positions are equal, bit for bit. If the surface is not closed then, vertices of "
-        "its open edges are joined that only rounding keeps apart, within a millionth of the "
-        "longest side; if that closes it, it counts as closed, and the tolerance is printed. "
-        "Larger "
-        "gaps are not closed. A volume needs a closed surface whose triangles are wound alike.",
+        "Measures _INPUT_, which can be any input of *burnish render*: bounding box, area, volume, "
+        "centre of mass, whether the surface is closed and its winding consistent, open and "
+        "non-manifold edges, shells, flipped, degenerate and duplicate triangles. For an input "
+        "with points or lines instead of faces it prints their number and the box of their "
+        "positions, regardless of the size in which *burnish render* draws them.\nThe results are "
+        "about the triangles of the file, before *burnish render* flips triangles that contradict "
+        "their normals and drops those without area. Vertices with exactly equal positions are the "
+        "same. If the surface is not closed then, vertices of its open edges are joined if they "
+        "are within a millionth of the longest side, the size of rounding errors; if that closes "
+        "it, it counts as closed, and the tolerance is printed. Larger gaps stay open. A volume "
+        "needs a closed surface with a consistent winding.",
     .operands_max = 1,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
@@ -129,10 +123,10 @@ const cli_command info_command = {
     .work = work,
 };
 
-/* What there is to tell. */
+/* The facts to print. */
 typedef struct report {
     const char *input;
-    int asked; /* by --input-format */
+    int format; /* of --input-format */
     const burnish_mesh *mesh;
     const burnish_mesh_view *view;
     const burnish_mesh_facts *facts; /* NULL: the input has points or lines instead of faces */
@@ -140,7 +134,7 @@ typedef struct report {
 } report;
 
 static const char *format_name(const report *r, char ending[IMPORT_ENDING_SIZE]) {
-    return import_format_word(r->input, r->asked, burnish_mesh_get_info(r->mesh)->format, ending);
+    return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh)->format, ending);
 }
 
 /* ---- JSON ---- */
@@ -165,7 +159,7 @@ static void add_sizes(cJSON *root, const report *r, int *failed) {
     cli_json_add(root, "origin", cli_json_reals(3, r->view->origin), failed);
 }
 
-/* null where the input has no faces. */
+/* null if the input has no faces. */
 static cJSON *bool_or_null(const burnish_mesh_facts *facts, int value) {
     return facts ? cJSON_CreateBool(value) : cJSON_CreateNull();
 }
@@ -227,7 +221,7 @@ static void print_count(FILE *stream, const char *name, size_t count) {
     fprintf(stream, "  %-20s  %zu\n", name, count);
 }
 
-/* Digits that tell a coordinate as exactly as 6 do one of the mesh's own size. */
+/* Digits of a coordinate: 6 for coordinates of the mesh's size, more for larger ones. */
 static int coordinate_digits(double origin, double size) {
     int digits = 6;
     for (double reach = size; reach > 0 && reach < fabs(origin) && digits < DBL_DECIMAL_DIG;
@@ -256,7 +250,7 @@ static void print_position(FILE *stream, const char *name, const float v[3], con
     fputc('\n', stream);
 }
 
-/* Why the volume may not be what it seems; "" where it is. */
+/* Why the volume can be misleading, or "". */
 static const char *volume_remark(const burnish_mesh_facts *f) {
     return !f->is_closed       ? " (meaningless: the surface is not closed)"
            : !f->is_consistent ? " (meaningless: triangles are wound both ways)"
@@ -265,12 +259,12 @@ static const char *volume_remark(const burnish_mesh_facts *f) {
                                : "";
 }
 
-/* What is 0 but for rounding prints as 0. */
+/* 0 for rounding errors. */
 static double snap(double value, double rounding) {
     return fabs(value) < rounding ? 0 : value;
 }
 
-/* All that is known of points and lines. */
+/* All facts of points and lines. */
 static void print_box(FILE *stream, const report *r) {
     const char *unit = burnish_mesh_get_info(r->mesh)->unit;
     if (unit) {
@@ -337,7 +331,7 @@ static void print_text(FILE *stream, const report *r) {
 static burnish_status print(const info_settings *settings, const char *input,
                             const burnish_mesh *mesh, burnish_error *error) {
     report r = {.input = input,
-                .asked = settings->load.format,
+                .format = settings->load.format,
                 .mesh = mesh,
                 .view = burnish_mesh_get_view(mesh),
                 .facts = burnish_mesh_get_facts(mesh)};

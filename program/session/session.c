@@ -21,8 +21,8 @@ struct session {
     cli_companions companions;
     burnish_mesh *mesh;
     int stands_otherwise;
-    burnish_material *materials; /* the input's own: options of a picture change the mesh's */
-    size_t loading_warnings;     /* the first ones are the mesh's, the others the picture's */
+    burnish_material *materials; /* of the input; options of a picture change those of the mesh */
+    size_t loading_warnings;     /* count; later warnings are about the picture */
     burnish_renderer *renderer;
     render_settings settings;
     render_result result;
@@ -31,7 +31,7 @@ struct session {
 
 /* ---- Options ---- */
 
-/* How a mesh is loaded, and how it is drawn: each picture of a mesh may be drawn otherwise. */
+/* Options of loading a mesh, and of drawing a picture of it. */
 const cli_command session_open_command = {
     .name = "open",
     .base = &render_command,
@@ -65,8 +65,8 @@ static void write_flag_name(const char *name, char flag[CLI_NAME_MAX + 1]) {
     flag[length] = 0;
 }
 
-/* Changes "--camera-position" into "camera_position" or "cameraPosition", in place. "--help" is of
- * the program. */
+/* Changes "--camera-position" into "camera_position" or "cameraPosition", in place. "--help" stays.
+ * */
 static void rename_flags(char *text, session_naming naming) {
     char *to = text;
     for (const char *from = text, *start = text; *from;) {
@@ -89,13 +89,13 @@ static void rename_flags(char *text, session_naming naming) {
     *to = 0;
 }
 
-/* Numbers with commas between them, as flags have them. Returns the end. */
+/* Writes numbers with commas between them, as the value of a flag. Returns the end. */
 static char *write_numbers(const session_option *option, char *text) {
     *text = 0;
     for (size_t i = 0; i < option->count; ++i) {
         const double value = option->numbers[i];
         text += i > 0 ? sprintf(text, ",") : 0;
-        if (value == floor(value) && fabs(value) < 1e18) { /* counts have no exponents */
+        if (value == floor(value) && fabs(value) < 1e18) { /* counts can not have exponents */
             text += sprintf(text, "%.0f", value);
         } else {
             text += strlen(cli_shortest(value, text));
@@ -104,7 +104,7 @@ static char *write_numbers(const session_option *option, char *text) {
     return text;
 }
 
-/* Sets options of a command. Settings may point to *texts, which is to be freed. */
+/* Sets options of a command. Settings point to *texts; free it when they are no longer used. */
 static burnish_status set_options(const cli_command *command, session_options options,
                                   render_settings *settings, char **texts, burnish_error *error) {
     size_t size = 0;
@@ -195,7 +195,7 @@ int session_offer(session *s, const char *name, const void *bytes, size_t size) 
     return 1;
 }
 
-/* The end of a call: messages spell options as the caller does. */
+/* Ends a call: messages spell options as the caller does. */
 static burnish_status end(session *s, burnish_status status, session_naming naming,
                           burnish_error *error) {
     free(s->texts);
@@ -228,7 +228,7 @@ static burnish_status begin(session *s, const char *name, session_options given,
     return status;
 }
 
-/* What the input says of its surfaces. */
+/* Copies the materials of the input. */
 static burnish_status keep_materials(session *s, burnish_error *error) {
     const size_t count = burnish_mesh_get_material_count(s->mesh);
     s->materials = calloc(count, sizeof *s->materials);
@@ -240,7 +240,7 @@ static burnish_status keep_materials(session *s, burnish_error *error) {
                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu materials", count);
 }
 
-/* What follows once there is a mesh. */
+/* Prepares a loaded mesh for drawing. */
 static burnish_status finish(session *s, burnish_status status, burnish_error *error) {
     burnish_render_options no_lights = {.light_count = 0};
     for (size_t i = 0; i < burnish_mesh_get_warning_count(s->mesh); ++i) {
@@ -345,7 +345,7 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     return end(s, status == BURNISH_STATUS_OK ? draw(s, error) : status, options.naming, error);
 }
 
-/* ---- What there is to know ---- */
+/* ---- Results ---- */
 
 const burnish_image *session_image(const session *s) {
     return &s->cell.image;

@@ -1,5 +1,5 @@
-/* A mesh in memory and pictures of it, by the options of `burnish render`: what the bindings are
- * built on. One thread at a time uses a session. */
+/* A mesh in memory and pictures of it, with the options of `burnish render`. The bindings are built
+ * on sessions. Only one thread at a time can use a session. */
 #ifndef TOOLS_SESSION_SESSION_H
 #define TOOLS_SESSION_SESSION_H
 
@@ -12,7 +12,7 @@ typedef struct session session;
 
 /* One option and its value: text or numbers; neither is a switch. */
 typedef struct session_option {
-    const char *name; /* of a flag; '_' or a capital letter may stand for '-' */
+    const char *name; /* of a flag, with '-', '_' or camelCase */
     const char *text;
     const double *numbers;
     size_t count;
@@ -21,48 +21,48 @@ typedef struct session_option {
 /* How errors and warnings spell the names of options: camera_position, cameraPosition. */
 typedef enum session_naming { SESSION_UNDERSCORES, SESSION_CAMEL_CASE } session_naming;
 
-/* Options stay the caller's. Of a repeated one the last counts, except for those that add up, such
- * as "light". */
+/* The caller owns the options. If an option is repeated, the last one counts, except for "light"
+ * and "clip", which add up. */
 typedef struct session_options {
     const session_option *items;
     size_t count;
     session_naming naming;
 } session_options;
 
-/* The flags of loading, and those of drawing: parts of render's. */
+/* Render's flags for loading, and for drawing. */
 extern const cli_command session_open_command, session_draw_command;
 
-/* NULL without memory.
- *   context  of loading and drawing, outlives the session; NULL: the default */
+/* NULL without memory. The context of loading and drawing must outlive the session; NULL: the
+ * default. */
 session *session_create(burnish_context *context);
 void session_destroy(session *s);
 
-/* A file that an input in memory may name; name and bytes stay until the session is open. 0 without
- * memory. */
+/* Adds a file that an input in memory can refer to. Name and bytes must live until the session is
+ * open. Returns 0 without memory. */
 int session_offer(session *s, const char *name, const void *bytes, size_t size);
 
 /* Loads a mesh, once.
- *   name   a built-in object or a file; with bytes it tells the format and stands in messages
- *   bytes  size of them; NULL: name is loaded */
+ *   name   a built-in object or a file; with bytes: for the format and messages
+ *   bytes  of the file; NULL: the file `name` is loaded */
 burnish_status session_open(session *s, const char *name, const void *bytes, size_t size,
                             session_options options, burnish_error *error);
 
-/* The same from arrays, whose name stands in messages. */
+/* Builds a mesh from arrays, once. */
 burnish_status session_build(session *s, const burnish_mesh_description *description,
                              session_options options, burnish_error *error);
 
-/* Whether these are options of drawing that go together. */
+/* Checks options of drawing without a mesh. */
 burnish_status session_check(session_options options, burnish_error *error);
 
-/* Draws the mesh. May be called again, also after an error. */
+/* Draws the mesh. Can be called again, also after an error. */
 burnish_status session_draw(session *s, session_options options, burnish_error *error);
 
-/* ---- What there is to know ---- */
+/* ---- Results ---- */
 
-/* The picture, until the next one. */
+/* The picture; valid until the next one. */
 const burnish_image *session_image(const session *s);
 
-/* The same, to be destroyed by the caller; the session's becomes empty. */
+/* The picture, which the caller destroys. The session keeps no image. */
 burnish_image session_take_image(session *s);
 
 uint64_t session_hash(const session *s); /* of the last picture; 0 after an error */
@@ -73,7 +73,7 @@ void session_bounds(const session *s, double minimum[3], double maximum[3]); /* 
 const char *session_up(const session *s); /* "+Y": the axis in use */
 int session_up_number(const session *s);  /* the same as render_up */
 
-/* Line number `index`, those of loading first; NULL past the last. */
+/* Warning number `index`, the warnings of loading first; NULL past the last. */
 const char *session_warning(const session *s, size_t index);
 
 #endif

@@ -1,4 +1,4 @@
-/* What the files of `burnish render` call in a program that has no command line. */
+/* Functions that the files of `burnish render` need in a program without a command line. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,13 +7,13 @@
 #include "render/output/report.h"
 #include "render/render.h"
 
-/* The command's own work, which nothing calls. */
+/* The work of the command, which is never called. */
 burnish_status render_work(void *settings, cli_call *call, burnish_error *error) {
     (void)settings, (void)call;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "render: not here");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "render: not available here");
 }
 
-/* Nothing is printed. A warning for which there is no memory is lost. */
+/* Prints nothing. Without memory the warning is lost. */
 void render_result_warn(render_result *result, int printed, const char *format, ...) {
     burnish_error line;
     va_list arguments;

@@ -1,4 +1,4 @@
-/* What keys, --do and files do to what is shown. */
+/* The effects of keys, --do and files. */
 #if BURNISH_HAS_VIEW
 
 #include "render/flags.h"
@@ -31,25 +31,25 @@ void viewer_mark_file(viewer *v) {
     v->shown = v->seen = stamp_of(v->scene.input);
 }
 
-/* Loads what the scene says; a message says why not. */
+/* Loads the scene; shows a message if it fails. */
 static int load(viewer *v) {
     burnish_error error;
     viewer_mark_file(v);
     if (view_scene_load(&v->scene, &error) != BURNISH_STATUS_OK) {
-        viewer_say(v, error.text);
+        viewer_show_message(v, error.text);
         return 0;
     }
     viewer_touch(v, 1);
     return 1;
 }
 
-/* A changed file, or another section, look ...: the camera stays, but for a view that was framed.
- */
+/* Loads a changed file, or the same with another section or look. The camera stays, except in a
+ * framed view. */
 static void reload(viewer *v, int is_new) {
     burnish_error error;
     if (load(v) && is_new && v->scene.is_framed &&
         view_scene_aim(&v->scene, v->scene.view, &error) != BURNISH_STATUS_OK) {
-        viewer_say(v, error.text);
+        viewer_show_message(v, error.text);
     }
 }
 
@@ -58,7 +58,7 @@ void viewer_look_at_file(viewer *v) {
     if (found.size >= 0 && !is_same(&found, &v->shown) && is_same(&found, &v->seen)) {
         reload(v, 1);
         if (v->is_dirty) {
-            viewer_say(v, "The file has changed: read again");
+            viewer_show_message(v, "The file has changed: read again");
         }
     }
     v->seen = found;
@@ -80,12 +80,12 @@ void viewer_open(viewer *v, char *name) {
     v->sdl.SDL_free(v->dropped);
     v->dropped = name;
     if (view_scene_aim(&v->scene, v->scene.view, &error) != BURNISH_STATUS_OK) {
-        viewer_say(v, error.text);
+        viewer_show_message(v, error.text);
     }
     viewer_set_title(v);
 }
 
-/* "part-1.png": the first that is free. */
+/* "part-1.png": the first unused name. */
 static void name_picture(const viewer *v, char *name, size_t size) {
     const char *base = viewer_base_name(v->scene.input);
     base += base[0] == ':';
@@ -100,7 +100,7 @@ static void name_picture(const viewer *v, char *name, size_t size) {
     }
 }
 
-/* Without what lies over the picture: of one lobe the file that `burnish render` writes. */
+/* Saves the picture without overlays. With one lobe it is the file of `burnish render`. */
 static void save_picture(viewer *v) {
     char name[512], text[600];
     burnish_error error;
@@ -113,7 +113,7 @@ static void save_picture(viewer *v) {
         status = burnish_image_create(&image, v->width, v->height, 3, &error);
     }
     if (status != BURNISH_STATUS_OK || !shown) {
-        viewer_say(v, shown ? error.text : "out of memory for the picture");
+        viewer_show_message(v, shown ? error.text : "out of memory for the picture");
         free(shown);
         return;
     }
@@ -129,7 +129,7 @@ static void save_picture(viewer *v) {
     }
     status = burnish_image_write_png(&image, name, &error);
     snprintf(text, sizeof text, "Saved as %s", name);
-    viewer_say(v, status == BURNISH_STATUS_OK ? text : error.text);
+    viewer_show_message(v, status == BURNISH_STATUS_OK ? text : error.text);
     burnish_image_destroy(&image);
     free(shown);
 }
@@ -144,7 +144,7 @@ static void next_lobe(viewer *v, int index, int step) {
     for (; (example = burnish_lobe_spec_example((size_t)count)); ++count) {
         at = strcmp(example, name) == 0 ? count : at;
     }
-    /* from one that is no example: the first, or the last */
+    /* from a lobe that is not in the list: to the first or the last */
     const int next = at < 0 ? (step > 0 ? 0 : count - 1) : (at + step + count) % count;
     burnish_lobe_spec_parse(burnish_lobe_spec_example((size_t)next), &v->lobes[index], NULL);
 }
@@ -169,7 +169,7 @@ static void move_section(viewer *v, int step) {
     view_section *section = &v->scene.section;
     const double before = section->share;
     if (!section->is_on) {
-        viewer_say(v, "X, Y or Z cuts the object");
+        viewer_show_message(v, "X, Y or Z cuts the object");
         return;
     }
     section->share = fmin(fmax(section->share + 0.02 * step, 0.01), 0.99);
@@ -186,17 +186,17 @@ static void change_look(viewer *v, int step) {
     const cli_word *next = &render_look_words[(at + step + count) % count];
     v->scene.given.shading.look = next->value;
     if (load(v)) {
-        viewer_say(v, next->name);
+        viewer_show_message(v, next->name);
     }
 }
 
 static void change_exponent(viewer *v, int step) {
     burnish_error error;
     const double was = fmax(view_scene_exponent(&v->scene), 1);
-    const double next = round(8 * (log2(was) * 2 + step)) / 8; /* half powers of 2, eighths kept */
+    const double next = round(8 * (log2(was) * 2 + step)) / 8; /* steps of half a power of 2 */
     const double exponent = fmin(fmax(round(exp2(next / 2)), 1), 8192);
     if (view_scene_set_exponent(&v->scene, exponent, &error) != BURNISH_STATUS_OK) {
-        viewer_say(v, error.text);
+        viewer_show_message(v, error.text);
     }
 }
 
@@ -220,7 +220,7 @@ static void move_camera(viewer *v, const view_action_row *row) {
     }
 }
 
-/* Actions that change no picture. Returns 0 for others. */
+/* Actions that do not change the picture. Returns 0 for others. */
 static int act_outside(viewer *v, const view_action_row *row) {
     switch (row->action) {
     case VIEW_ACTION_SCREENSHOT:
@@ -228,7 +228,7 @@ static int act_outside(viewer *v, const view_action_row *row) {
         break;
     case VIEW_ACTION_COMMAND:
         view_scene_print(&v->scene, &v->lobes[0]);
-        viewer_say(v, "The command is on standard output");
+        viewer_show_message(v, "The command is on standard output");
         break;
     case VIEW_ACTION_FULLSCREEN:
         v->fullscreen = !v->fullscreen;
@@ -261,7 +261,7 @@ void viewer_act(viewer *v, const view_action_row *row) {
     switch (row->action) {
     case VIEW_ACTION_VIEW:
         if (view_scene_aim(&v->scene, (render_view)row->value, &error) != BURNISH_STATUS_OK) {
-            viewer_say(v, error.text);
+            viewer_show_message(v, error.text);
         }
         break;
     case VIEW_ACTION_LOBE:
@@ -303,6 +303,6 @@ void viewer_act(viewer *v, const view_action_row *row) {
 
 #else
 
-typedef int view_act_is_left_out; /* a file may not be empty */
+typedef int view_act_is_left_out; /* ISO C forbids an empty file */
 
 #endif

@@ -1,4 +1,4 @@
-/* What keys do: one table for the window, its help, --do and the manual. */
+/* The table of actions, for keys, the help, --do and the manual. */
 #ifndef TOOL_VIEW_ACTIONS_H
 #define TOOL_VIEW_ACTIONS_H
 
@@ -29,7 +29,7 @@ typedef enum view_action {
     VIEW_ACTION_QUIT
 } view_action;
 
-/* Keys that are no character. */
+/* Keys without a character. */
 enum {
     VIEW_KEY_LEFT = 256,
     VIEW_KEY_RIGHT,
@@ -44,23 +44,24 @@ enum {
     VIEW_KEY_F11 = VIEW_KEY_F1 + 10
 };
 
-/* Rows that follow one with a `keys` of NULL share its line of help. */
+/* Rows with NULL `keys` share a line of help with the next row. */
 typedef struct view_action_row {
     const char *word; /* of --do */
     view_action action;
     int value;        /* a render_view, a direction (1, -1), an axis */
-    int key, shift;   /* a character in lower case or VIEW_KEY_; shift: 1 with it, 0 without */
-    const char *keys; /* as help prints them; NULL: the next row's has them too */
+    int key, shift;   /* a lower-case character or VIEW_KEY_; shift: 1 with, 0 without */
+    const char *keys; /* for the help; NULL: in the next row's */
     const char *what;
 } view_action_row;
 
 extern const view_action_row view_actions[];
 extern const size_t view_action_count;
 
-/* What a key does; NULL: nothing. */
+/* The action of a key, or NULL. */
 const view_action_row *view_find_key(int key, int shift);
 
-/* The word at the start of a list between commas, which moves past it. NULL for an unknown one. */
+/* The action of the first word of a list with commas; moves *list past it. NULL for an unknown
+ * word. */
 const view_action_row *view_next_word(const char **list);
 
 /* For the manual. */

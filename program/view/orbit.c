@@ -24,7 +24,7 @@ static double normalize(double v[3]) {
     return length;
 }
 
-/* From the focal point to the camera, of unit length; returns the distance. */
+/* The unit vector from the focal point to the camera; returns the distance. */
 static double backward(const burnish_camera *camera, double direction[3]) {
     for (int k = 0; k < 3; ++k) {
         direction[k] = camera->position[k] - camera->focal_point[k];
@@ -32,7 +32,7 @@ static double backward(const burnish_camera *camera, double direction[3]) {
     return normalize(direction);
 }
 
-/* v without its part along the unit vector n. */
+/* The part of v that is perpendicular to the unit vector n. */
 static void flatten(const double v[3], const double n[3], double result[3]) {
     const double along = dot(v, n);
     for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ static void flatten(const double v[3], const double n[3], double result[3]) {
     }
 }
 
-/* The height of what the picture shows at the focal point. */
+/* The height of the picture at the focal point. */
 static double height(const burnish_camera *camera) {
     double direction[3];
     return camera->orthographic_height > 0
@@ -53,7 +53,7 @@ void view_orbit(burnish_camera *camera, const double up[3], double azimuth, doub
     const double distance = backward(camera, direction);
     const double rise = fmin(fmax(dot(direction, up), -1), 1);
     flatten(direction, up, level);
-    if (normalize(level) < 1e-6) { /* straight above: what is upward in the picture lies behind */
+    if (normalize(level) < 1e-6) { /* straight above: the picture's up direction is backward */
         flatten(camera->view_up, up, level);
         normalize(level);
         for (int k = 0; k < 3; ++k) {

@@ -28,7 +28,7 @@ static uint8_t *window_pixel(const panel *p, int x, int y) {
     return p->window->pixels + (size_t)(p->y + y) * p->window->stride + (size_t)(p->x + x) * 4;
 }
 
-/* How much of a pixel a rectangle with round corners covers. */
+/* Coverage of a pixel by a rectangle with round corners. */
 static float cover(int x, int y, int width, int height, float radius) {
     const float cx = fminf((float)x + 0.5F, (float)(width - x) - 0.5F);
     const float cy = fminf((float)y + 0.5F, (float)(height - y) - 0.5F);
@@ -38,8 +38,7 @@ static float cover(int x, int y, int width, int height, float radius) {
     return fminf(fmaxf(radius - hypotf(radius - cx, radius - cy) + 0.5F, 0), 1);
 }
 
-/* Lays a light card with a thin border over the window, of what is inside it. Returns 0 where it
- * has no room. */
+/* Paints a light card with a thin border, clipped to the window. Returns 0 if it has no room. */
 static int begin(panel *p, const burnish_pixels *window, int x, int y, int width, int height) {
     *p = (panel){window, x, y, {0}};
     if (x < 0 || y < 0 || width > window->width - x || height > window->height - y ||
@@ -137,7 +136,7 @@ static const struct {
              {"drop a file", "show it"}};
 enum { MOUSE = sizeof mouse / sizeof *mouse };
 
-/* Row `index` of the help: the mouse's, then the keys'. Returns 0 past the last. */
+/* Row `index` of the help: mouse actions, then keys. Returns 0 past the last. */
 static int help_row(size_t index, const char **keys, const char **what) {
     if (index < MOUSE) {
         *keys = mouse[index].keys;
@@ -167,7 +166,7 @@ void view_paint_help(const burnish_pixels *window) {
     const int column = key_width + GAP + what_width;
     int columns = 2, height = 2 * PADDING + CAPITAL + (rows + 1) / 2 * LINE;
     int width = 2 * PADDING + 2 * column + COLUMNS_GAP;
-    if (width > window->width) { /* narrow windows show what there is room for */
+    if (width > window->width) { /* narrow windows show as much as fits */
         columns = 1;
         width = 2 * PADDING + column;
         height = 2 * PADDING + CAPITAL + (rows - 1) * LINE;
@@ -247,7 +246,7 @@ void view_paint_scale(const burnish_pixels *window, int limit, const char *title
     }
 }
 
-/* b - a of the channel where it is largest. */
+/* b - a of the channel with the largest difference. */
 static int extreme(const uint8_t *a, const uint8_t *b) {
     int result = 0;
     for (int k = 0; k < 3; ++k) {
@@ -303,7 +302,7 @@ view_difference view_paint_differences(const burnish_pixels *a, const burnish_pi
         for (int x = 0; x < a->width; ++x, pa += 4, pb += 4, to += 4) {
             const int difference = extreme(pa, pb);
             memcpy(to, colors[difference + 255], 4);
-            if (difference == 0) { /* a fifth of what the picture shows */
+            if (difference == 0) { /* a fifth of the picture's contrast */
                 const int luma = (pa[0] + 5 * pa[1] + 2 * pa[2]) / 8;
                 for (int k = 0; k < 3; ++k) {
                     to[k] = (uint8_t)((4 * to[k] + luma) / 5);

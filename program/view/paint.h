@@ -1,11 +1,11 @@
-/* What lies over the picture in the window: panels of text, what divides two pictures, the map of
- * their differences. Windows have pixels of BGRA. */
+/* Overlays of the window: panels of text, the divider between two pictures, and the map of their
+ * differences. Windows have BGRA pixels. */
 #ifndef TOOL_VIEW_PAINT_H
 #define TOOL_VIEW_PAINT_H
 
 #include "burnish/image.h"
 
-/* Where a panel hangs: at a corner or the middle of a point. */
+/* The position of a panel: one of its corners or its middle is at a point. */
 typedef enum view_anchor {
     VIEW_TOP_LEFT,
     VIEW_TOP_RIGHT,
@@ -14,29 +14,29 @@ typedef enum view_anchor {
     VIEW_BOTTOM_MIDDLE
 } view_anchor;
 
-/* Lines of text on a light panel at (x, y); the first in dark, others in grey where is_title is 1.
- */
+/* Lines of text on a light panel at (x, y). If is_title is 1, the first is dark and others are
+ * grey. */
 void view_paint_panel(const burnish_pixels *window, view_anchor anchor, int x, int y,
                       const char *text, int is_title);
 
-/* All keys, in the middle of the window. */
+/* The help, in the middle of the window. */
 void view_paint_help(const burnish_pixels *window);
 
 /* The line between two pictures, at column x, and its handle. */
 void view_paint_divider(const burnish_pixels *window, int x);
 
-/* The colours of differences up to `end` codes, at the bottom; `title` above them. */
+/* The legend of differences up to `end` of 255, at the bottom, with a title. */
 void view_paint_scale(const burnish_pixels *window, int end, const char *title);
 
-/* How two pictures differ. */
+/* The differences of two pictures. */
 typedef struct view_difference {
     int largest;       /* codes */
-    double mean, rmse; /* over all channels of all pixels; of those that either */
+    double mean, rmse; /* over all channels of all pixels */
     size_t pixels;     /* that differ */
 } view_difference;
 
-/* Of each pixel b - a, in the channel where it is largest, into `map`; what is equal shows the
- * object faintly. Returns what stands for the ends of the scale in *end. */
+/* Paints b - a of each pixel, in the channel with the largest difference, into `map`; equal pixels
+ * show the object faintly. *end receives the ends of the scale. */
 view_difference view_paint_differences(const burnish_pixels *a, const burnish_pixels *b,
                                        const burnish_pixels *map, int *end);
 

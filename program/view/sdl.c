@@ -7,7 +7,7 @@
 
 #include "cli/options.h"
 
-/* By the name of its binary interface, which the headers are of. */
+/* The name of the binary interface that the headers describe. */
 #define SDL_LIBRARY "libSDL2-2.0.so.0"
 
 burnish_status view_load_sdl(view_sdl_calls *calls, burnish_error *error) {
@@ -18,7 +18,8 @@ burnish_status view_load_sdl(view_sdl_calls *calls, burnish_error *error) {
                         "libsdl2-2.0-0)",
                         SDL_LIBRARY);
     }
-    /* C has no conversion from an object's address to a function's; POSIX has their bytes alike. */
+    /* C can not convert a pointer to an object into one to a function; POSIX guarantees that their
+     * bytes are the same. */
     void *address;
 #define FIND(name)                                                                                 \
     address = dlsym(handle, #name);                                                                \
@@ -34,6 +35,6 @@ burnish_status view_load_sdl(view_sdl_calls *calls, burnish_error *error) {
 
 #else
 
-typedef int view_sdl_is_left_out; /* a file may not be empty */
+typedef int view_sdl_is_left_out; /* ISO C forbids an empty file */
 
 #endif

@@ -1,5 +1,5 @@
-/* SDL2, loaded when a window is wanted: linked, it and what it needs (X11, Wayland, sound) would be
- * a dependency of every run of the program. */
+/* SDL2 is loaded when a window is opened. If it were linked, every run of the program would depend
+ * on it and on its libraries (X11, Wayland, sound). */
 #ifndef TOOL_VIEW_SDL_H
 #define TOOL_VIEW_SDL_H
 
@@ -7,7 +7,7 @@
 
 #include "burnish/core.h"
 
-/* What window.c calls. */
+/* The functions that are used. */
 #define VIEW_SDL_CALLS(X)                                                                          \
     X(SDL_CreateSystemCursor)                                                                      \
     X(SDL_CreateWindow)                                                                            \
@@ -33,7 +33,7 @@ typedef struct view_sdl_calls {
 #undef VIEW_SDL_POINTER
 } view_sdl_calls;
 
-/* Errors: READ where SDL2 is not there, or lacks a function. */
+/* Errors: READ if SDL2 or one of its functions is missing. */
 burnish_status view_load_sdl(view_sdl_calls *calls, burnish_error *error);
 
 #endif

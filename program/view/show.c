@@ -1,4 +1,4 @@
-/* Pictures, and what lies over them. */
+/* Pictures and overlays. */
 #if BURNISH_HAS_VIEW
 
 #include "view/viewer.h"
@@ -18,7 +18,7 @@ double viewer_now(void) {
     return 1e3 * cli_seconds_now();
 }
 
-void viewer_say(viewer *v, const char *text) {
+void viewer_show_message(viewer *v, const char *text) {
     const size_t most = v->width > 300 ? (size_t)(v->width - 120) / 9 : 20;
     size_t length = strlen(text), start = 0, blank = 0;
     length = length < sizeof v->toast ? length : sizeof v->toast - 1;
@@ -47,7 +47,7 @@ static burnish_pixels plane(const viewer *v, int index) {
                             (uint8_t *)v->pixels[index]};
 }
 
-/* The window's own pixels. Returns 0 where their size has just changed: an event says so. */
+/* The pixels of the window. Returns 0 if their size has just changed; an event follows. */
 static int window_pixels(const viewer *v, burnish_pixels *pixels) {
     const SDL_Surface *surface = v->sdl.SDL_GetWindowSurface(v->window);
     if (!surface || surface->w != v->width || surface->h != v->height) {
@@ -58,7 +58,7 @@ static int window_pixels(const viewer *v, burnish_pixels *pixels) {
     return 1;
 }
 
-/* Doubles a picture of half the size, which may lie at the start of the other. */
+/* Doubles a picture of half the size, which can be at the start of the other one. */
 static void enlarge(const uint32_t *half, const burnish_pixels *pixels) {
     const size_t width = (size_t)(pixels->width + 1) / 2;
     for (int y = pixels->height - 1; y >= 0; --y) {
@@ -85,7 +85,7 @@ static burnish_status draw_lobe(viewer *v, int index, view_quality quality,
     return status;
 }
 
-/* Several slow frames in a row, since another program's work makes single ones slow. */
+/* Only several slow frames in a row count, because other programs can delay single frames. */
 static void adapt(viewer *v, double took) {
     v->slow_frames = took > slow_frame ? v->slow_frames + 1 : 0;
     if (v->slow_frames >= SLOW_FRAMES && v->moving < VIEW_COARSE) {
@@ -235,6 +235,6 @@ void viewer_set_title(viewer *v) {
 
 #else
 
-typedef int view_show_is_left_out; /* a file may not be empty */
+typedef int view_show_is_left_out; /* ISO C forbids an empty file */
 
 #endif

@@ -16,29 +16,27 @@ static cli_handler read_actions;
 static const cli_flag flags[] = {
     {.group = "Window",
      .topic = "window",
-     CLI_FLAG("resolution", "W,H", "width and height of the window, in pixels", cli_flag_size,
+     CLI_FLAG("resolution", "W,H", "width and height of the window in pixels", cli_flag_size,
               render.picture.size),
      CLI_RANGE(64, BURNISH_IMAGE_MAX_SIZE),
      .default_text = "1280,800",
      .common = 1,
      .aliases = "width,height,res",
      .manual = "Width and height of the window at the start, in pixels."},
-    {CLI_FLAG("output", "FILE", "where P saves the picture", cli_flag_text, output),
+    {CLI_FLAG("output", "FILE", "file of the key P (screenshot)", cli_flag_text, output),
      .default_label = "INPUT's name and a number", .letter = 'o', .common = 1, .takes_file = 1,
      .aliases = "out,screenshot",
-     .manual = "Where the key P saves the picture, as PNG; the file is replaced each time. Without "
-               "this flag it is _INPUT_'s name and the first free number, *part-1.png*, in the "
-               "current folder."},
-    {CLI_FLAG("do", "ACTIONS", "what keys do, by their words: split,errors", read_actions, actions),
-     .common = 1,
      .manual =
-         "Does what keys do, one after another, each when the picture before is complete: words "
-         "between commas, see *KEYS*. *--do=front,screenshot,quit* needs nobody at the keys."},
-    {CLI_FLAG("frames", "N", "turn once in N frames, print how long they took, end",
-              cli_flag_integer, frames),
+         "File in which the key P saves the picture, as PNG; it is replaced each time. The default "
+         "is _INPUT_'s name with the first unused number, *part-1.png*, in the current folder."},
+    {CLI_FLAG("do", "ACTIONS", "actions to perform, such as split,errors", read_actions, actions),
+     .common = 1,
+     .manual = "Performs actions, a list with commas, one after another, each when the previous "
+               "picture is complete; see *KEYS*. For example *--do=front,screenshot,quit*."},
+    {CLI_FLAG("frames", "N", "benchmark: one turn in N frames", cli_flag_integer, frames),
      CLI_RANGE(1, 100000),
-     .manual = "Turns the object once in _N_ frames, as dragging does, prints how long they took, "
-               "and ends."},
+     .manual =
+         "Turns the object once in _N_ frames, as dragging does, prints the times, and ends."},
 };
 
 static const cli_example examples[] = {
@@ -49,9 +47,9 @@ static const cli_example examples[] = {
 
 static const cli_section sections[] = {
     {.heading = "KEYS",
-     .text = "The mouse: dragging walks around the object, dragging with the right or middle "
-             "button or with Shift moves it, the wheel goes nearer and farther at the pointer, a "
-             "file that is dropped is shown. Words of *--do*, and keys:",
+     .text = "Mouse: drag to rotate the camera around the object; drag with the right or middle "
+             "button or with Shift to move it; use the wheel to zoom at the pointer; drop a file "
+             "to show it. Actions of *--do*, and keys:",
      .each_term = view_each_action},
     {.heading = NULL},
 };
@@ -59,17 +57,15 @@ static const cli_section sections[] = {
 const cli_command view_command = {
     .name = "view",
     .operand = "INPUT",
-    .summary = "turn a mesh in a window",
+    .summary = "show a mesh in a window",
     .operand_help = &BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; :teapot :sphere :torus :knot"[1],
-    .manual =
-        "Shows _INPUT_, a file or a built-in object, in a window, by the renderer of *burnish "
-        "render*, on the processor. While something moves, a picture is drawn as fast as the "
-        "window needs it; once it rests, as *burnish render* draws it: the key P saves the same "
-        "file that *burnish render* writes, and C prints the command that does. The file is read "
-        "again when it changes.\n"
-        "Besides the flags below, those of *burnish render* that say where the camera stands, how "
-        "the surface and its light look and how _INPUT_ is read have the same meaning here. Of two "
-        "lobes, *--lobe=*_A_*,*_B_, the second is shown on the right. Windows need SDL2.",
+    .manual = "Shows _INPUT_, a file or a built-in object, in a window, with the renderer of "
+              "*burnish render* on the CPU. While something moves, the quality depends on the "
+              "available time; then the picture is the same as that of *burnish render*: the key P "
+              "saves the same file, and C prints the command for it. The file is reloaded when it "
+              "changes.\nIn addition to the flags below, the flags of *burnish render* for the "
+              "camera, the surface, lights and the input have the same meaning here. With two "
+              "lobes, *--lobe=*_A_*,*_B_, the second one is on the right. Windows need SDL2.",
     .operands_max = 1,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
@@ -118,14 +114,13 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     settings->render.input.name = call->operands[0];
     if (strcmp(call->operands[0], "-") == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "view: standard input can't be read again, as cuts and changes need; name "
-                        "a file");
+                        "view: standard input can't be reloaded for cuts and changes; name a file");
     }
     if (settings->render.picture.views.count > 1 || settings->render.shading.lobes.count > 2) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         settings->render.picture.views.count > 1
-                            ? "--views: the window begins with one view; give one"
-                            : "--lobe: the window shows one lobe or two; give at most two");
+                            ? "--views: the window starts with one view; use only one"
+                            : "--lobe: the window shows at most two lobes; omit some");
     }
     const burnish_status status = render_check(&settings->render, error);
     cli_prepare_memory();

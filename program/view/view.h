@@ -1,18 +1,18 @@
-/* `burnish view`: what it was asked for, and the window. */
+/* The settings and the window of `burnish view`. */
 #ifndef TOOL_VIEW_VIEW_H
 #define TOOL_VIEW_VIEW_H
 
 #include "render/settings.h"
 
 typedef struct view_settings {
-    render_settings render; /* first: its flags are ours too */
-    const char *output;     /* where the picture is saved; NULL: the input's name and a number */
-    const char *actions;    /* words between commas; NULL: none */
-    int frames;             /* to measure; 0: none */
+    render_settings render; /* first: its flags are shared */
+    const char *output;     /* file of screenshots; NULL: the input's name and a number */
+    const char *actions;    /* words with commas; NULL: none */
+    int frames;             /* of the benchmark; 0: none */
 } view_settings;
 
-/* Opens the window, and returns when it is closed. Errors: those of loading and drawing before the
- * window is there; READ where there is none to be had; ARGUMENT where this build has no windows. */
+/* Opens the window, and returns when it is closed. Errors: as for loading and drawing, before the
+ * window opens; READ if no window can be opened; ARGUMENT if this build has no windows. */
 burnish_status view_window(const view_settings *settings, burnish_error *error);
 
 #endif

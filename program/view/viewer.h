@@ -1,4 +1,4 @@
-/* The window's state, which drawing, actions and events share. */
+/* The state of the window, shared by drawing, actions and events. */
 #ifndef TOOL_VIEW_VIEWER_H
 #define TOOL_VIEW_VIEWER_H
 
@@ -10,13 +10,13 @@
 
 /* Milliseconds. */
 enum {
-    REST = 150,  /* without a movement, until the picture is drawn as it is kept */
-    POLL = 300,  /* between looks at the file */
-    TOAST = 3500 /* that a message stays */
+    REST = 150,  /* from the last movement to the still picture */
+    POLL = 300,  /* between checks of the file */
+    TOAST = 3500 /* duration of a message */
 };
 typedef enum drag { DRAG_NONE, DRAG_ORBIT, DRAG_PAN, DRAG_DIVIDER } drag;
 
-/* What tells whether a file has changed. */
+/* Identifies a version of a file. */
 typedef struct stamp {
     long long size, seconds, nanoseconds, number;
 } stamp;
@@ -27,7 +27,7 @@ typedef struct viewer {
     SDL_Window *window;
     SDL_Cursor *cursors[2]; /* arrow; left and right */
     view_scene scene;
-    char *dropped; /* name of the file that was dropped last; NULL: none */
+    char *dropped; /* name of the last dropped file; NULL: none */
     stamp shown, seen;
 
     burnish_lobe_spec lobes[2];
@@ -35,16 +35,16 @@ typedef struct viewer {
     double divider; /* share of the width */
 
     uint32_t *pixels[3]; /* of both lobes, and of their difference */
-    int is_in_window;    /* 1: what was drawn last is in the window alone, as moving pictures are */
+    int is_in_window;    /* 1: the last picture is only in the window, as moving pictures are */
     int width, height;
     view_difference difference;
     int scale; /* of the map */
 
-    view_quality moving; /* how pictures are drawn while things move */
+    view_quality moving; /* of moving pictures */
     int slow_frames;     /* in a row */
-    int is_dirty;        /* 1: the picture has to be drawn */
-    int is_still;        /* 1: what is shown is as it is kept */
-    int repaint;         /* 1: what lies over it has changed */
+    int is_dirty;        /* 1: the picture must be drawn */
+    int is_still;        /* 1: the window shows a still picture */
+    int repaint;         /* 1: overlays have changed */
     double moved;        /* when, ms */
     double frame_ms, still_ms;
     drag drag;
@@ -56,21 +56,21 @@ typedef struct viewer {
 
 double viewer_now(void); /* milliseconds */
 
-/* Shows a message for a while, in lines that the window has room for. */
-void viewer_say(viewer *v, const char *text);
+/* Shows a message for a while, wrapped to the window. */
+void viewer_show_message(viewer *v, const char *text);
 
-/* The picture changes. at_once: not by a movement that goes on. */
+/* The picture changes. at_once: not by a continuing movement. */
 void viewer_touch(viewer *v, int at_once);
 
 /* ---- show.c ---- */
 
-/* Draws one lobe or both, and their difference where it is shown. Errors: those of drawing. */
+/* Draws one or both lobes, and their difference if it is shown. Errors: as for drawing. */
 burnish_status viewer_draw(viewer *v, view_quality quality, burnish_error *error);
 
-/* What is to be shown, without what lies over it. */
+/* The picture without overlays. */
 void viewer_compose(const viewer *v, const burnish_pixels *to);
 
-/* Puts it and what lies over it into the window. */
+/* Shows the picture and the overlays in the window. */
 void viewer_present(viewer *v);
 
 void viewer_set_title(viewer *v);
@@ -80,14 +80,14 @@ const char *viewer_base_name(const char *path);
 
 /* ---- act.c ---- */
 
-/* Does what a key does. */
+/* Performs an action. */
 void viewer_act(viewer *v, const view_action_row *row);
 
-/* Reads a file that has changed, and changes no more. */
+/* Reloads a changed file when it stops changing. */
 void viewer_look_at_file(viewer *v);
 void viewer_mark_file(viewer *v);
 
-/* Shows another file; takes the name over, which SDL_free releases. */
+/* Shows another file; takes ownership of the name, which SDL_free releases. */
 void viewer_open(viewer *v, char *name);
 
 #endif

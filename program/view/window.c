@@ -1,4 +1,4 @@
-/* The window: its events, and when what is drawn. */
+/* The window, its events and its loop. */
 #include "view/view.h"
 
 #if BURNISH_HAS_VIEW
@@ -50,7 +50,7 @@ static void press(viewer *v, const SDL_Keysym *pressed) {
         return;
     }
     const view_action_row *row = view_find_key(key, shift);
-    if (!row && shift) { /* characters that Shift makes, on keyboards that have them there */
+    if (!row && shift) { /* characters that need Shift on some keyboards */
         key = key == '/' ? '?' : key == '=' ? '+' : key;
         row = view_find_key(key, 0);
     } else if (!row && key == '=') {
@@ -164,7 +164,7 @@ static burnish_status take_event(viewer *v, const SDL_Event *event, int shift,
     return BURNISH_STATUS_OK;
 }
 
-/* Whether somebody waits for what comes next, while a still picture is drawn. */
+/* Whether an event is pending, while a still picture is drawn. */
 static int is_awaited(void *user_data) {
     static const SDL_EventType ranges[][2] = {{SDL_QUIT, SDL_QUIT},
                                               {SDL_KEYDOWN, SDL_KEYDOWN},
@@ -185,7 +185,7 @@ static int is_awaited(void *user_data) {
 
 /* ---- The loop ---- */
 
-/* Draws what there is to draw. */
+/* Draws the picture if necessary. */
 static burnish_status update(viewer *v, burnish_error *error) {
     const double now = viewer_now();
     burnish_status status = BURNISH_STATUS_OK;
@@ -194,8 +194,7 @@ static burnish_status update(viewer *v, burnish_error *error) {
         v->repaint = 1;
     }
     if (v->is_dirty || (v->repaint && v->is_in_window)) {
-        if (v->is_still &&
-            v->moving > VIEW_PLAIN) { /* a movement begins: perhaps there is more time now */
+        if (v->is_still && v->moving > VIEW_PLAIN) { /* a movement begins: try a higher quality */
             --v->moving;
         }
         status = viewer_draw(v, v->moving, error);
@@ -208,7 +207,7 @@ static burnish_status update(viewer *v, burnish_error *error) {
         v->scene.may_stop = 0;
         if (status == BURNISH_STATUS_CANCELLED) {
             v->moved = viewer_now();
-            status = viewer_draw(v, v->moving, error); /* it has left some of its pixels */
+            status = viewer_draw(v, v->moving, error); /* which has overwritten some pixels */
         } else {
             v->is_still = 1;
         }
@@ -271,28 +270,28 @@ static void print_times(const viewer *v, double *times, view_quality quality, do
     const int count = v->settings->frames;
     static const char *const how[] = {[VIEW_STILL] = "",
                                       [VIEW_PLAIN] = "no ambient occlusion",
-                                      [VIEW_FAST] = "one sample a pixel",
+                                      [VIEW_FAST] = "one sample per pixel",
                                       [VIEW_COARSE] = "one sample for 4 pixels"};
     double sum = 0;
     for (int i = 0; i < count; ++i) {
         sum += times[i];
     }
     qsort(times, (size_t)count, sizeof *times, compare_reals);
-    printf("%d frames of %d x %d: median %.1f ms, 99 of 100 within %.1f ms, %.0f a second; %.1f ms "
-           "of processor time each; %s\n",
+    printf("%d frames of %d x %d: median %.1f ms, 99 of 100 within %.1f ms, %.0f per second; %.1f "
+           "ms of processor time each; %s\n",
            count, v->width, v->height, times[count / 2], times[(size_t)count * 99 / 100],
            1000 * count / sum, processor / count, how[quality]);
 }
 
-/* SDL's last resort is a window in memory, which nobody sees unless they asked for it. */
+/* SDL's last resort is an invisible window in memory, which is only useful on request. */
 static int is_invisible(const viewer *v) {
     const char *driver = v->sdl.SDL_GetCurrentVideoDriver();
     return !getenv("SDL_VIDEODRIVER") && driver && strcmp(driver, "offscreen") == 0;
 }
 
-/* One turn, as dragging does, and how long each frame took until the window had it. */
+/* One turn, as dragging does, and the time of each frame until it is in the window. */
 static burnish_status measure(viewer *v, burnish_error *error) {
-    const int count = v->settings->frames, before = 30; /* frames to settle in */
+    const int count = v->settings->frames, before = 30; /* warm-up frames */
     double *times = malloc((size_t)count * sizeof *times), up[3], processor = 0;
     burnish_status status =
         times ? BURNISH_STATUS_OK
@@ -323,7 +322,7 @@ static burnish_status open_window(viewer *v, burnish_error *error) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    /* Its pixels go to the window as they are, without a GPU or what imitates one. */
+    /* Pixels are copied to the window without a GPU or an emulation. */
     v->sdl.SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     v->sdl.SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     v->sdl.SDL_SetHint(SDL_HINT_APP_NAME, "burnish");
@@ -332,8 +331,7 @@ static burnish_status open_window(viewer *v, burnish_error *error) {
     const int failed = v->sdl.SDL_Init(SDL_INIT_VIDEO) != 0;
     if (failed || is_invisible(v)) {
         return cli_fail(error, BURNISH_STATUS_READ,
-                        "view: no window can be opened: %s; use burnish render where there is no "
-                        "display",
+                        "view: no window can be opened: %s; use burnish render without a display",
                         failed ? v->sdl.SDL_GetError() : "there is no display");
     }
     const int *size = v->scene.given.picture.size;
@@ -351,9 +349,9 @@ static burnish_status open_window(viewer *v, burnish_error *error) {
     return resize(v, error);
 }
 
-/* The window goes with the process: where SDL waits under X11 it sends its window messages through
-   a second connection, and one that arrives after the window was destroyed would end the program
-   with an X error. */
+/* The window is destroyed with the process. Under X11, SDL sends itself messages through a second
+ * connection while it waits; a message that arrives after the window was destroyed would end the
+ * program with an X error. */
 static void close_window(viewer *v) {
     if (v->sdl.SDL_free) {
         v->sdl.SDL_free(v->dropped);

@@ -176,7 +176,7 @@ check "their own names" [ -s thumbs/a.png -a -s thumbs/m.png ]
 expect 2 'burnish: --output: "in/a.obj" and another input would both be written to "x.png"; put {folder} or {model} into the name' \
     render in/a.obj in/a.off -o x.png
 # Folders and lists, as batch takes them; a folder alone has no picture.
-expect 3 'burnish: in: is a folder; --output-dir=FOLDER draws all meshes of it' render in
+expect 3 'burnish: in: is a folder; use --output-dir=FOLDER to draw all its meshes' render in
 run render in -r -d thumbs --size=32 $memory
 check "a folder and those below: $(cat "$err")" [ -f thumbs/sub/a.png -a -f thumbs/a.off.png -a ! -e thumbs/burnish-batch.jsonl ]
 rm -rf thumbs
@@ -205,7 +205,7 @@ cp in/a.obj "long/$part/$part/$part/a.obj"
 echo mine >"out/$part/$part/$part/a.png"
 batch long -r -d out --size=16
 check "a foreign file of a long name: exit code $code" [ "$code" = 11 ]
-check "a foreign file of a long name: $(cat "$err")" grep -q 'exists and is no picture by burnish' "$err"
+check "a foreign file of a long name: $(cat "$err")" grep -q 'exists and was not written by burnish' "$err"
 check "it is replaced" [ "$(cat "out/$part/$part/$part/a.png")" = mine ]
 rm -rf long out
 

@@ -113,18 +113,18 @@ error=$(json error)
 "$burnish" compare teapot.png red.png --json >"$out"
 check "compare has the same error: $(json error), $error" [ "$(json error)" = "$error" ]
 expect 0 '' render :teapot --size=48 --color=red --reference=teapot.png --reference-threshold="$error" -o again.png
-expect 2 'burnish: --reference-threshold: there is nothing to compare with; name it with --reference=FILE' render :teapot --reference-threshold=0.1 -o again.png
+expect 2 'burnish: --reference-threshold: there is no reference; name it with --reference=FILE' render :teapot --reference-threshold=0.1 -o again.png
 expect 2 'burnish: --output: "teapot.png" is the reference; name another file' render :teapot --reference=teapot.png -o teapot.png
-expect 2 'burnish: --reference-difference: "again.png" is another of this call'"'"'s files; name one of its own' render :teapot --reference=teapot.png --reference-difference=again.png -o again.png
+expect 2 'burnish: --reference-difference: "again.png" is used for another file; choose another name' render :teapot --reference=teapot.png --reference-difference=again.png -o again.png
 expect 3 "burnish: none.png: can't be opened: No such file or directory" render :teapot --reference=none.png -o again.png
 
 # What is wrong is said in a line.
 expect 10 'burnish: a.png has 64 x 64 pixels, teapot.png 48 x 48: nothing else was compared' compare a.png teapot.png
 expect 2 'burnish: compare: no A and B; try "burnish compare before.png after.png" or "burnish compare --help"' compare
-expect 2 'burnish: compare: nothing to compare "a.png" with; name another input, or two lobes as --lobe=power,energy:2' compare a.png
-expect 2 'burnish: compare: a.png is a picture, which has no lobes; name another one or a mesh to compare it with' compare a.png --lobe=power,lyon:2
-expect 2 'burnish: --lobe: 2 lobes for two inputs; give one lobe, or two lobes and one input' compare :torus :sphere --lobe=power,energy:2
-expect 2 'burnish: --views: 2 views; two pictures of one view are compared' compare :torus :sphere --views=front,top
+expect 2 'burnish: compare: only one input, "a.png"; name another one, or two lobes, such as --lobe=power,energy:2' compare a.png
+expect 2 'burnish: compare: a.png is a picture, which has no lobes; name another picture or a mesh' compare a.png --lobe=power,lyon:2
+expect 2 'burnish: --lobe: 2 lobes for two inputs; use one lobe, or two lobes and one input' compare :torus :sphere --lobe=power,energy:2
+expect 2 'burnish: --views: 2 views; only one view can be compared' compare :torus :sphere --views=front,top
 expect 2 'burnish: --resolution: teapot.png has 48 x 48 pixels; leave the flag out' compare :teapot teapot.png --size=50
 expect 2 'burnish: --output: "a.png" is an input; name another file' compare a.png b.png -o a.png
 expect 2 'burnish: --json: "both.png" is the picture; name another file' compare a.png b.png -o both.png --json=both.png

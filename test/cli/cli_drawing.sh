@@ -127,10 +127,10 @@ check "scale: $(cat "$err")" [ ! -s "$err" ]
 check "labels: $(grep -o 'aria-label="[^"]*"' a.svg)" \
     [ "$(grep -o 'aria-label="[^"]*"' a.svg | sort | tr '\n' ' ')" = 'aria-label="1" aria-label="3.15" aria-label="4" aria-label="6.434" ' ]
 for name in a.svg a.png; do
-    expect 0 'burnish: warning: :teapot: --annotate: scale: a perspective has no scale, so the picture has no bar; give --camera-orthographic, or leave it out' \
+    expect 0 'burnish: warning: :teapot: --annotate: scale: a perspective has no scale, so the picture has no bar; use --camera-orthographic, or omit it' \
         render :teapot --look=drawing --annotate=box,dimensions,scale -o $name
 done
-expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' \
+expect 2 'burnish: --annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it' \
     render :teapot --annotate=scale -o b.svg
 check "the rest is drawn" grep -q 'aria-label="6.434"' a.svg
 rm a.png
@@ -162,20 +162,20 @@ useless() {
     shift 2
     expect 2 "burnish: --$flag: $why" render :sphere "$@"
 }
-frames='only a turntable has frames; write one with --turntable=FILE, or leave it out'
+frames='only a turntable has frames; use --turntable=FILE, or omit the flag'
 useless frames "$frames" --frames=10 -o a.png
 useless fps "$frames" --fps=10 -o a.png
-sheet='only a sheet has them; ask for several --views or lobes, or leave it out'
+sheet='only a sheet has them; use several --views or lobes, or omit the flag'
 useless columns "$sheet" --columns=2 --views=front
 useless no-labels "$sheet" --no-labels
 useless labels "$sheet" --labels=a
 useless font "$sheet" --font=a.ttf
-lines='no lines are drawn; draw them with --edges, or leave it out'
+lines='no lines are drawn; use --edges, or omit the flag'
 useless edge-color "$lines" --edge-color=red
 useless edge-width "$lines" --edge-width=3 --look=plain --views=front
-useless camera-view-angle 'a parallel projection has no angle; give --camera-orthographic=no, or leave it out' \
+useless camera-view-angle 'a parallel projection has no angle; use --camera-orthographic=no, or omit the flag' \
     --camera-view-angle=40 --views=front
-framed="the object is not framed, since the camera's flags say where it is; leave it out"
+framed="the object is not framed, because other flags set the camera; omit the flag"
 useless margin "$framed" --margin=0.1 --camera-position=1,2,3
 useless margin "$framed" --margin=0.1 --camera-orthographic-height=3
 nothing_left "useless flags"
@@ -187,7 +187,7 @@ done
 rm a.png
 
 # Names of outputs among inputs, and of formats elsewhere.
-expect 2 'burnish: render: "out.png" is a name of a picture, not of a mesh; an output is named with -o: burnish render :sphere -o out.png' \
+expect 2 'burnish: render: "out.png" is an image, not a mesh; name an output with -o: burnish render :sphere -o out.png' \
     render :sphere out.png
 expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' \
     render :sphere -o a.gif

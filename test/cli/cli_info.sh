@@ -75,7 +75,7 @@ check "render reports the same box" [ "$(json min) $(json max) $(json points)" =
 printf 'v 0 0 0\nv 1 0 2\nl 1 2\n' >lines.obj
 run info lines.obj
 check "a line: $(head -1 "$out")" grep -qx 'lines.obj (obj): 1 line, 1 material' "$out"
-expect 0 'burnish: warning: lines.obj: cut but not filled: lines have no inside' render lines.obj --clip=1,0,0,0.5 --size=16 -o points.png
+expect 0 'burnish: warning: lines.obj: cut but not filled: lines have no volume' render lines.obj --clip=1,0,0,0.5 --size=16 -o points.png
 run compare points.obj lines.obj --size=16 --json
 check "compare: $(json size_y), $(json volume)" grep -q '"vertices":[[:space:]]*null' "$out"
 
@@ -180,7 +180,7 @@ rm -f ./*
 
 # Errors.
 expect 2 'burnish: info: no INPUT; try "burnish info :teapot" or "burnish info --help"' info
-expect 2 'burnish: info: "b.stl" is one operand too many; usage: burnish info INPUT [options]' info a.stl b.stl
+expect 2 'burnish: info: "b.stl" is an extra operand; usage: burnish info INPUT [options]' info a.stl b.stl
 expect 2 'burnish: --jsn: unknown flag; did you mean --json?' info a.stl --jsn
 expect 2 'burnish: :tepot: unknown built-in object; there are :teapot, :sphere, :torus, :knot' info :tepot
 expect 3 "burnish: none.stl: can't be opened: No such file or directory" info none.stl

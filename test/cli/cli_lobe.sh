@@ -161,8 +161,8 @@ expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' lobe
 expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' help lobe tabel
 expect 2 'burnish: "lobe frobnicate": unknown command; "burnish lobe --help" lists the commands' lobe frobnicate
 expect 2 'burnish: lobe --format: one of table, claims, choose, fit, boundary, sample or plot comes first' lobe --format
-expect 2 'burnish: help: "x": render has no commands of its own; burnish help render' help render x
-expect 2 'burnish: lobe table: "x" is no flag; "burnish lobe table --help" lists the flags' lobe table x
+expect 2 'burnish: help: "x": render has no subcommands; try burnish help render' help render x
+expect 2 'burnish: lobe table: "x" is not a flag; "burnish lobe table --help" lists the flags' lobe table x
 expect 2 'burnish: --metric: unknown flag; did you mean --metrics?' lobe table --metric=zeta
 expect 2 'burnish: --metrics: "zetta": unknown metric; did you mean zeta?' lobe table --metrics=zetta
 expect 2 'burnish: --metrics: "frobnicate": unknown metric; "burnish help --man" lists them' lobe table --metrics=zeta,frobnicate
@@ -175,7 +175,7 @@ expect 2 'burnish: --range: "level:2" is not all, inflection, nor level:L with L
 expect 2 'burnish: --format: "xml" is not one of text, csv, json, markdown' lobe table --format=xml
 expect 5 'burnish: lobe table: 458752 rows of 14 columns are more than 4194304 cells; ask for fewer lobes, exponents or metrics' lobe table --exponents=1-65536
 expect 2 'burnish: lobe claims: "core": unknown claim; did you mean core-w?' lobe claims core
-expect 2 'burnish: lobe claims: "b" is one operand too many; usage: burnish lobe claims [ID] [options]' lobe claims a b
+expect 2 'burnish: lobe claims: "b" is an extra operand; usage: burnish lobe claims [ID] [options]' lobe claims a b
 expect 2 'burnish: lobe choose: --exponent is missing; try "burnish lobe choose --exponent=100 --epsilon=0.02"' lobe choose
 expect 2 'burnish: lobe choose: --epsilon is missing; try "burnish lobe choose --exponent=100 --epsilon=0.02"' lobe choose --exponent=9
 expect 2 'burnish: --epsilon: "1" is not a number between 0 and 1' lobe choose --exponent=9 --epsilon=1

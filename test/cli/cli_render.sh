@@ -48,14 +48,14 @@ gives 5 render :sphere --max-triangles=3  # too many triangles
 expect 7 "burnish: none/x.png: can't be written: No such file or directory; create the folder first" render :sphere --size=16 -o none/x.png
 expect 7 "burnish: /dev/full: can't be written: No space left on device; free some space" render :sphere --size=16 -o /dev/full
 away='--size=16 --camera-position=100,0,0 --camera-focal-point=200,0,0'
-expect 8 'burnish: :sphere: the picture is blank; check the camera; nothing was written' render :sphere $away --fail-on-blank
-expect 8 'burnish: :sphere: the picture is blank; check the camera; nothing was written' render :sphere $away --fail-on-blank --quiet
+expect 8 'burnish: :sphere: the picture is blank; check the camera; no file was written' render :sphere $away --fail-on-blank
+expect 8 'burnish: :sphere: the picture is blank; check the camera; no file was written' render :sphere $away --fail-on-blank --quiet
 nothing_left "failed runs"
 printf 'mine' >kept.png
-expect 8 'burnish: :sphere: the picture is blank; check the camera; nothing was written' render :sphere $away --fail-on-blank -o kept.png
+expect 8 'burnish: :sphere: the picture is blank; check the camera; no file was written' render :sphere $away --fail-on-blank -o kept.png
 run render ../broken.stl -o kept.png
 check "an older picture stays" [ "$(cat kept.png)" = mine ]
-expect 0 'burnish: warning: :sphere: the picture is blank: nothing of the object is in it; check the camera' render :sphere $away
+expect 0 'burnish: warning: :sphere: the picture is blank: the object is not in it; check the camera' render :sphere $away
 expect 0 '' render :sphere $away --quiet --overwrite
 printf 'mine' >s.png
 "$burnish" render :sphere --size=500 --json -o s.png 2>"$err" >/dev/full
@@ -101,7 +101,7 @@ mkdir model
 cd model || exit 1
 triangle >part.stl
 printf 'texture' >part.png
-expect 2 'burnish: part.png: exists and is no picture by burnish; replace it with --overwrite, or name the picture with --output=FILE' render part.stl
+expect 2 'burnish: part.png: exists and was not written by burnish; replace it with --overwrite, or name the picture with --output=FILE' render part.stl
 check "the texture is as it was" [ "$(cat part.png)" = texture ]
 expect 0 '' render part.stl --size=16 -o part.png
 check "-o replaces" is_png part.png 16 16
@@ -135,7 +135,7 @@ done
 gives 0 render :sphere --size=64 --clip=0,1,0,0.5 --clip=1,0,0,9 --json -o cut.png
 same "cuts" "$(tr -d '\n\t ' <"$out" | grep -o '"cuts":[^a-z]*')" '"cuts":[[0,1,0,0.5]],"'
 same "filled" "$(json filled)" true
-check "a plane beyond the mesh gives a line" grep -q 'nothing of the mesh is beyond' "$err"
+check "a plane beyond the mesh gives a line" grep -q 'no part of the mesh is beyond' "$err"
 run render :teapot --size=64 --clip=0,0,1,0 -o cut.png
 check "an open mesh gives a line: $(cat "$err")" grep -q 'cut but not filled' "$err"
 for value in 0,0,1 0,0,0,1 0,0,1,1,1 a,b,c,d 0,0,1,nan 0,0,1,-9 ''; do
@@ -190,12 +190,12 @@ same "lost in a white ground" "$(json near_white)" "$(json like_ground)"
 unseen='--look=plain --size=16 --color=white --light=none --ambient=1 --background-color=white'
 mkdir unseen
 cd unseen || exit 1
-expect 8 'burnish: :sphere: the picture has one colour; check colours, lights and background; nothing was written' render :sphere $unseen --fail-on-blank
-expect 8 'burnish: :sphere: 2 of 2 cells are blank; check colours, lights and background; nothing was written' render :sphere $unseen --views=front,top --fail-on-blank
+expect 8 'burnish: :sphere: the picture has one colour; check colours, lights and background; no file was written' render :sphere $unseen --fail-on-blank
+expect 8 'burnish: :sphere: 2 of 2 cells are blank; check colours, lights and background; no file was written' render :sphere $unseen --views=front,top --fail-on-blank
 nothing_left "a picture of one colour"
 cd ..
 run render :sphere $unseen --json -o t.png
-check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has one colour' "$err"
+check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has only one colour' "$err"
 expect 0 '' render :sphere --size=16 --fail-on-blank -o t.png
 
 # The report in a file, the picture on standard output.
@@ -205,7 +205,7 @@ cp report.json "$out"
 check "a report in a file is valid" valid_json
 same "its output" "$(json output)" -
 expect 0 '' render :torus --size=16 --json=report.json -o t.png
-expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render :torus --json -o -
+expect 2 'burnish: --json: standard output is used for the picture; name a file with --output=FILE or --json=FILE' render :torus --json -o -
 expect 2 'burnish: --json: "t.png" is the picture; name another file' render :torus --json=t.png -o t.png
 expect 2 'burnish: --json: "in/part.v2.stl" is the input; name another file' render in/part.v2.stl --json=in/part.v2.stl -o t.png
 expect 2 'burnish: --json: the value is empty: --json=FILE' render :torus --json=
@@ -239,8 +239,8 @@ for type in directional point; do
         "$(hash lit.gltf --size=32 --light=world-$type:$where:1:#f00)"
 done
 lit_gltf spot >lit.gltf
-expect 0 'burnish: warning: --light=file: spot lights shine to all sides, as point lights do' render lit.gltf --size=16 --light=file -o lit.png
-expect 2 'burnish: --light=file: the input has no lights of its own; leave it out' render :sphere --size=16 --light=file -o lit.png
+expect 0 'burnish: warning: --light=file: spot lights shine in all directions, like point lights' render lit.gltf --size=16 --light=file -o lit.png
+expect 2 'burnish: --light=file: the input has no lights; omit the flag' render :sphere --size=16 --light=file -o lit.png
 rm -f lit.gltf lit.png
 same "no light and no ambient light is black" "$(hash :teapot --size=64 --light=none --ambient=0 --specular=1)" \
     "$(hash :teapot --size=64 --light=none --ambient=0 --color=red)"
@@ -298,9 +298,9 @@ run render block.obj --size=16 --json -o s.png
 expect 2 'burnish: --camera-orthographic: "x" is not one of yes, no, 1, 0' render block.obj --camera-orthographic=x
 run render block.obj --size=16 --json -o s.png
 same "a perspective has no scale" "$(json pixels_per_unit)" null
-expect 2 'burnish: --same-scale: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --same-scale --camera-orthographic=no
-expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; leave out --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
-expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already says how large the object is; leave one out' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
+expect 2 'burnish: --same-scale: a perspective has no scale; omit --camera-orthographic=no' render block.obj --same-scale --camera-orthographic=no
+expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; omit --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
+expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already sets the scale; omit one of them' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
 
 # A block that is flat in x and z keeps +Y as its up axis; a sheet on its edge does not.
 printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nv 0 0 .1\nv 9 0 .1\nv 9 7 .1\nv 0 7 .1\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 4 3 7 8\nf 1 4 8 5\nf 2 3 7 6\n' >sheet.obj
@@ -316,8 +316,8 @@ same "a sphere has no reason to roll" "$(up :sphere --up=auto)" "+Y auto"
 same "the guess draws what its axis draws" "$(hash sheet.obj --size=32 --up=auto)" "$(hash sheet.obj --size=32 --up=+Z)"
 
 # Labels beyond ASCII.
-expect 2 'burnish: --labels: byte 4, 0xff, is not UTF-8; give the texts in UTF-8' render :torus --views=front,top --labels="a,b$(printf '\377')" -o s.png
-expect 2 'burnish: --labels: byte 3, 0xc3, is not UTF-8; give the texts in UTF-8' render :torus --views=front,top --labels="a,$(printf '\303')" -o s.png
+expect 2 'burnish: --labels: byte 4, 0xff, is not UTF-8; use UTF-8' render :torus --views=front,top --labels="a,b$(printf '\377')" -o s.png
+expect 2 'burnish: --labels: byte 3, 0xc3, is not UTF-8; use UTF-8' render :torus --views=front,top --labels="a,$(printf '\303')" -o s.png
 run render :torus --views=front,top --size=60 --font=none.ttf -o s.png
 check "a font that is none: exit code $code" [ "$code" = 2 -o "$code" = 3 ]
 check "a font that is none: one line" [ "$(wc -l <"$err")" = 1 ]
@@ -336,9 +336,9 @@ for kind in axes box dimensions scale grid axes,grid,scale; do
     differs "--annotate=$kind" "$bare" "$(hash block.obj --size=200 --camera-orthographic --annotate=$kind)"
 done
 same "annotations leave no trace in the report" "$(run render block.obj --size=200 --annotate=grid,dimensions --json -o s.png; json near_black)" 0
-expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; make it larger, or show more of it' render block.obj --size=60 --camera-zoom-factor=4 --annotate=dimensions -o s.png
-expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' render block.obj --annotate=scale
-expect 2 'burnish: --annotate: scale: a perspective has no scale; give --camera-orthographic, or leave it out' render block.obj --views=front --camera-orthographic=no --annotate=scale
+expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; enlarge the picture or its margin' render block.obj --size=60 --camera-zoom-factor=4 --annotate=dimensions -o s.png
+expect 2 'burnish: --annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it' render block.obj --annotate=scale
+expect 2 'burnish: --annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it' render block.obj --views=front --camera-orthographic=no --annotate=scale
 expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=axes,ruler
 expect 2 'burnish: --annotate: "" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=
 

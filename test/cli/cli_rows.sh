@@ -7,17 +7,17 @@ for text in 5 5: :5 -1:5 0:0 0:5:7 0,5 x:y 1.5:2 16384:1 0:16385; do
     expect 2 "burnish: --rows: \"$text\" is not a first row, counted from 0, and a number of rows, such as 0:64" render :sphere --rows=$text
 done
 expect 2 'burnish: --rows: the picture has no row 100; its 100 are counted from 0' render :sphere --size=100 --rows=50:51
-expect 2 'burnish: --turntable: not with --rows, which are of one picture; leave one out' render :sphere --rows=0:5 --turntable=t.gif
-expect 2 'burnish: --annotate: not with --rows, which are of one picture; leave one out' render :sphere --rows=0:5 --annotate=axes
-expect 2 'burnish: --views: not with --rows, which are of one picture; leave one out' render :sphere --rows=0:5 --views=top,front
+expect 2 'burnish: --turntable: not available with --rows; omit one of them' render :sphere --rows=0:5 --turntable=t.gif
+expect 2 'burnish: --annotate: not available with --rows; omit one of them' render :sphere --rows=0:5 --annotate=axes
+expect 2 'burnish: --views: not available with --rows; omit one of them' render :sphere --rows=0:5 --views=top,front
 expect 2 'burnish: --rows: is of one picture; draw one INPUT, without --output-dir' render :sphere :knot --rows=0:5 -d out
-expect 2 'burnish: --rows: an SVG holds the lines of all rows; leave it out, or end the name in .png' render :sphere --rows=0:5 --look=drawing -o s.svg
+expect 2 'burnish: --rows: an SVG has the lines of all rows; omit the flag, or use the extension .png' render :sphere --rows=0:5 --look=drawing -o s.svg
 # of bands that others draw (docs/scale.md)
 for flag in --rows=0:5 --plane=depth:d.npy --annotate=axes --reference=p.png --views=top,front --lobe=energy:2,taylor:2 --json --fail-on-blank; do
     name=${flag%%=*}
-    expect 2 "burnish: $name: not of a picture that others draw parts of; leave it out" render :sphere -o p.png --runners=1 "$flag"
+    expect 2 "burnish: $name: not available if other processes draw parts of the picture; omit the flag" render :sphere -o p.png --runners=1 "$flag"
 done
-expect 2 'burnish: --output: others draw parts of a PNG or of a --turntable; end the name in .png' render :sphere -o p.jpg --runner
+expect 2 'burnish: --output: other processes can only draw parts of a PNG or a --turntable; use the extension .png' render :sphere -o p.jpg --runner
 expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 -o p.png --runner
 expect 2 'burnish: --runners: is of one picture; draw one INPUT, without --output-dir' render :sphere :knot --runners=1 -d out
 nothing_left "wrong usage"

@@ -76,7 +76,7 @@ same_there :knot --size=16 --json=no/folder.json -o OUT.png
 same_there :knot --size=16 -o no/OUT.png
 check "standard input" [ "$("$burnish" render - --sandbox --size=64 -o - <"$data/colors.ply" | cksum)" = \
     "$("$burnish" render - --size=64 -o - <"$data/colors.ply" | cksum)" ]
-expect 2 'burnish: --sandbox: no other picture is read in it; leave out --reference' render :knot --sandbox --reference=a.png
+expect 2 'burnish: --sandbox: the reference can not be read in it; omit --reference' render :knot --sandbox --reference=a.png
 
 # As many outputs as the flags allow.
 planes=

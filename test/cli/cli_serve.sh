@@ -86,7 +86,7 @@ for id in 7 4294967295 3 0; do
     check "request $id: JSON" valid_json
     check "request $id: $(cat $id.line)" grep -q '^{"code":0,"report":{"burnish":' $id.line
 done
-check "a warning: $(cat 3.line)" grep -q '"warnings":\["mesh:1: material library \\"m.mtl\\" was not read (m.mtl: is not among the files' 3.line
+check "a warning: $(cat 3.line)" grep -q '"warnings":\["mesh:1: material library \\"m.mtl\\" was not read (m.mtl: is not one of the files' 3.line
 rm -f ./*.line ./*.picture ./*.png ./*.jpg
 
 # What fails ends nothing.
@@ -270,7 +270,7 @@ serve
 check "empty: exit code $code: $(cat "$err")" grep -q '^burnish: standard input: request 1: is empty; see docs/serve.md$' "$err"
 rm -f ./*.line ./*.picture a.obj bad.obj sheets.obj m.mtl empty
 expect 0 '' serve-stdio $options
-expect 2 'burnish: serve-stdio: "x.stl" is no flag; "burnish serve-stdio --help" lists the flags' serve-stdio x.stl
+expect 2 'burnish: serve-stdio: "x.stl" is not a flag; "burnish serve-stdio --help" lists the flags' serve-stdio x.stl
 expect 2 'burnish: --no-background: JPEG has no alpha; write PNG or WebP' serve-stdio $options --no-background --output-format=jpeg
 nothing_left "at the end"
 finish

@@ -10,16 +10,16 @@ expect 2 'burnish: --turntable: "t": turntables are written as PNG, WebP, GIF or
 expect 2 'burnish: --frames: "1" is not a whole number from 2 to 3600' render :sphere --turntable=t.gif --frames=1
 expect 2 'burnish: --fps: "0" is not a whole number from 1 to 120' render :sphere --turntable=t.gif --fps=0
 expect 2 'burnish: --fps: a GIF has at most 50 frames per second; write PNG, WebP or Y4M' render :sphere --turntable=t.gif --fps=51
-expect 2 'burnish: --output: --turntable already names a file; leave one out' render :sphere --turntable=t.gif -o t.png
-expect 2 'burnish: --views: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --views=top,front
-expect 2 'burnish: --plane: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --plane=depth:d.npy
-expect 2 'burnish: --annotate: a turntable shows one view and one lobe and nothing besides; leave it out' render :sphere --turntable=t.gif --annotate=box
+expect 2 'burnish: --output: --turntable already names a file; omit one of them' render :sphere --turntable=t.gif -o t.png
+expect 2 'burnish: --views: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --views=top,front
+expect 2 'burnish: --plane: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --plane=depth:d.npy
+expect 2 'burnish: --annotate: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --annotate=box
 expect 2 'burnish: --no-background: Y4M has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
-expect 2 'burnish: --dpi: only PNG, JPEG and SVG hold it; leave it out' render :sphere --turntable=t.png --dpi=100
-expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --turntable=t.gif --quality=50
+expect 2 'burnish: --dpi: only PNG, JPEG and SVG have it; omit the flag' render :sphere --turntable=t.png --dpi=100
+expect 2 'burnish: --quality: only JPEG and WebP have it; omit the flag' render :sphere --turntable=t.gif --quality=50
 expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' render :sphere -o t.gif
 expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
-expect 2 'burnish: --runner: others draw without --sandbox; leave one out' render :sphere --turntable=t.gif --runner --sandbox
+expect 2 'burnish: --runner: not available with --sandbox; omit one of them' render :sphere --turntable=t.gif --runner --sandbox
 expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runner
 expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runners=2
 nothing_left "wrong usage"

@@ -10,7 +10,7 @@ expect 2 'burnish: "bunny.obj": unknown command; did you mean burnish render bun
 expect 2 'burnish: ":teapot": unknown command; did you mean burnish render :teapot?' :teapot
 expect 2 'burnish: --json: a command comes first, as in "burnish render INPUT"; burnish --help lists the commands' --json
 expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' render
-expect 2 'burnish: info: "b" is one operand too many; usage: burnish info INPUT [options]' info a b
+expect 2 'burnish: info: "b" is an extra operand; usage: burnish info INPUT [options]' info a b
 expect 2 'burnish: --sampels: unknown flag; did you mean --samples?' render :sphere --sampels=4
 expect 2 'burnish: --view-angle: unknown flag; did you mean --camera-view-angle?' render :sphere --view-angle 4
 expect 2 'burnish: --samp: unknown flag; did you mean --samples?' render :sphere --samp=4
@@ -26,20 +26,20 @@ expect 2 'burnish: --margin: "0.5" is not a number from 0 to 0.45' render :spher
 expect 2 'burnish: --camera-view-angle: "nan" is not a number from 0.001 to 179' render :sphere --camera-view-angle=nan
 expect 2 'burnish: --camera-position: "1,2" is not three numbers, such as 1,0.5,-2' render :sphere --camera-position=1,2
 expect 2 'burnish: --camera-direction: 0,0,0 has no direction; give a vector that is not zero' render :sphere --camera-direction=0,0,0
-expect 2 'burnish: --camera-position: it is the focal point; move one of them' render :sphere --camera-position=1,2,3 --camera-focal-point=1,2,3
-expect 2 'burnish: --camera-view-up: it is parallel to the direction of view; give another vector' render :sphere --camera-position=0,9,0 --camera-focal-point=0,0,0 --camera-view-up=0,1,0
-expect 2 'burnish: --camera-position: --views already says where the camera looks from; leave one out' render :sphere --views=top --camera-position=1,2,3
-expect 2 'burnish: --camera-azimuth-angle: --camera-position already says where the camera looks from; leave one out' render :sphere --camera-position=1,2,3 --camera-azimuth-angle=30
+expect 2 'burnish: --camera-position: it is equal to the focal point; move one of them' render :sphere --camera-position=1,2,3 --camera-focal-point=1,2,3
+expect 2 'burnish: --camera-view-up: it is parallel to the direction of view; use another vector' render :sphere --camera-position=0,9,0 --camera-focal-point=0,0,0 --camera-view-up=0,1,0
+expect 2 'burnish: --camera-position: --views already sets the camera; omit one of them' render :sphere --views=top --camera-position=1,2,3
+expect 2 'burnish: --camera-azimuth-angle: --camera-position already sets the camera; omit one of them' render :sphere --camera-position=1,2,3 --camera-azimuth-angle=30
 expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is one of directional, point, world-directional, world-point; or the whole is none or file' render :sphere --light=sun:1,2,3
 expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
 expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood
 expect 2 'burnish: sheet: 2 pictures of 16384 x 16 in 2 columns exceed 16384 pixels; use smaller pictures or another number of columns' render :sphere --views=front,top --resolution=16384,16
-expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render :sphere -o - --json
-expect 2 'burnish: --json: standard output already carries the picture; name a file with --output=FILE or --json=FILE' render - --json
-expect 3 'burnish: /: is a folder; --output-dir=FOLDER draws all meshes of it' render /
+expect 2 'burnish: --json: standard output is used for the picture; name a file with --output=FILE or --json=FILE' render :sphere -o - --json
+expect 2 'burnish: --json: standard output is used for the picture; name a file with --output=FILE or --json=FILE' render - --json
+expect 3 'burnish: /: is a folder; use --output-dir=FOLDER to draw all its meshes' render /
 expect 2 'burnish: "nonsense": unknown command; "burnish --help" lists the commands' help nonsense
 expect 2 'burnish: --samples: "?[31m" is not one of 1, 4, 8, 16' render :sphere --samples="$(printf '\033[31m')"
-expect 2 'burnish: --labels: 2 texts for 3 cells; give one text per cell, between commas' render :sphere --views=front,top,iso --labels=one,two
+expect 2 'burnish: --labels: 2 labels for 3 cells; use one label per cell, between commas' render :sphere --views=front,top,iso --labels=one,two
 # A sheet too large is refused before the input is looked at.
 expect 2 'burnish: sheet: 3 pictures of 16 x 8000 in 1 columns exceed 16384 pixels; use smaller pictures or another number of columns' render none.obj --views=front,top,iso --columns=1 --resolution=16,8000
 expect 2 'burnish: --camera-position: "1e308,0,0" has a number beyond 1e100; give a smaller one' render :sphere --camera-position=1e308,0,0
@@ -48,10 +48,10 @@ expect 2 'burnish: --help: "nonsense" is not one of picture, files, camera, ligh
 for name in picture.bmp out/picture.TIF; do
     expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR, NPY or SVG; end the name in .png, .jpg, .webp, .exr, .npy or .svg" render :sphere -o $name
 done
-expect 2 'burnish: --output: "a.svg": an SVG holds lines, no shading; draw them with --look=drawing, or end the name in .png' render :sphere -o a.svg
+expect 2 'burnish: --output: "a.svg": an SVG has lines, not shading; use --look=drawing, or the extension .png' render :sphere -o a.svg
 expect 2 'burnish: --edges: "corners" is not one of silhouettes, creases, boundaries, materials, none' render :sphere --edges=creases,corners
 expect 2 'burnish: --edge-width: "0" is not a number from 0.1 to 100' render :sphere --edge-width=0
-expect 2 'burnish: --quality: only JPEG and WebP lose any; leave it out' render :sphere --quality=50 -o x.png
+expect 2 'burnish: --quality: only JPEG and WebP have it; omit the flag' render :sphere --quality=50 -o x.png
 expect 2 'burnish: --quality: "0" is not a whole number from 1 to 100' render :sphere --quality=0 -o x.jpg
 expect 2 'burnish: --dpi: "0" is not a number from 1 to 65535' render :sphere --dpi=0
 expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, jpg, webp, svg, exr, npy, gif, y4m' render :sphere --output-format=bmp

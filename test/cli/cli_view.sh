@@ -7,9 +7,9 @@ here=$(cd "$(dirname "$0")" && pwd)
 export SDL_VIDEODRIVER=dummy
 
 expect 2 'burnish: view: no INPUT; try "burnish view :teapot" or "burnish view --help"' view
-expect 2 "burnish: view: standard input can't be read again, as cuts and changes need; name a file" view -
-expect 2 'burnish: --views: the window begins with one view; give one' view :sphere --views=front,top
-expect 2 'burnish: --lobe: the window shows one lobe or two; give at most two' view :sphere --lobe=power,schlick,gx
+expect 2 "burnish: view: standard input can't be reloaded for cuts and changes; name a file" view -
+expect 2 'burnish: --views: the window starts with one view; use only one' view :sphere --views=front,top
+expect 2 'burnish: --lobe: the window shows at most two lobes; omit some' view :sphere --lobe=power,schlick,gx
 expect 2 'burnish: --do: "section-q": unknown action; did you mean section-x?' view :sphere --do=front,section-q
 run view --help
 check "the help screen names --do" grep -q -- --do "$out"
@@ -23,7 +23,7 @@ fi
 expect 3 'burnish: none.stl: can'"'"'t be opened: No such file or directory' view none.stl --do=quit
 SDL_VIDEODRIVER=none run view :sphere --do=quit
 check "no display: exit code $code" [ "$code" = 3 ]
-check "no display: one line: $(cat "$err")" grep -q '^burnish: view: no window can be opened: .*; use burnish render where there is no display$' "$err"
+check "no display: one line: $(cat "$err")" grep -q '^burnish: view: no window can be opened: .*; use burnish render without a display$' "$err"
 
 # same_picture ACTIONS INPUT FLAGS...: key P saves the picture that the command printed by key C writes.
 same_picture() {

@@ -33,7 +33,7 @@ static burnish_material white(void) {
     return material;
 }
 
-/* Seen straight from the front, ambient light of 1 alone, one sample a pixel. */
+/* Seen straight from the front, ambient light of 1 alone, one sample per pixel. */
 static void open_scene(scene *s, const burnish_material *material, const burnish_texture *textures,
                        size_t count, const float *normals) {
     burnish_mesh_description arrays = describe_arrays(square, normals, NULL, 4, square_indices, 2);

@@ -392,7 +392,7 @@ class Process(unittest.TestCase):
             drawing.set()
             mesh.render(size=8192, samples=16, threads=1, ground=True)
         thread.join()
-        line = "a signal's handler can't use the mesh that it interrupts; use another"
+        line = "a signal handler can't use the mesh that it interrupts; use another mesh"
         self.assertEqual(found, [line, line, burnish.render(":sphere", size=8).hash])
         self.assertEqual(mesh.warnings, ())
 
