@@ -4,6 +4,7 @@
  */
 #include <stdio.h>
 
+#include "burnish/look.h"
 #include "burnish/image.h"
 #include "burnish/mesh.h"
 #include "burnish/render.h"

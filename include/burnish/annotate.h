@@ -21,6 +21,7 @@
 #include <stdint.h>
 
 #include "burnish/core.h"
+#include "burnish/drawing.h"
 #include "burnish/image.h"
 #include "burnish/mesh.h"
 
@@ -54,7 +55,12 @@ typedef struct burnish_annotate_options {
 } burnish_annotate_options;
 
 /* No kinds, white background. */
-BURNISH_API burnish_annotate_options burnish_annotate_options_default(void);
+BURNISH_API void burnish_annotate_options_init(burnish_annotate_options *options, uint64_t layout);
+static inline burnish_annotate_options burnish_annotate_options_default(void) {
+    burnish_annotate_options options;
+    burnish_annotate_options_init(&options, BURNISH_LAYOUT(burnish_annotate_options));
+    return options;
+}
 
 /* Draws them over a picture of the mesh. No label overlaps another, or the bounding box on the
  * screen, which holds the object. What finds no room is left out.

@@ -77,6 +77,16 @@ BURNISH_API const char *burnish_status_text(burnish_status status);
 /* The exit code that the command line gives a status: 0 for OK, 1 for a value outside the list. */
 BURNISH_API int burnish_status_exit_code(burnish_status status);
 
+/* ---- Description structs ---- */
+
+/* The layout of a struct as the caller was compiled: its size and the version of the headers.
+ *
+ * A ..._default() function returns a description struct with its default values and a cookie, so 0
+ * in a member means 0. It is an inline function that passes the caller's layout to ..._init(). A
+ * struct that was not initialised, or whose layout is not the library's, is refused with
+ * ARGUMENT. */
+#define BURNISH_LAYOUT(type) ((uint64_t)(BURNISH_VERSION_NUMBER / 100) << 32 | sizeof(type))
+
 /* ---- Context ---- */
 
 /* Where memory comes from. Both functions are called from any thread that runs burnish's work, also
@@ -127,7 +137,12 @@ typedef struct burnish_context_options {
     void *progress_user_data;
 } burnish_context_options;
 
-BURNISH_API burnish_context_options burnish_context_options_default(void);
+BURNISH_API void burnish_context_options_init(burnish_context_options *options, uint64_t layout);
+static inline burnish_context_options burnish_context_options_default(void) {
+    burnish_context_options options;
+    burnish_context_options_init(&options, BURNISH_LAYOUT(burnish_context_options));
+    return options;
+}
 
 /* Options that calls share. May be used by several threads at the same time where its functions
  * allow that. log, cancelled and progress are called by the thread that called burnish or, with a

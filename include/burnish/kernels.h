@@ -130,7 +130,12 @@ typedef struct burnish_kernels_lighting {
 
 /* Ambient .05, diffuse .6, specular .35, exponent 32, energy:2, Blinn, white ambient light, a
  * distant viewer toward +z, one white directional light from (-.48, .6, .64). */
-BURNISH_API burnish_kernels_lighting burnish_kernels_lighting_default(void);
+BURNISH_API void burnish_kernels_lighting_init(burnish_kernels_lighting *lighting, uint64_t layout);
+static inline burnish_kernels_lighting burnish_kernels_lighting_default(void) {
+    burnish_kernels_lighting lighting;
+    burnish_kernels_lighting_init(&lighting, BURNISH_LAYOUT(burnish_kernels_lighting));
+    return lighting;
+}
 
 /* A lighting, checked and folded into what does not depend on the point. Constant. */
 typedef struct burnish_kernels_shader burnish_kernels_shader;

@@ -171,7 +171,12 @@ typedef struct burnish_load_options {
 /* Crease auto, tessellation 16, no texture coordinates, no facts, not strict, one thread per
  * processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles, texels auto, the default context and loader.
  */
-BURNISH_API burnish_load_options burnish_load_options_default(void);
+BURNISH_API void burnish_load_options_init(burnish_load_options *options, uint64_t layout);
+static inline burnish_load_options burnish_load_options_default(void) {
+    burnish_load_options options;
+    burnish_load_options_init(&options, BURNISH_LAYOUT(burnish_load_options));
+    return options;
+}
 
 typedef struct burnish_mesh burnish_mesh;
 
@@ -239,7 +244,13 @@ typedef struct burnish_mesh_description {
 } burnish_mesh_description;
 
 /* No arrays, index size 4, up +Y. */
-BURNISH_API burnish_mesh_description burnish_mesh_description_default(void);
+BURNISH_API void burnish_mesh_description_init(burnish_mesh_description *description,
+                                               uint64_t layout);
+static inline burnish_mesh_description burnish_mesh_description_default(void) {
+    burnish_mesh_description description;
+    burnish_mesh_description_init(&description, BURNISH_LAYOUT(burnish_mesh_description));
+    return description;
+}
 
 /* A mesh from the caller's arrays, which are copied, checked as a file is, and may go afterwards.
  * Of the options, those about files and built-in objects have no meaning.
@@ -464,7 +475,12 @@ typedef struct burnish_framing {
 
 /* The mesh's up axis, three-quarter view, view angle 30 degrees, aspect 1, margin 0.05, no insets,
  * perspective. */
-BURNISH_API burnish_framing burnish_framing_default(void);
+BURNISH_API void burnish_framing_init(burnish_framing *framing, uint64_t layout);
+static inline burnish_framing burnish_framing_default(void) {
+    burnish_framing framing;
+    burnish_framing_init(&framing, BURNISH_LAYOUT(burnish_framing));
+    return framing;
+}
 
 /* The camera that shows the whole mesh as large as the margin allows, exactly: it fits the
  * projected vertices, not a bounding sphere. Errors: ARGUMENT, MEMORY. */

@@ -142,32 +142,12 @@ typedef struct burnish_render_options {
 /* 1024x768, 4 samples, energy:2, Blinn, local viewer, the default rig (key, fill and rim light that
  * follow the camera, a little ambient light), a camera that must be set (its position equals its
  * focal point, which burnish_render refuses). */
-BURNISH_API burnish_render_options burnish_render_options_default(void);
-
-/* Sets of options by name. */
-typedef enum burnish_look {
-    BURNISH_LOOK_PLAIN, /* what burnish_render_options_default() has: the default rig on white */
-    /* The same rig, so weak that a white surface comes out near 0.9 of white and no surface's own
-     * colour is cut off, on a ground a little darker than white, with ambient occlusion. */
-    BURNISH_LOOK_STUDIO,
-    BURNISH_LOOK_CLAY,      /* studio without highlights: every surface one matt warm colour */
-    BURNISH_LOOK_TECHNICAL, /* edges over light, matt surfaces; one light, white ground */
-    BURNISH_LOOK_DRAWING,   /* edges alone: surfaces as white as the ground */
-    BURNISH_LOOK_LOBES,     /* one light on dark surfaces, white ground: highlights stand out */
-    BURNISH_LOOK_COUNT
-} burnish_look;
-
-/* Sets the options' lights, ambient light, background, occlusion, edges, edge_width and
- * ignore_colors as the look has them; call it before settings of your own.
- * Errors: ARGUMENT (options not from burnish_render_options_default(), no such look). */
-BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_options *options,
-                                                           burnish_look look, burnish_error *error);
-
-/* Gives the look's colours, without a highlight's exponent, to those of a mesh's materials that
- * have none of their own (has_diffuse 0); with CLAY and DRAWING to all, with PLAIN to none. Errors:
- * ARGUMENT (no such look), MEMORY. */
-BURNISH_API burnish_status burnish_look_set_materials(burnish_look look, burnish_mesh *mesh,
-                                                      burnish_error *error);
+BURNISH_API void burnish_render_options_init(burnish_render_options *options, uint64_t layout);
+static inline burnish_render_options burnish_render_options_default(void) {
+    burnish_render_options options;
+    burnish_render_options_init(&options, BURNISH_LAYOUT(burnish_render_options));
+    return options;
+}
 
 /* ---- Rows of a picture ----
  *
@@ -264,7 +244,12 @@ typedef struct burnish_target {
 } burnish_target;
 
 /* Every pointer NULL. */
-BURNISH_API burnish_target burnish_target_default(void);
+BURNISH_API void burnish_target_init(burnish_target *target, uint64_t layout);
+static inline burnish_target burnish_target_default(void) {
+    burnish_target target;
+    burnish_target_init(&target, BURNISH_LAYOUT(burnish_target));
+    return target;
+}
 
 /* ---- Renderers ---- */
 
@@ -315,7 +300,9 @@ typedef struct burnish_lines {
 /* Those of the last frame, valid until the next one. NULL for NULL. */
 BURNISH_API const burnish_lines *burnish_renderer_get_lines(const burnish_renderer *renderer);
 
-/* Puts the last frame into a drawing (image.h), after what it has: first areas, then lines, one
+struct burnish_drawing; /* drawing.h */
+
+/* Puts the last frame into a drawing (drawing.h), after what it has: first areas, then lines, one
  * path per width. Areas are the surfaces whose colour is not the background's and the cuts that are
  * filled, which are hatched as in the picture; what is in front of one hides it. Colours are flat:
  * ambient light times ka, as with BURNISH_LOOK_DRAWING. Of lights, textures, colours of vertices,
@@ -330,7 +317,8 @@ BURNISH_API const burnish_lines *burnish_renderer_get_lines(const burnish_render
 BURNISH_API burnish_status burnish_renderer_trace(burnish_renderer *renderer,
                                                   const burnish_mesh *mesh,
                                                   const burnish_render_options *options,
-                                                  burnish_drawing *drawing, burnish_error *error);
+                                                  struct burnish_drawing *drawing,
+                                                  burnish_error *error);
 
 #ifdef __cplusplus
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "batch/batch.h"
+#include "burnish/sheet.h"
 
 #ifndef _WIN32
 
@@ -70,7 +71,7 @@ static burnish_status take_cell(const sheet *s, burnish_image *cell, char *label
                                 burnish_error *error) {
     uint64_t size = 0;
     burnish_image whole = {0};
-    burnish_status status = burnish_image_create(cell, s->width, s->height, 3, error);
+    burnish_status status = burnish_image_create(NULL, cell, s->width, s->height, 3, error);
     if (status == BURNISH_STATUS_OK && (!channel_read(s->channel, label, label_size) ||
                                         !channel_read(s->channel, &size, sizeof size))) {
         status = cli_fail(error, BURNISH_STATUS_READ, "--sheet: the other process has ended");
@@ -82,8 +83,8 @@ static burnish_status take_cell(const sheet *s, burnish_image *cell, char *label
     }
     if (status == BURNISH_STATUS_OK) {
         memset(cell->pixels, 255, (size_t)cell->width * (size_t)cell->height * 3);
-        if (size > 0 &&
-            burnish_image_decode(bytes, (size_t)size, label, &whole, NULL) == BURNISH_STATUS_OK) {
+        if (size > 0 && burnish_image_decode(NULL, bytes, (size_t)size, label, &whole, NULL) ==
+                            BURNISH_STATUS_OK) {
             shrink(&whole, cell);
         }
     }

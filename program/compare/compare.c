@@ -1,4 +1,5 @@
 /* `burnish compare`: two pictures, two meshes under one camera, or two lobes on one mesh. */
+#include "burnish/compare.h"
 #include "compare/compare.h"
 
 #include <stdlib.h>

@@ -3,6 +3,7 @@
 #define TOOL_FONT_FONT_H
 
 #include "burnish/image.h"
+#include "burnish/sheet.h"
 #include "cli/options.h"
 
 typedef struct font font;

@@ -112,7 +112,7 @@ static burnish_status keep(picture_animation *animation, const burnish_image *fr
                            burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     if (!animation->previous.pixels) {
-        status = burnish_image_create(&animation->previous, frame->width, frame->height,
+        status = burnish_image_create(NULL, &animation->previous, frame->width, frame->height,
                                       frame->channels, error);
     }
     if (status == BURNISH_STATUS_OK) {

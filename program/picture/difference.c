@@ -1,4 +1,5 @@
 #include "picture/difference.h"
+#include "burnish/sheet.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -27,7 +28,7 @@ static int code_at(const burnish_image *image, size_t pixel, int channel) {
 burnish_status picture_subtract(const burnish_image *reference, const burnish_image *image,
                                 double end, burnish_image *result, burnish_error *error) {
     const burnish_status status =
-        burnish_image_create(result, image->width, image->height, image->channels, error);
+        burnish_image_create(NULL, result, image->width, image->height, image->channels, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -1,4 +1,5 @@
 #include "picture/panels.h"
+#include "burnish/sheet.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -134,7 +135,8 @@ static double choose_end(const burnish_comparison *numbers) {
 static burnish_status map_flip(const picture_panels *panels, burnish_image *map,
                                burnish_error *error) {
     const burnish_image *like = panels->pictures[0];
-    const burnish_status status = burnish_image_create(map, like->width, like->height, 3, error);
+    const burnish_status status =
+        burnish_image_create(NULL, map, like->width, like->height, 3, error);
     const size_t pixels = (size_t)like->width * (size_t)like->height;
     for (size_t i = 0; i < pixels && status == BURNISH_STATUS_OK; ++i) {
         picture_difference_color((double)panels->flip_map[i], 1, map->pixels + 3 * i);
@@ -201,7 +203,7 @@ burnish_status picture_compose(const picture_panels *panels, burnish_image *made
                                                      &difference, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_image_create(made, l.total[0], l.total[1], 3, error);
+        status = burnish_image_create(NULL, made, l.total[0], l.total[1], 3, error);
     }
     if (status == BURNISH_STATUS_OK) {
         memset(made->pixels, 255, 3 * (size_t)made->width * (size_t)made->height);

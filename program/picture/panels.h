@@ -2,6 +2,7 @@
 #ifndef TOOL_PICTURE_PANELS_H
 #define TOOL_PICTURE_PANELS_H
 
+#include "burnish/compare.h"
 #include "picture/picture.h"
 
 typedef struct picture_panels {

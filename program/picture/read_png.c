@@ -90,5 +90,5 @@ burnish_status picture_decode_png(const char *name, const uint8_t *bytes, size_t
         return cli_fail(error, BURNISH_STATUS_FORMAT,
                         "%.200s: not a PNG file; convert the picture to PNG", name);
     }
-    return burnish_image_decode(bytes, size, name, image, error);
+    return burnish_image_decode(NULL, bytes, size, name, image, error);
 }

@@ -5,6 +5,7 @@
 #include <cjson/cJSON.h>
 #include <stdio.h>
 
+#include "burnish/compare.h"
 #include "burnish/image.h"
 #include "cli/values.h"
 

@@ -5,6 +5,7 @@
 
 #include "burnish/core.h"
 #include "burnish/render.h"
+#include "burnish/sheet.h"
 #include "picture/difference.h"
 #include "plot/plot.h"
 
@@ -82,7 +83,7 @@ static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
 static burnish_status draw_legend(gallery *g, double exponent, burnish_error *error) {
     burnish_image *card = &g->images[1][0];
     const burnish_image *like = &g->images[0][0];
-    burnish_status status = burnish_image_create(card, like->width, like->height, 3, error);
+    burnish_status status = burnish_image_create(NULL, card, like->width, like->height, 3, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

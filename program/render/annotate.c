@@ -1,5 +1,7 @@
 /* Drawing a cell with its annotations, into pixels and into a drawing. */
 #include "render/annotate.h"
+#include "burnish/drawing.h"
+#include "burnish/sheet.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,8 +18,8 @@ burnish_status render_draw(const render_result *result, burnish_renderer *render
         return burnish_renderer_draw(renderer, result->mesh, options, &cell->image, &cell->report,
                                      error);
     }
-    burnish_status status = burnish_image_create(&cell->image, options->width, options->height,
-                                                 options->transparent ? 4 : 3, error);
+    burnish_status status = burnish_image_create(
+        NULL, &cell->image, options->width, options->height, options->transparent ? 4 : 3, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -2,6 +2,7 @@
 #ifndef TOOL_RENDER_ANNOTATE_H
 #define TOOL_RENDER_ANNOTATE_H
 
+#include "burnish/sheet.h"
 #include "render/output/report.h"
 
 /* Draws the mesh. *depth receives the distances for render_annotate, or NULL if it needs none; free

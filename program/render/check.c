@@ -1,4 +1,5 @@
 #include "render/check.h"
+#include "burnish/look.h"
 
 #include <stdio.h>
 #include <string.h>

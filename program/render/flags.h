@@ -2,6 +2,7 @@
 #ifndef TOOL_RENDER_FLAGS_H
 #define TOOL_RENDER_FLAGS_H
 
+#include "burnish/look.h"
 #include "cli/options.h"
 
 extern const cli_word render_look_words[]; /* burnish_look */

@@ -1,4 +1,5 @@
 #include "render/options.h"
+#include "burnish/look.h"
 
 #include <string.h>
 

@@ -1,4 +1,5 @@
 #include "render/reference.h"
+#include "burnish/compare.h"
 
 #include <stdio.h>
 #include <string.h>

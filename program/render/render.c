@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include "burnish/core.h"
+#include "burnish/drawing.h"
 #include "burnish/render.h"
+#include "burnish/sheet.h"
 #include "cli/clock.h"
 #include "cli/file.h"
 #include "cli/limits.h"

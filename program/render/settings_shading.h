@@ -2,6 +2,7 @@
 #ifndef TOOL_RENDER_SETTINGS_SHADING_H
 #define TOOL_RENDER_SETTINGS_SHADING_H
 
+#include "burnish/look.h"
 #include "burnish/render.h"
 #include "cli/values.h"
 

@@ -110,7 +110,7 @@ static void save_picture(viewer *v) {
     const burnish_pixels pixels = {v->width, v->height, BURNISH_PIXELS_BGRA8, 4 * (size_t)v->width,
                                    (uint8_t *)shown};
     if (status == BURNISH_STATUS_OK && shown) {
-        status = burnish_image_create(&image, v->width, v->height, 3, &error);
+        status = burnish_image_create(NULL, &image, v->width, v->height, 3, &error);
     }
     if (status != BURNISH_STATUS_OK || !shown) {
         viewer_show_message(v, shown ? error.text : "out of memory for the picture");

@@ -1,4 +1,5 @@
 #include "view/paint.h"
+#include "burnish/sheet.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -42,7 +43,7 @@ static float cover(int x, int y, int width, int height, float radius) {
 static int begin(panel *p, const burnish_pixels *window, int x, int y, int width, int height) {
     *p = (panel){window, x, y, {0}};
     if (x < 0 || y < 0 || width > window->width - x || height > window->height - y ||
-        burnish_image_create(&p->image, width, height, 3, NULL) != BURNISH_STATUS_OK) {
+        burnish_image_create(NULL, &p->image, width, height, 3, NULL) != BURNISH_STATUS_OK) {
         return 0;
     }
     for (int row = 0; row < height; ++row) {

@@ -1,4 +1,5 @@
 #include "view/scene.h"
+#include "burnish/look.h"
 #include "render/flags.h"
 #include "render/options.h"
 

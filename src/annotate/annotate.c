@@ -1,33 +1,39 @@
 /* The doors: what to draw is laid out, then drawn layer by layer into pixels or a drawing; or laid
  * out to see how much room it needs. */
 #include "annotate/annotate.h"
+#include "burnish/drawing.h"
 
 #include <string.h>
 
 #include "core/environment.h"
-#include "core/error.h"
+#include "core/layout.h"
 #include "core/srgb.h"
 #include "image/pixels.h"
 #include "image/text/drawing.h"
 #include "image/text/text.h"
 
-#define COOKIE 0x414e4e31u
+#define COOKIE BURNISH_COOKIE(0x414e4e31, burnish_annotate_options)
 
 /* Of the space that margins leave, at most so much is taken on one side. */
 #define LARGEST_INSET 0.3
 
 enum { FITTING_STEPS = 12 };
 
-burnish_annotate_options burnish_annotate_options_default(void) {
-    return (burnish_annotate_options){.cookie = COOKIE, .background = {255, 255, 255}};
+void burnish_annotate_options_init(burnish_annotate_options *options, uint64_t layout) {
+    const burnish_annotate_options defaults = {.cookie = COOKIE, .background = {255, 255, 255}};
+    burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_annotate_options), &defaults);
 }
 
 static burnish_status check(const burnish_mesh *mesh, const burnish_annotate_options *annotations,
                             int width, int height, burnish_error *error) {
-    if (!mesh || !annotations || annotations->cookie != COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "annotations: %s",
-                            mesh ? "not initialised; start from burnish_annotate_options_default()"
-                                 : "no mesh; pass the one that was drawn");
+    const burnish_status status =
+        burnish_layout_check(annotations, COOKIE, "annotations", "annotate_options", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (!mesh) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "annotations: no mesh; pass the one that was drawn");
     }
     if (annotations->kinds & ~(burnish_annotation_flags)BURNISH_ANNOTATION_ALL) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -1,13 +1,14 @@
 #include "core/context.h"
 
-#include "core/error.h"
+#include "core/layout.h"
 #include "core/memory.h"
 #include "core/tasks.h"
 
-#define COOKIE 0x63747831u /* "ctx1" */
+#define COOKIE BURNISH_COOKIE(0x63747831, burnish_context_options)
 
-burnish_context_options burnish_context_options_default(void) {
-    return (burnish_context_options){.cookie = COOKIE};
+void burnish_context_options_init(burnish_context_options *options, uint64_t layout) {
+    const burnish_context_options defaults = {.cookie = COOKIE};
+    burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_context_options), &defaults);
 }
 
 burnish_status burnish_context_create(const burnish_context_options *options,
@@ -16,10 +17,10 @@ burnish_status burnish_context_create(const burnish_context_options *options,
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "context: NULL; pass where to put it");
     }
     *context = NULL;
-    if (!options || options->cookie != COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "context options: not initialised; start from "
-                            "burnish_context_options_default()");
+    const burnish_status status =
+        burnish_layout_check(options, COOKIE, "context options", "context_options", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     if (!options->allocator.allocate != !options->allocator.release) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -11,6 +11,10 @@ static const burnish_allocator *own_allocator(const burnish_context *context) {
     return context && context->options.allocator.allocate ? &context->options.allocator : NULL;
 }
 
+const burnish_context *burnish_memory_owner(const burnish_context *context) {
+    return own_allocator(context) ? context : NULL;
+}
+
 #ifdef _WIN32
 #include <malloc.h>
 

@@ -47,6 +47,10 @@ static inline void burnish_memory_join(burnish_memory *memory, const burnish_mem
     }
 }
 
+/* The context if it has an allocator, else NULL. What stores this instead of the context can outlive
+ * a context without an allocator. */
+const burnish_context *burnish_memory_owner(const burnish_context *context);
+
 /* count elements of size bytes, not cleared, aligned to BURNISH_ALIGNMENT. NULL on failure and for
  * count 0. `what` names the array in the message. */
 void *burnish_allocate(burnish_memory *memory, size_t count, size_t size, const char *what);

@@ -1,4 +1,5 @@
 /* Comparing two pictures: differences of codes, silhouettes, and the bands that threads share. */
+#include "burnish/compare.h"
 #include "image/compare.h"
 
 #include <math.h>
@@ -6,10 +7,11 @@
 
 #include "core/elementary.h"
 #include "core/environment.h"
+#include "core/layout.h"
 #include "core/memory.h"
 #include "core/tasks.h"
 
-#define COOKIE 0x636d7031u /* "cmp1" */
+#define COOKIE BURNISH_COOKIE(0x636d7031, burnish_compare_options)
 
 enum {
     BAND_ROWS = 64,
@@ -46,9 +48,10 @@ typedef struct comparer {
     uint8_t *scratch;
 } comparer;
 
-burnish_compare_options burnish_compare_options_default(void) {
-    return (burnish_compare_options){
+void burnish_compare_options_init(burnish_compare_options *options, uint64_t layout) {
+    const burnish_compare_options defaults = {
         .cookie = COOKIE, .metrics = BURNISH_METRICS_ALL, .background = {255, 255, 255}};
+    burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_compare_options), &defaults);
 }
 
 /* ---- Rows ---- */
@@ -285,10 +288,10 @@ static burnish_status run(comparer *c, burnish_comparison *found, burnish_error 
 
 static burnish_status check(const burnish_pixels *a, const burnish_pixels *b,
                             const burnish_compare_options *options, burnish_error *error) {
-    if (options->cookie != COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "compare options: not initialised; start from "
-                            "burnish_compare_options_default()");
+    burnish_status status =
+        burnish_layout_check(options, COOKIE, "compare options", "compare_options", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -300,7 +303,7 @@ static burnish_status check(const burnish_pixels *a, const burnish_pixels *b,
                             "compare options: a tolerance of %d; expected 0 to 255 codes",
                             options->tolerance);
     }
-    burnish_status status = burnish_pixels_check(a, "compare: first picture", error);
+    status = burnish_pixels_check(a, "compare: first picture", error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_pixels_check(b, "compare: second picture", error);
     }

@@ -9,8 +9,8 @@ static size_t image_size(const burnish_image *image) {
     return (size_t)image->width * (size_t)image->height * (size_t)image->channels;
 }
 
-burnish_status burnish_image_create(burnish_image *image, int width, int height, int channels,
-                                    burnish_error *error) {
+burnish_status burnish_image_create(const burnish_context *context, burnish_image *image, int width,
+                                    int height, int channels, burnish_error *error) {
     if (!image) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "image: NULL; pass a burnish_image");
     }
@@ -26,8 +26,11 @@ burnish_status burnish_image_create(burnish_image *image, int width, int height,
                             "image: %d channels; use 3 (RGB) or 4 (RGBA)", channels);
     }
     /* The largest product is 2^30, so it fits a 32-bit size_t too. */
-    burnish_image made = {.width = width, .height = height, .channels = channels};
-    burnish_memory memory = burnish_memory_of(NULL, error);
+    burnish_image made = {.width = width,
+                          .height = height,
+                          .channels = channels,
+                          .context = burnish_memory_owner(context)};
+    burnish_memory memory = burnish_memory_of(context, error);
     made.pixels = burnish_allocate_zeroed(&memory, image_size(&made), 1, "the image's pixels");
     if (made.pixels) {
         *image = made;
@@ -37,7 +40,7 @@ burnish_status burnish_image_create(burnish_image *image, int width, int height,
 
 void burnish_image_destroy(burnish_image *image) {
     if (image) {
-        burnish_release(NULL, image->pixels);
+        burnish_release(image->context, image->pixels);
         *image = (burnish_image){0};
     }
 }

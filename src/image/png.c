@@ -5,6 +5,7 @@
  * its compressed bytes depend on the library that compresses, its pixels never. */
 #include <string.h>
 
+#include "core/layout.h"
 #include "core/memory.h"
 #include "core/tasks.h"
 #include "image/deflate.h"
@@ -27,13 +28,14 @@ enum {
     ADLER_SIZE = 4,
     BAND_SIZE = 1 << 17 /* filtered bytes: a smaller band loses bytes to its codes */
 };
-#define COOKIE 0x706e6731u /* "png1" */
+#define COOKIE BURNISH_COOKIE(0x706e6731, burnish_png_options)
 
 /* Deflate with a window of 32 KiB, fastest algorithm (RFC 1950). */
 static const uint8_t zlib_head[ZLIB_HEAD_SIZE] = {0x78, 0x01};
 
-burnish_png_options burnish_png_options_default(void) {
-    return (burnish_png_options){.cookie = COOKIE};
+void burnish_png_options_init(burnish_png_options *options, uint64_t layout) {
+    const burnish_png_options defaults = {.cookie = COOKIE};
+    burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_png_options), &defaults);
 }
 
 /* Bytes of a filtered row. */
@@ -387,12 +389,15 @@ static burnish_status add_piece(encoder *e, const burnish_pixels *piece, uint8_t
 }
 
 static burnish_status check_options(const burnish_png_options *options, burnish_error *error) {
-    if (options && options->cookie != COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "PNG options: not initialised; start from "
-                            "burnish_png_options_default()");
+    if (!options) {
+        return BURNISH_STATUS_OK;
     }
-    if (options && (options->threads < 0 || options->threads > BURNISH_THREADS_MAX)) {
+    const burnish_status status =
+        burnish_layout_check(options, COOKIE, "PNG options", "png_options", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if ((options->threads < 0 || options->threads > BURNISH_THREADS_MAX)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "PNG options: %d threads; expected 0 to %d", options->threads,
                             BURNISH_THREADS_MAX);

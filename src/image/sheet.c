@@ -2,6 +2,8 @@
  * drawings. */
 #include <string.h>
 
+#include "burnish/drawing.h"
+#include "burnish/sheet.h"
 #include "core/environment.h"
 #include "core/error.h"
 #include "image/text/drawing.h"
@@ -301,12 +303,13 @@ static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell 
         }
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_image_create(sheet, size[0], size[1], cells[0].image->channels, error);
+        status = burnish_image_create(cells[0].image->context, sheet, size[0], size[1],
+                                      cells[0].image->channels, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_memory memory = burnish_memory_of(NULL, error);
+    burnish_memory memory = burnish_memory_of(sheet->context, error);
     const page to = {.image = sheet, .ink = ink, .made = &made, .memory = &memory};
     fill(sheet, background);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/environment.h"
+#include "core/layout.h"
 #include "core/numbers.h"
 #include "core/vector.h"
 #include "mesh/build/build.h"
@@ -19,9 +20,12 @@ typedef struct creation {
     burnish_error *error;
 } creation;
 
-burnish_mesh_description burnish_mesh_description_default(void) {
-    return (burnish_mesh_description){
-        .cookie = BURNISH_DESCRIPTION_COOKIE, .index_size = 4, .up_axis = {0, 1, 0}};
+#define COOKIE BURNISH_COOKIE(0x6d736832, burnish_mesh_description)
+
+void burnish_mesh_description_init(burnish_mesh_description *description, uint64_t layout) {
+    const burnish_mesh_description defaults = {
+        .cookie = COOKIE, .index_size = 4, .up_axis = {0, 1, 0}};
+    burnish_layout_init(description, layout, BURNISH_LAYOUT(burnish_mesh_description), &defaults);
 }
 
 /* Whether the array has `count` items of `size` bytes; a missing array is valid. */
@@ -134,10 +138,10 @@ static burnish_status check_textures(const burnish_mesh_description *from, burni
 
 static burnish_status check_description(creation *c) {
     const burnish_mesh_description *from = c->from;
-    if (!from || from->cookie != BURNISH_DESCRIPTION_COOKIE) {
-        return burnish_fail(c->error, BURNISH_STATUS_ARGUMENT,
-                            "description: not initialised; start from "
-                            "burnish_mesh_description_default()");
+    burnish_status status =
+        burnish_layout_check(from, COOKIE, "description", "mesh_description", c->error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     const float *up = from->up_axis;
     for (int i = 0; i < 3; ++i) {
@@ -147,7 +151,7 @@ static burnish_status check_description(creation *c) {
                                 "0, 1, 0");
         }
     }
-    burnish_status status = check_counts(c);
+    status = check_counts(c);
     if (status == BURNISH_STATUS_OK) {
         status = check_arrays(c);
     }

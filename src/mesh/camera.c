@@ -2,6 +2,7 @@
 #include <float.h>
 
 #include "core/environment.h"
+#include "core/layout.h"
 #include "core/memory.h"
 #include "core/numbers.h"
 #include "core/vector.h"
@@ -26,9 +27,12 @@ typedef struct view_frame {
     burnish_vec3 right, up, back;
 } view_frame;
 
-burnish_framing burnish_framing_default(void) {
-    return (burnish_framing){
-        .cookie = BURNISH_FRAMING_COOKIE, .view_angle = 30, .aspect = 1, .margin = 0.05};
+#define COOKIE BURNISH_COOKIE(0x66726d32, burnish_framing)
+
+void burnish_framing_init(burnish_framing *framing, uint64_t layout) {
+    const burnish_framing defaults = {
+        .cookie = COOKIE, .view_angle = 30, .aspect = 1, .margin = 0.05};
+    burnish_layout_init(framing, layout, BURNISH_LAYOUT(burnish_framing), &defaults);
 }
 
 static burnish_status check_number(double value, double low, double high, const char *name,
@@ -84,15 +88,10 @@ static burnish_status check_room(const burnish_framing *options, burnish_error *
 }
 
 static burnish_status check_framing(const burnish_framing *options, burnish_error *error) {
-    if (!options) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: NULL; pass burnish_framing_default()");
+    burnish_status status = burnish_layout_check(options, COOKIE, "options", "framing", error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_vector(options->up, "up", error);
     }
-    if (options->cookie != BURNISH_FRAMING_COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: not initialised; start from burnish_framing_default()");
-    }
-    burnish_status status = check_vector(options->up, "up", error);
     if (status == BURNISH_STATUS_OK) {
         status = check_vector(options->direction, "direction", error);
     }

@@ -2,10 +2,10 @@
 #include <string.h>
 
 #include "core/elementary.h"
-#include "core/error.h"
+#include "core/layout.h"
 #include "shading/shader.h"
 
-#define LIGHTING_COOKIE 0x6c676874u
+#define COOKIE BURNISH_COOKIE(0x6c676874, burnish_kernels_lighting)
 #define LARGEST_COLOR 1e6f
 
 static int squarings_of(int order) {
@@ -82,26 +82,19 @@ burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float 
     return BURNISH_STATUS_OK;
 }
 
-burnish_kernels_lighting burnish_kernels_lighting_default(void) {
-    burnish_kernels_lighting lighting;
-    memset(&lighting, 0, sizeof lighting);
-    lighting.cookie = LIGHTING_COOKIE;
-    for (int k = 0; k < 3; ++k) {
-        lighting.material.ambient[k] = 0.05f;
-        lighting.material.diffuse[k] = 0.6f;
-        lighting.material.specular[k] = 0.35f;
-        lighting.ambient_light[k] = 1.0f;
-        lighting.lights[0].color[k] = 1.0f;
-    }
-    lighting.material.exponent = 32.0f;
-    lighting.lobe.fit = BURNISH_FIT_ENERGY;
-    lighting.lobe.order = 2;
-    lighting.viewer[2] = 1.0f;
-    lighting.light_count = 1;
-    lighting.lights[0].vector[0] = -0.48;
-    lighting.lights[0].vector[1] = 0.6;
-    lighting.lights[0].vector[2] = 0.64;
-    return lighting;
+void burnish_kernels_lighting_init(burnish_kernels_lighting *lighting, uint64_t layout) {
+    const burnish_kernels_lighting defaults = {
+        .cookie = COOKIE,
+        .material = {.ambient = {0.05f, 0.05f, 0.05f},
+                     .diffuse = {0.6f, 0.6f, 0.6f},
+                     .specular = {0.35f, 0.35f, 0.35f},
+                     .exponent = 32},
+        .lobe = {.fit = BURNISH_FIT_ENERGY, .order = 2},
+        .ambient_light = {1, 1, 1},
+        .viewer = {0, 0, 1},
+        .lights = {{.vector = {-0.48, 0.6, 0.64}, .color = {1, 1, 1}}},
+        .light_count = 1};
+    burnish_layout_init(lighting, layout, BURNISH_LAYOUT(burnish_kernels_lighting), &defaults);
 }
 
 static int is_color(const float color[3]) {
@@ -163,9 +156,10 @@ static burnish_status check_lights(const burnish_kernels_lighting *lighting, bur
 
 burnish_status burnish_lighting_check(const burnish_kernels_lighting *lighting,
                                       burnish_error *error) {
-    if (lighting->cookie != LIGHTING_COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lighting: start from burnish_kernels_lighting_default()");
+    const burnish_status status =
+        burnish_layout_check(lighting, COOKIE, "lighting", "kernels_lighting", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     if (!is_color(lighting->ambient_light)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -332,7 +332,7 @@ static void test_extremes(void) {
         }
         inside.orthographic_height = 0;
         burnish_image image;
-        CHECK1(burnish_image_create(&image, 320, 240, 4, NULL) == BURNISH_STATUS_OK);
+        CHECK1(burnish_image_create(NULL, &image, 320, 240, 4, NULL) == BURNISH_STATUS_OK);
         const burnish_pixels pixels = burnish_image_get_pixels(&image);
         CHECK1(burnish_annotate(mesh, &annotations, &inside, &pixels, NULL, 0, NULL, NULL) ==
                BURNISH_STATUS_OK);
@@ -351,7 +351,7 @@ static void test_refusals(void) {
     double inset[4];
     float depth[64 * 64];
     size_t left_out;
-    CHECK1(burnish_image_create(&image, 64, 64, 3, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_image_create(NULL, &image, 64, 64, 3, NULL) == BURNISH_STATUS_OK);
     CHECK1(burnish_camera_frame(mesh, &framing, &camera, NULL) == BURNISH_STATUS_OK);
     const burnish_pixels pixels = burnish_image_get_pixels(&image);
 #define REFUSED(...)                                                                               \

@@ -29,14 +29,17 @@ static const struct layer {
     {"src/mesh/read/ply", "core mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/threemf", "core mesh/data mesh/read/common mesh/read/io"},
     {"src/raster", "core simd burnish/core.h"},
-    {"src/image", "core image/text burnish/core.h burnish/image.h"},
+    {"src/image", "core image/text burnish/compare.h burnish/core.h burnish/drawing.h "
+                  "burnish/image.h burnish/sheet.h"},
     {"src/image/decode", "core image/zlib_stream.h burnish/image.h"},
-    {"src/image/text", "core image/pixels.h burnish/image.h"},
+    {"src/image/text", "core image/pixels.h burnish/drawing.h burnish/image.h burnish/sheet.h"},
     {"src/annotate",
-     "core image image/text burnish/annotate.h burnish/core.h burnish/image.h burnish/mesh.h"},
+     "core image image/text burnish/annotate.h burnish/core.h burnish/drawing.h burnish/image.h "
+     "burnish/mesh.h"},
     {"src/render", "core raster simd burnish/mesh.h"},
     {"src/render/frame", "core simd raster shading render render/light render/lines render/texture "
-                         "image/text/drawing.h burnish/core.h burnish/mesh.h burnish/render.h"},
+                         "image/text/drawing.h burnish/core.h burnish/drawing.h burnish/look.h "
+                         "burnish/mesh.h burnish/render.h"},
     {"src/render/light", "core simd raster render render/texture burnish/mesh.h burnish/render.h"},
     {"src/render/lines", "core mesh/edges.h image/text/strokes.h render/frame burnish/render.h"},
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
@@ -86,7 +89,8 @@ static const struct layer {
     {"hardware/firmware/avr", ""},
     {"hardware/firmware/host", ""},
     {"hardware/firmware/rv32", ""},
-    {"hardware/rtl/demo", "burnish/image.h burnish/mesh.h burnish/render.h burnish/shade_q15.h"},
+    {"hardware/rtl/demo", "burnish/image.h burnish/mesh.h burnish/render.h burnish/shade_q15.h "
+                          "burnish/sheet.h"},
     {"hardware/rtl/demo/test", "../../test burnish/shade_q15.h"},
     {"hardware/rtl/test", "burnish/image.h burnish/lobe.h burnish/lobe_q15.h burnish/mesh.h "
                           "burnish/shade_q15.h"},

@@ -148,7 +148,7 @@ static void write_file(const char *name, const char *text) {
 /* A file of each format in the current folder, with as much in it as the format holds. */
 static void write_inputs(void) {
     burnish_image image;
-    CHECK1(burnish_image_create(&image, 5, 4, 4, NULL) == BURNISH_STATUS_OK &&
+    CHECK1(burnish_image_create(NULL, &image, 5, 4, 4, NULL) == BURNISH_STATUS_OK &&
            burnish_image_write_png(&image, "memory.png", NULL) == BURNISH_STATUS_OK);
     burnish_image_destroy(&image);
     write_file("memory.mtl", "newmtl red\nKd .8 .1 .1\nNs 20\nmap_Kd memory.png\n"

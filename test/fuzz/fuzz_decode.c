@@ -20,7 +20,7 @@ static void require(int condition, const char *what, const burnish_error *error)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     burnish_error error = {0};
     burnish_image image;
-    const burnish_status status = burnish_image_decode(data, size, NULL, &image, &error);
+    const burnish_status status = burnish_image_decode(NULL, data, size, NULL, &image, &error);
     if (status == BURNISH_STATUS_OK) {
         require(image.width > 0 && image.height > 0 && (image.channels == 3 || image.channels == 4),
                 "size", &error);

@@ -1,6 +1,7 @@
 /* Comparing pictures: closed forms, SSIM by its definition, FLIP by its authors' program. */
 #include <math.h>
 
+#include "burnish/compare.h"
 #include "burnish/image.h"
 #include "counting_context.h"
 #include "support.h"
@@ -11,7 +12,7 @@
 
 static burnish_image make(int width, int height, int channels) {
     burnish_image image;
-    if (burnish_image_create(&image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
+    if (burnish_image_create(NULL, &image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
         exit(EXIT_FAILURE);
     }
     return image;

@@ -12,7 +12,7 @@ enum { SIDE = 24 };
 
 static burnish_image make_picture(int channels) {
     burnish_image image;
-    burnish_image_create(&image, SIDE, SIDE, channels, NULL);
+    burnish_image_create(NULL, &image, SIDE, SIDE, channels, NULL);
     for (int i = 0; i < SIDE * SIDE; ++i) {
         for (int k = 0; k < channels; ++k) {
             image.pixels[i * channels + k] =
@@ -40,7 +40,7 @@ static void cut_off(const uint8_t *bytes, size_t size) {
         burnish_image image;
         burnish_error error;
         memcpy(exact, bytes, n);
-        if (burnish_image_decode(exact, n, "part", &image, &error) != BURNISH_STATUS_OK) {
+        if (burnish_image_decode(NULL, exact, n, "part", &image, &error) != BURNISH_STATUS_OK) {
             CHECK(!image.pixels && image.width == 0 && error.text[0], "%zu of %zu bytes", n, size);
         }
         burnish_image_destroy(&image);
@@ -64,7 +64,7 @@ static void test_formats(void) {
         picture_file file = {0};
         burnish_error error = {BURNISH_STATUS_OK, ""};
         if (formats[i].encode(&pixels, &options, &file, &error) == BURNISH_STATUS_OK) {
-            CHECK(burnish_image_decode(file.bytes, file.size, NULL, &decoded, &error) ==
+            CHECK(burnish_image_decode(NULL, file.bytes, file.size, NULL, &decoded, &error) ==
                       BURNISH_STATUS_OK,
                   "%s", error.text);
             CHECK(largest_difference(&image, &decoded) <= formats[i].worst, "%zu: %d", i,
@@ -79,10 +79,10 @@ static void test_formats(void) {
     }
     burnish_image image;
     burnish_error error;
-    CHECK1(burnish_image_decode("GIF89a", 6, "x", &image, &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(burnish_image_decode(NULL, "GIF89a", 6, "x", &image, &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text,
                "x: neither PNG nor JPEG nor WebP nor BMP nor TGA; convert it to one of them");
-    CHECK1(burnish_image_decode(NULL, 6, "x", &image, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK1(burnish_image_decode(NULL, NULL, 6, "x", &image, &error) == BURNISH_STATUS_ARGUMENT);
 }
 
 /* ---- TGA ---- */
@@ -146,7 +146,8 @@ static void test_tga(void) {
         const size_t size = make_tga(bytes, cases[i].type, cases[i].depth, cases[i].descriptor);
         burnish_image image;
         burnish_error error;
-        if (!CHECK(burnish_image_decode(bytes, size, "a.tga", &image, &error) == BURNISH_STATUS_OK,
+        if (!CHECK(burnish_image_decode(NULL, bytes, size, "a.tga", &image, &error) ==
+                       BURNISH_STATUS_OK,
                    "%zu: %s", i, error.text)) {
             continue;
         }
@@ -166,7 +167,8 @@ static void test_tga(void) {
         for (size_t n = 18; n < size; ++n) { /* what is cut off is refused */
             uint8_t *part = malloc(n);
             memcpy(part, bytes, n);
-            CHECK(burnish_image_decode(part, n, "a.tga", &image, &error) == BURNISH_STATUS_FORMAT,
+            CHECK(burnish_image_decode(NULL, part, n, "a.tga", &image, &error) ==
+                      BURNISH_STATUS_FORMAT,
                   "%zu: %zu of %zu bytes", i, n, size);
             free(part);
         }
@@ -183,7 +185,7 @@ static void test_tga_runs(void) {
         bytes[18 + 2 * i] = 0xFF; /* 128 pixels, the last ones beyond the picture */
         bytes[19 + 2 * i] = (uint8_t)(10 * i);
     }
-    if (CHECK1(burnish_image_decode(bytes, sizeof bytes, NULL, &image, &error) ==
+    if (CHECK1(burnish_image_decode(NULL, bytes, sizeof bytes, NULL, &image, &error) ==
                BURNISH_STATUS_OK)) {
         for (int i = 0; i < 1000; ++i) { /* rows from the bottom */
             const int at = (9 - i / 100) * 100 + i % 100;
@@ -193,7 +195,7 @@ static void test_tga_runs(void) {
     }
     bytes[13] = 0x3F;
     bytes[15] = 0x3F;
-    CHECK1(burnish_image_decode(bytes, sizeof bytes, "a.tga", &image, &error) ==
+    CHECK1(burnish_image_decode(NULL, bytes, sizeof bytes, "a.tga", &image, &error) ==
            BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "a.tga: the file ends before its pixels; it is truncated");
 }
@@ -276,7 +278,8 @@ static void test_bmp(void) {
         const int channels = c->compression == 3 && c->header >= 56 ? 4 : 3;
         burnish_image image;
         burnish_error error;
-        if (!CHECK(burnish_image_decode(bytes, size, "a.bmp", &image, &error) == BURNISH_STATUS_OK,
+        if (!CHECK(burnish_image_decode(NULL, bytes, size, "a.bmp", &image, &error) ==
+                       BURNISH_STATUS_OK,
                    "%zu: %s", i, error.text)) {
             continue;
         }
@@ -294,7 +297,8 @@ static void test_bmp(void) {
         for (size_t n = 2; n < least; ++n) {
             uint8_t *part = malloc(n);
             memcpy(part, bytes, n);
-            CHECK(burnish_image_decode(part, n, "a.bmp", &image, &error) == BURNISH_STATUS_FORMAT,
+            CHECK(burnish_image_decode(NULL, part, n, "a.bmp", &image, &error) ==
+                      BURNISH_STATUS_FORMAT,
                   "%zu: %zu of %zu bytes", i, n, size);
             free(part);
         }
@@ -325,7 +329,8 @@ static void test_odd_bmp(void) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         const size_t size = make_bmp(bytes, &plain);
         put_number(bytes + cases[i].at, cases[i].value, 4);
-        CHECK(burnish_image_decode(bytes, size, "a.bmp", &image, &error) == BURNISH_STATUS_FORMAT,
+        CHECK(burnish_image_decode(NULL, bytes, size, "a.bmp", &image, &error) ==
+                  BURNISH_STATUS_FORMAT,
               "case %zu", i);
         CHECK_TEXT(error.text, cases[i].text);
     }
@@ -335,11 +340,12 @@ static void test_odd_bmp(void) {
     put_number(bytes + 10, 58, 4);
     put_number(bytes + 18, 1, 4);
     put_number(bytes + 22, 1, 4);
-    CHECK1(burnish_image_decode(bytes, 62, "a.bmp", &image, &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(burnish_image_decode(NULL, bytes, 62, "a.bmp", &image, &error) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "a.bmp: the file ends before its pixels; it is truncated");
     const size_t size = make_bmp(bytes, &plain);
     bytes[size - 4] = 200; /* the first pixel of the upper row */
-    if (CHECK1(burnish_image_decode(bytes, size, "a.bmp", &image, &error) == BURNISH_STATUS_OK)) {
+    if (CHECK1(burnish_image_decode(NULL, bytes, size, "a.bmp", &image, &error) ==
+               BURNISH_STATUS_OK)) {
         CHECK1(memcmp(image.pixels, (const uint8_t[3]){0, 0, 0}, 3) == 0);
         burnish_image_destroy(&image);
     }
@@ -399,7 +405,8 @@ static void test_scans(void) {
         uint8_t *bytes = make_scans(cases[i].side, cases[i].more, &size);
         burnish_image image;
         burnish_error error = {BURNISH_STATUS_OK, ""};
-        const burnish_status status = burnish_image_decode(bytes, size, "a.jpg", &image, &error);
+        const burnish_status status =
+            burnish_image_decode(NULL, bytes, size, "a.jpg", &image, &error);
         CHECK(status == (cases[i].text ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK), "case %zu", i);
         CHECK_TEXT(error.text, cases[i].text ? cases[i].text : "");
         burnish_image_destroy(&image);

@@ -64,7 +64,7 @@ typedef burnish_status job(const void *bytes, size_t size, uint64_t *hash, burni
 
 static burnish_status decode(const void *bytes, size_t size, uint64_t *hash, burnish_error *error) {
     burnish_image image = {0};
-    const burnish_status status = burnish_image_decode(bytes, size, "picture", &image, error);
+    const burnish_status status = burnish_image_decode(NULL, bytes, size, "picture", &image, error);
     *hash = status == BURNISH_STATUS_OK ? burnish_image_hash(&image) : 0;
     burnish_image_destroy(&image);
     return status;
@@ -143,7 +143,7 @@ static void test_decoders(void) {
         burnish_error error;
         picture_file file = {0};
         const picture_options options = {.quality = 90};
-        CHECK1(burnish_image_create(&image, SIDE, SIDE, 3, NULL) == BURNISH_STATUS_OK);
+        CHECK1(burnish_image_create(NULL, &image, SIDE, SIDE, 3, NULL) == BURNISH_STATUS_OK);
         for (int k = 0; k < SIDE * SIDE * 3; ++k) {
             image.pixels[k] = (uint8_t)(k * k / 7);
         }

@@ -4,7 +4,10 @@
 #include <math.h>
 
 #include "burnish/annotate.h"
+#include "burnish/drawing.h"
+#include "burnish/look.h"
 #include "burnish/render.h"
+#include "burnish/sheet.h"
 #include "core/srgb.h"
 #include "counting_context.h"
 #include "image/text/strokes.h"
@@ -134,8 +137,8 @@ static void test_annotations(int orthographic) {
     CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
            BURNISH_STATUS_OK);
-    CHECK1(burnish_image_create(&expected, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK &&
-           burnish_image_create(&drawn, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_image_create(NULL, &expected, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK &&
+           burnish_image_create(NULL, &drawn, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
     fill_white(&expected);
     fill_white(&drawn);
     const burnish_pixels pixels = burnish_image_get_pixels(&expected);
@@ -218,7 +221,7 @@ static void find_truth(const burnish_mesh *mesh, const burnish_render_options *o
     burnish_render_options plain = *options;
     plain.edges = 0;
     plain.samples = 1;
-    CHECK1(burnish_image_create(image, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_image_create(NULL, image, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
     target.pixels = burnish_image_get_pixels(image);
     target.normals = normals[0];
     target.normal_stride = WIDTH * sizeof *normals;
@@ -355,7 +358,7 @@ static void test_sheet(void) {
     burnish_drawing *drawings[CELLS], *drawn_sheet = NULL, *other = NULL;
     burnish_sheet_cell cells[CELLS];
     for (int i = 0; i < CELLS; ++i) {
-        CHECK1(burnish_image_create(&images[i], W, H, 3, &error) == BURNISH_STATUS_OK);
+        CHECK1(burnish_image_create(NULL, &images[i], W, H, 3, &error) == BURNISH_STATUS_OK);
         memset(images[i].pixels, 100 + i, W * H * 3);
         CHECK1(burnish_drawing_create(NULL, W, H, &drawings[i], &error) == BURNISH_STATUS_OK);
         cells[i] = (burnish_sheet_cell){.image = &images[i], .label = labels[i]};
@@ -369,7 +372,8 @@ static void test_sheet(void) {
     snprintf(head, sizeof head, "width=\"%gmm\" height=\"%gmm\" viewBox=\"0 0 %d %d\"",
              sheet.width / 10.0, sheet.height / 10.0, sheet.width, sheet.height);
     CHECK(strstr(text, head), "%s is not in %.200s", head, text);
-    CHECK1(burnish_image_create(&drawn, sheet.width, sheet.height, 3, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_image_create(NULL, &drawn, sheet.width, sheet.height, 3, &error) ==
+           BURNISH_STATUS_OK);
     fill_white(&drawn);
     draw_groups(text, &drawn);
     const char *tag = strstr(text, "<svg x=");
@@ -427,7 +431,7 @@ static void test_font(void) {
     burnish_image image = {0}, sheet = {0};
     burnish_drawing *drawing, *drawn = NULL;
     size_t wrong = 0, dark = 0;
-    CHECK1(burnish_image_create(&image, W, H, 3, &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_image_create(NULL, &image, W, H, 3, &error) == BURNISH_STATUS_OK);
     CHECK1(burnish_drawing_create(NULL, W, H, &drawing, &error) == BURNISH_STATUS_OK);
     fill_white(&image);
     const burnish_sheet_cell cell = {&image, "abc", &font};

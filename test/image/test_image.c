@@ -2,6 +2,8 @@
 #include <limits.h>
 
 #include "burnish/image.h"
+#include "burnish/sheet.h"
+#include "counting_context.h"
 #include "support.h"
 
 #define CHECK_STATUS(call, expected) CHECK((call) == (expected), "not the expected status")
@@ -60,7 +62,7 @@ static burnish_image make(int width, int height, int channels, unsigned number) 
     burnish_image image;
     uint64_t state = test_seed(number);
     burnish_error error;
-    if (burnish_image_create(&image, width, height, channels, &error) != BURNISH_STATUS_OK) {
+    if (burnish_image_create(NULL, &image, width, height, channels, &error) != BURNISH_STATUS_OK) {
         printf("%s\n", error.text);
         exit(EXIT_FAILURE);
     }
@@ -86,17 +88,17 @@ static void test_create(void) {
     };
     burnish_error error;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-        burnish_image image = {1, 2, 3, NULL};
-        CHECK_STATUS(
-            burnish_image_create(&image, bad[i].width, bad[i].height, bad[i].channels, &error),
-            BURNISH_STATUS_ARGUMENT);
+        burnish_image image = {1, 2, 3, NULL, NULL};
+        CHECK_STATUS(burnish_image_create(NULL, &image, bad[i].width, bad[i].height,
+                                          bad[i].channels, &error),
+                     BURNISH_STATUS_ARGUMENT);
         CHECK_TEXT(error.text, bad[i].text);
         CHECK(image.width == 0 && image.height == 0 && image.channels == 0 && !image.pixels,
               "the image must be empty");
     }
-    CHECK_STATUS(burnish_image_create(NULL, 1, 1, 3, NULL), BURNISH_STATUS_ARGUMENT);
+    CHECK_STATUS(burnish_image_create(NULL, NULL, 1, 1, 3, NULL), BURNISH_STATUS_ARGUMENT);
     burnish_image image;
-    CHECK_STATUS(burnish_image_create(&image, 5, 7, 4, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_image_create(NULL, &image, 5, 7, 4, NULL), BURNISH_STATUS_OK);
     int clear = 1;
     for (int i = 0; i < 5 * 7 * 4; ++i) {
         clear &= image.pixels[i] == 0;
@@ -106,6 +108,30 @@ static void test_create(void) {
     CHECK(!image.pixels && image.width == 0, "the image must be empty");
     burnish_image_destroy(&image);
     burnish_image_destroy(NULL);
+}
+
+/* Pixels are the context's memory; those of a context without an allocator outlive it. */
+static void test_context(void) {
+    counts c;
+    burnish_context *context = make_context(&c);
+    const burnish_context_options without = burnish_context_options_default();
+    const long before = c.live;
+    burnish_image image, sheet;
+    CHECK_STATUS(burnish_image_create(context, &image, 5, 7, 4, NULL), BURNISH_STATUS_OK);
+    const burnish_sheet_cell cell = {.image = &image};
+    const uint8_t color[3] = {0};
+    CHECK1(image.context == context && c.live == before + 1);
+    CHECK_STATUS(burnish_image_sheet(&sheet, &cell, 1, 1, color, color, NULL), BURNISH_STATUS_OK);
+    CHECK1(sheet.context == context && c.live == before + 2);
+    burnish_image_destroy(&sheet);
+    burnish_image_destroy(&image);
+    CHECK1(c.live == before);
+    burnish_context_destroy(context);
+    CHECK_STATUS(burnish_context_create(&without, &context, NULL), BURNISH_STATUS_OK);
+    CHECK_STATUS(burnish_image_create(context, &image, 5, 7, 4, NULL), BURNISH_STATUS_OK);
+    burnish_context_destroy(context);
+    CHECK1(!image.context);
+    burnish_image_destroy(&image);
 }
 
 static void test_hash(void) {
@@ -315,6 +341,7 @@ static void test_sheet_errors(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_create());
+    RUN(test_context());
     RUN(test_hash());
     RUN(test_copy());
     RUN(test_copy_extremes());

@@ -1,6 +1,7 @@
 /* Outlines: coverage is the area of the pixel, whatever the shape, its sense and its place. */
 #include <math.h>
 
+#include "burnish/sheet.h"
 #include "image/text/outline.h"
 #include "support.h"
 

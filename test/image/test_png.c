@@ -10,7 +10,7 @@
 
 static burnish_image make(int width, int height, int channels) {
     burnish_image image;
-    if (burnish_image_create(&image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
+    if (burnish_image_create(NULL, &image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
         exit(EXIT_FAILURE);
     }
     size_t stride = (size_t)width * (size_t)channels;

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "burnish/image.h"
+#include "burnish/sheet.h"
 #include "core/srgb.h"
 #include "image/text/stroke_font.h"
 #include "support.h"
@@ -10,7 +11,7 @@ static const uint8_t black[3] = {0, 0, 0};
 
 static burnish_image make(int width, int height, int channels, int value) {
     burnish_image image;
-    if (burnish_image_create(&image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
+    if (burnish_image_create(NULL, &image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
         exit(EXIT_FAILURE);
     }
     memset(image.pixels, value, (size_t)width * (size_t)height * (size_t)channels);

@@ -8,7 +8,7 @@ includes() { echo "-I$1/include -I$1/src -I$1/test/support"; }
 # kernel_sources SOURCE_DIR
 kernel_sources() {
     echo "$1"/src/simd/*.c
-    for file in shading/kernels shading/lobe_fit shading/lobe_words shading/shader core/elementary core/error core/memory; do
+    for file in shading/kernels shading/lobe_fit shading/lobe_words shading/shader core/elementary core/error core/layout core/memory; do
         echo "$1/src/$file.c"
     done
 }
@@ -19,7 +19,7 @@ renderer_sources() {
     for file in surface attributes caps masks occlusion_share render_ops texture_levels texture_points texture_reduce texture_shade; do
         find "$1/src/render" -name "$file.c"
     done
-    for file in context elementary error memory processors srgb tasks pool; do
+    for file in context elementary error layout memory processors srgb tasks pool; do
         echo "$1/src/core/$file.c"
     done
 }

@@ -7,7 +7,7 @@
 /* A drawing in the small: a flat ground, an edge in colour, a smooth gradient, a little alpha. */
 static burnish_image make(int width, int height, int channels) {
     burnish_image image;
-    if (burnish_image_create(&image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
+    if (burnish_image_create(NULL, &image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
         exit(EXIT_FAILURE);
     }
     for (int y = 0; y < height; ++y) {

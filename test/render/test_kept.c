@@ -2,6 +2,7 @@
  * materials, cuts, looks, cameras, sizes, lights, samples, edges, ground, shadow, rows, threads,
  * instruction sets; and whatever failed in between. */
 #include "burnish/kernels.h"
+#include "burnish/look.h"
 #include "burnish/render.h"
 #include "counting_context.h"
 #include "mesh_arrays.h"

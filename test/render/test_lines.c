@@ -3,7 +3,9 @@
  * meshes against their facts; bits, memory, cancelling. */
 #include <math.h>
 
+#include "burnish/drawing.h"
 #include "burnish/kernels.h"
+#include "burnish/look.h"
 #include "burnish/render.h"
 #include "core/srgb.h"
 #include "counting_context.h"

@@ -1,6 +1,7 @@
 /* Ambient occlusion against integrals over the hidden part of the sky, and looks. */
 #include <math.h>
 
+#include "burnish/look.h"
 #include "draw_floats.h"
 #include "kept_renderer.h"
 #include "mesh_arrays.h"

@@ -59,6 +59,7 @@ static void test_cancel(int threads) {
     }
     CHECK(cancelled >= (threads == 1 ? 20 : 2), "asked only %d times", cancelled);
     CHECK(burnish_image_hash(&image) == burnish_image_hash(&expected), "other pixels afterwards");
+    CHECK1(image.context == context && !expected.context);
     CHECK(c.stage == BURNISH_STAGE_DRAW && c.fraction == 1, "progress ends at %g of stage %d",
           c.fraction, (int)c.stage);
     burnish_image_destroy(&image);

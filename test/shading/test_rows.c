@@ -1,6 +1,7 @@
 /* Rows of a picture: however it is split, put together they are the whole picture, bit for bit, in
  * its pixels and planes, for every look, instruction set and number of threads. */
 #include "burnish/kernels.h"
+#include "burnish/look.h"
 #include "burnish/render.h"
 #include "mesh_arrays.h"
 #include "support.h"

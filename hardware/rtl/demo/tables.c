@@ -18,6 +18,7 @@
 #include "burnish/mesh.h"
 #include "burnish/render.h"
 #include "burnish/shade_q15.h"
+#include "burnish/sheet.h"
 
 enum { MAP_WIDTH = 256, MAP_HEIGHT = 128, NAME_WIDTH = 128, NUMBER_WIDTH = 64, LABEL_HEIGHT = 16 };
 enum { SPAN_WORDS = 18432 }; /* of demo_span_map */
@@ -109,7 +110,7 @@ static void write_text(FILE *file, int width, const char *text) {
     burnish_image image = {0};
     burnish_error error;
     const uint8_t white[3] = {255, 255, 255};
-    if (burnish_image_create(&image, width, LABEL_HEIGHT, 3, &error) != BURNISH_STATUS_OK) {
+    if (burnish_image_create(NULL, &image, width, LABEL_HEIGHT, 3, &error) != BURNISH_STATUS_OK) {
         fail("labels", error.text);
     }
     burnish_image_draw_text(&image, 2, LABEL_HEIGHT - 4, 10, white, text);

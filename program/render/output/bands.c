@@ -59,7 +59,7 @@ static burnish_status begin(stream *s, burnish_error *error) {
     render_aim_options(b->result, b->options, cell);
     b->options->counts = BURNISH_COUNTS_PIXELS;
     s->count = (options->height + BAND_ROWS - 1) / BAND_ROWS;
-    return burnish_image_create(&cell->image, options->width, band_rows(s, 0),
+    return burnish_image_create(NULL, &cell->image, options->width, band_rows(s, 0),
                                 options->transparent ? 4 : 3, error);
 }
 

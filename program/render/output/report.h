@@ -2,6 +2,7 @@
 #ifndef TOOL_RENDER_REPORT_H
 #define TOOL_RENDER_REPORT_H
 
+#include "burnish/drawing.h"
 #include "font/font.h"
 #include "picture/verdict.h"
 #include "render/output/tones.h"

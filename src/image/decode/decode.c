@@ -54,7 +54,8 @@ burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t widt
         burnish_allocate(memory, (size_t)(width * height), (size_t)channels, from->name);
     if (pixels) {
         *(from->decoded ? from->decoded : &(uint64_t){0}) += width * height;
-        *picture = (burnish_image){(int)width, (int)height, channels, pixels};
+        *picture = (burnish_image){(int)width, (int)height, channels, pixels,
+                                   burnish_memory_owner(memory->context)};
     }
     return memory->status;
 }
@@ -91,9 +92,9 @@ burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memor
     return status;
 }
 
-burnish_status burnish_image_decode(const void *bytes, size_t size, const char *name,
-                                    burnish_image *image, burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(NULL, error);
+burnish_status burnish_image_decode(const burnish_context *context, const void *bytes, size_t size,
+                                    const char *name, burnish_image *image, burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(context, error);
     if (!image || (!bytes && size > 0)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one",
                             image ? "bytes" : "image");

@@ -3,6 +3,7 @@
 #define BURNISH_IMAGE_TEXT_OUTLINE_H
 
 #include "burnish/image.h"
+#include "burnish/sheet.h"
 #include "core/memory.h"
 #include "image/text/strokes.h"
 

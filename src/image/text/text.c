@@ -1,5 +1,6 @@
 /* Text: layout, and glyphs as strokes of a round pen. */
 #include "image/text/text.h"
+#include "burnish/sheet.h"
 
 #include <string.h>
 

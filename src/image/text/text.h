@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "burnish/image.h"
+#include "burnish/sheet.h"
 #include "image/text/strokes.h"
 
 /* burnish_image_draw_text for the first length bytes of text. */

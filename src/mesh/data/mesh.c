@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/context.h"
+#include "core/layout.h"
 #include "mesh/data/material.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
@@ -18,26 +19,30 @@ static const burnish_material default_material = {
 
 /* ---- options ---- */
 
-burnish_load_options burnish_load_options_default(void) {
-    return (burnish_load_options){.cookie = BURNISH_LOAD_OPTIONS_COOKIE,
-                                  .format = BURNISH_FORMAT_AUTO,
-                                  .crease_angle = BURNISH_CREASE_AUTO,
-                                  .tessellation = 16,
-                                  .animation_time = BURNISH_AT_REST,
-                                  .max_input_bytes = (uint64_t)16 << 30,
-                                  .max_triangles = BURNISH_TRIANGLES_MAX,
-                                  .max_texture_pixels = BURNISH_TEXTURE_PIXELS_AUTO};
+#define COOKIE BURNISH_COOKIE(0x6c6f6436, burnish_load_options)
+
+void burnish_load_options_init(burnish_load_options *options, uint64_t layout) {
+    const burnish_load_options defaults = {.cookie = COOKIE,
+                                           .format = BURNISH_FORMAT_AUTO,
+                                           .crease_angle = BURNISH_CREASE_AUTO,
+                                           .tessellation = 16,
+                                           .animation_time = BURNISH_AT_REST,
+                                           .max_input_bytes = (uint64_t)16 << 30,
+                                           .max_triangles = BURNISH_TRIANGLES_MAX,
+                                           .max_texture_pixels = BURNISH_TEXTURE_PIXELS_AUTO};
+    burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_load_options), &defaults);
 }
 
 static burnish_status check_options(const burnish_load_options *options, burnish_error *error) {
 #define NAME(name, ...) ", BURNISH_FORMAT_" #name
     static const char names[] = "BURNISH_FORMAT_AUTO" BURNISH_FORMAT_LIST(NAME);
 #undef NAME
-    const burnish_format_info *format = burnish_format_get_info(options->format);
-    if (options->cookie != BURNISH_LOAD_OPTIONS_COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: not initialised; start from burnish_load_options_default()");
+    const burnish_status status =
+        burnish_layout_check(options, COOKIE, "options", "load_options", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
+    const burnish_format_info *format = burnish_format_get_info(options->format);
     if (!format || (!format->is_file && options->format != BURNISH_FORMAT_AUTO)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: format %d is not a file format; use one of %s",

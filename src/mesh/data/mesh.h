@@ -37,12 +37,6 @@ void burnish_mesh_update_view(burnish_mesh *mesh);
 
 /* ---- Checks ---- */
 
-/* The ..._default() functions store these in `cookie`: the name and version of the struct. A struct
- * that was not initialised by them is rejected instead of being read as garbage. */
-#define BURNISH_LOAD_OPTIONS_COOKIE 0x6c6f6436u /* "lod6" */
-#define BURNISH_DESCRIPTION_COOKIE 0x6d736832u  /* "msh2" */
-#define BURNISH_FRAMING_COOKIE 0x66726d32u      /* "frm2" */
-
 /* Checks the arguments of every public function that loads. *mesh becomes NULL.
  * Errors: ARGUMENT (NULL, not started from burnish_load_options_default(), a field out of range).
  */

@@ -2,7 +2,7 @@
 #ifndef BURNISH_RENDER_FRAME_LOOK_H
 #define BURNISH_RENDER_FRAME_LOOK_H
 
-#include "burnish/render.h"
+#include "burnish/look.h"
 
 /* What the look, one of the list, says of options. */
 void burnish_look_apply(burnish_look look, burnish_render_options *options);

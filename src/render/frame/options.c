@@ -1,43 +1,34 @@
 /* Options of a frame, and whether they can be drawn. */
 #include "render/frame/options.h"
 
-#include <string.h>
-
+#include "core/layout.h"
 #include "core/numbers.h"
 #include "core/tasks.h"
 #include "raster/view.h"
 #include "render/frame/look.h"
 
-/* Marks options that burnish_render_options_default() made. */
-#define RENDER_COOKIE 0x62726e64u
+#define COOKIE BURNISH_COOKIE(0x62726e64, burnish_render_options)
 
-burnish_render_options burnish_render_options_default(void) {
-    burnish_render_options options;
-    memset(&options, 0, sizeof options);
-    options.cookie = RENDER_COOKIE;
-    options.width = 1024;
-    options.height = 768;
-    options.samples = 4;
-    options.max_overdraw = BURNISH_OVERDRAW_DEFAULT;
-    options.camera.view_up[1] = 1;
-    options.camera.view_angle = 30;
-    options.lobe.fit = BURNISH_FIT_ENERGY;
-    options.lobe.order = 2;
-    options.local_viewer = 1;
-    options.edge_opacity = 1;
-    memset(options.edge_color, 20, sizeof options.edge_color);
-    burnish_look_apply(BURNISH_LOOK_PLAIN, &options);
-    return options;
+void burnish_render_options_init(burnish_render_options *options, uint64_t layout) {
+    burnish_render_options defaults = {.cookie = COOKIE,
+                                       .width = 1024,
+                                       .height = 768,
+                                       .samples = 4,
+                                       .camera = {.view_up = {0, 1, 0}, .view_angle = 30},
+                                       .lobe = {.fit = BURNISH_FIT_ENERGY, .order = 2},
+                                       .local_viewer = 1,
+                                       .edge_color = {20, 20, 20},
+                                       .edge_opacity = 1,
+                                       .max_overdraw = BURNISH_OVERDRAW_DEFAULT};
+    burnish_look_apply(BURNISH_LOOK_PLAIN, &defaults);
+    burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_render_options), &defaults);
 }
 
 /* ---- Checks ---- */
 
 burnish_status burnish_render_options_check_cookie(const burnish_render_options *options,
                                                    burnish_error *error) {
-    return options && options->cookie == RENDER_COOKIE
-               ? BURNISH_STATUS_OK
-               : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "options: start from burnish_render_options_default()");
+    return burnish_layout_check(options, COOKIE, "options", "render_options", error);
 }
 
 static int finite(const double *values, int count) {

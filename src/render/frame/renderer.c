@@ -515,17 +515,17 @@ burnish_status burnish_renderer_draw_into(burnish_renderer *renderer, const burn
 }
 
 /* An image of the options' rows: the one that is there if it fits. */
-static burnish_status prepare_image(burnish_image *image, const burnish_render_options *options,
-                                    burnish_error *error) {
+static burnish_status prepare_image(const burnish_context *context, burnish_image *image,
+                                    const burnish_render_options *options, burnish_error *error) {
     const int channels = options->transparent ? 4 : 3;
     const burnish_row_range rows = burnish_drawn_rows(options);
     const int height = rows.end - rows.first;
     if (image->pixels && image->width == options->width && image->height == height &&
-        image->channels == channels) {
+        image->channels == channels && image->context == burnish_memory_owner(context)) {
         return BURNISH_STATUS_OK;
     }
     burnish_image_destroy(image);
-    return burnish_image_create(image, options->width, height, channels, error);
+    return burnish_image_create(context, image, options->width, height, channels, error);
 }
 
 burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_mesh *mesh,
@@ -538,7 +538,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_m
     burnish_target target = burnish_target_default();
     burnish_status status = check_call(renderer, mesh, options, error);
     if (status == BURNISH_STATUS_OK) {
-        status = prepare_image(image, options, error);
+        status = prepare_image(renderer->context, image, options, error);
     }
     if (status == BURNISH_STATUS_OK) {
         target.pixels = burnish_image_get_pixels(image);

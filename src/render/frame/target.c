@@ -4,13 +4,15 @@
 
 #include <string.h>
 
+#include "core/layout.h"
 #include "render/frame/planes.h"
 
 /* Marks targets that burnish_target_default() made. */
-#define TARGET_COOKIE 0x74677431u /* "tgt1" */
+#define COOKIE BURNISH_COOKIE(0x74677431, burnish_target)
 
-burnish_target burnish_target_default(void) {
-    return (burnish_target){.cookie = TARGET_COOKIE};
+void burnish_target_init(burnish_target *target, uint64_t layout) {
+    const burnish_target defaults = {.cookie = COOKIE};
+    burnish_layout_init(target, layout, BURNISH_LAYOUT(burnish_target), &defaults);
 }
 
 static size_t pixel_size_of(burnish_pixel_format format) {
@@ -63,12 +65,12 @@ static burnish_status check_pixels(const burnish_pixels *pixels,
 
 burnish_status burnish_target_check(const burnish_target *target,
                                     const burnish_render_options *options, burnish_error *error) {
-    if (!target || target->cookie != TARGET_COOKIE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "target: start from burnish_target_default()");
+    burnish_status status = burnish_layout_check(target, COOKIE, "target", "target", error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     const size_t width = (size_t)options->width;
-    burnish_status status = check_pixels(&target->pixels, options, error);
+    status = check_pixels(&target->pixels, options, error);
     const struct {
         const void *plane;
         size_t stride, size, word;

@@ -6,6 +6,7 @@
  * the picture, and borders are right to a fraction of a pixel, below the lines along them. */
 #include <string.h>
 
+#include "burnish/drawing.h"
 #include "burnish/render.h"
 #include "core/environment.h"
 #include "core/error.h"

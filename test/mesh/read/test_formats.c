@@ -1,4 +1,5 @@
 /* One object in all formats: the same picture, and warnings for files with wrong names. */
+#include "burnish/look.h"
 #include "draw_floats.h"
 #include "same_mesh.h"
 
