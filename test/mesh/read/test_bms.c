@@ -163,7 +163,6 @@ static void test_least(void) {
 typedef struct damage {
     size_t at;
     uint32_t word;
-    burnish_status status;
     const char *message;
 } damage;
 
@@ -171,10 +170,12 @@ static void check_damage(stream s, const damage *d) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh;
     burnish_error error = {0};
+    const burnish_status expected =
+        strstr(d->message, "raise the limit") ? BURNISH_STATUS_LIMIT : BURNISH_STATUS_FORMAT;
     options.format = BURNISH_FORMAT_BMS;
     options.max_triangles = 10;
     burnish_store32(s.list.bytes + d->at, d->word);
-    CHECK(load(&s.list, &options, &mesh, &error) == d->status && !mesh, "%s", d->message);
+    CHECK(load(&s.list, &options, &mesh, &error) == expected && !mesh, "%s", d->message);
     CHECK_TEXT(error.text, d->message);
     burnish_mesh_destroy(mesh);
 }
@@ -182,59 +183,51 @@ static void check_damage(stream s, const damage *d) {
 static void test_messages(void) {
     const stream s = make("");
     const damage cases[] = {
-        {0, 0, BURNISH_STATUS_FORMAT,
+        {0, 0,
          "a: byte 0: not a mesh stream: its first 8 bytes are wrong, or it is shorter than 64 "
          "bytes"},
-        {BURNISH_BMS_AT_VERSION, 2, BURNISH_STATUS_FORMAT,
+        {BURNISH_BMS_AT_VERSION, 2,
          "a: byte 8: version 2 of the mesh stream, not 1; use the importers of this version of "
          "burnish"},
-        {BURNISH_BMS_AT_KIND, 4, BURNISH_STATUS_FORMAT,
-         "a: byte 12: an unknown kind of mesh stream"},
-        {BURNISH_BMS_AT_KIND, BURNISH_BMS_FORMAT_ERROR, BURNISH_STATUS_FORMAT,
-         "a: an error without a message"},
-        {BURNISH_BMS_AT_SIZE + 4, 1, BURNISH_STATUS_FORMAT,
+        {BURNISH_BMS_AT_KIND, 4, "a: byte 12: an unknown kind of mesh stream"},
+        {BURNISH_BMS_AT_KIND, BURNISH_BMS_FORMAT_ERROR, "a: an error without a message"},
+        {BURNISH_BMS_AT_SIZE + 4, 1,
          "a: byte 16: the stream states 4294967868 bytes and needs at least 552 for its counts, "
          "but has 572; it is truncated or damaged"},
-        {BURNISH_BMS_AT_VERTICES, UINT32_MAX, BURNISH_STATUS_FORMAT,
-         "a: byte 24: more than 4294967294 vertices"},
-        {BURNISH_BMS_AT_VERTICES, UINT32_MAX - 1, BURNISH_STATUS_FORMAT,
+        {BURNISH_BMS_AT_VERTICES, UINT32_MAX, "a: byte 24: more than 4294967294 vertices"},
+        {BURNISH_BMS_AT_VERTICES, UINT32_MAX - 1,
          "a: byte 16: the stream states 572 bytes and needs at least 154618822992 for its counts, "
          "but has 572; it is truncated or damaged"},
-        {BURNISH_BMS_AT_VERTICES, 3, BURNISH_STATUS_FORMAT,
+        {BURNISH_BMS_AT_VERTICES, 3,
          "a: byte 108: 464 bytes are left for materials, vertices and triangles, which have 428; "
          "the stream is damaged"},
-        {BURNISH_BMS_AT_TRIANGLES, 11, BURNISH_STATUS_LIMIT,
+        {BURNISH_BMS_AT_TRIANGLES, 11,
          "a: byte 28: more than 10 triangles; raise the limit or simplify the mesh"},
-        {BURNISH_BMS_AT_MATERIALS, 65537, BURNISH_STATUS_FORMAT,
-         "a: byte 32: more than 65536 materials"},
-        {BURNISH_BMS_AT_TEXTURES, 65537, BURNISH_STATUS_FORMAT,
-         "a: byte 36: more than 65536 textures"},
-        {BURNISH_BMS_AT_PARTS, 16, BURNISH_STATUS_FORMAT, "a: byte 40: an unknown part of a mesh"},
-        {BURNISH_BMS_AT_TEXT_SIZE, 65537, BURNISH_STATUS_FORMAT,
-         "a: byte 44: more than 65536 bytes of text"},
-        {BURNISH_BMS_AT_UP, 0x7f800000, BURNISH_STATUS_FORMAT,
-         "a: byte 48: the up axis is not finite"},
-        {s.textures_at, 3, BURNISH_STATUS_FORMAT,
+        {BURNISH_BMS_AT_MATERIALS, 65537, "a: byte 32: more than 65536 materials"},
+        {BURNISH_BMS_AT_TEXTURES, 65537, "a: byte 36: more than 65536 textures"},
+        {BURNISH_BMS_AT_PARTS, 16, "a: byte 40: an unknown part of a mesh"},
+        {BURNISH_BMS_AT_TEXT_SIZE, 65537, "a: byte 44: more than 65536 bytes of text"},
+        {BURNISH_BMS_AT_UP, 0x7f800000, "a: byte 48: the up axis is not finite"},
+        {s.textures_at, 3,
          "a: byte 64: a texture of an unknown kind, or with a name of 4096 bytes or more"},
-        {s.textures_at + 16, 4096, BURNISH_STATUS_FORMAT,
+        {s.textures_at + 16, 4096,
          "a: byte 64: a texture of an unknown kind, or with a name of 4096 bytes or more"},
-        {s.textures_at + 20, 0xffffffff, BURNISH_STATUS_FORMAT,
-         "a: byte 64: a texture goes beyond the end of the stream"},
-        {s.textures_at + 8, 0x40000002, BURNISH_STATUS_FORMAT,
+        {s.textures_at + 20, 0xffffffff, "a: byte 64: a texture goes beyond the end of the stream"},
+        {s.textures_at + 8, 0x40000002,
          "a: byte 64: a texture whose size does not match its pixels"},
-        {s.materials_at + 4, 0xbf800000, BURNISH_STATUS_FORMAT,
+        {s.materials_at + 4, 0xbf800000,
          "a: byte 108: material 0: ambient[1] is -1, not in [0, 1]"},
-        {s.materials_at + BURNISH_BMS_AT_EXPONENT, 0x7fc00000, BURNISH_STATUS_FORMAT,
+        {s.materials_at + BURNISH_BMS_AT_EXPONENT, 0x7fc00000,
          "a: byte 108: material 0: exponent is nan, not in [1, 65536]"},
-        {s.materials_at + BURNISH_BMS_AT_SLOTS, 2, BURNISH_STATUS_FORMAT,
+        {s.materials_at + BURNISH_BMS_AT_SLOTS, 2,
          "a: byte 184: a material uses a texture that is not there, or in an unknown way"},
-        {s.materials_at + BURNISH_BMS_AT_SLOTS + 4, 3, BURNISH_STATUS_FORMAT,
+        {s.materials_at + BURNISH_BMS_AT_SLOTS + 4, 3,
          "a: byte 184: a material uses a texture that is not there, or in an unknown way"},
-        {s.vertices_at + 16, 0x7f800000, BURNISH_STATUS_FORMAT,
+        {s.vertices_at + 16, 0x7f800000,
          "a: byte 412: position 1 is not finite; the stream is damaged"},
-        {s.indices_at + 8, 4, BURNISH_STATUS_FORMAT,
+        {s.indices_at + 8, 4,
          "a: byte 548: vertex 4 is out of range; there are 4 vertices, counted from 0"},
-        {s.numbers_at, 2, BURNISH_STATUS_FORMAT,
+        {s.numbers_at, 2,
          "a: byte 564: material 2 is out of range; there are 2 materials, counted from 0"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
