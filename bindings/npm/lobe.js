@@ -1,9 +1,9 @@
-// Which lobe: what the shaders' sources have of fits and orders.
+// Options of a lobe: the fits and orders of the shaders' sources.
 
 export const FITS = ["taylor", "energy", "projected", "minimax", "shift7", "shift3", "zeta"];
 export const ORDERS = [2, 4, 8, 16, 32];
 
-/** { fit, order, zeta } of options, checked. */
+/** { fit, order, zeta } of checked options. */
 export function checkLobe({ fit, order = 2, zeta = 0, ...others } = {}, usual = "energy") {
   const lobe = { fit: fit ?? (zeta ? "zeta" : usual), order, zeta };
   const extra = Object.keys(others)[0];

@@ -4,7 +4,7 @@ import type { Lobe } from "./three.js";
 /** The slope of an exponent, a node. */
 export function burnishZeta(exponent: Node | number, lobe?: Lobe): Node;
 
-/** What pow(cosine, exponent) is replaced by, a node. */
+/** The replacement of pow(cosine, exponent), a node. */
 export function burnishLobe(cosine: Node, exponent: Node | number, lobe?: Lobe): Node;
 
 /** MeshPhongNodeMaterial with the lobe. */

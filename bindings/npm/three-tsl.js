@@ -8,7 +8,7 @@ import { checkLobe } from "./lobe.js";
 
 const MINIMAX = { 2: [0.355859, 0.2345, 0.104], 4: [0.211335, 0.14, 0.058], 8: [0.114995, 0.0762, 0.031], 16: [0.0599556, 0.0397, 0.016], 32: [0.0306084, 0.0202, 0.008] };
 
-// As shaders/burnish.glsl has them.
+// The same as in shaders/burnish.glsl.
 const SLOPES = {
   taylor: (n, m) => n.div(m),
   energy: (n, m) => n.add(1).div(m + 1),
@@ -28,7 +28,7 @@ export function burnishZeta(exponent, options) {
   return fit === "zeta" ? float(zeta) : SLOPES[fit](float(exponent).max(order), order);
 }
 
-/** The lobe at a cosine, a node: what pow(cosine, exponent) is replaced by. */
+/** The lobe at a cosine, a node, to replace pow(cosine, exponent). */
 export function burnishLobe(cosine, exponent, options) {
   const { order } = checkLobe(options);
   let lobe = float(1).sub(burnishZeta(exponent, options).mul(float(1).sub(cosine))).clamp();
@@ -43,10 +43,10 @@ if (typeof PhongLightingModel?.prototype?.direct !== "function" ||
   throw new Error("burnish/three/tsl: three.js' PhongLightingModel is not what it was; take a version of burnish that knows this one");
 }
 
-/** three.js' Phong model, the lobe in place of the power: D = (n / 2 + 1) / pi lobe, G = 1/4, F by Schlick. */
+/** three.js' Phong model with the lobe instead of cos^n: D = (n / 2 + 1) / pi lobe, G = 1/4, F by Schlick. */
 class BurnishLightingModel extends PhongLightingModel {
   constructor(lobe) {
-    super(false); // it adds the diffuse part
+    super(false); // no specular part; it adds the diffuse part
     this.lobe = lobe;
   }
 
@@ -77,7 +77,7 @@ export class BurnishPhongMaterial extends MeshPhongNodeMaterial {
     return new BurnishLightingModel(this.lobe);
   }
 
-  // NodeMaterial makes programs by it
+  // NodeMaterial uses it as the key of programs
   customProgramCacheKey() {
     return `${super.customProgramCacheKey()} burnish ${this.lobe.fit}:${this.lobe.order} ${this.lobe.zeta}`;
   }

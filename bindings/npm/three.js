@@ -1,16 +1,16 @@
-// burnish/three: highlights without pow in three.js' own materials, by WebGLRenderer.
+// burnish/three: highlights without pow in three.js' materials, for WebGLRenderer.
 //
 //   import { useBurnish } from "burnish/three";
 //   const material = useBurnish(new MeshPhongMaterial({ shininess: 60 }), { fit: "minimax", order: 4 });
 //
-// MeshPhongMaterial gets the lobe in place of pow( dotNH, shininess ); MeshStandardMaterial and
-// MeshPhysicalMaterial get it, normalised, in place of GGX's distribution of normals. It throws where three.js no longer
-// has the text that is replaced.
+// In MeshPhongMaterial the lobe replaces pow( dotNH, shininess ); in MeshStandardMaterial and
+// MeshPhysicalMaterial the normalised lobe replaces GGX's distribution of normals. It throws if three.js no longer
+// contains the replaced source text.
 import { ShaderChunk } from "three";
 import glsl from "./glsl.js";
 import { checkLobe } from "./lobe.js";
 
-// What is replaced in which of three.js' chunks.
+// The replaced text of three.js' chunks.
 const POWER = { chunk: "bsdfs", text: "pow( dotNH, shininess )" };
 const GGX = { chunk: "lights_physical_pars_fragment", text: /(float D_GGX\( const in float alpha, const in float dotNH \) \{)[^}]*\}/ };
 
@@ -49,7 +49,7 @@ function changedChunk(material, lobe) {
   throw new Error(`burnish/three: ${material.type} has no highlight to replace; use MeshPhongMaterial or MeshStandardMaterial`);
 }
 
-/** Gives the material the lobe, and returns it. An onBeforeCompile that it has stays and runs first. */
+/** Adds the lobe to the material, and returns it. An existing onBeforeCompile runs first. */
 export function useBurnish(material, options = {}) {
   const lobe = checkLobe(options, material.isMeshStandardMaterial ? "projected" : "energy");
   const { name, source } = changedChunk(material, lobe);

@@ -1,4 +1,4 @@
-// A thread of burnish/wasm: an instance of the module with the memory of the one that it works for.
+// A thread of burnish/wasm: an instance of the module that shares the memory of the main instance.
 onmessage = async ({ data: { module, memory, stack } }) => {
   const { exports } = await WebAssembly.instantiate(module, { env: { memory } });
   exports.__stack_pointer.value = stack;

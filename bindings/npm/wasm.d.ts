@@ -1,35 +1,35 @@
-/** The whole renderer of burnish in WebAssembly, and what is true of its lobes. */
+/** The renderer of burnish in WebAssembly, and facts of its lobes. */
 
-/** What a mesh is read from: its bytes, or a built-in object. */
+/** The source of a mesh: the bytes of a file, or a built-in object. */
 export type Input = BufferSource | ":teapot" | ":sphere" | ":torus" | ":knot";
 
-/** How a mesh is loaded: flags of `burnish render`. Numbers and words are as there; a list may be an array. */
+/** Options of loading: flags of `burnish render` with the same values; a list can be an array. */
 export interface LoadOptions {
-  /** Stands in messages and tells the format by its ending: "part.stl". */
+  /** For messages; the extension chooses the format: "part.stl". */
   name?: string;
-  /** Files that the mesh names, by the name it uses: {"part.mtl": bytes}. */
+  /** Files that the mesh refers to, by name: {"part.mtl": bytes}. */
   files?: Record<string, BufferSource>;
-  /** "auto", "obj", "ply", "stl", "gltf" ...: of bytes whose name does not tell it. */
+  /** "auto", "obj", "ply", "stl", "gltf" ..., if the name does not have the right extension. */
   inputFormat?: string;
-  /** "+Y", "-Y", "+Z", "-Z", "+X", "-X" or "auto". By default what the format says. */
+  /** "+Y", "-Y", "+Z", "-Z", "+X", "-X" or "auto". The default depends on the format. */
   up?: string;
-  /** A plane "X,Y,Z,D" or [X, Y, Z, D]: what is beyond it is cut away. Several: an array of texts. */
+  /** A plane "X,Y,Z,D" or [X, Y, Z, D]: everything beyond it is cut away. Several planes: an array of strings. */
   clip?: string | number[] | string[];
-  /** Degrees below which edges are smooth. By default each edge is judged by what is around it. */
+  /** Degrees below which edges are smooth. By default each edge depends on its surroundings. */
   creaseAngle?: number;
-  /** Segments along a patch edge of a built-in object, 16. */
+  /** Segments along a patch edge of a built-in object; default 16. */
   tessellation?: number;
-  /** Seconds after the start of the animation. By default the mesh is at rest. */
+  /** Seconds after the start of the animation. By default the mesh is in its rest pose. */
   animationTime?: number;
   /** Name or number of the animation. */
   animation?: string | number;
   /** Diameter of the points and lines of a file without faces. */
   pointSize?: number;
-  /** A fault that is otherwise mended with a warning is an error. */
+  /** Faults that are otherwise repaired with a warning are errors. */
   strict?: boolean;
-  /** Materials without their textures. */
+  /** Ignores textures. */
   noTextures?: boolean;
-  /** Nothing but the input is read. */
+  /** Ignores files that the input refers to. */
   noLibraries?: boolean;
   maxTriangles?: number;
   maxTexturePixels?: number;
@@ -37,7 +37,7 @@ export interface LoadOptions {
   maxInputBytes?: number | string;
 }
 
-/** A picture from a file's bytes: straight RGBA, rows from the top. */
+/** Decodes the bytes of an image file to straight RGBA, rows from the top. */
 export type Decode = (bytes: Uint8Array) => Pixels | Promise<Pixels>;
 export interface Pixels {
   width: number;
@@ -46,17 +46,17 @@ export interface Pixels {
 }
 
 export interface ReadOptions extends LoadOptions {
-  /** Decodes the PNG, JPEG and WebP of textures. By default the browser; in Node nobody, and textures are left out. */
+  /** Decodes the PNG, JPEG and WebP of textures. The default is the browser's decoder; in Node there is none, and textures are skipped. */
   decode?: Decode | null;
 }
 
-/** How a picture is drawn: flags of `burnish render`, with its defaults. */
+/** Options of drawing: flags of `burnish render`, with the same defaults. */
 export interface DrawOptions {
-  /** true: pixels of four channels, as ImageData wants them, whether the picture has alpha or not. */
+  /** true: always four channels, as for ImageData. */
   rgba?: boolean;
-  /** [width, height], [1024, 768]. */
+  /** [width, height]; default [1024, 768]. */
   resolution?: [number, number] | string;
-  /** Width and height in one. */
+  /** Width and height of a square picture. */
   size?: number;
   /** Coverage samples per pixel: 1, 4, 8 or 16. */
   samples?: 1 | 4 | 8 | 16;
@@ -76,19 +76,19 @@ export interface DrawOptions {
   cameraAzimuthAngle?: number;
   /** Degrees. */
   cameraElevationAngle?: number;
-  /** One of the input's own cameras, by name or number. */
+  /** A camera of the input, by name or number. */
   camera?: string | number;
   cameraPosition?: [number, number, number] | string;
   cameraFocalPoint?: [number, number, number] | string;
   cameraViewUp?: [number, number, number] | string;
-  /** Degrees from the lower to the upper edge, 30. */
+  /** Vertical field of view in degrees; default 30. */
   cameraViewAngle?: number;
   cameraZoomFactor?: number;
   /** true: parallel projection; "no": perspective, also in standard views. */
   cameraOrthographic?: boolean | "no";
-  /** Of the picture, in the mesh's units. */
+  /** Height of the picture in units of the mesh. */
   cameraOrthographicHeight?: number;
-  /** Share of the smaller side left free on each side, 0.05. */
+  /** Free share of the shorter side at each side; default 0.05. */
   margin?: number;
 
   /** "studio", "plain", "clay", "technical", "drawing" or "lobes". */
@@ -107,12 +107,12 @@ export interface DrawOptions {
   lobe?: string;
   equation?: "blinn" | "phong";
   viewer?: "local" | "distant";
-  /** "directional:X,Y,Z[:INTENSITY[:COLOR]]" and the like, one or several; "none". */
+  /** One or several lights such as "directional:X,Y,Z[:INTENSITY[:COLOR]]", or "none". */
   light?: string | string[];
   /** A number, or a colour. */
   ambient?: number | string;
-  /** Directions that ambient occlusion is found from, 0 to 256, or "auto". */
-  occlusion?: number | "auto" | boolean;
+  /** Number of directions of ambient occlusion, or "none". */
+  occlusion?: number | "none";
   ground?: boolean;
   shadow?: boolean;
   /** "silhouettes", "creases", "boundaries", "materials" between commas, true for all, or "none". */
@@ -120,9 +120,9 @@ export interface DrawOptions {
   wireframe?: boolean;
   edgeWidth?: number;
   edgeColor?: string | [number, number, number];
-  /** How often large triangles may cover the picture, 1000. */
+  /** Limit on how often large triangles cover the picture; default 1000. */
   maxOverdraw?: number;
-  /** "auto", or what the module has: "wasm" with SIMD128, "scalar" without. Never changes the pixels. */
+  /** "auto", or the module's instruction set: "wasm" with SIMD128, "scalar" without. The pixels are the same. */
   isa?: string;
 }
 
@@ -140,22 +140,22 @@ export interface Picture {
   height: number;
   /** 3: RGB; 4: RGBA with noBackground. */
   channels: 3 | 4;
-  /** sRGB codes, rows from the top without gaps. */
+  /** 8-bit sRGB values, rows from the top without gaps. */
   pixels: Uint8Array;
-  /** XXH64 of the pixels in 16 hexadecimal digits: what `burnish render --json` says. */
+  /** XXH64 of the pixels in 16 hexadecimal digits, as in `burnish render --json`. */
   hash: string;
   coveredPixels: number;
   triangles: number;
   vertices: number;
   boundingBox: { min: number[]; max: number[] };
-  /** The axis that points up: "+Y". */
+  /** The up axis: "+Y". */
   up: string;
   camera: Camera;
   /** Lines about ignored or repaired parts of the input. */
   warnings: string[];
 }
 
-/** What a failure is: one line in `message`, as the program prints it. */
+/** A failure: one line in `message`, as printed by the program. */
 export class BurnishError extends Error {
   status: "ARGUMENT" | "READ" | "FORMAT" | "LIMIT" | "MEMORY" | "CANCELLED";
 }
@@ -163,20 +163,20 @@ export class BurnishError extends Error {
 /** A mesh in memory, for several pictures. */
 export interface Mesh {
   render(options?: DrawOptions): Picture;
-  /** Gives its memory back. */
+  /** Releases its memory. */
   close(): void;
 }
 
-/** Facts of a lobe at an exponent. Angles are radians; NaN where there is none. */
+/** Facts of a lobe at an exponent. Angles are in radians; undefined values are NaN. */
 export interface Theory {
   /** Slope of the family, else 0. */
   zeta: number;
   /** Value at the peak. */
   scale: number;
-  /** Cosine from which downward the lobe is 0. */
+  /** The lobe is 0 for cosines up to this one. */
   cutoffCosine: number;
   zeroAngle: number;
-  /** Where the lobe is 1/2. */
+  /** The angle at which the lobe is 1/2. */
   halfAngle: number;
   /** Largest absolute difference from cos^n over cosines in [0, 1]. */
   maximumError: number;
@@ -198,41 +198,40 @@ export type Conversion =
 
 /** An instance of the module. It belongs to one thread. */
 export interface Burnish {
-  /** Starts the threads that load() was told not to start. */
+  /** Starts the threads after load() with startThreads: false. */
   startThreads(): void;
   readonly version: string;
   /** Whether the module uses SIMD128. */
   readonly simd: boolean;
-  /** How many threads draw. */
+  /** Number of threads. */
   readonly threads: number;
-  /** Words of one lobe of each sort. */
+  /** An example of each kind of lobe. */
   readonly lobes: string[];
-  /** Decodes no texture. */
+  /** Loads a mesh without textures in PNG, JPEG and WebP. */
   open(input: Input, options?: LoadOptions): Mesh;
-  /** The same with both. */
+  /** Loads a mesh and decodes its textures. */
   read(input: Input, options?: ReadOptions): Promise<Mesh>;
   render(input: Input, options?: LoadOptions & DrawOptions): Picture;
-  /** The lobe at cosines, in single precision: the bits that pictures have. */
+  /** The lobe at cosines, in single precision: the same bits as in pictures. */
   lobeValues(words: string, exponent: number, cosines: ArrayLike<number>): Float32Array;
   /** The lobe at angles, in double precision. */
   theoryValues(words: string, exponent: number, angles: ArrayLike<number>): Float64Array;
   theory(words: string, exponent: number): Theory;
   convert(name: Conversion, value: number): number;
-  /** What `burnish lobe` prints for ["claims", "--format=csv"] and the like: table, claims, choose, fit, boundary; not as JSON. */
+  /** The output of `burnish lobe` for words such as ["claims", "--format=csv"]: table, claims, choose, fit, boundary; JSON is not available. */
   lobe(words: (string | number)[], file?: { name: string; bytes: BufferSource }): string;
-  /** Endings of the files that open() reads: ".obj". */
+  /** File extensions that open() reads: ".obj". */
   readonly endings: string[];
 }
 
-/** Whether this engine runs SIMD128. */
+/** Whether this engine supports SIMD128. */
 export function hasSimd(): boolean;
 
-/**
- * Makes an instance. simd: by default what the engine runs; module: instead of the file of the package; threads: 1, or
- * more in a worker of a page that is cross-origin isolated; startThreads: false has one draw until startThreads() is called, so that
- * a first picture need not wait beside workers that start. The pixels are the same.
+/** Creates an instance. simd: by default what the engine supports; module: instead of the file of the package; threads: 1, or
+ * more in a worker of a cross-origin isolated page; startThreads: false delays starting threads until startThreads() is called,
+ * so the first picture does not compete with starting workers. The pixels are the same.
  */
 export function load(how?: { simd?: boolean; threads?: number; startThreads?: boolean; module?: URL | string | BufferSource | WebAssembly.Module }): Promise<Burnish>;
 
-/** One picture, by an instance that all calls share: read, render, close. */
+/** Draws one picture with an instance that all calls share: read, render, close. */
 export function render(input: Input, options?: ReadOptions & DrawOptions): Promise<Picture>;

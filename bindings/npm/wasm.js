@@ -1,4 +1,4 @@
-// burnish/wasm: lobes, their theory and the whole renderer in WebAssembly, with the pixels of the program `burnish`.
+// burnish/wasm: lobes, their theory and the renderer in WebAssembly, with the same pixels as the program `burnish`.
 //
 //   import { render } from "burnish/wasm";
 //   const picture = await render(bytes, { name: "part.stl", size: 256, lobe: "minimax:4" });
@@ -6,7 +6,7 @@
 //
 // Options are the flags of `burnish render` in camelCase, listed in wasm.d.ts.
 
-/** What burnish says of a failure: one line in `message`, a word such as "FORMAT" in `status`. */
+/** A failure: one line in `message`, a word such as "FORMAT" in `status`. */
 export class BurnishError extends Error {
   constructor(message, status) {
     super(message);
@@ -15,15 +15,15 @@ export class BurnishError extends Error {
   }
 }
 
-// i8x16.popcnt of a splat: valid where SIMD128 is.
+// i8x16.popcnt of a splat: valid with SIMD128.
 const SIMD_PROBE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
-/** Whether this engine runs SIMD128. */
+/** Whether this engine supports SIMD128. */
 export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 
-// Options that say how a mesh is loaded; the others say how it is drawn.
+// Options of loading; the others are options of drawing.
 const LOADING = new Set([
   "inputFormat", "clip", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize", "strict",
   "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up",
@@ -43,11 +43,11 @@ const CONVERSIONS = [
 
 const NO_FLAGS = new Set(["name", "files", "decode", "rgba"]);
 
-// What is left for a picture.
+// The options of drawing.
 const drawing = (options) => Object.fromEntries(Object.entries(options).filter(([key]) => !LOADING.has(key)));
 
 // { samples: 4, light: ["none", "point:1,2,3"], shadow: true } to [["samples", [4]], ["light", "none"], ...]:
-// true, a text or numbers for each name.
+// true, a string or numbers for each name.
 function list(options, isWanted) {
   const pairs = [];
   for (const [key, value] of Object.entries(options)) {
@@ -72,13 +72,13 @@ async function compileFile(url) {
   if (!response.ok) {
     throw new BurnishError(`${url}: can't be fetched: ${response.status} ${response.statusText}`, "READ");
   }
-  // while it arrives, and kept compiled in the browser's cache, where the server names its type
+  // streaming, which browsers cache, needs the server to send the right type
   const isNamed = response.headers.get("content-type")?.trim().toLowerCase() === "application/wasm";
   return isNamed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-// What a browser decodes: codes of 8 bits as they are, whatever profile the file states. They come back by way of WebGL,
-// since a 2D canvas multiplies alpha in and out.
+// Decodes an image in a browser: its 8-bit values, ignoring colour profiles. They are read back through WebGL,
+// because a 2D canvas premultiplies alpha and loses precision.
 async function decodeByBrowser(bytes) {
   const as = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
   const bitmap = await createImageBitmap(new Blob([bytes]), as);
@@ -106,7 +106,7 @@ const asBytes = (input) =>
   : ArrayBuffer.isView(input) ? new Uint8Array(input.buffer, input.byteOffset, input.byteLength)
   : new Uint8Array(input);
 
-/** One instance of the module. Not shared between threads: each worker loads its own. */
+/** One instance of the module. It belongs to one thread: each worker loads its own. */
 class Burnish {
   #exports;
   #encoder = new TextEncoder();
@@ -123,7 +123,7 @@ class Burnish {
     this.version = this.#text(exports.version());
   }
 
-  /** Starts the threads that load() was told not to start; more calls do nothing. */
+  /** Starts the threads after load() with startThreads: false; further calls do nothing. */
   startThreads() {
     this.#startThreads();
     this.#startThreads = () => {};
@@ -145,7 +145,7 @@ class Burnish {
     return at;
   }
 
-  // Calls use(pointers) with texts and bytes in the module's memory, which go afterwards.
+  // Calls use(pointers) with strings and bytes in the module's memory, which are released afterwards.
   #with(items, use) {
     const pointers = [];
     try {
@@ -182,7 +182,7 @@ class Burnish {
 
   // ---- Meshes ----
 
-  /** Loads a mesh from bytes, or one of ":teapot", ":sphere", ":torus", ":knot". */
+  /** Loads a mesh from bytes, or ":teapot", ":sphere", ":torus" or ":knot". */
   open(input, options = {}) {
     const isBuiltIn = typeof input === "string";
     const bytes = isBuiltIn ? new Uint8Array(0) : asBytes(input);
@@ -259,7 +259,7 @@ class Burnish {
     return pixels;
   }
 
-  // Has each picture decoded that the last mesh wanted; returns how many there are now.
+  // Decodes the images that the last mesh requested; returns the number of decoded images.
   async #decodePictures(decode) {
     const e = this.#exports;
     let decoded = 0;
@@ -280,7 +280,7 @@ class Burnish {
     const before = this.#reading;
     let end;
     this.#reading = new Promise((resolve) => (end = resolve));
-    await before; // pictures that are wanted belong to one mesh at a time
+    await before; // requested images belong to one mesh at a time
     try {
       const mesh = this.open(input, options);
       if (!decode || (await this.#decodePictures(decode)) === 0) {
@@ -294,7 +294,7 @@ class Burnish {
     }
   }
 
-  /** One picture of a mesh that is not needed afterwards. */
+  /** Loads a mesh, draws one picture and closes the mesh. */
   render(input, options = {}) {
     const mesh = this.open(input, options);
     this.#exports.picture_forget();
@@ -307,7 +307,7 @@ class Burnish {
 
   // ---- Lobes ----
 
-  /** Values of a lobe at cosines, in single precision: the bits that pictures have. */
+  /** Values of a lobe at cosines, in single precision: the same bits as in pictures. */
   lobeValues(words, exponent, cosines) {
     const e = this.#exports;
     const input = Float32Array.from(cosines);
@@ -331,7 +331,7 @@ class Burnish {
     });
   }
 
-  /** What is true of a lobe at an exponent. */
+  /** Facts of a lobe at an exponent. */
   theory(words, exponent) {
     const e = this.#exports;
     return this.#with([words], (text) => {
@@ -352,15 +352,14 @@ class Burnish {
     return this.#exports.theory_convert(which, value);
   }
 
-  /**
-   * What `burnish lobe` prints: ["claims", "--format=csv"], or table, choose, fit, boundary. A file that the arguments
-   * name is given with them: { name, bytes }.
+  /** The output of `burnish lobe`: ["claims", "--format=csv"], or table, choose, fit, boundary. A file that the arguments
+   * refer to is passed as { name, bytes }.
    */
   lobe(words, { name = "", bytes = [] } = {}) {
     const e = this.#exports;
     const texts = words.map(String);
     if (texts.some((word) => /^(--format=)?json$/.test(word))) {
-      throw new BurnishError("--format: there is no JSON here; take csv", "ARGUMENT");
+      throw new BurnishError("--format: JSON is not available here; use csv", "ARGUMENT");
     }
     const content = asBytes(bytes);
     return this.#with([texts.join("\0"), name, content], (wordsAt, nameAt, bytesAt) => {
@@ -372,7 +371,7 @@ class Burnish {
     });
   }
 
-  /** Endings of the files that open() reads: ".obj". */
+  /** File extensions that open() reads: ".obj". */
   get endings() {
     const endings = [];
     for (let i = 0, at; (at = this.#exports.format_endings(i)) !== 0; ++i) {
@@ -381,7 +380,7 @@ class Burnish {
     return endings;
   }
 
-  /** Words of one lobe of each sort. */
+  /** An example of each kind of lobe. */
   get lobes() {
     const words = [];
     for (let at; (at = this.#exports.lobe_example(words.length)) !== 0; ) {
@@ -391,7 +390,7 @@ class Burnish {
   }
 }
 
-/** A loaded mesh, which keeps its memory from one picture to the next. Close it when it is done with. */
+/** A loaded mesh, for several pictures. Close it when you no longer need it. */
 class Mesh {
   #session;
   #module;
@@ -407,7 +406,7 @@ class Mesh {
     }
     const loading = Object.keys(options).find((key) => LOADING.has(key));
     if (loading) {
-      throw new BurnishError(`${loading}: an option of loading; give it to open()`, "ARGUMENT");
+      throw new BurnishError(`${loading}: an option of loading; pass it to open()`, "ARGUMENT");
     }
     return this.#module.draw(this.#session, options);
   }
@@ -423,7 +422,7 @@ const usedFile = (simd, threads) =>
   : simd ? new URL("./burnish-simd.wasm", import.meta.url)
   : new URL("./burnish.wasm", import.meta.url);
 
-// Workers that share the module's memory. Nobody waits for them: what begins before they are there goes without them.
+// Starts workers that share the module's memory. Calls do not wait until workers have started.
 function startWorkers(count, module, memory, exports) {
   for (let i = 1; i < count; ++i) {
     const worker = new Worker(new URL("./wasm-thread.js", import.meta.url), { type: "module" });
@@ -431,7 +430,7 @@ function startWorkers(count, module, memory, exports) {
   }
 }
 
-// Memory that threads share, null where the engine has none of it; pages as bindings/wasm/CMakeLists.txt states them.
+// Shared memory for threads, or null if the engine does not support it. The numbers of pages are in bindings/wasm/CMakeLists.txt.
 function sharedMemory() {
   try {
     return new WebAssembly.Memory({ initial: 256, maximum: 32768, shared: true });
@@ -440,16 +439,16 @@ function sharedMemory() {
   }
 }
 
-// A module that imports its memory is the one with threads.
+// The module with threads imports its memory.
 const importsMemory = (module) => WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory");
 
 /**
  * Makes an instance of the module.
  * @param {object} [how]
- * @param {boolean} [how.simd]  false: the module without SIMD128; by default what the engine runs
- * @param {number} [how.threads]  so many at once, 1; more where the page is cross-origin isolated and the caller is a worker, else 1
- * @param {boolean} [how.startThreads]  false: startThreads() starts them, and until then one draws
- * @param {URL|string|BufferSource|WebAssembly.Module} [how.module]  instead of the file beside this one
+ * @param {boolean} [how.simd]  false: the module without SIMD128; default: what the engine supports
+ * @param {number} [how.threads]  number of threads, default 1; more than 1 only in a worker of a cross-origin isolated page
+ * @param {boolean} [how.startThreads]  false: only one thread draws until startThreads() is called
+ * @param {URL|string|BufferSource|WebAssembly.Module} [how.module]  instead of the file next to this one
  */
 export async function load({ simd = hasSimd(), threads = 1, startThreads = true, module } = {}) {
   const mayShare = simd && globalThis.crossOriginIsolated && typeof WorkerGlobalScope === "function";
@@ -473,7 +472,7 @@ export async function load({ simd = hasSimd(), threads = 1, startThreads = true,
 
 let shared;
 
-/** One picture by an instance that all calls share; textures are decoded. */
+/** Draws one picture with an instance that all calls share; textures are decoded. */
 export async function render(input, options = {}) {
   shared ??= load();
   const mesh = await (await shared).read(input, options);

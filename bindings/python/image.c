@@ -191,8 +191,8 @@ static PyObject *represent(PyObject *object) {
 static PyGetSetDef properties[] = {
     {"width", get_width, NULL, "Pixels.", NULL},
     {"height", get_height, NULL, "Pixels.", NULL},
-    {"size", get_size, NULL, "Width and height, as Pillow has it.", NULL},
-    {"shape", get_shape, NULL, "Height, width and channels, as NumPy has it.", NULL},
+    {"size", get_size, NULL, "Width and height, as in Pillow.", NULL},
+    {"shape", get_shape, NULL, "Height, width and channels, as in NumPy.", NULL},
     {"mode", get_mode, NULL, "'RGB', or 'RGBA' with no_background=True.", NULL},
     {"hash", get_hash, NULL, "XXH64 of the pixels: what `burnish render --json` prints.", NULL},
     {"covered_pixels", get_covered, NULL, "Pixels that show the object.", NULL},
@@ -200,8 +200,7 @@ static PyGetSetDef properties[] = {
      "position, focal_point, view_up, view_angle (degrees) and "
      "orthographic_height (0: perspective).",
      NULL},
-    {"warnings", get_warnings, NULL, "Lines about what was passed over, of mesh and picture.",
-     NULL},
+    {"warnings", get_warnings, NULL, "Warnings about the mesh and the picture.", NULL},
     {"__array_interface__", get_interface, NULL, NULL, NULL},
     {0},
 };
@@ -223,10 +222,9 @@ PyObject *image_create_type(PyObject *module) {
         {Py_tp_getset, properties},
         {Py_tp_methods, methods},
         {Py_bf_getbuffer, get_buffer},
-        {Py_tp_doc, "A picture: sRGB codes, rows from the top; with four channels the fourth is "
-                    "straight alpha.\n\nnumpy.asarray(picture) and memoryview(picture) show the "
-                    "pixels (height, width, channels)\nwithout copying them; they can't be "
-                    "written to."},
+        {Py_tp_doc, "A picture: 8-bit sRGB values, rows from the top; a fourth channel is straight "
+                    "alpha.\n\nnumpy.asarray(picture) and memoryview(picture) are read-only views "
+                    "of the pixels, (height, width, channels)."},
         {0},
     };
     static PyType_Spec spec = {

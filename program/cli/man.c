@@ -201,10 +201,9 @@ static void print_exit_status(void) {
         }
     }
     printf(".PP\n");
-    print_text(
-        "Every failure is one line on standard error, \"burnish: ...\", that says which file or "
-        "flag, where in it, what was wrong and what to do. A failed run leaves no part of "
-        "a file and no temporary, and an older file as it was.");
+    print_text("Every failure prints one line on standard error, \"burnish: ...\", with the file "
+               "or flag, the location in it, the fault and a remedy. A failed run leaves no "
+               "partial or temporary files, and older files stay unchanged.");
 }
 
 static void print_example_list(const cli_example *examples) {
@@ -230,13 +229,12 @@ static void print_environment(void) {
     printf(".SH ENVIRONMENT\n");
     print_tagged("*BURNISH_IMPORTERS*",
                  "the folder of the programs *burnish-import-assimp* and *burnish-import-occt*, "
-                 "which read other formats (FBX, COLLADA, STEP ...): where they are looked for "
-                 "instead of where they are installed.");
-    print_tagged("*BURNISH_ISA*",
-                 "the instruction set where *--isa* is *auto*: its values, or *auto*.");
-    print_tagged("*PATH*", "where *burnish lobe plot* looks for gnuplot.");
+                 "which read other formats (FBX, COLLADA, STEP ...), instead of the folder in "
+                 "which they are installed.");
+    print_tagged("*BURNISH_ISA*", "the instruction set if *--isa* is *auto*; the same values.");
+    print_tagged("*PATH*", "the folders in which *burnish lobe plot* finds gnuplot.");
     printf(".PP\n");
-    print_text("The locale has no influence: numbers are always written with a point.");
+    print_text("The locale is ignored: the decimal separator is always a point.");
 }
 
 void cli_print_man(void) {
@@ -253,16 +251,13 @@ void cli_print_man(void) {
     printf(".br\n");
     print_text("*burnish* _COMMAND_ *--help*[*=*_TOPIC_]");
     printf(".SH DESCRIPTION\n");
-    print_paragraphs("*burnish* draws a mesh into a PNG: no GPU, no display, no toolkit. Its "
-                     "highlights come from a "
-                     "family of specular lobes that need neither pow nor division.\n"
-                     "The same input and flags give the same pixels on every processor, with every "
-                     "compiler and any "
-                     "number of threads, so that the hash that *--json* prints can be compared "
-                     "between machines.\n"
-                     "Every command has *-h* and *--help*: its flags on one screen. Where it has "
-                     "many, these are the common ones; *--help=*_TOPIC_ shows the others, "
-                     "*--help=all* all of them.");
+    print_paragraphs(
+        "*burnish* draws meshes into PNG files without a GPU, display or toolkit. Its highlights "
+        "use a family of specular lobes without pow and division.\nThe same input and flags give "
+        "the same pixels on every processor, with every compiler and any number of threads, and "
+        "the hash in *--json* can be compared between machines.\nEvery command has *-h* and "
+        "*--help*, which list its flags on one screen. Commands with many flags list the common "
+        "ones; *--help=*_TOPIC_ lists others, and *--help=all* all of them.");
     for (size_t i = 0; cli_commands[i]; ++i) {
         print_command(cli_commands[i]);
     }

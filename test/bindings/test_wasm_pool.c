@@ -1,6 +1,6 @@
 /* bindings/wasm/threads.c, the pool of modules with threads, on threads of this system: every
- * thread number once, and work that runs work. The instructions that wait and wake are futexes
- * here. */
+ * thread number once, and work that runs work. Futexes replace the instructions that wait and wake.
+ * */
 #include <linux/futex.h>
 #include <pthread.h>
 #include <sys/syscall.h>
@@ -54,7 +54,8 @@ static void outer(void *data, int thread) {
 }
 
 int main(int count, char **arguments) {
-    static char *stacks[THREADS]; /* inside each: they are kept for good, which is no leak */
+    static char *stacks[THREADS]; /* pointers into each stack, which are never freed and not leaks
+                                     */
     test_begin(count, arguments, NULL);
     for (int i = 1; i < THREADS; ++i) {
         pthread_t thread;

@@ -18,7 +18,7 @@ for flag in --rows=0:5 --plane=depth:d.npy --annotate=axes --reference=p.png --v
     expect 2 "burnish: $name: not available if other processes draw parts of the picture; omit the flag" render :sphere -o p.png --runners=1 "$flag"
 done
 expect 2 'burnish: --output: other processes can only draw parts of a PNG or a --turntable; use the extension .png' render :sphere -o p.jpg --runner
-expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 -o p.png --runner
+expect 2 'burnish: --runner: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere --size=16 -o p.png --runner
 expect 2 'burnish: --runners: is of one picture; draw one INPUT, without --output-dir' render :sphere :knot --runners=1 -d out
 nothing_left "wrong usage"
 

@@ -18,10 +18,10 @@ expect 2 'burnish: --no-background: Y4M has no alpha; write PNG or WebP' render 
 expect 2 'burnish: --dpi: only PNG, JPEG and SVG have it; omit the flag' render :sphere --turntable=t.png --dpi=100
 expect 2 'burnish: --quality: only JPEG and WebP have it; omit the flag' render :sphere --turntable=t.gif --quality=50
 expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' render :sphere -o t.gif
-expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
+expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
 expect 2 'burnish: --runner: not available with --sandbox; omit one of them' render :sphere --turntable=t.gif --runner --sandbox
-expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runner
-expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runners=2
+expect 2 'burnish: --runner: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runner
+expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runners=2
 nothing_left "wrong usage"
 
 # Nothing is left of a file that can't be completed, and an older one stays.

@@ -1,5 +1,5 @@
-/* A worker that was taken over speaks to the broker: it gets no file but those of the folder,
- * writes no file but the outputs, and neither its limits nor its sizes count. */
+/* A compromised worker sends messages to the broker: it can only read files of the folder and write
+ * the outputs, and its limits and sizes are not trusted. */
 #include <errno.h>
 #include <signal.h>
 
@@ -7,7 +7,7 @@
 #include "sandbox/sandbox.h"
 #include "support.h"
 
-/* Messages that are sent at once. */
+/* Messages that are sent together. */
 typedef struct script {
     char bytes[100000];
     size_t size;
@@ -40,7 +40,7 @@ static broker_state run(script *s) {
     return state;
 }
 
-/* The next reply, from *at on; its bytes, of which there are at most 479, as a text. */
+/* The next reply, from *at on; its bytes, at most 479, as a string. */
 static message take_reply(size_t *at, char text[480]) {
     message head = {0};
     *text = 0;
@@ -154,7 +154,7 @@ static void test_outputs(void) {
     script whole = s;
     CHECK1(run(&s) == BROKER_GONE);
     CHECK1(is_there(LYING_PICTURE) && is_there(LYING_REPORT));
-    /* All of its beginnings: a worker may end anywhere. */
+    /* All prefixes: a worker can end anywhere. */
     for (size_t size = 0; size < whole.size; ++size) {
         lying_remove_outputs();
         s = whole;
@@ -176,7 +176,7 @@ static void test_other_outputs(void) {
         CHECK(run(&s) == BROKER_LIED, "%s", names[i]);
         CHECK1(box.reply_size == 0);
     }
-    for (int i = 0; i < 3; ++i) { /* within the report of an output nothing else is written */
+    for (int i = 0; i < 3; ++i) { /* while an output is being reported, nothing else is written */
         add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
         add(&s, MESSAGE_END, 0, NULL, 0);
     }
@@ -276,7 +276,7 @@ static void test_decode(void) {
     CHECK1(run(&s) == BROKER_GONE);
     CHECK1(take_reply(&at, text).value == BURNISH_STATUS_MEMORY);
     CHECK(strstr(text, "in/mesh.gltf: out of memory for what has to be decoded"), "%s", text);
-    box.plan.max_memory = 9; /* of the worker: it can't have had more */
+    box.plan.max_memory = 9; /* of the worker, which can not have had more */
     add(&s, MESSAGE_DECODE, 10, NULL, 0);
     add(&s, MESSAGE_DATA, 0, bytes, 10);
     CHECK1(run(&s) == BROKER_GONE);
@@ -292,7 +292,7 @@ static void test_decode(void) {
     CHECK1(run(&s) == BROKER_LIED);
 }
 
-/* A descriptor that comes with the bytes is not taken. */
+/* A descriptor that is sent with the bytes is ignored. */
 static void test_descriptors(void) {
     const int before = dup(STDERR_FILENO);
     close(before);
@@ -313,7 +313,7 @@ static void end_unended(int number) {
     _exit(NOT_ENDED);
 }
 
-/* A worker that goes on after it has lied, or has closed the channel, is ended. */
+/* A worker that continues after a wrong message, or after closing the channel, is ended. */
 static void test_process(int closes) {
     burnish_error ended = {BURNISH_STATUS_OK, ""}, error = {BURNISH_STATUS_OK, ""};
     sandbox_plan plan = box.plan;

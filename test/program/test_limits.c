@@ -1,6 +1,5 @@
-/* Limits of time of a process that this one waits for: a timer that expires once it has ended
- * neither kills anything nor makes it late. The signal is sent at the worst moment, not waited for.
- */
+/* Time limits of a child process: a timer that expires after its end neither kills anything nor
+ * makes it late. The test sends the signal at the worst moment instead of waiting for it. */
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,7 +10,7 @@
 enum { LONG = 1000, CODE = 3, REAPED = 7 }; /* seconds; exit codes */
 
 static int signals_after_reaping; /* 1: the timer expires when waitpid has returned */
-static pid_t reaped;              /* what waitpid has returned last */
+static pid_t reaped;              /* the last result of waitpid */
 static int kills_of_reaped;
 
 pid_t __real_waitpid(pid_t process, int *state, int options);
@@ -30,7 +29,7 @@ pid_t __wrap_waitpid(pid_t process, int *state, int options) {
     return ended;
 }
 
-/* Only counts where the process is gone: the system may have given its number to another one. */
+/* Only counts if the process is gone: the system can reuse its number. */
 int __wrap_kill(pid_t process, int number) {
     if (process == reaped) {
         ++kills_of_reaped;
@@ -39,7 +38,7 @@ int __wrap_kill(pid_t process, int number) {
     return __real_kill(process, number);
 }
 
-/* A process that ends by itself, or waits for its end. */
+/* A process that exits, or waits to be ended. */
 static pid_t start(int ends) {
     reaped = 0;
     kills_of_reaped = 0;
@@ -56,7 +55,7 @@ static pid_t start(int ends) {
     return process;
 }
 
-/* It has ended and is not reaped. */
+/* It has ended and was not reaped. */
 static void wait_until_ended(pid_t process) {
     siginfo_t info;
     CHECK1(waitid(P_PID, (id_t)process, &info, WEXITED | WNOWAIT) == 0);
@@ -76,7 +75,7 @@ static void test_done(void) {
     cli_limit_child_seconds(0);
 }
 
-/* The timer expires when the process has ended and nobody has waited for it yet. */
+/* The timer expires when the process has ended, but before waiting for it. */
 static void test_just_done(void) {
     cli_limit_child_seconds(LONG);
     const pid_t process = start(1);
@@ -91,7 +90,7 @@ static void test_just_done(void) {
 static void test_late(void) {
     for (int before = 0; before < 2; ++before) {
         cli_limit_child_seconds(LONG);
-        if (before) { /* the time of what comes before the process counts too */
+        if (before) { /* the time before the process counts too */
             raise(SIGALRM);
             CHECK1(cli_child_was_late());
         }
@@ -104,8 +103,8 @@ static void test_late(void) {
     }
 }
 
-/* The timer of the whole program, which ends it: before and after the process that does all the
- * work has ended. Runs in a process of its own, whose exit code it returns. */
+/* The timer that ends the whole program, before and after the worker process has ended. Runs in a
+ * separate process and returns its exit code. */
 static int program_ends_with(int is_done) {
     int state = -1;
     fflush(NULL);

@@ -1,11 +1,11 @@
-/* The command line's parser and values, without running the program: both forms of a flag, hints,
- * strict numbers, and that the table of flags agrees with the library's own defaults. */
+/* The parser of the command line and its values: both forms of a flag, hints, strict numbers, and
+ * defaults that agree with the library's. */
 #include "../program/render/flags.c"
 #include "../program/render/manual.c"
 #include "../program/render/values.c"
 #include "decimal_comma.h"
 
-/* The table names it; nothing here runs it. */
+/* The table refers to it, but it never runs. */
 burnish_status render_work(void *settings, cli_call *call, burnish_error *error) {
     (void)settings, (void)call, (void)error;
     return BURNISH_STATUS_OK;
@@ -210,7 +210,7 @@ static void test_lights(void) {
     CHECK1(parse("x|--ambient=white").settings.shading.ambient.linear[1] == 1);
 }
 
-/* What every row of the table must have for the help screen and the man page. */
+/* The fields of every row that the help screen and the man page need. */
 static void test_table(void) {
     const cli_command *command = &render_command;
     CHECK1(command->flags[0].group && command->flags[0].help);

@@ -1,4 +1,4 @@
-/* Outputs that appear whole or not at all. */
+/* Outputs are complete or do not appear. */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 
 static char folder[] = TEST_BINARY_DIR "/output_test_XXXXXX";
 
-/* The linker puts these before the library's calls (CMakeLists.txt). */
+/* The linker replaces the library's calls by these (CMakeLists.txt). */
 static int rename_fails, renames, has_no_proc;
 int __real_rename(const char *from, const char *to);
 int __wrap_rename(const char *from, const char *to);
@@ -51,7 +51,7 @@ static int entry_count(void) {
     return count - 2;
 }
 
-/* Whether the file holds exactly text. */
+/* Whether the content of the file is exactly text. */
 static int holds(const char *path, const char *text) {
     char bytes[64] = {0};
     FILE *file = fopen(path, "rb");
@@ -154,7 +154,7 @@ static void test_failing_write(void) {
     unlink(path_of("kept"));
 }
 
-/* As an ordinary user in a folder without permission; root may write everywhere. */
+/* As an ordinary user in a folder without permission; root can write everywhere. */
 static void test_no_permission(void) {
     burnish_error error;
     CHECK_STATUS(burnish_file_write(path_of("mine"), "mine", 4, NULL), BURNISH_STATUS_OK);
@@ -163,7 +163,7 @@ static void test_no_permission(void) {
     int root = geteuid() == 0;
     if (root && seteuid(65534) != 0) {
         printf("no permission tests: can't become an ordinary user\n");
-    } else if (stat(folder, &(struct stat){0}) != 0) { /* as below root's home */
+    } else if (stat(folder, &(struct stat){0}) != 0) { /* as in root's home */
         printf("no permission tests: %s is closed to ordinary users\n", folder);
         CHECK(!root || seteuid(0) == 0, "seteuid");
     } else {
@@ -173,7 +173,7 @@ static void test_no_permission(void) {
                                  "output"),
               "%s", error.text);
         CHECK(!root || seteuid(0) == 0, "seteuid");
-        /* The folder allows a rename now; the file itself says no. */
+        /* The folder allows a rename now, but the file does not. */
         chmod(folder, 0777);
         CHECK(!root || seteuid(65534) == 0, "seteuid");
         CHECK_STATUS(burnish_file_write(path_of("mine"), "x", 1, NULL), BURNISH_STATUS_WRITE);
@@ -194,8 +194,8 @@ static void test_devices(void) {
     CHECK(stat("/dev/full", &state) == 0 && S_ISCHR(state.st_mode), "/dev/full must stay");
 }
 
-/* Reads everything from file in a child process, whose exit status tells whether it was `size`
- * bytes of the pattern 0, 1, 2, ... 250, 0, ... */
+/* Reads everything from file in a child process, which checks for `size` bytes of the pattern 0, 1,
+ * 2, ... 250, 0, ... and exits with the result. */
 static pid_t start_reader(int file, int unused, size_t size) {
     fflush(stdout);
     pid_t child = fork();
@@ -268,7 +268,7 @@ static void test_fifo(void) {
         bytes[i] = (uint8_t)i;
     }
     CHECK(mkfifo(path_of("fifo"), 0600) == 0, "mkfifo");
-    /* Opened for both ends, so that neither open blocks. */
+    /* Opened for reading and writing, so neither open blocks. */
     int held = open(path_of("fifo"), O_RDWR);
     int file = open(path_of("fifo"), O_RDONLY);
     CHECK_STATUS(burnish_file_write(path_of("fifo"), bytes, sizeof bytes, NULL), BURNISH_STATUS_OK);
@@ -291,8 +291,8 @@ static size_t deadly_source(void *context, char *buffer, size_t size) {
     return size;
 }
 
-/* A process that is killed while it writes leaves the old file and nothing else, where the file
- * system has files without names. */
+/* A process that is killed while it writes leaves only the old file, if the file system supports
+ * unnamed files. */
 static void test_killed_writer(void) {
     int nameless = open(folder, O_TMPFILE | O_WRONLY, 0600);
     CHECK_STATUS(burnish_file_write(path_of("a"), "old", 3, NULL), BURNISH_STATUS_OK);
@@ -313,7 +313,7 @@ static void test_killed_writer(void) {
     unlink(path_of("a"));
 }
 
-/* The reason is told whatever the length of the name. */
+/* The message has the reason for names of any length. */
 static void test_long_file_name(void) {
     static char path[3000];
     burnish_error error;
@@ -324,7 +324,7 @@ static void test_long_file_name(void) {
           "%s", error.text);
 }
 
-/* A new file takes its name without a moment under another one; with and without nameless files. */
+/* A new file gets its name directly, with and without unnamed files. */
 static void test_renames(void) {
     burnish_error error;
     for (has_no_proc = 0; has_no_proc <= 1; ++has_no_proc) {
@@ -334,7 +334,7 @@ static void test_renames(void) {
         CHECK(renames == (has_no_proc || nameless < 0), "%d renames of a new file", renames);
         CHECK_STATUS(burnish_file_write(path_of("r"), "2", 1, NULL), BURNISH_STATUS_OK);
         CHECK(holds(path_of("r"), "2"), "replaced");
-        rename_fails = EBUSY; /* as for a file that a container has mounted */
+        rename_fails = EBUSY; /* as for a file mounted into a container */
         CHECK_STATUS(burnish_file_write(path_of("r"), "3", 1, &error), BURNISH_STATUS_WRITE);
         rename_fails = 0;
         CHECK(strstr(error.text, "/r: can't be written: Device or resource busy; something is "
@@ -350,7 +350,7 @@ static void test_renames(void) {
     has_no_proc = 0;
 }
 
-/* What a handler of SIGTERM does in the midst of a write. */
+/* The effect of a SIGTERM handler during a write. */
 static size_t interrupted_source(void *context, char *buffer, size_t size) {
     int *entries = context;
     if (entries[0] == 0) {
@@ -417,7 +417,7 @@ static burnish_status last_status(void *context, burnish_error *error) {
     return stream->status;
 }
 
-/* A source that breaks off and says so in the last step leaves what was there. */
+/* If a source fails, which the last step reports, the old file stays. */
 static void test_last_step_of_stream(void) {
     burnish_error error;
     for (has_no_proc = 0; has_no_proc <= 1; ++has_no_proc) {

@@ -1,10 +1,10 @@
-/* Files of pictures: what is written is read back by the formats' own decoders. */
+/* Image files are read back by the decoders of their formats. */
 #include <math.h>
 
 #include "picture/picture.h"
 #include "support.h"
 
-/* A drawing in the small: a flat ground, an edge in colour, a smooth gradient, a little alpha. */
+/* A small drawing: a flat background, a coloured edge, a smooth gradient, some alpha. */
 static burnish_image make(int width, int height, int channels) {
     burnish_image image;
     if (burnish_image_create(NULL, &image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
@@ -46,9 +46,10 @@ static burnish_status encode(picture_format format, const burnish_image *image,
 #if BURNISH_HAS_JPEG
 #include <jpeglib.h>
 
-/* Decodes into new memory of width * height * 3 bytes; leaves the header's words in *codec. */
+/* Decodes into new memory of width * height * 3 bytes; leaves the header in *codec. */
 static uint8_t *decode_jpeg(const picture_file *file, struct jpeg_decompress_struct *codec) {
-    static struct jpeg_error_mgr manager; /* ends the program on an error, which is a failure too */
+    static struct jpeg_error_mgr manager; /* ends the program after an error, which fails the test
+                                             */
     codec->err = jpeg_std_error(&manager);
     jpeg_create_decompress(codec);
     jpeg_mem_src(codec, file->bytes, (unsigned long)file->size);
@@ -64,7 +65,7 @@ static uint8_t *decode_jpeg(const picture_file *file, struct jpeg_decompress_str
     return pixels;
 }
 
-/* Better quality is nearer, and takes more bytes. Bounds: a dB below what was measured. */
+/* A higher quality has smaller errors and more bytes. Bounds: 1 dB below measurements. */
 static void test_jpeg(void) {
     static const struct {
         int quality;
@@ -125,7 +126,7 @@ static void test_jpeg_density(void) {
 #if BURNISH_HAS_WEBP
 #include <webp/decode.h>
 
-/* Without a quality every bit, the colours below alpha 0 too; with one near enough. */
+/* Lossless by default, including colours with alpha 0; similar with a quality. */
 static void test_webp(void) {
     for (int channels = 3; channels <= 4; ++channels) {
         burnish_image image = make(157, 91, channels);
@@ -166,7 +167,7 @@ static void test_large_webp(void) {
 static void test_choice(void) {
     static const struct {
         const char *path;
-        picture_format wanted, format; /* COUNT: refused */
+        picture_format wanted, format; /* COUNT: an error */
     } CASES[] = {
         {"x.png", PICTURE_AUTO, PICTURE_PNG},
         {"x", PICTURE_AUTO, PICTURE_PNG},

@@ -1,4 +1,4 @@
-/* Reading PNG: every kind of pixel that libpng writes, and files that are cut, damaged or lie. */
+/* Reading PNG: every pixel format of libpng, and truncated, damaged or inconsistent files. */
 #include <png.h>
 
 #include "picture/read_png.h"
@@ -30,7 +30,7 @@ typedef struct kind {
 
 enum { WIDTH = 13, HEIGHT = 9 };
 
-/* The sample of a channel: differs with position and channel, and takes all values. */
+/* The sample of a channel, which depends on position and channel and has all values. */
 static unsigned sample(const kind *k, int x, int y, int channel) {
     return (unsigned)(x * 5003 + y * 9001 + channel * 21001) & ((1u << k->depth) - 1);
 }
@@ -72,7 +72,7 @@ static void write_header(png_structp png, png_infop info, const kind *k, int int
     png_write_info(png, info);
 }
 
-/* Rows as libpng takes them: packed samples, 16 bits with the high byte first. */
+/* Rows for libpng: packed samples, 16 bits with the high byte first. */
 static void write_rows(png_structp png, const kind *k, int interlaced) {
     uint8_t rows[HEIGHT][WIDTH * 8];
     png_bytep pointers[HEIGHT];
@@ -111,7 +111,7 @@ static void write_png(const kind *k, int interlaced, file *f) {
     png_destroy_write_struct(&png, &info);
 }
 
-/* A sample as the nearest 8-bit code. */
+/* A sample as the nearest 8-bit value. */
 static int code_of(const kind *k, unsigned value) {
     const unsigned most = (1u << k->depth) - 1;
     return (int)((value * 510 + most) / (2 * most));
@@ -178,7 +178,7 @@ static void test_kinds(void) {
     }
 }
 
-/* A file cut off anywhere is refused with a line, never read as whole. */
+/* A truncated file is an error, with one line, at any length. */
 static void test_cut(void) {
     static file f;
     const kind k = {PNG_COLOR_TYPE_RGB, 8, 0};
@@ -186,7 +186,7 @@ static void test_cut(void) {
     write_png(&k, 1, &f);
     for (size_t size = 0; size < f.size; ++size) {
         burnish_error error = {0};
-        uint8_t *exact = malloc(size + 1); /* so that reading on is seen */
+        uint8_t *exact = malloc(size + 1); /* to detect reading beyond the end */
         memcpy(exact, f.bytes, size);
         CHECK(picture_decode_png("x.png", exact, size, &image, &error) == BURNISH_STATUS_FORMAT,
               "%zu bytes are accepted", size);
@@ -195,7 +195,7 @@ static void test_cut(void) {
     }
 }
 
-/* Damaged bytes: some outcome, with a picture or a line. */
+/* Damaged bytes give a picture or an error line. */
 static void test_damaged(void) {
     static file f, damaged;
     const kind k = {PNG_COLOR_TYPE_PALETTE, 4, 1};

@@ -1,5 +1,5 @@
-/* The sandbox's lock: what a hostile program tries ends it, what drawing needs goes on; each wall
- * holds without the others, and one that can't be built is an error. */
+/* The sandbox's lock: hostile calls end the program, and the calls of drawing work. Each wall holds
+ * without the others, and a wall that can't be built is an error. */
 #include <errno.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -23,12 +23,12 @@
 
 /* ---- Systems that lack something ---- */
 
-/* What the functions below, which the linker puts before the system's, do as lock.c calls them. */
+/* Controls the functions below, by which the linker replaces the system's for lock.c. */
 static struct {
-    int landlock_version; /* an errno of the question for it; 0: the kernel's answer */
+    int landlock_version; /* errno of the query; 0: the kernel's result */
     int landlock_create, landlock_restrict, seccomp, limits, rights, close_range; /* their errno */
     int skips_restrict, skips_seccomp; /* 1: reports success and does nothing */
-    int pretends_seccomp;              /* 1: and its trial finds the filter there */
+    int pretends_seccomp;              /* 1: and its check finds the filter */
 } faults;
 
 long __real_syscall(long number, ...);
@@ -97,19 +97,19 @@ int __wrap_close_range(unsigned first, unsigned last, int flags) {
     return faults.close_range ? fail(faults.close_range) : __real_close_range(first, last, flags);
 }
 
-/* ---- What a hostile program tries ---- */
+/* ---- Hostile calls ---- */
 
 enum {
     HELD = 40, /* a descriptor that is open before the lock */
     REFUSED = 255
 };
 
-static int descriptors = STDERR_FILENO + 1; /* what the lock leaves */
+static int descriptors = STDERR_FILENO + 1; /* allowed by the lock */
 
 static char scratch[] = "/tmp/burnish-sandbox-XXXXXX";
-static char victim[64], created[64]; /* files in it; the second is not there */
+static char victim[64], created[64]; /* files in it; the second does not exist */
 
-/* How an attempt ended: 0 where it was not refused, else its errno. */
+/* The result of an attempt: 0 if it was allowed, else its errno. */
 static void leave(long result) {
     _exit(result >= 0 ? 0 : errno);
 }
@@ -168,13 +168,14 @@ static void open_in_thread(void) {
     }
 }
 
-/* Not what they ask for, and not the end: the C library asks so at harmless moments. */
+/* These fail without ending the program, because the C library makes such calls at harmless
+ * moments. */
 static void ask_state(void) {
     struct stat state;
     _exit(stat("/etc/passwd", &state) != 0 && errno == EPERM ? 0 : 1);
 }
 
-/* Without seccomp: an address of this machine, where nobody listens. */
+/* Without seccomp: an address of this machine on which no process listens. */
 static void connect_tcp(void) {
     const struct sockaddr_in to = {
         .sin_family = AF_INET, .sin_port = htons(9), .sin_addr = {htonl(INADDR_LOOPBACK)}};
@@ -186,7 +187,7 @@ static void bind_tcp(void) {
     leave(bind(STDIN_FILENO, (const struct sockaddr *)&at, sizeof at));
 }
 
-/* The other walls, which can be asked for without seccomp: the number of one that is not there. */
+/* The other walls, which can be checked without seccomp: the number of a missing one. */
 static void ask_walls(void) {
     struct rlimit core, files;
     const int is_limited = getrlimit(RLIMIT_CORE, &core) == 0 && core.rlim_max == 0 &&
@@ -213,7 +214,7 @@ static void *add(void *context) {
     return NULL;
 }
 
-/* Memory, threads, standard output: what drawing needs. */
+/* The needs of drawing: memory, threads, standard output. */
 static void draw(void) {
     pthread_t threads[4];
     int sums[4] = {0}, total = 0;
@@ -237,8 +238,8 @@ static void draw(void) {
 
 /* ---- Processes ---- */
 
-/* What becomes of a process that locks itself in and then does something. Its standard input is a
- * socket. */
+/* The end of a process that locks itself in and then makes a call. Its standard input is a socket.
+ * */
 static int state_of(void (*action)(void), int pretends) {
     int state = -1;
     fflush(NULL);
@@ -304,7 +305,7 @@ static void test_harmless(void) {
     }
 }
 
-/* For libraries that look for files: there are none, and the rest is forbidden as before. */
+/* For libraries that look for files: no files exist, and other calls are forbidden as before. */
 static void test_pretending(void) {
     for (size_t i = 0; i < sizeof hostile / sizeof *hostile; ++i) {
         const int opens = hostile[i].action == open_file || hostile[i].action == write_file;
@@ -327,12 +328,13 @@ static void test_without_landlock(int reason) {
     memset(&faults, 0, sizeof faults);
 }
 
-/* Landlock alone refuses what the kernel's version of it knows; the other walls are there too. */
+/* Landlock alone denies the calls that the kernel's version of it supports, and the other walls
+ * exist. */
 static void test_without_seccomp(void) {
     const long version = __real_syscall(LANDLOCK_CREATE, NULL, 0, LANDLOCK_VERSION);
     const struct {
         attempt attempt;
-        int spare; /* descriptors that it takes */
+        int spare; /* of descriptors */
         int version, code;
     } refused[] = {
         {{"open", open_file}, 1, 1, EACCES},      {{"create", write_file}, 1, 1, EACCES},
@@ -355,7 +357,7 @@ static void test_without_seccomp(void) {
     memset(&faults, 0, sizeof faults);
 }
 
-/* What a process says that locks itself in: "wall: errno". */
+/* The output of a process that locks itself in: "wall: errno". */
 static void test_refusal(const char *wall, int code) {
     int ends[2], state = -1;
     char text[100] = "", wanted[100];
@@ -381,7 +383,7 @@ static void test_refusal(const char *wall, int code) {
     memset(&faults, 0, sizeof faults);
 }
 
-/* A wall that the kernel has and that can't be built, or is not there once it is built. */
+/* A wall that the kernel supports and that can't be built, or has no effect. */
 static void test_faults(void) {
     faults.rights = EINVAL;
     test_refusal("no_new_privs", EINVAL);

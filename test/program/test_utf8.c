@@ -6,7 +6,8 @@ static int in(unsigned byte, unsigned low, unsigned high) {
     return byte >= low && byte <= high;
 }
 
-/* Length of the well-formed sequence that the bytes begin with, 0 for none: the table's rows. */
+/* Length of the well-formed sequence at the beginning of the bytes, 0 for none: the table's rows.
+ * */
 static size_t table_length(const unsigned char *b, size_t n) {
     static const unsigned char rows[8][4] = {{0xC2, 0xDF, 0x80, 0xBF}, {0xE0, 0xE0, 0xA0, 0xBF},
                                              {0xE1, 0xEC, 0x80, 0xBF}, {0xED, 0xED, 0x80, 0x9F},
@@ -36,8 +37,8 @@ static void check(const unsigned char *bytes, size_t count) {
           bytes[1], bytes[2], bytes[3], got);
 }
 
-/* Every sequence of one and two bytes, every one of three whose first asks for so many, and of four
- * all first two and what bounds the ranges of the last two. */
+/* All sequences of one and two bytes, all of three with a suitable first byte, and of four bytes
+ * all first two with the boundaries of the last two. */
 static void test_sequences(void) {
     static const unsigned char bounds[] = {0, 0x41, 0x7F, 0x80, 0x8F, 0xBF, 0xC0, 0xFF};
     unsigned char b[4] = {0};
@@ -65,7 +66,7 @@ static void test_sequences(void) {
     }
 }
 
-/* Every code point comes back; surrogates are none. */
+/* All code points are decoded; surrogates are errors. */
 static void test_code_points(void) {
     uint32_t wrong = UINT32_MAX;
     for (uint32_t code = 0; code <= 0x10FFFF; ++code) {

@@ -120,7 +120,7 @@ const errorOf = (use) => {
   }
 };
 const [burnish] = instances;
-// with options as they are named here
+// options without dashes
 const lineOf = (...flags) => spawnSync(program, ["render", ":sphere", ...flags, "-o", "/dev/null"], { encoding: "utf8" }).stderr
   .replace(/--(?!help)(?=[a-z])/g, "");
 for (const [options, flag] of program ? [[{ samples: 3 }, "--samples=3"], [{ lobe: "enrgy" }, "--lobe=enrgy"], [{ size: 0 }, "--size=0"],
@@ -130,7 +130,7 @@ for (const [options, flag] of program ? [[{ samples: 3 }, "--samples=3"], [{ lob
 check("a sheet", errorOf(() => burnish.render(":sphere", { views: ["front,top"] })),
   "ARGUMENT views: one picture at a time; give one of them");
 check("loading", errorOf(() => burnish.open(":sphere").render({ clip: "1,0,0,0" })),
-  "ARGUMENT clip: an option of loading; give it to open()");
+  "ARGUMENT clip: an option of loading; pass it to open()");
 check("no such object", errorOf(() => burnish.render(":cow")).split(" ")[0], "ARGUMENT");
 
 // ---- Four channels ----
@@ -142,7 +142,7 @@ for (const noBackground of [false, true]) {
   check(`four channels from ${channels}`, `${four.channels} ${four.hash} ${Buffer.from(four.pixels).equals(Buffer.from(expected))}`, `4 ${straight.hash} true`);
 }
 check("scalar kernels with SIMD", errorOf(() => burnish.render(":sphere", { isa: "scalar" })).split(" ")[0], "ARGUMENT");
-burnish.startThreads(); // has none to start here
+burnish.startThreads(); // does nothing here
 
 // ---- Lobes and theory ----
 

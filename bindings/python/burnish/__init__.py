@@ -6,8 +6,8 @@
 <burnish.Image 64x64 RGB ...>
 >>> picture.save("teapot.png")
 
-What can be drawn: a file's name, the bytes of a file, a mesh of trimesh, Open3D, PyVista or meshio, a shape of CadQuery, build123d
-or FreeCAD, a pair (vertices, faces), or a Mesh. Options are the flags of ``burnish render`` with _ for -; see Options.
+Inputs: a file's name, the bytes of a file, a mesh of trimesh, Open3D, PyVista or meshio, a shape of CadQuery, build123d
+or FreeCAD, a pair (vertices, faces), or a Mesh. Options are the flags of ``burnish render`` with _ instead of -; see Options.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def _value(value: Any) -> bool | str | tuple[float, ...]:
 
 
 def _pairs(options: Mapping[str, Any]) -> list[tuple[str, bool | str | tuple[float, ...]]]:
-    """{"samples": 4, "ground": True} as [("samples", (4.0,)), ("ground", True)]; a list of texts repeats its option."""
+    """{"samples": 4, "ground": True} as [("samples", (4.0,)), ("ground", True)]; a list of strings repeats its option."""
     pairs = []
     for key, value in options.items():
         if value is None or value is False:
@@ -50,7 +50,7 @@ def _pairs(options: Mapping[str, Any]) -> list[tuple[str, bool | str | tuple[flo
 
 
 def _split(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Those of loading and those of drawing; unknown ones are for drawing, which says so."""
+    """The options of loading, and of drawing. Unknown ones are in the second, and rejected there."""
     loading = {key: value for key, value in options.items() if key in _FLAGS and _FLAGS[key][0]}
     drawing = {key: value for key, value in options.items() if key not in _FLAGS or _FLAGS[key][1]}
     return loading, drawing
@@ -59,21 +59,21 @@ def _split(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 def _check_loading(options: Mapping[str, Any]) -> None:
     for key in options:
         if key not in _FLAGS or not _FLAGS[key][0]:
-            raise TypeError(f"{key}: no option of loading; give those of a picture to render()")
+            raise TypeError(f"{key}: not an option of loading; pass options of drawing to render()")
 
 
 class Mesh(_burnish.Mesh):
-    """A mesh from arrays, to be drawn again and again; several threads may.
+    """A mesh from arrays, which can be drawn many times and by several threads.
 
     vertices  (N, 3) floats, float32 or float64, or a list of triples
     faces     (M, 3) numbers of vertices; more columns are polygons. None: every three vertices are a triangle
-    normals   (N, 3) floats. None: generated; edges are smooth or sharp as each one's surroundings tell
+    normals   (N, 3) floats. None: generated; each edge is smooth or sharp depending on its surroundings
     colors    (N, 3) or (N, 4), sRGB: uint8, or floats in [0, 1]
     uv        (N, 2) floats: texture coordinates
-    up        the axis that points up: "+Y", "+Z" ...
-    name      stands in messages
+    up        the up axis: "+Y", "+Z" ...
+    name      for messages
 
-    Arrays are anything with a buffer, such as NumPy's. They may change or go afterwards. The other options are those of loading.
+    Arrays are objects with a buffer, such as NumPy arrays; they are copied. The other options are options of loading.
 
     >>> corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     >>> mesh = burnish.Mesh(corners, [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
@@ -111,10 +111,10 @@ class Mesh(_burnish.Mesh):
         )  # fmt: skip
 
     def render(self, **options: Unpack[Options]) -> Image:
-        """A picture of the mesh, by options of drawing."""
+        """Draws the mesh, with options of drawing."""
         for key in options:
             if key in _FLAGS and not _FLAGS[key][1]:
-                raise TypeError(f"{key}: an option of loading; give it to load() or Mesh()")
+                raise TypeError(f"{key}: an option of loading; pass it to load() or Mesh()")
         return self._draw(_pairs(options))
 
     def _repr_png_(self) -> bytes:
@@ -134,11 +134,11 @@ def load(
 ) -> Mesh:
     """Loads a mesh: a file by its name, the bytes of one, a built-in object, or another library's mesh.
 
-    name       of bytes and arrays: stands in messages and tells a file's format by its ending
-    files      those that the bytes of a file name, such as its textures: {"part.mtl": b"..."}
-    tolerance  how far triangles may be from a CAD shape's surface; by default 1/1000 of its size
+    name       of bytes and arrays, for messages; the extension of a file name chooses the format
+    files      files that the bytes refer to, such as textures: {"part.mtl": b"..."}
+    tolerance  maximum distance of triangles from a CAD shape's surface; by default 1/1000 of its size
 
-    The other options are those of loading.
+    The other options are options of loading.
 
     >>> burnish.load(":sphere")
     <burnish.Mesh 12288 triangles, 6146 vertices>
@@ -150,7 +150,7 @@ def load(
     if isinstance(source, (str, os.PathLike)):
         path = os.fsencode(source)
         if b"\0" in path:
-            raise ValueError("a name with a zero in it")
+            raise ValueError("the name contains a zero byte")
         return _burnish.load(Mesh, path, None, [], _pairs(options))
     if isinstance(source, (bytes, bytearray, memoryview)):
         return _burnish.load(
@@ -158,7 +158,7 @@ def load(
             [(key.encode(), content) for key, content in (files or {}).items()], _pairs(options),
         )  # fmt: skip
     if isinstance(source, _burnish.Mesh):
-        raise TypeError("it is a Mesh already")
+        raise TypeError("it is already a Mesh")
     arrays = _shapes.arrays_of(source, tolerance)
     if name:
         arrays["name"] = name

@@ -18,8 +18,8 @@ Switch = bool
 
 
 class Options(TypedDict, total=False):
-    """`burnish render --help` says what each one does. Numbers and words are as there, lists are tuples too; False and None
-    leave a flag out. How a mesh is loaded comes first; the others say how it is drawn."""
+    """`burnish render --help` describes each one. Values are the same as there; lists can be tuples. False and None
+    omit an option. Options of loading come first, then options of drawing."""
 
     input_format: str
     up: str

@@ -1,4 +1,4 @@
-"""Meshes and shapes of other libraries, told by their attributes, as arrays for Mesh. None of them is imported."""
+"""Conversion of meshes and shapes of other libraries to arrays for Mesh. They are recognized by their attributes; no library is imported."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _coordinates(vector: Any) -> tuple[float, ...]:
 
 
 def numbers(values: Any, typecode: str) -> Any:
-    """values itself where it has a buffer, else an array of its rows' numbers."""
+    """values itself if it has a buffer, else an array of its rows' numbers."""
     if values is None or _has_buffer(values):
         return values
     if hasattr(values, "__array__") or hasattr(values, "__array_interface__"):
@@ -36,14 +36,14 @@ def numbers(values: Any, typecode: str) -> Any:
         rows = [(row[0], *pair) for row in rows for pair in zip(row[1:], row[2:])]
         widths = {3}
     if len(widths) > 1 or widths and min(widths) < 2:
-        raise ValueError("rows of different lengths; give as many numbers in each")
+        raise ValueError("rows of different lengths; use the same number of values in each row")
     flat = array("q" if typecode == "I" else typecode, (number for row in rows for number in row))
     width = widths.pop() if widths else 3
     return memoryview(flat).cast("B").cast(flat.typecode, (len(rows), width)) if rows else flat
 
 
 def colors(values: Any) -> Any:
-    """The same for colours: integers are bytes."""
+    """Like numbers(), for colours: integers are bytes."""
     if values is None or _has_buffer(values) or hasattr(values, "__array__"):
         return numbers(values, "f")
     rows = [tuple(row) for row in values]
@@ -81,7 +81,7 @@ def _of_trimesh(mesh: Any) -> dict[str, Any]:
     visual = getattr(mesh, "visual", None)
     if getattr(visual, "kind", None) == "vertex":
         arrays["colors"] = visual.vertex_colors
-    return arrays  # its normals are those that it generates
+    return arrays  # trimesh's normals are generated
 
 
 def _of_open3d(mesh: Any) -> dict[str, Any]:
@@ -94,7 +94,7 @@ def _of_open3d(mesh: Any) -> dict[str, Any]:
 
 
 def arrays_of(thing: Any, tolerance: float | None = None) -> dict[str, Any]:
-    """The arguments of Mesh for a thing of another library."""
+    """The arguments of Mesh for an object of another library."""
     if isinstance(thing, (tuple, list)) and len(thing) == 2:
         return {"vertices": thing[0], "faces": thing[1]}
     if hasattr(thing, "tessellate"):
@@ -114,5 +114,5 @@ def arrays_of(thing: Any, tolerance: float | None = None) -> dict[str, Any]:
     if _has_buffer(thing):
         return {"vertices": thing}
     raise TypeError(
-        f"{type(thing).__name__}: no file's name or bytes, no mesh and no shape; give (vertices, faces) or what has them"
+        f"{type(thing).__name__}: not a file name, bytes, a mesh or a shape; use (vertices, faces) or an object with these attributes"
     )

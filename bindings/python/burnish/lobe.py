@@ -1,6 +1,6 @@
-"""Specular lobes: values, numbers, choice and fit, as ``burnish lobe`` has them.
+"""Specular lobes: values, facts, choice and fit, like ``burnish lobe``.
 
-A lobe is named as there: "energy:2", "minimax:4", "power", "schlick" ...; words() lists one of each sort.
+Lobes have the same names: "energy:2", "minimax:4", "power", "schlick" ...; words() lists an example of each kind.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _UNITS = {"degrees": 0, "radians": 1, "cosine": 2}
 
 
 def values(lobe: str, exponent: float, cosines: Any) -> memoryview:
-    """The lobe at cosines, in single precision: the bits that pictures have.
+    """The lobe at cosines, in single precision: the same bits as in pictures.
 
     >>> [round(value, 4) for value in burnish.lobe.values("energy:2", 32, [1.0, 0.99, 0.9, 0.5])]
     [1.0, 0.7921, 0.0, 0.0]
@@ -38,7 +38,7 @@ def exact(lobe: str, exponent: float, angles: Sequence[float]) -> memoryview:
 def table(
     lobes: str | Iterable[str], exponents: float | Iterable[float], metrics: str | Iterable[str] = "all"
 ) -> list[dict[str, Any]]:
-    """A row for every lobe and exponent: what `burnish lobe table` shows. Angles are degrees.
+    """A row for every lobe and exponent, like `burnish lobe table`. Angles are in degrees.
 
     >>> rows = burnish.lobe.table(["energy:2", "schlick"], [10, 100], "zeta,max-error")
     >>> rows[0]["zeta"], round(rows[0]["max_error"], 4)
@@ -55,7 +55,7 @@ def table(
 
 
 def choose(exponent: float, epsilon: float, *, affine: bool = False) -> dict[str, Any]:
-    """The cheapest lobe that is nowhere further than epsilon from the power; affine: also those with a peak below 1.
+    """The cheapest lobe whose maximum distance from cos^n is epsilon; affine: also lobes with a peak below 1.
 
     >>> burnish.lobe.choose(100, 0.02)["lobe"]
     'minimax:8'
@@ -80,7 +80,7 @@ def fit(angles: Sequence[float], intensities: Sequence[float], *, unit: str = "d
 
 
 def words() -> list[str]:
-    """A lobe of each sort.
+    """An example of each kind of lobe.
 
     >>> "minimax:8" in burnish.lobe.words()
     True

@@ -6,7 +6,7 @@ burnish_status render_pieces_create(const render_pieces_plan *plan, render_piece
                                     burnish_error *error) {
     (void)plan;
     *pieces = NULL;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not on this system");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not available on this system");
 }
 
 void render_pieces_destroy(render_pieces *pieces) {
@@ -15,12 +15,12 @@ void render_pieces_destroy(render_pieces *pieces) {
 
 burnish_status render_pieces_take(render_pieces *pieces, int piece, burnish_error *error) {
     (void)pieces, (void)piece;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not on this system");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not available on this system");
 }
 
 burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error *error) {
     (void)plan;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runner: not on this system");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runner: not available on this system");
 }
 
 #else
@@ -39,12 +39,12 @@ burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error
 enum {
     CHANNEL = 3, /* the first socket */
     NOTHING = -1,
-    AHEAD = 2,             /* pieces that a runner has at a time */
-    SLOW_SECONDS = 3,      /* until what another has is drawn here, too */
+    AHEAD = 2,             /* pieces per runner at a time */
+    SLOW_SECONDS = 3,      /* until a piece of another process is drawn here, too */
     WINDOW_BYTES = 1 << 30 /* of pieces that wait for their turn */
 };
 
-/* What a runner is asked for; all but the piece is the same for all. */
+/* A request to a runner; only the piece differs between requests. */
 typedef struct order {
     char version[24];
     uint64_t triangles, vertices;
@@ -78,7 +78,7 @@ struct render_pieces {
     runner *runners;
     slot *slots; /* of each piece */
     struct pollfd *ready;
-    int window; /* pieces that may be in work or waiting */
+    int window; /* pieces that can be in progress or waiting */
 };
 
 static order make_order(const render_pieces_plan *plan) {
@@ -101,10 +101,11 @@ static burnish_status check_socket(const char *flag, int channel, burnish_error 
     return fstat(channel, &state) == 0 && S_ISSOCK(state.st_mode)
                ? BURNISH_STATUS_OK
                : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "--%s: descriptor %d is no socket; burnish-mpi opens it", flag, channel);
+                          "--%s: descriptor %d is not a socket; burnish-mpi opens it", flag,
+                          channel);
 }
 
-/* ---- Here ---- */
+/* ---- The main process ---- */
 
 burnish_status render_pieces_create(const render_pieces_plan *plan, render_pieces **pieces,
                                     burnish_error *error) {
@@ -165,7 +166,7 @@ static void lose(render_pieces *f, runner *r) {
     }
 }
 
-/* The first piece from `piece` on that nobody has; NOTHING within the window. */
+/* The first piece from `piece` on that no process has; NOTHING if there is none in the window. */
 static int find_free(const render_pieces *f, int piece) {
     const int end = f->plan.count - piece < f->window ? f->plan.count : piece + f->window;
     for (int i = piece; i < end; ++i) {
@@ -176,7 +177,7 @@ static int find_free(const render_pieces *f, int piece) {
     return NOTHING;
 }
 
-/* All get a first piece before one gets a second. */
+/* Each runner gets a first piece before any gets a second. */
 static void hand_out(render_pieces *f, int piece) {
     for (int depth = 0; depth < AHEAD; ++depth) {
         for (int i = 0; i < f->plan.runners; ++i) {
@@ -198,7 +199,7 @@ static void hand_out(render_pieces *f, int piece) {
     }
 }
 
-/* The runner's oldest piece. One that is too late is dropped. */
+/* Receives the runner's oldest piece. A late piece is dropped. */
 static void take_answer(render_pieces *f, runner *r) {
     answer a;
     uint8_t *pixels = NULL;
@@ -272,7 +273,7 @@ static void copy_notes(const render_pieces_plan *plan, uint64_t *to, const uint6
     }
 }
 
-/* Another piece than the one that is waited for; without memory it is drawn again later. */
+/* Stores a piece for later. Without memory it is dropped and drawn again later. */
 static burnish_status draw_ahead(render_pieces *f, int piece, burnish_error *error) {
     f->slots[piece].state = STATE_LENT;
     const burnish_status status = f->plan.draw(f->plan.context, piece, error);
@@ -286,7 +287,7 @@ static burnish_status draw_ahead(render_pieces *f, int piece, burnish_error *err
     return status;
 }
 
-/* Draws the piece that is asked for. What another makes of it is dropped when it comes. */
+/* Draws the requested piece here. The copy of another process is dropped when it arrives. */
 static burnish_status draw_now(render_pieces *f, int piece, burnish_error *error) {
     f->slots[piece].state = STATE_TAKEN;
     return f->plan.draw(f->plan.context, piece, error);
@@ -323,7 +324,7 @@ burnish_status render_pieces_take(render_pieces *f, int piece, burnish_error *er
     return status;
 }
 
-/* ---- Elsewhere ---- */
+/* ---- Runners ---- */
 
 burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error *error) {
     const size_t size = piece_size(plan);
@@ -336,11 +337,10 @@ burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error
         order own = make_order(plan);
         own.piece = o.piece;
         if (memcmp(&own, &o, sizeof o) != 0 || o.piece < 0 || o.piece >= plan->count) {
-            status =
-                cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                         "--runner: burnish %s here is another version, or has another mesh or "
-                         "other flags; see that all are the same",
-                         burnish_version());
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "--runner: burnish %s here has another version, mesh or flags than "
+                              "the main process; make all the same",
+                              burnish_version());
             break;
         }
         status = plan->draw(plan->context, o.piece, error);

@@ -15,7 +15,7 @@ typedef struct render_tones {
 
 /* One pass over the image.
  *   covered  pixels that show the object
- *   options  of the picture; they have the background */
+ *   options  for the background */
 render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
                                   const burnish_render_options *options);
 
