@@ -3,6 +3,8 @@
 #ifndef BURNISH_TEST_READER_INPUT_H
 #define BURNISH_TEST_READER_INPUT_H
 
+#include <stdarg.h>
+
 #include "core/srgb.h"
 #include "mesh/read/formats.h"
 #include "mesh/read/obj/obj_materials.h"
@@ -119,6 +121,24 @@ static inline burnish_status read_text(burnish_format format, const char *text,
                                        burnish_mesh_data *mesh, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     return run_reader(format, text, strlen(text), &options, NULL, mesh, error);
+}
+
+/* Text that must be read. */
+static inline void read_good_text(burnish_format format, const char *text,
+                                  burnish_mesh_data *mesh) {
+    burnish_error error;
+    CHECK(read_text(format, text, mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+}
+
+/* Exactly these warnings, `count` texts. */
+static inline void check_warnings(const burnish_mesh_data *mesh, size_t count, ...) {
+    va_list texts;
+    va_start(texts, count);
+    CHECK(mesh->warning_count == count, "%zu warnings", mesh->warning_count);
+    for (size_t i = 0; i < count && i < mesh->warning_count; ++i) {
+        CHECK_TEXT(mesh->warnings[i], va_arg(texts, const char *));
+    }
+    va_end(texts);
 }
 
 /* warning: receives the first one, 300 bytes; NULL: not wanted. */

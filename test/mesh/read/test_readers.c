@@ -8,14 +8,12 @@
 
 static void test_stl(void) {
     burnish_mesh_data s;
-    burnish_error e;
-    CHECK(read_text(BURNISH_FORMAT_STL,
-                    "Solid one facet\nFACET NORMAL 0 0 1\r\nouter loop\nvertex 0 0 0 vertex 1 0 0\n"
-                    "vertex 0 1.5 -2e1\nendloop\nendfacet\nendsolid one\n"
-                    "solid\nfacet normal nan nan nan\nouter loop\nvertex 3 0 0\nvertex 4 0 0\n"
-                    "vertex 3 1 0\nendloop\nendfacet\nendsolid",
-                    &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    read_good_text(BURNISH_FORMAT_STL,
+                   "Solid one facet\nFACET NORMAL 0 0 1\r\nouter loop\nvertex 0 0 0 vertex 1 0 0\n"
+                   "vertex 0 1.5 -2e1\nendloop\nendfacet\nendsolid one\n"
+                   "solid\nfacet normal nan nan nan\nouter loop\nvertex 3 0 0\nvertex 4 0 0\n"
+                   "vertex 3 1 0\nendloop\nendfacet\nendsolid",
+                   &s);
     CHECK1(s.triangle_count == 2 && s.streams[BURNISH_POSITION].count == 6 &&
            s.streams[BURNISH_NORMAL].count == 0);
     CHECK1(position_is(&s, 2, 0, 1.5f, -20) && position_is(&s, 5, 3, 1, 0));
@@ -139,18 +137,16 @@ static void test_ply(void) {
 /* Faces before vertices, types of every kind, strips, colours as floats and 16 bits. */
 static void test_ply_variants(void) {
     burnish_mesh_data s;
-    burnish_error e;
-    CHECK(
-        read_text(BURNISH_FORMAT_PLY,
-                  "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uint8 uint16 "
-                  "vertex_index\r\n"
-                  "element vertex 4\r\nproperty double x\r\nproperty int16 y\r\nproperty char z\r\n"
-                  "property float diffuse_red\r\nproperty float diffuse_green\r\n"
-                  "property float diffuse_blue\r\nproperty list int int extra\r\nend_header\r\n"
-                  "4 0 1 2 3\r\n0 0 0 0 .5 1 0\r\n2 -2 0 1 2 -1 2 7 7\r\n1 0 0 nan 0 0 0\r\n2 2 0 "
-                  "0 0 0 0",
-                  &s, &e) == BURNISH_STATUS_OK,
-        "%s", e.text);
+    read_good_text(
+        BURNISH_FORMAT_PLY,
+        "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uint8 uint16 "
+        "vertex_index\r\n"
+        "element vertex 4\r\nproperty double x\r\nproperty int16 y\r\nproperty char z\r\n"
+        "property float diffuse_red\r\nproperty float diffuse_green\r\n"
+        "property float diffuse_blue\r\nproperty list int int extra\r\nend_header\r\n"
+        "4 0 1 2 3\r\n0 0 0 0 .5 1 0\r\n2 -2 0 1 2 -1 2 7 7\r\n1 0 0 nan 0 0 0\r\n2 2 0 "
+        "0 0 0 0",
+        &s);
     static const uint8_t colors[] = {0, 128, 255, 255, 255, 255, 0, 255,
                                      0, 0,   0,   255, 0,   0,   0, 255};
     CHECK1(s.triangle_count == 2 && s.streams[BURNISH_POSITION].count == 4 &&
@@ -163,15 +159,14 @@ static void test_ply_variants(void) {
     }
     burnish_mesh_data_destroy(&s);
 
-    CHECK(read_text(BURNISH_FORMAT_PLY,
-                    "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
-                    "property float z\nproperty ushort red\nproperty ushort green\n"
-                    "property ushort blue\nelement tristrips 1\n"
-                    "property list int int vertex_indices\nend_header\n"
-                    "0 0 0 65535 0 257 1 0 0 0 0 0 0 1 0 0 0 0 1 1 0 0 0 0 0 2 0 0 0 0\n"
-                    "13 0 1 2 3 4 -1 4 3 2 2 -1 0 1\n",
-                    &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    read_good_text(BURNISH_FORMAT_PLY,
+                   "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                   "property float z\nproperty ushort red\nproperty ushort green\n"
+                   "property ushort blue\nelement tristrips 1\n"
+                   "property list int int vertex_indices\nend_header\n"
+                   "0 0 0 65535 0 257 1 0 0 0 0 0 0 1 0 0 0 0 1 1 0 0 0 0 0 2 0 0 0 0\n"
+                   "13 0 1 2 3 4 -1 4 3 2 2 -1 0 1\n",
+                   &s);
     CHECK(s.triangle_count == 4, "%zu", s.triangle_count);
     CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 2, 1, 3) &&
            triangle_is(&s, 2, 2, 3, 4) && triangle_is(&s, 3, 4, 3, 2));
@@ -187,14 +182,13 @@ static void test_ply_plain(void) {
     for (size_t i = 0; i < 3; ++i) {
         char text[512];
         burnish_mesh_data s;
-        burnish_error e;
         const char *row = i > 0 ? " 1 1" : "";
         snprintf(text, sizeof text,
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\n%selement face 1\nproperty list uchar int vertex_indices\n"
                  "end_header\n0 0 0%s\n1 0 0%s\n0 1 0%s\n3 0 1 2\n",
                  extra[i], row, row, row);
-        CHECK(read_text(BURNISH_FORMAT_PLY, text, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+        read_good_text(BURNISH_FORMAT_PLY, text, &s);
         CHECK(!burnish_colors(&s) && !burnish_normals(&s) && !s.streams[BURNISH_NORMAL].corners &&
                   s.triangle_count == 1,
               "%zu", i);
