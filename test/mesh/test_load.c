@@ -1,6 +1,6 @@
-/* Loading from memory through options and context: the files that an input names come from the
- * caller, memory runs short, the call is cancelled, and the caller's floating-point environment
- * changes nothing. */
+/* Loading from memory with options and a context: files that the input names come from the caller,
+ * allocations fail, calls are cancelled, and the caller's floating-point environment has no effect.
+ */
 #include "burnish/mesh.h"
 #include "counting_context.h"
 #include "mesh_arrays.h"

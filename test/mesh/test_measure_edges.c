@@ -97,8 +97,8 @@ static void test_moebius(void) {
 /* ---- Degenerate triangles ---- */
 
 static void test_degenerate(void) {
-    /* A box whose edge from 0 to 1 has a middle that only the front knows: the slit is closed by a
-     * triangle without area. */
+    /* A box whose edge from 0 to 1 has a middle vertex only in the front: a triangle without area
+     * closes the slit. */
     shape s = box_at(0, 0, 0, 1, 1, 1);
     counted expected = whole_box;
     add_point(&s, 0.5, 0, 0);
@@ -167,8 +167,8 @@ static int runs(const uint32_t t[3], uint32_t a, uint32_t b) {
     return 0;
 }
 
-/* Walks from one triangle across edges, of any number of triangles or of two; sides: which way each
- * is to be turned, 0: not reached. Returns 1 where ways disagree. */
+/* Walks from one triangle across edges, of any number of triangles or of two; sides: the direction
+ * of each, 0: not reached. Returns 1 if directions disagree. */
 static int walk(const shape *s, int only_two, size_t from, int *sides) {
     int disagree = 0, grown = 1;
     sides[from] = 1;

@@ -31,8 +31,8 @@ static burnish_mesh_facts measure_soup(const soup *s, int threads) {
 
 static const double low[3] = {0, 0, 0}, high[3] = {1, 0.75, 0.5};
 
-/* Whatever cells of the grid the copies of a vertex are in: closed where they are within the
- * tolerance of each other, open where one is not. */
+/* In any cells of the grid: the surface is closed if the copies of a vertex are within the
+ * tolerance of each other, and open if one is not. */
 static void test_random(void) {
     uint64_t random = test_seed(1);
     for (int i = 0; i < 400; ++i) {
@@ -71,7 +71,7 @@ static void test_tolerance(void) {
     }
 }
 
-/* Equal positions: no tolerance is stated, and a hole stays one. */
+/* Equal positions: no tolerance is reported, and a hole stays open. */
 static void test_exact(void) {
     uint64_t random = test_seed(1);
     soup s = jittered_box(low, high, 0, &random);
@@ -104,8 +104,7 @@ static void test_details(void) {
           f.join_tolerance);
 }
 
-/* Vertices of no triangle may be anywhere. The undefined behaviour sanitizer sees what goes wrong.
- */
+/* Unused vertices may be anywhere. The undefined behaviour sanitizer detects errors. */
 static void test_unused(void) {
     uint64_t random = test_seed(1);
     const soup s = jittered_box(low, high, 3e-7, &random);

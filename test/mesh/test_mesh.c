@@ -32,7 +32,7 @@ static void cube_point(uint32_t number, float p[3]) {
     }
 }
 
-/* The cube as an STL file states it: nothing shared. */
+/* The cube as in an STL file: nothing shared. */
 static burnish_mesh *soup(double crease, int turned) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh_description arrays = burnish_mesh_description_default();
@@ -177,8 +177,8 @@ static void test_large_fan(void) {
     mesh = plain(positions, count + 2, indices, count, 40);
     view = burnish_mesh_get_view(mesh);
     CHECK1(view->triangle_count == count);
-    /* Joined one to the next they make some groups, none of which goes all the way round: at the
-       outer end each face has one vertex, at the edge's ends the groups have one each. */
+    /* Neighbours are joined into several groups, none of which is closed. At the outer end each
+     * face has one vertex, and at the edge's ends each group has one. */
     CHECK(view->vertex_count > count + 2 && view->vertex_count < count + 200, "all around: %zu",
           view->vertex_count);
     burnish_mesh_destroy(mesh);
@@ -186,7 +186,7 @@ static void test_large_fan(void) {
     free(indices);
 }
 
-/* Sheets that a file states twice, once from each side, are smooth on both. */
+/* Sheets that are in the file twice, once per side, are smooth on both sides. */
 static void test_double_sided(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 1, 1, 0};
     const uint32_t indices[] = {0, 1, 2, 0, 2, 1, 1, 3, 2, 1, 2, 3};
@@ -238,7 +238,7 @@ static void test_extreme_sizes(void) {
 
 static void test_given_normals(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
-    /* Any length; pointing away from the first triangle's winding; one 0 and one not a number. */
+    /* Any length; opposite to the first triangle's winding; one 0 and one NaN. */
     const float normals[] = {0, -1e-30f, -1e-30f, 0, 0, -3e38f, 0, 0, 0, NAN, 0, 1};
     const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
     burnish_mesh *mesh = NULL;
@@ -259,7 +259,7 @@ static void test_given_normals(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A flat cone: as many normals of the file meet in its tip as it has sides. */
+/* A flat cone: its tip has as many normals in the file as the cone has sides. */
 static void test_many_normals(void) {
     enum { MOST = 100 };
     for (uint32_t sides = 3; sides <= MOST; ++sides) {
@@ -330,7 +330,7 @@ static burnish_mesh *load_named(const char *tail, size_t triangles) {
     return mesh;
 }
 
-/* Vertices found by numbers are those found by values, as a mesh with colours finds them. */
+/* Vertices found by numbers equal those found by values, the method for meshes with colours. */
 static void test_named_vertices(void) {
     for (size_t triangles = 20; triangles <= 20000; triangles *= 10) {
         burnish_mesh *by_numbers = load_named("", triangles);
@@ -388,9 +388,9 @@ static int joins_the_same(burnish_rings *rings, size_t faces, int *crowded) {
     return count == 0 || (seen == faces && one == (count == 1));
 }
 
-/* The bits of normals do not depend on how many faces are compared at once, nor on whether faces
- * were measured before, nor sets on how they are found: fans with and without gaps, flat and
- * jagged, of few and of many faces. */
+/* Neither the number of faces compared at once nor earlier measuring changes the bits of normals,
+ * and sets do not depend on how they are found: fans with and without gaps, flat and jagged, of few
+ * and of many faces. */
 static void test_wide_fans(void) {
     enum { MOST = 40, ROUNDS = 20000 };
     burnish_rings rings;
@@ -404,7 +404,7 @@ static void test_wide_fans(void) {
     }
     for (int round = 0; round < ROUNDS; ++round) {
         size_t faces = 1 + random_bits(&state) % (round % 2 ? MOST : 10);
-        const uint32_t often = round % 8 < 4 ? 8 : 2; /* one edge has so many of the faces */
+        const uint32_t often = round % 8 < 4 ? 8 : 2; /* faces at one edge */
         float positions[3 * (MOST + 2)], normals[3][3 * MOST];
         uint32_t triangles[3 * MOST], corners[MOST];
         int common[3];

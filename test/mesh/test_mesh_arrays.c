@@ -1,6 +1,5 @@
-/* burnish_mesh_create: arrays of every shape, materials, every refusal, and what the context
- * brings: memory that runs short, cancelling, progress, the log; the caller's floating-point
- * environment. */
+/* burnish_mesh_create: arrays of every shape, materials, every error, failing allocations,
+ * cancelling, progress, and the caller's floating-point environment. */
 #include <math.h>
 
 #include "counting_context.h"
@@ -9,7 +8,7 @@
 
 enum { SIDES = 600, VERTICES = SIDES + 2, TRIANGLES = SIDES + 1 };
 
-/* A cone, whose tip has more faces than are measured at once, and a triangle without area. */
+/* A cone whose tip has more faces than are measured at once, and a triangle without area. */
 static float positions[3 * VERTICES], normals[3 * VERTICES], texcoords[2 * VERTICES];
 static uint8_t colors[4 * VERTICES];
 static uint32_t indices[3 * TRIANGLES];
@@ -42,7 +41,7 @@ static burnish_mesh *create(const burnish_mesh_description *arrays, int texture_
     return mesh;
 }
 
-/* Everything of a vertex in one struct, and something between. */
+/* All attributes of a vertex in one struct, with padding. */
 typedef struct fat_vertex {
     float position[3];
     uint8_t pad, color[4];
@@ -99,8 +98,8 @@ static void test_small_indices(void) {
     burnish_mesh_destroy(none);
 }
 
-/* Two triangles that meet in an edge; at one of its ends they have other texture coordinates. Only
- * where they are kept does that make two vertices, and each corner keeps its own. */
+/* Two triangles that meet in an edge; at one of its ends they have other texture coordinates. If
+ * these are kept, there are two vertices, and each corner keeps its coordinates. */
 static void test_texture_coordinates(void) {
     static const float square[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
     static const float own[] = {0, 0, 1, 0, 0, 1, 0.5f, 0, 1, 1, 0, 1};
@@ -283,7 +282,7 @@ static void test_arguments(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh_description arrays = describe_arrays(square, NULL, NULL, 3, corners, 1);
     CHECK1(burnish_mesh_create(&arrays, &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
-    /* Far too many triangles are refused before a byte of them is read. */
+    /* Far too many triangles are rejected before a byte of them is read. */
     burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     arrays.indices.count = (size_t)3 << 31;

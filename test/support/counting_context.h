@@ -1,5 +1,5 @@
-/* For tests: a context that counts what it is asked for, runs out of memory and cancels on demand;
- * and floating-point environments. */
+/* For tests: a context that counts calls, and fails allocations or cancels on demand; and
+ * floating-point environments. */
 #ifndef BURNISH_TEST_COUNTING_CONTEXT_H
 #define BURNISH_TEST_COUNTING_CONTEXT_H
 
@@ -14,12 +14,12 @@
 #include <xmmintrin.h>
 #endif
 
-/* What a context of the tests' counts. */
+/* The counts of a test's context. */
 typedef struct counts {
     atomic_long left;    /* allocations before one fails; negative: none does */
-    atomic_long live;    /* taken and not given back */
+    atomic_long live;    /* allocated and not released */
     long asked;          /* whether to cancel */
-    long questions;      /* before the one that is answered by yes; negative: none is */
+    long questions;      /* before the one answered with yes; negative: never */
     burnish_stage stage; /* of the last progress, and its ... */
     double fraction;
     int wrong_order;
@@ -78,9 +78,9 @@ static inline burnish_context *make_context(counts *c) {
 typedef burnish_status mesh_maker(const void *data, const burnish_load_options *options,
                                   burnish_mesh **mesh, burnish_error *error);
 
-/* Makes a mesh again and again until nothing stops it: each time one allocation later fails, or,
- * with cancels, one question later is answered by yes. Every failure has its status and a message,
- * and no memory is lost. */
+/* Makes a mesh again and again until nothing stops it: each time a later allocation fails or, with
+ * `cancels`, a later question is answered with yes. Every failure has its status and a message, and
+ * no memory is lost. */
 static inline void check_failures(mesh_maker *make, const void *data, int threads, int cancels) {
     const burnish_status expected = cancels ? BURNISH_STATUS_CANCELLED : BURNISH_STATUS_MEMORY;
     burnish_load_options options = burnish_load_options_default();

@@ -67,7 +67,7 @@ static inline void say_number(text *t) {
     }
 }
 
-/* Whether the text now stands `back` bytes before the end of a part that is not the last wanted. */
+/* Whether the text is within `back` bytes of the end of a part. */
 static inline int near_border(const text *t, size_t back) {
     return t->size - t->part >= PART_SIZE - back;
 }
@@ -91,13 +91,13 @@ static inline burnish_status open_library(void *user_data, const char *file, uin
 }
 
 typedef enum expectation {
-    ANYTHING, /* only that all agree */
+    ANYTHING, /* all readings agree */
     GOOD,
     GOLDEN, /* good, and its mesh has a golden hash */
     BROKEN
 } expectation;
 
-/* Hashes of what the files of a fixed seed become. */
+/* Hashes of meshes. */
 static inline uint64_t hash_words(uint64_t hash, const void *items, size_t bytes, size_t width) {
     for (size_t at = 0; items && at < bytes; at += width) {
         const uint8_t *p = (const uint8_t *)items + at;
@@ -174,7 +174,7 @@ static inline burnish_status check(const char *what, burnish_format format, cons
     return status;
 }
 
-/* Changes bytes of a good file, a few at a time: whatever comes of it, all agree. */
+/* Changes bytes of a good file, a few at a time: all readings agree on the result. */
 static inline void check_mutations(const char *what, burnish_format format, text *t,
                                    const char *letters, int count) {
     const burnish_load_options options = burnish_load_options_default();
@@ -197,7 +197,8 @@ static inline void check_mutations(const char *what, burnish_format format, text
     printf("%s: %d of %d mutations are good files\n", what, good, count);
 }
 
-/* Puts a line, behind blanks, in place of the next long one from `at` on that begins so. */
+/* Replaces the next long line from `at` on that begins so by another line, padded with blanks in
+ * front. */
 static inline void break_line(text *t, size_t at, const char *beginning, const char *line) {
     const size_t size = strlen(line), length = strlen(beginning);
     const char *end = NULL;

@@ -24,7 +24,7 @@ typedef struct reader_run {
     size_t chunk_size;    /* 0: the reader's */
 } reader_run;
 
-/* Texture coordinates too, whatever the options say. */
+/* Always keeps texture coordinates. */
 static inline burnish_status read_as(const reader_run *run, burnish_mesh_data *mesh,
                                      burnish_error *error) {
     burnish_load_options all = *run->options;
@@ -84,7 +84,7 @@ static inline void compare_meshes(const char *what, const burnish_mesh_data *a,
     }
 }
 
-/* Reads once more in another way, which must give the same mesh, or the same error. */
+/* Reads again in another way, which must give the same mesh or error. */
 static inline void check_same_reading(const char *what, const reader_run *run,
                                       burnish_status status, const burnish_mesh_data *mesh,
                                       const burnish_error *error) {
@@ -251,7 +251,7 @@ static inline void put_stl(byte_list *list, const char *header, uint32_t count) 
 }
 
 /* A square and a triangle with normals and colours in one of the three encodings: 0 ASCII, 1
- * little, 2 big endian. Unknown properties and elements stand between. */
+ * little, 2 big endian. Unknown properties and elements are in between. */
 static inline void put_ply(byte_list *list, int encoding) {
     static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     static const float xyz[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 2, -1.25f}};

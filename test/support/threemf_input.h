@@ -20,7 +20,7 @@
 #define MESH "<mesh>" TETRAHEDRON "<triangles>" FACES "</triangles></mesh>"
 #define ITEM_1 "<item objectid='1'/>"
 
-/* One triangle with attributes of its own, in an object with some. */
+/* One triangle with its own attributes, in an object with attributes. */
 #define ONE_TRIANGLE(object, triangle)                                                             \
     "<object id='1' " object "><mesh>" TETRAHEDRON "<triangles><triangle v1='0' v2='1' "           \
     "v3='2' " triangle "/></triangles></mesh></object>"
@@ -37,7 +37,7 @@
     "tilestyleu='clamp' filter='nearest'/><m:texture2dgroup id='10' texid='9'>"                    \
     "<m:tex2coord u='0.25' v='0.5'/><m:tex2coord u='-1' v='2'/></m:texture2dgroup>"
 
-/* Reads a model that is fine, but for one warning at most; 1 where it could be read. */
+/* Reads a model that is valid except for at most one warning; returns 1 if it could be read. */
 static inline int read_fine(const char *model, const char *warning, burnish_mesh_data *s) {
     burnish_error e;
     const int is_fine = CHECK(read_3mf(model, s, &e) == BURNISH_STATUS_OK, "%s", e.text);

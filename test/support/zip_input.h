@@ -21,7 +21,7 @@ static inline void zip_bits(uint8_t **to, uint64_t bits, size_t size) {
     }
 }
 
-/* What both headers of a part say of it. */
+/* The fields that both headers of a part share. */
 static inline void zip_head(uint8_t **to, unsigned method, uint32_t crc, size_t packed, size_t size,
                             size_t name) {
     zip_bits(to, 20, 2); /* version */

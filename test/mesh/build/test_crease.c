@@ -478,7 +478,7 @@ __attribute__((format(printf, 1, 2))) static void print(const char *format, ...)
     va_end(arguments);
 }
 
-/* The shape as a text file, each triangle with vertices of its own. */
+/* The shape as a text file, with separate vertices for each triangle. */
 static void print_shape(const char *ending) {
     const int is_obj = strcmp(ending, "obj") == 0, is_ply = strcmp(ending, "ply") == 0;
     text_size = 0;

@@ -5,7 +5,7 @@
 #include "mesh/read/bms.h"
 #include "reader_input.h"
 
-/* What the streams of these tests hold; counts as the head states them. */
+/* The contents of the streams of these tests, with the counts of the head. */
 typedef struct stream {
     byte_list list;
     size_t vertices_at, indices_at, numbers_at, materials_at, textures_at;
@@ -25,7 +25,7 @@ static void put_floats(byte_list *list, const float *values, size_t count) {
     }
 }
 
-/* The stream states how long it is. */
+/* Writes the size into the stream. */
 static void close_stream(byte_list *list) {
     const uint64_t size = list->size;
     for (int i = 0; i < 8; ++i) {
@@ -54,8 +54,7 @@ static void put_material(byte_list *list) {
     put_bits(list, 0, 4, 0);
 }
 
-/* A square of two triangles, the second red by its material, all of whose vertices have all that
- * there is. */
+/* A square of two triangles, the second red by its material. All vertices have all attributes. */
 static stream make(const char *text) {
     static const float up[3] = {0, 0, 2};
     static const float places[VERTICES * 3] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
@@ -108,7 +107,7 @@ static void test_all_parts(void) {
     }
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK1(burnish_mesh_get_info(mesh)->format == BURNISH_FORMAT_BMS);
-    /* two vertices are there twice, as materials meet in them */
+    /* two vertices are duplicated, because materials meet in them */
     CHECK1(view->triangle_count == 2 && view->vertex_count >= 4 && view->colors &&
            view->texture_coordinates && view->triangle_materials);
     CHECK1(view->up_axis[0] == 0 && view->up_axis[1] == 0 && view->up_axis[2] == 1);
@@ -138,7 +137,7 @@ static void test_all_parts(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* Without parts, materials, text and an axis; triangles without any are points. */
+/* Without parts, materials, text or an axis. A stream without triangles becomes points. */
 static void test_least(void) {
     static const float places[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, no_axis[3] = {0, 0, 0};
     burnish_load_options options = burnish_load_options_default();
@@ -235,7 +234,7 @@ static void test_messages(void) {
     }
 }
 
-/* What an importer says instead of a mesh. */
+/* An importer's message instead of a mesh. */
 static void test_errors(void) {
     static const burnish_status statuses[BURNISH_BMS_KIND_COUNT] = {
         BURNISH_STATUS_OK, BURNISH_STATUS_FORMAT, BURNISH_STATUS_LIMIT, BURNISH_STATUS_MEMORY};
@@ -253,7 +252,7 @@ static void test_errors(void) {
     }
 }
 
-/* Cut off anywhere it is refused; with any byte changed it is refused in one line or drawn. */
+/* A truncated stream is rejected. With any byte changed, it is rejected in one line or drawn. */
 static void test_damage(void) {
     const stream s = make("text");
     burnish_load_options options = burnish_load_options_default();
@@ -279,7 +278,7 @@ static void test_damage(void) {
     }
 }
 
-/* Its textures count to the limit, and are not there where they are not wanted. */
+/* Its textures count towards the limit, and are absent if textures are ignored. */
 static void test_textures(void) {
     const stream s = make("");
     burnish_load_options options = burnish_load_options_default();

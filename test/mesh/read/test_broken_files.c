@@ -1,5 +1,5 @@
-/* Broken files of every kind: each ends with its one line, and none crashes, hangs or takes memory
- * that its size does not warrant. The address sanitizer also detects reads beyond the end. */
+/* Broken files of every kind: each ends with one line, and none crashes, hangs or takes
+ * disproportionate memory. The address sanitizer also detects reads beyond the end. */
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -9,7 +9,7 @@
 #include "mesh/build/normals.h"
 #include "reader_input.h"
 
-/* The address sanitizer's shadow memory leaves RLIMIT_AS no meaning. */
+/* RLIMIT_AS is meaningless with the address sanitizer's shadow memory. */
 #if defined(__SANITIZE_ADDRESS__)
 #define SANITIZED 1
 #elif defined(__has_feature)
@@ -34,8 +34,7 @@ static burnish_status open_nothing(void *user_data, const char *file, uint64_t m
     return burnish_fail(error, BURNISH_STATUS_READ, "%s: not here", file);
 }
 
-/* Any outcome is right but a silent one: a mesh that keeps what mesh.h promises, or one line.
- */
+/* The outcome must be a mesh that fulfils mesh.h, or a one-line error. */
 static int is_sound(burnish_status status, const burnish_mesh_data *s, const burnish_error *e) {
     if (status != BURNISH_STATUS_OK) {
         return e->status == status && e->text[0] != 0 && !strchr(e->text, '\n');
@@ -377,7 +376,7 @@ static size_t memory_used(void) {
     return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-/* In a child that may take 16 MiB more than it has: FORMAT, so memory was never asked for. */
+/* In a child limited to 16 MiB more: FORMAT shows that memory was never requested. */
 static int refuses_within_16_mib(burnish_format format, const byte_list *list) {
     fflush(stdout);
     pid_t child = fork();
@@ -513,8 +512,8 @@ static void test_long_name(void) {
            BURNISH_STATUS_FORMAT);
 }
 
-/* Found by fuzzing: meshes at the ends of single precision are drawn, or refused in one line; none
- * puts a number on the screen that is none. */
+/* Found by fuzzing: meshes at the limits of single precision are drawn, or rejected in one line;
+ * none draws invalid numbers. */
 static void test_extreme_sizes(void) {
     static const struct {
         const char *mesh;

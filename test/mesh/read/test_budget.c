@@ -1,5 +1,5 @@
-/* What small inputs become: refused before memory is taken for it, as one rule has it for all
- * readers, on any number of threads; and what plain files hold is drawn. */
+/* Small inputs that expand: one rule for all readers rejects them before memory is allocated, for
+ * any number of threads. Plain files are drawn. */
 #include <stdarg.h>
 
 #include "image/decode/decode.h"
@@ -105,7 +105,7 @@ static burnish_status load(const byte_list *file, const char *name, burnish_load
     return status;
 }
 
-/* A GLB of which primitives of a mode share some points. */
+/* A GLB whose primitives of a mode share some points. */
 static byte_list make_shared(int mode, int points, int times) {
     byte_list json = {0}, list = {0};
     const uint32_t binary = 12 * (uint32_t)points;
@@ -141,8 +141,7 @@ static byte_list make_shared(int mode, int points, int times) {
     return list;
 }
 
-/* Points and lines count as what they are drawn as; a limit of triangles takes the place of the
- * rule. */
+/* Points and lines count as their solids; a limit of triangles replaces the rule. */
 static void test_solids(void) {
     enum { POINTS = 900, MUCH = 16 << 20 };
     static const struct {
@@ -174,7 +173,7 @@ static void test_solids(void) {
     free(list.bytes);
 }
 
-/* One face, or strip, of so many corners is refused while its corners are counted. */
+/* A face or strip of so many corners is rejected while its corners are counted. */
 static void test_faces(void) {
     enum { CORNERS = 6000000, MUCH = 200 << 20 };
     static const char *const heads[] = {
@@ -196,7 +195,7 @@ static void test_faces(void) {
         char line[200];
         burnish_mesh_data data;
         burnish_error error;
-        /* as if gzip had held it: the bytes that count are few */
+        /* as if unpacked from gzip: few bytes count */
         const burnish_reader_input input = {.bytes = list.bytes,
                                             .size = list.size,
                                             .packed_size = 40000,
@@ -322,7 +321,7 @@ static void test_crowded(void) {
 
 /* ---- Pictures ---- */
 
-/* A PNG of 2^31 - 1 columns is refused before anything is allocated for a row of them. */
+/* A PNG of 2^31 - 1 columns is rejected before a row is allocated. */
 static void test_sides(void) {
     static const uint32_t sides[][2] = {
         {0x7FFFFFFF, 1}, {1, 0x7FFFFFFF}, {16385, 1}, {400000000, 9}};

@@ -1,5 +1,5 @@
-/* KHR_draco_mesh_compression, with a decoder that answers with the streams themselves: what the
- * reader asks, and what it makes of answers. Draco itself: test/importers/import_draco.sh. */
+/* KHR_draco_mesh_compression, with a decoder that returns the streams themselves: the reader's
+ * requests, and its handling of answers. Draco itself: test/importers/import_draco.sh. */
 #include "gltf_input.h"
 
 /* Of two streams at bytes 0 and `second` of the binary chunk. */
@@ -176,7 +176,7 @@ static void test_refused(void) {
         "stream of Draco can't be decoded, or holds nothing; the file is damaged");
 }
 
-/* An answer of any smaller size, or with any word far off, is refused or read, by one line. */
+/* A truncated answer, or one with a wrong word, is read, or rejected with one line. */
 static void test_damaged(void) {
     static const char cut[] = "mesh.gltf: the decoder of Draco answers with something else, or "
                               "with less than it states";

@@ -75,7 +75,7 @@ static void test_misnamed(void) {
     }
 }
 
-/* Puts 84 + 50 * 64 + 20 bytes with a count that fits neither them nor all of them. */
+/* Puts 84 + 50 * 64 + 20 bytes with a count that does not match. */
 static void put_filled(byte_list *list, const char *first, size_t size, uint8_t filler,
                        uint32_t announced) {
     list->size = 0;
@@ -145,8 +145,8 @@ static void test_brace(void) {
     check_refused(&list, BURNISH_FORMAT_AUTO, "text that does not begin with \"solid\"");
 }
 
-/* Facets that are none, whatever the first bytes are. If the bytes are facets, a wrong count is a
- * warning, whatever the title says. */
+/* Bytes that are not facets, whatever the first bytes are. If the bytes are facets, a wrong count
+ * is a warning, whatever the title says. */
 static void test_garbage(void) {
     static const char refusal[] = "byte 80: not STL: the count does not fit the file's size, and ";
     burnish_load_options options = burnish_load_options_default();
@@ -175,7 +175,7 @@ static void test_garbage(void) {
         burnish_mesh_destroy(mesh);
     }
     list.size = 0;
-    put_stl(&list, "a part", 8); /* the count fits: tiny numbers are the file's affair */
+    put_stl(&list, "a part", 8); /* the count matches: tiny numbers are accepted */
     for (int i = 0; i < 8; ++i) {
         memcpy(list.bytes + 84 + 50 * i + 12 + 8, "\1\0\0\0", 4);
     }

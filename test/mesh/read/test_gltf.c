@@ -273,7 +273,7 @@ static void test_modes(void) {
     }
 }
 
-/* Only vertices that are used are taken, and each once. */
+/* Only used vertices are read, each once. */
 static void test_shared_vertices(void) {
     byte_list binary = {.size = 0};
     burnish_mesh_data s;
@@ -433,11 +433,12 @@ static int are_same(const burnish_mesh_data *a, const burnish_mesh_data *b) {
                   12 * a->triangle_count) == 0;
 }
 
-/* Vertices that several threads convert, and the first fault of the file whoever finds it. */
+/* Several threads convert vertices. The first fault of the file is reported, whichever thread finds
+ * it. */
 static void test_threads(void) {
     static const int threads[] = {2, 7};
     static const struct {
-        uint32_t bad[2], index; /* positions, a place of an index; 0: none */
+        uint32_t bad[2], index; /* positions, and the position of an index; 0: none */
         const char *message;
     } cases[] = {
         {{0, 0}, 0, ""}, /* and each adds its own to those before */

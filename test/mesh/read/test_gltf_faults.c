@@ -48,7 +48,8 @@ static const struct {
     {"$packed(1,237,18,'mode':'ATTRIBUTES','byteStride':256,'count':4000000)",
      "compressed buffer views unpack to 1024000036 bytes, of a file of "}};
 
-/* A triangle and its indices, with a buffer that has no bytes; whatever is damaged, it ends. */
+/* A triangle and its indices, with a buffer without bytes. Any damage ends with a mesh or an error.
+ */
 static void test_compressed_views(void) {
     static const char head[] =
         "$head'extensionsRequired':['EXT_meshopt_compression'],'buffers':[{'byteLength':255},"
@@ -77,7 +78,7 @@ static void test_compressed_views(void) {
         burnish_mesh_data_destroy(&s);
     }
     snprintf(text, sizeof text, head, packed_views[0].view);
-    for (char *at = text; (at = strstr(at, "EXT_meshopt"));) { /* as Khronos took it over */
+    for (char *at = text; (at = strstr(at, "EXT_meshopt"));) { /* the extension's later name */
         memcpy(at, "KHR", 3);
     }
     CHECK(read_glb(text, &binary, &s, &e) == BURNISH_STATUS_OK && s.triangle_count == 1 &&
@@ -171,7 +172,7 @@ static void test_faults(void) {
     }
 }
 
-/* A small file whose nodes draw one mesh again and again is refused before memory is taken. */
+/* A small file whose nodes repeat one mesh is rejected before memory is allocated. */
 static void test_instances_are_bounded(void) {
     burnish_load_options options = burnish_load_options_default();
     byte_list list = {.size = 0};
@@ -195,7 +196,7 @@ static void test_instances_are_bounded(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Every beginning of a GLB, and every byte of one changed: one line, or a sound mesh. */
+/* Every truncation of a GLB, and every byte changed: a one-line error, or a valid mesh. */
 static void test_damage(void) {
     static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     const burnish_load_options options = burnish_load_options_default();

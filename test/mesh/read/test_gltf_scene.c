@@ -18,7 +18,7 @@ static void test_hierarchy(void) {
     CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 10, 20, 30) &&
            corner_is(&s, 0, 2, 10, 18, 30) && corner_is(&s, 0, 1, -2, 20, 30));
     burnish_mesh_data_destroy(&s);
-    /* Without scenes all roots are drawn, but for what is hidden. */
+    /* Without scenes, all visible roots are drawn. */
     read_good("$head$triangle,'extensionsUsed':['KHR_node_visibility'],"
               "'nodes':[{'mesh':0},{'children':[2],'extensions':{'KHR_node_visibility':{'vi"
               "sible':false}}},{'mesh':0},{'mesh':0,'translation':[5,0,0]}]}",
@@ -26,14 +26,14 @@ static void test_hierarchy(void) {
     CHECK1(s.triangle_count == 2 && corner_is(&s, 1, 0, 5, 0, 0));
     check_warning(&s, NULL);
     burnish_mesh_data_destroy(&s);
-    /* A scene that is not there is none. */
+    /* A missing scene is ignored. */
     read_good("$head$triangle,'scene':3,'nodes':[{'mesh':0}]}", NULL, &s);
     CHECK1(s.triangle_count == 1);
     check_warning(&s, "mesh.gltf:1: scene: 3 is not in scenes, of which there are 0; ignored");
     burnish_mesh_data_destroy(&s);
 }
 
-/* Normals keep at right angles to a surface that is stretched, and on its side in a mirror. */
+/* Normals stay at right angles to a stretched surface, and on the correct side when mirrored. */
 static void test_normals_of_nodes(void) {
     static const float positions[9] = {0, 0, 0, 1, 1, 0, 0, 0, 1};
     static const float normals[9] = {1, -1, 0, 1, -1, 0, 1, -1, 0};
@@ -450,7 +450,8 @@ static void test_damaged_images(void) {
 #define CLEAR "'alphaMode':'BLEND','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
 #define CLEAR_MASK "'alphaMode':'MASK','pbrMetallicRoughness':{'baseColorFactor':[1,0,0,0]}"
 
-/* A wholly transparent part of something visible stays so; if everything is, all is opaque. */
+/* A fully transparent part of a visible scene stays transparent. If everything is, all becomes
+ * opaque. */
 static void test_invisible(void) {
     static const struct {
         const char *json;

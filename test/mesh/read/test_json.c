@@ -110,7 +110,7 @@ static void test_faults(void) {
     }
 }
 
-/* 64 levels are read, one more is refused; so is every beginning of a document. */
+/* 64 levels are accepted. One more is rejected, and so is every truncated document. */
 static void test_depth_and_truncation(void) {
     static const char text[] = "{\"a\":[1.5,{\"b\":\"c\\n\"},true,null,-3e2]}";
     char deep[2 * (BURNISH_JSON_DEPTH + 1)];

@@ -25,7 +25,7 @@ static int decode(burnish_meshopt_mode mode, size_t size, size_t count, size_t s
     return good;
 }
 
-/* Whatever is cut off or turned over, it ends; what is cut off is noticed. If meshoptimizer also
+/* Any truncation or changed bit ends safely, and truncation is detected. If meshoptimizer also
  * accepts damaged bytes, the result is the same. */
 static void damage(burnish_meshopt_mode mode, size_t size, size_t count, size_t stride,
                    uint64_t *state) {
@@ -87,7 +87,7 @@ static uint32_t bytes_at(const uint8_t *p, size_t size) {
     return value;
 }
 
-/* What is written for the bytes of an element, by its channels. */
+/* The encoding of an element's bytes, by its channels. */
 static void find_differences(const uint8_t *now, const uint8_t *before, size_t stride,
                              const uint8_t *channels, uint8_t *to) {
     for (size_t k = 0; k < stride;) {
@@ -173,7 +173,7 @@ static size_t encode_version_1(size_t count, size_t stride, const uint8_t *chann
                 is_zero &= column[i] == 0;
             }
             unsigned control = is_zero ? 2 : test_random32(state) % 3;
-            control += control == 2 && !is_zero; /* 3: as they are */
+            control += control == 2 && !is_zero; /* 3: unpacked */
             controls[k / 4] |= (unsigned char)(control << k % 4 * 2);
             if (control == 3) {
                 memcpy(to, column, some);
@@ -213,7 +213,7 @@ static void test_version_1(void) {
             for (size_t cut = 0; cut < size; cut += 1 + size / 50) {
                 CHECK1(!decode(BURNISH_MESHOPT_ATTRIBUTES, cut, count, stride));
             }
-            for (int i = 0; i < 50; ++i) { /* whatever is turned over, it ends */
+            for (int i = 0; i < 50; ++i) { /* any changed bit ends safely */
                 const size_t at = test_random32(&state) % size;
                 const unsigned char kept = packed[at];
                 packed[at] ^= (unsigned char)(1u << test_random32(&state) % 8);
@@ -258,7 +258,7 @@ static void test_colors(void) {
     }
 }
 
-/* The encoder may turn a triangle's corners around: meshoptimizer's decoder says how. */
+/* The encoder may rotate a triangle's corners; meshoptimizer's decoder shows how. */
 static void test_indices(void) {
     uint64_t state = 8;
     for (size_t i = 0; i < 60; ++i) {

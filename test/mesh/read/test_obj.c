@@ -129,7 +129,7 @@ static void test_obj(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Curves and surfaces make one line, with what they are made of; so do statements of others. */
+/* Curves and surfaces give one warning together, and so do unknown statements. */
 static void test_obj_other_statements(void) {
     burnish_mesh_data s;
     read_good_text(BURNISH_FORMAT_OBJ,
@@ -145,7 +145,7 @@ static void test_obj_other_statements(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Faces before their vertices; texture coordinates, of which some are not there. */
+/* Faces before their vertices, and missing texture coordinates. */
 static void test_obj_forward(void) {
     static const uint32_t texcoords[12] = {0, 1, BURNISH_NONE, 1, 0, 1, 1, 1, 1, 0, 0, 0};
     static const float values[4] = {0, 0.25f, 0.5f, 1};
@@ -289,7 +289,7 @@ static void test_obj_materials(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Warnings of one kind are one line, and stop after 16 lines, however many there would be. */
+/* Warnings of one kind are one line, and there are at most 16 lines. */
 static void test_many_warnings(void) {
     char library[512] = "newmtl a\n", mesh[512] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     burnish_mesh_data s;
@@ -357,7 +357,7 @@ static void test_missing_libraries(void) {
     }
 }
 
-/* Asked for under whatever name, a file is opened once; no more than 64 files are. */
+/* A file is opened once under all its names, and at most 64 files are opened. */
 static size_t libraries_opened;
 
 static burnish_status count_library(void *user_data, const char *file, uint64_t max_bytes,
@@ -422,7 +422,7 @@ static void test_library_line(void) {
     burnish_mesh_data_destroy(&s);
 }
 
-/* Opacity: d counts before Tr, and what would be invisible is opaque, with one line. */
+/* Opacity: d precedes Tr, and invisible materials become opaque, with one warning. */
 static void test_opacity(void) {
     static const struct {
         const char *statements;
@@ -514,7 +514,7 @@ static void test_undrawn(void) {
                    "mesh.ply:3: texture \"moon.png\" was skipped: vertices have no "
                    "s and t, faces no texcoord");
     burnish_mesh_data_destroy(&s);
-    for (int faces = 0; faces < 2; ++faces) { /* of an element without rows nothing is lost */
+    for (int faces = 0; faces < 2; ++faces) { /* an element without rows loses nothing */
         char text[400];
         snprintf(text, sizeof text, /* the strip's triangle lacks it */
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

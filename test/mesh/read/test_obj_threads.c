@@ -28,7 +28,7 @@ static void say_vertex(text *t, const obj_plan *plan, size_t total) {
     end_line(t);
 }
 
-/* An index of what stands so far, from either end. */
+/* An index of a value so far, from either end. */
 static void say_index(text *t, size_t count) {
     int index = (int)below(t, (unsigned)count) + 1;
     say(t, "%d", below(t, 4) == 0 ? index - (int)count - 1 : index);
@@ -73,7 +73,7 @@ static void say_other(text *t, const obj_plan *plan) {
     end_line(t);
 }
 
-/* Fills a part to its last byte, and begins the next one with what is easily lost there. */
+/* Fills a part to its last byte, and begins the next one with critical statements. */
 static void cross_border(text *t, const obj_plan *plan, size_t vertices) {
     size_t room = PART_SIZE - (t->size - t->part);
     unsigned kind = below(t, 4);
@@ -93,7 +93,7 @@ static void cross_border(text *t, const obj_plan *plan, size_t vertices) {
         add(t, line, room);
         t->part = t->size;
     }
-    if (plan->materials) { /* of which a line is warned */
+    if (plan->materials) { /* which gives a warning */
         say(t, "mtllib missing%zu.mtl\n", t->size);
     }
     if (kind == 1 && plan->materials) {
@@ -161,7 +161,7 @@ static void test_obj(void) {
     }
 }
 
-/* Normals that no face names, colours that only the first vertices of a part seem to have. */
+/* Unused normals, and colours that only the first vertices of a part seem to have. */
 static void test_obj_unused(void) {
     const burnish_load_options options = burnish_load_options_default();
     text t = {.line_end = "\n"};

@@ -89,7 +89,7 @@ static void test_unnamed_values(void) {
         {{"1 0 0", "0 0.25 1", "1 1 1"}, 0xFF0000FF, 0}, /* the row alone would be 1/255 */
         {{"1 0 0", "0 1 0", "0 0 1"}, 0xFF0000FF, 0},    /* of length 1, but pure */
         {{"0 0.6 0.8", "0 0 -1", "1 0 0"}, 0, 1},
-        {{"0 0.6 0.8", "0.6 0 0.8", "0.6 0.8 0"}, 0, 1}, /* no colours are so all over */
+        {{"0 0.6 0.8", "0.6 0 0.8", "0.6 0.8 0"}, 0, 1}, /* colours are not like this everywhere */
         {{"0 0.6 0.8", "0.6 0.6 0.8", "0.2 0 0"}, 0x0099CCFF, 0},
         {{"0 300 1", "0 0 1", "0 0 1"}, 0, 0}, /* neither */
         {{"0 -2 1", "0 0 1", "3 0 1"}, 0, 0},
@@ -153,7 +153,7 @@ static void test_odd_lines(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* The same cut into chunks: 20,000 faces of which each goes on in the next line, on threads. */
+/* The same in chunks: 20,000 faces that each continue in the next line, with threads. */
 static void test_long_wrapped(void) {
     enum { FACES = 20000 };
     char *text = malloc(64 * FACES);

@@ -146,7 +146,7 @@ static void put_base64(text *to, const uint8_t *bytes, size_t size) {
     }
 }
 
-/* A node's translation is in double precision; a camera stands 5 above the torus. */
+/* A node's translation has double precision; a camera is 5 above the torus. */
 static void put_gltf(text *to, const double shift[3], double scale) {
     static float positions[3 * POINTS];
     static uint16_t indices[6 * POINTS];
@@ -323,8 +323,8 @@ static void test_accuracy(void) {
     }
 }
 
-/* Up to 32 times its size away a mesh has its file's coordinates, rounded, as ever; a file of
- * floats has them anywhere. */
+/* Up to 32 times its size away, a mesh has its file's rounded coordinates; a file of floats always
+ * does. */
 static void test_near(void) {
     static const double near[3] = {80, -60, 85}, far[3] = {80, -60, 95}; /* the size is 2.75 */
     for (int format = 0; format < FORMATS - 1; ++format) {
