@@ -78,6 +78,33 @@ burnish_status burnish_bin_tiles(burnish_bins *bins, const burnish_raster_ops *o
 
 void burnish_bins_destroy(burnish_bins *bins);
 
+/* ---- Bands: as many rows of tiles as fit the budget. Frames and depth maps are drawn so. ---- */
+
+/* What a picture's tiles are drawn from. */
+typedef struct burnish_bands {
+    burnish_bins *bins;
+    const burnish_raster_ops *ops;
+    const burnish_geometry *geometry;
+    const burnish_raster_view *view;
+    burnish_tasks *tasks;
+    int threads;                    /* that draw at the same time, at most */
+    const burnish_context *context; /* whose memory is used */
+} burnish_bands;
+
+/* Draws the tile (column, row), whose lists are in the bins; `thread` < threads. */
+typedef void burnish_tile_function(void *context, int column, int row, int thread);
+
+/* Draws every tile once. Errors: MEMORY, CANCELLED, LIMIT. */
+burnish_status burnish_bands_draw(const burnish_bands *bands, burnish_tile_function *draw,
+                                  void *context, burnish_error *error);
+
+/* The same for the rows of tiles [first_row, end_row) alone. */
+burnish_status burnish_bands_draw_rows(const burnish_bands *bands, int first_row, int end_row,
+                                       burnish_tile_function *draw, void *context,
+                                       burnish_error *error);
+
+/* ---- Lists ---- */
+
 /* Reads a list in order. */
 typedef struct burnish_list_reader {
     const burnish_bins *bins;

@@ -75,7 +75,7 @@ BURNISH_INLINE void group_vector(const burnish_tile *tile, int samples, int bloc
         group[s] = vi_set(1 << s);
         different = vi_or(different, vi_xor(id[s], id[0]));
     }
-    const vm complex_pixels = is_nonzero(different);
+    const vm complex_pixels = vi_not_zero(different);
     if (!vm_any(complex_pixels)) {
         return;
     }
@@ -149,7 +149,7 @@ BURNISH_INLINE void weigh_vector(const burnish_tile *tile, const burnish_raster_
         e = vi_add(e, vf_bits(edge[i]));
         vf_store(to[i], vf_mul(vf_from_int(e), weight[2]));
     }
-    for (unsigned rest = vm_bits(is_nonzero(vf_bits(weight[3]))); rest; rest &= rest - 1) {
+    for (unsigned rest = vm_bits(vi_not_zero(vf_bits(weight[3]))); rest; rest &= rest - 1) {
         const int at = first + __builtin_ctz(rest);
         if (at < fragments->count) {
             compute_64_bit_weights(primitives, (size_t)points->id[at], points->x[at], points->y[at],

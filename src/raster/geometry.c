@@ -153,16 +153,6 @@ static uint64_t batch_cells(const burnish_geometry *geometry, size_t number,
     return cells;
 }
 
-double burnish_overdraw(uint64_t cells, const burnish_raster_view *view) {
-    enum { PIXELS = BURNISH_HIZ_PIXELS * BURNISH_HIZ_PIXELS };
-    return (double)cells * PIXELS / ((double)view->width * view->height);
-}
-
-double burnish_overdraw_limit(const burnish_raster_view *view, double most, double least_area) {
-    const double area = (double)view->width * view->height;
-    return most * (area < least_area ? least_area / area : 1);
-}
-
 burnish_status burnish_check_overdraw(double overdraw, double limit, const char *what,
                                       burnish_error *error) {
     if (overdraw <= limit) {

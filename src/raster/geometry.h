@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/tasks.h"
+#include "raster/layout.h"
 #include "raster/view.h"
 
 /* Where a vertex fell: 16 bytes, loaded as one vector. */
@@ -147,12 +148,18 @@ burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish
                                        burnish_error *error);
 
 /* How often large triangles that touch so many cells (geometry.cells) cover a picture. */
-double burnish_overdraw(uint64_t cells, const burnish_raster_view *view);
+static inline double burnish_overdraw(uint64_t cells, const burnish_raster_view *view) {
+    enum { PIXELS = BURNISH_HIZ_PIXELS * BURNISH_HIZ_PIXELS };
+    return (double)cells * PIXELS / ((double)view->width * view->height);
+}
 
 /* How often they may: `most` times, and a picture of less than least_area pixels as many times
- * more.
- */
-double burnish_overdraw_limit(const burnish_raster_view *view, double most, double least_area);
+ * more. */
+static inline double burnish_overdraw_limit(const burnish_raster_view *view, double most,
+                                            double least_area) {
+    const double area = (double)view->width * view->height;
+    return most * (area < least_area ? least_area / area : 1);
+}
 
 /* LIMIT where they do more often than that limit; "the triangles cover `what` N times ...". */
 burnish_status burnish_check_overdraw(double overdraw, double limit, const char *what,

@@ -98,14 +98,6 @@ static void transform_vertices(burnish_screen_vertices *vertices, const burnish_
     }
 }
 
-BURNISH_INLINE vi magnitude(vi x) {
-    return vi_max(x, vi_sub(vi_set(0), x));
-}
-
-BURNISH_INLINE vm is_nonzero(vi x) {
-    return vm_not(vi_equal(x, vi_set(0)));
-}
-
 /* First and last pixel along one axis whose samples can lie between the minimum and the maximum of
  * three coordinates in 1/256 pixel; with one sample those whose centre does. */
 BURNISH_INLINE void bound_pixels(int samples, const vi at[3], int size, vi *first, vi *last) {
@@ -165,14 +157,15 @@ BURNISH_INLINE cull_bits cull_vector(const burnish_raster_view *view,
     const vi dx[2] = {vi_sub(x[1], x[0]), vi_sub(x[2], x[0])};
     const vi dy[2] = {vi_sub(y[1], y[0]), vi_sub(y[2], y[0])};
     for (int i = 0; i < 2; ++i) {
-        longest = vi_max(longest, vi_max(magnitude(dx[i]), magnitude(dy[i])));
+        longest = vi_max(longest, vi_max(vi_magnitude(dx[i]), vi_magnitude(dy[i])));
     }
-    longest = vi_max(longest, vi_max(magnitude(vi_sub(x[2], x[1])), magnitude(vi_sub(y[2], y[1]))));
+    longest =
+        vi_max(longest, vi_max(vi_magnitude(vi_sub(x[2], x[1])), vi_magnitude(vi_sub(y[2], y[1]))));
     vi area = vi_sub(vi_mul(dx[0], dy[1]), vi_mul(dx[1], dy[0]));
-    vm out = is_nonzero(vi_and(all, vi_set(BURNISH_OUT_REJECT)));
-    vm clipped = vm_and_not(is_nonzero(vi_and(any, vi_set(BURNISH_OUT_CLIP))), out);
+    vm out = vi_not_zero(vi_and(all, vi_set(BURNISH_OUT_REJECT)));
+    vm clipped = vm_and_not(vi_not_zero(vi_and(any, vi_set(BURNISH_OUT_CLIP))), out);
     const unsigned in = vm_bits(vm_not(vm_or(out, clipped)));
-    unsigned has_area = vm_bits(is_nonzero(area));
+    unsigned has_area = vm_bits(vi_not_zero(area));
     cull_bits bits = {0, vm_bits(vi_greater(area, vi_set(0))), vm_bits(clipped)};
     const unsigned beyond = in & vm_bits(vi_greater(longest, vi_set(BURNISH_EDGE_32_BITS)));
     if (beyond) { /* rare */
@@ -200,7 +193,7 @@ BURNISH_INLINE unsigned spans_tiles(const burnish_triangle_batch *batch) {
         vi first = vi_load((const int32_t *)batch->first + at);
         vi last = vi_load((const int32_t *)batch->last + at);
         vi difference = vi_and(vi_xor(first, last), vi_set((int32_t)BURNISH_HIZ_TILE_MASK));
-        spanning |= vm_bits(is_nonzero(difference)) << at;
+        spanning |= vm_bits(vi_not_zero(difference)) << at;
     }
     return spanning;
 }

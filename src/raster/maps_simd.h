@@ -119,7 +119,7 @@ BURNISH_INLINE void set_up_map_triangles(const map_queue *queue, int size,
     vi_store(triangles->wide, vi_sub(x1, x0));
     vi_store(triangles->high, vi_sub(y1, y0));
     vi_store(triangles->texel, vi_add(vi_mul(y0, vi_set(size)), x0));
-    vf_store(triangles->inverse_area, vf_div(vf_set(1.0f), vf_from_int(magnitude(swap))));
+    vf_store(triangles->inverse_area, vf_div(vf_set(1.0f), vf_from_int(vi_magnitude(swap))));
     vf_store(triangles->depth[0], depth[0]);
     vf_store(triangles->depth[1], vf_sub(depth[1], depth[0]));
     vf_store(triangles->depth[2], vf_sub(depth[2], depth[0]));
@@ -336,10 +336,11 @@ BURNISH_INLINE uint64_t map_cells(unsigned lanes, const vi x[3], const vi y[3], 
     if (!lanes) {
         return 0;
     }
-    vi touched = vi_sar(magnitude(area), 1 + 2 * CELL_BITS);
+    vi touched = vi_sar(vi_magnitude(area), 1 + 2 * CELL_BITS);
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1;
-        const vi length = vi_add(magnitude(vi_sub(x[i], x[j])), magnitude(vi_sub(y[i], y[j])));
+        const vi length =
+            vi_add(vi_magnitude(vi_sub(x[i], x[j])), vi_magnitude(vi_sub(y[i], y[j])));
         touched = vi_add(touched, vi_add(vi_sar(length, CELL_BITS), vi_set(2)));
     }
     vi_store(cells, vi_min(touched, vi_mul(vi_add(wide, one), vi_add(high, one))));
@@ -378,8 +379,8 @@ BURNISH_INLINE void queue_triangles(burnish_maps *maps, int m, const vi at[3], c
     vi longest = vi_set(0);
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1;
-        longest =
-            vi_max(longest, vi_max(magnitude(vi_sub(x[i], x[j])), magnitude(vi_sub(y[i], y[j]))));
+        longest = vi_max(
+            longest, vi_max(vi_magnitude(vi_sub(x[i], x[j])), vi_magnitude(vi_sub(y[i], y[j]))));
     }
     const unsigned large = touching & vm_bits(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE)));
     const unsigned others = touching & ~narrow & ~large & ~flat;

@@ -131,7 +131,7 @@ BURNISH_INLINE void compute_setup(const burnish_tile *tile, size_t count, const 
         const int a = i == 2 ? 0 : i + 1, b = i == 0 ? 2 : i - 1;
         dx[i] = vi_sub(x[b], x[a]);
         dy[i] = vi_sub(y[b], y[a]);
-        longest = vi_max(longest, vi_max(magnitude(dx[i]), magnitude(dy[i])));
+        longest = vi_max(longest, vi_max(vi_magnitude(dx[i]), vi_magnitude(dy[i])));
         /* the top-left rule */
         const vi zero = vi_set(0);
         vm left = vi_greater(zero, dy[i]);

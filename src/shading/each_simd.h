@@ -124,4 +124,21 @@ BURNISH_INLINE void each_array(int body, const burnish_kernels_shader *restrict 
     }
 }
 
+/* ---- The kernels ---- */
+
+#define EACH_FUNCTION(name, body)                                                                  \
+    static void each_##name(                                                                       \
+        const burnish_kernels_shader *shader, const burnish_kernels_points *points,                \
+        const burnish_point_materials *materials, size_t count, float *const rgb[3]) {             \
+        each_array(body, shader, points, materials, count, rgb);                                   \
+    }
+EACH_FUNCTION(none, BURNISH_LOBE_BODY_NONE)
+EACH_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE)
+EACH_FUNCTION(squares, BURNISH_LOBE_BODY_SQUARES)
+EACH_FUNCTION(power, BURNISH_LOBE_BODY_POWER)
+EACH_FUNCTION(schlick, BURNISH_LOBE_BODY_SCHLICK)
+EACH_FUNCTION(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
+EACH_FUNCTION(gx, BURNISH_LOBE_BODY_GX)
+#undef EACH_FUNCTION
+
 #endif

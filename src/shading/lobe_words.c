@@ -51,21 +51,8 @@ enum {
     MAX_DECIMALS = 20 /* and so it does their power of ten */
 };
 
-#define DRAWN_WORDS                                                                                \
-    "use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, "       \
-    "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, "   \
-    "schlick, gaussian, gx"
-
 const char *burnish_lobe_spec_example(size_t index) {
     return index < EXAMPLE_COUNT ? EXAMPLES[index] : NULL;
-}
-
-static int is_drawn(burnish_lobe_kind kind) {
-    return (unsigned)kind < BURNISH_LOBE_NV2X;
-}
-
-static int has_order(const burnish_lobe_spec *lobe) {
-    return lobe->kind == BURNISH_LOBE_FAMILY || lobe->kind == BURNISH_LOBE_LYON;
 }
 
 /* The row of a lobe, NULL for one without words. */
@@ -173,10 +160,11 @@ static burnish_status parse(const char *text, int only_drawn, burnish_lobe_spec 
     }
     if (!word || !read_tail(word, text + strlen(word->text), &read)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "\"%.40s\" is not a lobe; %s%s", text,
-                            DRAWN_WORDS, only_drawn ? "" : ", nv2x, kuijk-blake, tableN[:linear]");
+                            BURNISH_LOBE_DRAWN_WORDS,
+                            only_drawn ? "" : ", nv2x, kuijk-blake, tableN[:linear]");
     }
     burnish_status status = BURNISH_STATUS_OK;
-    if (only_drawn || is_drawn(read.kind)) {
+    if (only_drawn || burnish_lobe_is_drawn(read.kind)) {
         status = burnish_lobe_spec_check(&read, error);
     }
     if (status == BURNISH_STATUS_OK) {
@@ -235,42 +223,4 @@ void burnish_lobe_spec_name(const burnish_lobe_spec *lobe, char *text, size_t si
         }
         snprintf(text, size, "%s%s:%d", word->text, number, lobe->order);
     }
-}
-
-burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe, burnish_error *error) {
-    char name[BURNISH_LOBE_NAME_SIZE];
-    if (!is_drawn(lobe->kind)) {
-        burnish_lobe_spec_name(lobe, name, sizeof name);
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: \"%s\" can't be drawn; %s", name,
-                            DRAWN_WORDS);
-    }
-    if (!has_order(lobe)) {
-        return BURNISH_STATUS_OK;
-    }
-    if (!burnish_lobe_order_is_valid(lobe->order)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: order %d is not 2, 4, 8, 16 or 32", lobe->order);
-    }
-    if (lobe->kind == BURNISH_LOBE_LYON) {
-        return BURNISH_STATUS_OK;
-    }
-    if ((unsigned)lobe->fit >= BURNISH_FIT_COUNT) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: unknown fit %d", (int)lobe->fit);
-    }
-    if (lobe->fit == BURNISH_FIT_LEVEL && !(lobe->parameter > 0 && lobe->parameter < 1)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: level %g is not between 0 and 1, as in level0.5:2",
-                            lobe->parameter);
-    }
-    if (lobe->fit == BURNISH_FIT_GIVEN &&
-        !(lobe->parameter > 0 && lobe->parameter <= (double)BURNISH_LOBE_ZETA_MAX)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: zeta %g is not above 0 and at most 65536, as in zeta6.645:2",
-                            lobe->parameter);
-    }
-    if (lobe->order != 2 && (lobe->fit == BURNISH_FIT_SHIFT7 || lobe->fit == BURNISH_FIT_SHIFT3)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: shift7 and shift3 exist for order 2 only");
-    }
-    return BURNISH_STATUS_OK;
 }

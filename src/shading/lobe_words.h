@@ -8,4 +8,14 @@
 burnish_status burnish_lobe_words_parse(const char *text, burnish_lobe_spec *lobe,
                                         burnish_error *error);
 
+/* Whether kernels have the lobe. */
+static inline int burnish_lobe_is_drawn(burnish_lobe_kind kind) {
+    return (unsigned)kind < BURNISH_LOBE_NV2X;
+}
+
+#define BURNISH_LOBE_DRAWN_WORDS                                                                   \
+    "use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, "       \
+    "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, "   \
+    "schlick, gaussian, gx"
+
 #endif

@@ -337,4 +337,31 @@ BURNISH_INLINE void shade_array(shade_kernel kernel, const burnish_kernels_shade
     }
 }
 
+/* ---- The kernels ---- */
+
+#define SHADE_FUNCTION(name, body, geometry, output)                                               \
+    static __attribute__((unused)) void name(const burnish_kernels_shader *restrict shader,        \
+                                             const burnish_kernels_points *restrict points,        \
+                                             size_t count, uint8_t *restrict rgba,                 \
+                                             float *const rgb[3]) {                                \
+        const shade_kernel kernel = {body, geometry, output};                                      \
+        shade_array(kernel, shader, points, count, (shade_colors){rgba, rgb});                     \
+    }
+#define SHADE_FUNCTIONS(name, body)                                                                \
+    SHADE_FUNCTION(shade_##name##_distant_rgba8, body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_RGBA8) \
+    SHADE_FUNCTION(shade_##name##_distant_float, body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT) \
+    SHADE_FUNCTION(shade_##name##_general_rgba8, body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_RGBA8) \
+    SHADE_FUNCTION(shade_##name##_general_float, body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_FLOAT)
+
+SHADE_FUNCTIONS(none, BURNISH_LOBE_BODY_NONE)
+SHADE_FUNCTIONS(square, BURNISH_LOBE_BODY_SQUARE)
+SHADE_FUNCTIONS(squares, BURNISH_LOBE_BODY_SQUARES)
+SHADE_FUNCTIONS(power, BURNISH_LOBE_BODY_POWER)
+SHADE_FUNCTIONS(multiply, BURNISH_LOBE_BODY_MULTIPLY)
+SHADE_FUNCTIONS(schlick, BURNISH_LOBE_BODY_SCHLICK)
+SHADE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
+SHADE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
+#undef SHADE_FUNCTIONS
+#undef SHADE_FUNCTION
+
 #endif

@@ -25,45 +25,6 @@ LOBE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
 LOBE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
 #undef LOBE_FUNCTIONS
 
-#define SHADE_FUNCTION(name, body, geometry, output)                                               \
-    static void name(const burnish_kernels_shader *restrict shader,                                \
-                     const burnish_kernels_points *restrict points, size_t count,                  \
-                     uint8_t *restrict rgba, float *const rgb[3]) {                                \
-        const shade_kernel kernel = {body, geometry, output};                                      \
-        shade_array(kernel, shader, points, count, (shade_colors){rgba, rgb});                     \
-    }
-#define SHADE_FUNCTIONS(name, body)                                                                \
-    SHADE_FUNCTION(shade_##name##_distant_rgba8, body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_RGBA8) \
-    SHADE_FUNCTION(shade_##name##_distant_float, body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT) \
-    SHADE_FUNCTION(shade_##name##_general_rgba8, body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_RGBA8) \
-    SHADE_FUNCTION(shade_##name##_general_float, body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_FLOAT)
-
-SHADE_FUNCTIONS(none, BURNISH_LOBE_BODY_NONE)
-SHADE_FUNCTIONS(square, BURNISH_LOBE_BODY_SQUARE)
-SHADE_FUNCTIONS(squares, BURNISH_LOBE_BODY_SQUARES)
-SHADE_FUNCTIONS(power, BURNISH_LOBE_BODY_POWER)
-SHADE_FUNCTIONS(multiply, BURNISH_LOBE_BODY_MULTIPLY)
-SHADE_FUNCTIONS(schlick, BURNISH_LOBE_BODY_SCHLICK)
-SHADE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
-SHADE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
-#undef SHADE_FUNCTIONS
-#undef SHADE_FUNCTION
-
-#define EACH_FUNCTION(name, body)                                                                  \
-    static void each_##name(                                                                       \
-        const burnish_kernels_shader *shader, const burnish_kernels_points *points,                \
-        const burnish_point_materials *materials, size_t count, float *const rgb[3]) {             \
-        each_array(body, shader, points, materials, count, rgb);                                   \
-    }
-EACH_FUNCTION(none, BURNISH_LOBE_BODY_NONE)
-EACH_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE)
-EACH_FUNCTION(squares, BURNISH_LOBE_BODY_SQUARES)
-EACH_FUNCTION(power, BURNISH_LOBE_BODY_POWER)
-EACH_FUNCTION(schlick, BURNISH_LOBE_BODY_SCHLICK)
-EACH_FUNCTION(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
-EACH_FUNCTION(gx, BURNISH_LOBE_BODY_GX)
-#undef EACH_FUNCTION
-
 #define LOBE_ROW(name)                                                                             \
     { name##_of_cosines, name##_of_lambdas }
 #define SHADE_ROW(name)                                                                            \

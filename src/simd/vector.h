@@ -88,4 +88,13 @@ static inline int vi_compress(unsigned bits, int32_t *to, vi x) {
 
 #define BURNISH_INLINE static inline __attribute__((always_inline))
 
+/* For every instruction set. */
+BURNISH_INLINE vi vi_magnitude(vi x) {
+    return vi_max(x, vi_sub(vi_set(0), x));
+}
+
+BURNISH_INLINE vm vi_not_zero(vi x) {
+    return vm_not(vi_equal(x, vi_set(0)));
+}
+
 #endif

@@ -7,7 +7,6 @@
 
 #include "core/memory.h"
 #include "raster/raster_ops.h"
-#include "render/bands.h"
 #include "render/texture/texture_points.h"
 
 /* What one thread needs to draw tiles, and what it counted. */
@@ -352,7 +351,9 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
     for (int i = 0; i < tiles->worker_count; ++i) {
         burnish_tile_worker *worker = &tiles->workers[i];
         worker->covered_pixels = 0;
-        burnish_texture_begin(&worker->scratch.texture);
+        if (surface->shading->texturing) {
+            burnish_texture_begin(&worker->scratch.texture);
+        }
         if (worker->tile.layers) {
             worker->tile.layers->dropped = 0;
         }

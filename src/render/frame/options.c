@@ -4,6 +4,7 @@
 #include "core/layout.h"
 #include "core/numbers.h"
 #include "core/tasks.h"
+#include "core/vector.h"
 #include "raster/view.h"
 #include "render/frame/look.h"
 
@@ -199,4 +200,31 @@ burnish_status burnish_render_options_check(const burnish_render_options *option
         status = check_ground(options, error);
     }
     return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
+}
+
+/* ---- Views along an axis ---- */
+
+/* Of lines in views along an axis, times the options'. */
+#define AXIS_WIDTH 0.7f
+#define AXIS_OPACITY 0.55f
+
+/* A direction along an axis: the sine of its angle to it. */
+#define AXIS_SINE 1e-6
+
+static int looks_along_axis(const burnish_camera *camera) {
+    const burnish_vec3 d = burnish_vec3_normalize(burnish_vec3_sub(
+        burnish_vec3_load(camera->focal_point), burnish_vec3_load(camera->position)));
+    const double x = d.x * d.x, y = d.y * d.y, z = d.z * d.z, least = 1 - AXIS_SINE * AXIS_SINE;
+    return camera->orthographic_height > 0 && (x >= least || y >= least || z >= least);
+}
+
+burnish_render_options burnish_render_options_resolve(const burnish_render_options *options) {
+    burnish_render_options resolved = *options;
+    resolved.edges &= ~BURNISH_EDGES_AXIS_VIEWS;
+    if (options->edges == BURNISH_EDGES_AXIS_VIEWS && looks_along_axis(&options->camera)) {
+        resolved.edges = BURNISH_EDGES_FEATURES;
+        resolved.edge_width *= AXIS_WIDTH;
+        resolved.edge_opacity *= AXIS_OPACITY;
+    }
+    return resolved;
 }

@@ -13,6 +13,9 @@ burnish_status burnish_render_options_check_cookie(const burnish_render_options 
 burnish_status burnish_render_options_check(const burnish_render_options *options,
                                             burnish_error *error);
 
+/* Checked options whose BURNISH_EDGES_AXIS_VIEWS has become what it means for their camera. */
+burnish_render_options burnish_render_options_resolve(const burnish_render_options *options);
+
 /* The rows of the picture that are drawn: [first, end). */
 typedef struct burnish_row_range {
     int first, end;

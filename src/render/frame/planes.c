@@ -3,10 +3,6 @@
 
 #include <string.h>
 
-int burnish_planes_are_wanted(const burnish_target *target) {
-    return target->depth || target->triangles || target->normals || target->coverage;
-}
-
 /* Where pixel x of a plane's row y lies, NULL where the plane is not wanted. */
 static void *plane_at(void *plane, size_t stride, int x, int y, size_t size) {
     return plane ? (char *)plane + (size_t)y * stride + (size_t)x * size : NULL;

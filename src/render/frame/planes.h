@@ -5,7 +5,9 @@
 #include "render/frame/target.h"
 
 /* Whether a target has some. */
-int burnish_planes_are_wanted(const burnish_target *target);
+static inline int burnish_planes_are_wanted(const burnish_target *target) {
+    return target->depth || target->triangles || target->normals || target->coverage;
+}
 
 /* Writes what planes hold where nothing is to all of the tile; weights become 0. */
 void burnish_planes_clear(const burnish_output *output, const burnish_tile *tile,

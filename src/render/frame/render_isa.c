@@ -1,12 +1,10 @@
 /* The table of rendering kernels for the instruction set that BURNISH_VECTOR_... chooses. */
-#include "render/frame/encode_simd.h"
+#include "render/frame/pixels_simd.h"
 #include "render/light/ground_simd.h"
 #include "render/light/occlusion_simd.h"
 #include "render/light/shadow_simd.h"
 #include "render/render_ops.h"
-#include "render/screen_simd.h"
 #include "render/texture/mask_simd.h"
-#include "render/texture/materials_simd.h"
 #include "render/texture/texture_simd.h"
 #include "render/texture/texture_surface_simd.h"
 #include "simd/isa.h"

@@ -89,7 +89,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
 /* What one call draws, and what it learns. */
 typedef struct drawing {
     burnish_renderer *renderer;
-    const burnish_mesh *mesh;
+    burnish_drawn_mesh mesh;
     const burnish_render_options *options;
     burnish_target target;
     burnish_counts counts;
@@ -132,7 +132,7 @@ static double overdraw_limit(const drawing *d) {
 /* Vertices to the screen, triangles to batches; for rows of a picture only once. */
 static burnish_status transform(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    const burnish_mesh_view *mesh = d->mesh.view;
     const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
                                          mesh->triangle_count,
                                          transparency_of(d) ? renderer->transparency.masks : NULL};
@@ -154,7 +154,7 @@ static burnish_status transform(drawing *d) {
         status = burnish_attributes_update(&renderer->attributes, &renderer->geometry, mesh,
                                            d->options->ignore_colors, &renderer->tasks, &d->memory);
     }
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && transparency_of(d)) {
         status = burnish_transparency_add_clipped(&renderer->transparency, &renderer->geometry,
                                                   &d->memory);
     }
@@ -171,16 +171,15 @@ static burnish_status transform(drawing *d) {
 /* The direction in which the object stands. */
 static burnish_vec3 up_of(const drawing *d) {
     const double *up = d->options->up;
-    return up[0] == 0 && up[1] == 0 && up[2] == 0
-               ? burnish_vec3_loadf(burnish_mesh_get_view(d->mesh)->up_axis)
-               : burnish_vec3_normalize(burnish_vec3_load(up));
+    return up[0] == 0 && up[1] == 0 && up[2] == 0 ? burnish_vec3_loadf(d->mesh.view->up_axis)
+                                                  : burnish_vec3_normalize(burnish_vec3_load(up));
 }
 
 /* Blended triangles cast no shadow, masked ones by their pieces. */
 static burnish_status set_drawer(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    const burnish_status status = burnish_casters_update(
-        &renderer->casters, burnish_mesh_get_view(d->mesh), &renderer->transparency, &d->memory);
+    const burnish_status status = burnish_casters_update(&renderer->casters, d->mesh.view,
+                                                         &renderer->transparency, &d->memory);
     renderer->occlusion.drawer.ops = d->raster;
     renderer->occlusion.drawer.transparent = renderer->casters.transparent;
     renderer->occlusion.drawer.max_overdraw = d->options->max_overdraw;
@@ -248,7 +247,7 @@ static burnish_status update_shadow(drawing *d) {
 static burnish_status update_ground(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     burnish_ground *ground = &renderer->ground;
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    const burnish_mesh_view *mesh = d->mesh.view;
     const burnish_vec3 eye = burnish_vec3_load(d->view.eye);
     const double origin[3] = {0, 0, 0};
     const burnish_shadow *shadow = d->report.shadow ? &renderer->shadow : NULL;
@@ -302,7 +301,7 @@ static burnish_vec3 corner_of(const burnish_mesh_view *mesh, size_t corner) {
 
 /* Sums in the order of the triangles, whatever the threads. */
 static void measure_hidden(drawing *d) {
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(d->mesh);
+    const burnish_mesh_view *mesh = d->mesh.view;
     double hidden = 0, all = 0;
     for (size_t i = 0; d->counts == BURNISH_COUNTS_AREA && i < mesh->triangle_count; ++i) {
         const burnish_vec3 a = corner_of(mesh, 3 * i);
@@ -325,12 +324,14 @@ static int layer_passes(const drawing *d) {
 /* Tiles to pixels. */
 static burnish_status draw_tiles(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    const burnish_caps caps = burnish_caps_create(burnish_mesh_get_view(d->mesh), &d->view.raster);
+    const burnish_caps caps = d->mesh.view->cut_count > 0
+                                  ? burnish_caps_create(d->mesh.view, &d->view.raster)
+                                  : (burnish_caps){0};
     burnish_frame frame = {.ops = d->raster,
                            .geometry = &renderer->geometry,
                            .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
-                                       burnish_mesh_get_view(d->mesh)->triangle_materials,
-                                       transparency_of(d), caps.count > 0 ? &caps : NULL, 0},
+                                       d->mesh.view->triangle_materials, transparency_of(d),
+                                       caps.count > 0 ? &caps : NULL, 0},
                            .output = {.ops = d->view.shading.ops,
                                       .encoder = &renderer->encoder,
                                       .view = &d->view,
@@ -355,8 +356,8 @@ static burnish_status draw_tiles(drawing *d) {
 /* Lines from the target's depths and triangles. */
 static burnish_status find_lines(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    return burnish_line_art_update(&renderer->line_art, burnish_mesh_get_view(d->mesh), &d->view,
-                                   d->options, &d->target, &renderer->tasks, &d->memory);
+    return burnish_line_art_update(&renderer->line_art, d->mesh.view, &d->view, d->options,
+                                   &d->target, &renderer->tasks, &d->memory);
 }
 
 /* The lines of all rows, where some are drawn: which show depends on what lies along them. */
@@ -423,20 +424,18 @@ static burnish_status draw(drawing *d) {
     renderer->texturing.kernels = d->view.shading.kernels;
     renderer->texturing.ops = d->view.shading.ops;
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
-    d->report.triangles = burnish_mesh_get_view(d->mesh)->triangle_count;
-    burnish_status status =
-        burnish_texturing_update(&renderer->texturing, d->mesh, d->options->ignore_colors,
-                                 d->options->samples, &renderer->tasks, &d->memory);
+    d->report.triangles = d->mesh.view->triangle_count;
+    burnish_status status = burnish_texturing_update(
+        &renderer->texturing, &d->mesh, d->options->samples, &renderer->tasks, &d->memory);
     burnish_texturing *texturing = renderer->texturing.has_some ? &renderer->texturing : NULL;
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_view_create(d->mesh, d->options, &renderer->shaders, texturing, &d->view,
+        status = burnish_view_create(&d->mesh, d->options, &renderer->shaders, texturing, &d->view,
                                      &d->memory);
         d->report.lobe_fallbacks = d->view.lobe_fallbacks;
     }
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_transparency_update(&renderer->transparency, d->mesh, texturing,
-                                        d->options->ignore_colors, &renderer->tasks, &d->memory);
+        status = burnish_transparency_update(&renderer->transparency, &d->mesh, texturing,
+                                             &renderer->tasks, &d->memory);
     }
     if (status == BURNISH_STATUS_OK) { /* first: what covers the picture too often needs no map */
         status = transform(d);
@@ -487,6 +486,28 @@ static burnish_status check_call(const burnish_renderer *renderer, const burnish
     return status;
 }
 
+/* Draws checked options into a checked target. */
+static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mesh *mesh,
+                                   const burnish_render_options *options,
+                                   const burnish_target *target, burnish_render_report *report,
+                                   burnish_error *error) {
+    const burnish_environment environment = burnish_environment_enter();
+    const burnish_render_options resolved = burnish_render_options_resolve(options);
+    drawing d = {.renderer = renderer,
+                 .mesh = {mesh, burnish_mesh_get_view(mesh), burnish_mesh_get_material_count(mesh),
+                          options->ignore_colors},
+                 .options = &resolved,
+                 .target = *target,
+                 .counts = report ? options->counts : BURNISH_COUNTS_NONE,
+                 .memory = burnish_memory_of(renderer->context, error)};
+    const burnish_status status = draw(&d);
+    if (status == BURNISH_STATUS_OK && report) {
+        *report = d.report;
+    }
+    burnish_environment_leave(environment);
+    return status;
+}
+
 burnish_status burnish_renderer_draw_into(burnish_renderer *renderer, const burnish_mesh *mesh,
                                           const burnish_render_options *options,
                                           const burnish_target *target,
@@ -495,23 +516,9 @@ burnish_status burnish_renderer_draw_into(burnish_renderer *renderer, const burn
     if (status == BURNISH_STATUS_OK) {
         status = burnish_target_check(target, options, error);
     }
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    const burnish_environment environment = burnish_environment_enter();
-    const burnish_render_options resolved = burnish_line_art_resolve(options);
-    drawing d = {.renderer = renderer,
-                 .mesh = mesh,
-                 .options = &resolved,
-                 .target = *target,
-                 .counts = report ? options->counts : BURNISH_COUNTS_NONE,
-                 .memory = burnish_memory_of(renderer->context, error)};
-    status = draw(&d);
-    if (status == BURNISH_STATUS_OK && report) {
-        *report = d.report;
-    }
-    burnish_environment_leave(environment);
-    return status;
+    return status == BURNISH_STATUS_OK
+               ? draw_checked(renderer, mesh, options, target, report, error)
+               : status;
 }
 
 /* An image of the options' rows: the one that is there if it fits. */
@@ -542,7 +549,7 @@ burnish_status burnish_renderer_draw(burnish_renderer *renderer, const burnish_m
     }
     if (status == BURNISH_STATUS_OK) {
         target.pixels = burnish_image_get_pixels(image);
-        status = burnish_renderer_draw_into(renderer, mesh, options, &target, report, error);
+        status = draw_checked(renderer, mesh, options, &target, report, error);
     }
     if (status != BURNISH_STATUS_OK) {
         burnish_image_destroy(image);
@@ -557,7 +564,7 @@ burnish_status burnish_render(const burnish_mesh *mesh, const burnish_render_opt
     if (image) {
         memset(image, 0, sizeof *image);
     }
-    burnish_status status = burnish_render_options_check(options, error);
+    burnish_status status = burnish_render_options_check_cookie(options, error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(options->context, &renderer, error);
     }

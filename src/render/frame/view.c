@@ -285,14 +285,14 @@ static burnish_status fold_unlit(const burnish_kernels_lighting *lighting,
 }
 
 /* Folds each material with the lights. */
-static burnish_status fold_materials(const burnish_mesh *mesh,
+static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
                                      const burnish_render_options *options,
                                      const burnish_kernels_lighting *lighting,
                                      burnish_shaders *shaders, burnish_view *view,
                                      burnish_memory *memory) {
-    const size_t count = burnish_mesh_get_material_count(mesh);
+    const size_t count = mesh->material_count;
     const size_t lights = (size_t)lighting->light_count;
-    const int has_colors = burnish_mesh_get_view(mesh)->colors && !options->ignore_colors;
+    const int has_colors = mesh->view->colors && !mesh->ignore_colors;
     drawn_lobe known[KNOWN_LOBES] = {{0}};
     burnish_status status = burnish_lighting_check(lighting, memory->error);
     if (status != BURNISH_STATUS_OK) {
@@ -304,7 +304,7 @@ static burnish_status fold_materials(const burnish_mesh *mesh,
                                               count * lights, sizeof *shaders->lights, "lights");
     status = memory->status;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        const burnish_material *material = burnish_mesh_get_material(mesh, i);
+        const burnish_material *material = burnish_mesh_get_material(mesh->mesh, i);
         const drawn_lobe *lobe = known_lobe(known, &options->lobe, material->exponent);
         const burnish_material drawn = drawn_material(material, has_colors, lobe->scale);
         view->lobe_fallbacks += lobe->fallbacks;
@@ -350,10 +350,11 @@ static burnish_status make_raster(const burnish_mesh_view *mesh,
     return check_rows(frame, raster, error);
 }
 
-burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
-                                   burnish_shaders *shaders, burnish_texturing *texturing,
-                                   burnish_view *view, burnish_memory *memory) {
-    const burnish_mesh_view *shape = burnish_mesh_get_view(mesh);
+burnish_status burnish_view_create(const burnish_drawn_mesh *mesh,
+                                   const burnish_render_options *options, burnish_shaders *shaders,
+                                   burnish_texturing *texturing, burnish_view *view,
+                                   burnish_memory *memory) {
+    const burnish_mesh_view *shape = mesh->view;
     burnish_kernels_lighting lighting;
     camera_frame frame;
     view->lobe_fallbacks = 0;

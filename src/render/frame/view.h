@@ -4,6 +4,7 @@
 
 #include "burnish/render.h"
 #include "core/memory.h"
+#include "render/drawn_mesh.h"
 #include "render/frame/surface.h"
 #include "render/light/ground.h"
 #include "render/light/occlusion.h"
@@ -40,8 +41,9 @@ typedef struct burnish_shaders {
 /* The view reads the shaders and, where a material is special, texturing, which learns what the
  * view says; NULL: none is. Errors: ARGUMENT (a camera without a direction, or further away than
  * float arithmetic reaches; a material that can't be shaded), LIMIT, MEMORY. */
-burnish_status burnish_view_create(const burnish_mesh *mesh, const burnish_render_options *options,
-                                   burnish_shaders *shaders, burnish_texturing *texturing,
-                                   burnish_view *view, burnish_memory *memory);
+burnish_status burnish_view_create(const burnish_drawn_mesh *mesh,
+                                   const burnish_render_options *options, burnish_shaders *shaders,
+                                   burnish_texturing *texturing, burnish_view *view,
+                                   burnish_memory *memory);
 
 #endif

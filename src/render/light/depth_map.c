@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "raster/raster_ops.h"
-#include "render/bands.h"
 #include "render/space.h"
 
 /* Maps are drawn from this far: behind the unit sphere there is as much of the range as before it.

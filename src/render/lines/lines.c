@@ -25,13 +25,6 @@ enum {
  * smaller side. */
 #define LOOSE_SHARE 0.03
 
-/* Of lines in views along an axis, times the options'. */
-#define AXIS_WIDTH 0.7f
-#define AXIS_OPACITY 0.55f
-
-/* A direction along an axis: the sine of its angle to it. */
-#define AXIS_SINE 1e-6
-
 /* Segments of a wireframe that are shorter than this, in pixels on average, are thinner, so that
  * faces stay to be seen, down to a share of their width. */
 #define DENSE_LENGTH 10.0
@@ -396,24 +389,6 @@ static void trace_chains(burnish_line_art *art, const burnish_line_scene *scene,
 }
 
 /* ---- A frame ---- */
-
-static int looks_along_axis(const burnish_camera *camera) {
-    const burnish_vec3 d = burnish_vec3_normalize(burnish_vec3_sub(
-        burnish_vec3_load(camera->focal_point), burnish_vec3_load(camera->position)));
-    const double x = d.x * d.x, y = d.y * d.y, z = d.z * d.z, least = 1 - AXIS_SINE * AXIS_SINE;
-    return camera->orthographic_height > 0 && (x >= least || y >= least || z >= least);
-}
-
-burnish_render_options burnish_line_art_resolve(const burnish_render_options *options) {
-    burnish_render_options resolved = *options;
-    resolved.edges &= ~BURNISH_EDGES_AXIS_VIEWS;
-    if (options->edges == BURNISH_EDGES_AXIS_VIEWS && looks_along_axis(&options->camera)) {
-        resolved.edges = BURNISH_EDGES_FEATURES;
-        resolved.edge_width *= AXIS_WIDTH;
-        resolved.edge_opacity *= AXIS_OPACITY;
-    }
-    return resolved;
-}
 
 /* The mean length of segments in the picture. */
 static double mean_length(const burnish_line_art *art) {

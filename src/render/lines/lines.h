@@ -56,9 +56,6 @@ typedef struct burnish_line_art {
     size_t depth_capacity, triangle_capacity;
 } burnish_line_art;
 
-/* Options whose BURNISH_EDGES_AXIS_VIEWS has become what it means for their camera. */
-burnish_render_options burnish_line_art_resolve(const burnish_render_options *options);
-
 /* Adds to the target the planes that lines need and it lacks, pixels packed. Errors: MEMORY. */
 burnish_status burnish_line_art_planes(burnish_line_art *art, const burnish_render_options *options,
                                        burnish_target *target, burnish_memory *memory);

@@ -174,11 +174,12 @@ static void make_white(burnish_material *material) {
     }
 }
 
-burnish_status burnish_texturing_update(burnish_texturing *texturing, const burnish_mesh *mesh,
-                                        int ignore_colors, int samples, burnish_tasks *tasks,
-                                        burnish_memory *memory) {
-    const int has_colors = burnish_mesh_get_view(mesh)->colors && !ignore_colors;
-    const size_t count = burnish_mesh_get_material_count(mesh);
+burnish_status burnish_texturing_update(burnish_texturing *texturing,
+                                        const burnish_drawn_mesh *drawn, int samples,
+                                        burnish_tasks *tasks, burnish_memory *memory) {
+    const burnish_mesh *mesh = drawn->mesh;
+    const int has_colors = drawn->view->colors && !drawn->ignore_colors;
+    const size_t count = drawn->material_count;
     texturing->has_some = texturing->needs_points = texturing->has_alpha = 0;
     texturing->needs_tangents = texturing->smooth_samples = 0;
     texturing->samples = samples;
@@ -188,7 +189,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing, const burn
     if (!texturing->has_some) {
         return BURNISH_STATUS_OK;
     }
-    texturing->mesh = burnish_mesh_get_view(mesh);
+    texturing->mesh = drawn->view;
     texturing->materials =
         burnish_reserve_discard(memory, texturing->materials, &texturing->material_capacity, count,
                                 sizeof *texturing->materials, "materials");

@@ -9,6 +9,7 @@
 #include "burnish/mesh.h"
 #include "core/tasks.h"
 #include "raster/samples.h"
+#include "render/drawn_mesh.h"
 #include "render/render_ops.h"
 #include "render/texture/texture_levels.h"
 #include "shading/shading_ops.h"
@@ -110,9 +111,9 @@ typedef struct burnish_texturing {
 
 /* What the mesh's materials sample; builds levels of textures that have none. Errors: MEMORY,
  * CANCELLED. */
-burnish_status burnish_texturing_update(burnish_texturing *texturing, const burnish_mesh *mesh,
-                                        int ignore_colors, int samples, burnish_tasks *tasks,
-                                        burnish_memory *memory);
+burnish_status burnish_texturing_update(burnish_texturing *texturing,
+                                        const burnish_drawn_mesh *mesh, int samples,
+                                        burnish_tasks *tasks, burnish_memory *memory);
 
 /* What the view says: the lights with a white material, the lobe, where the eye is. Called where
  * has_some is 1. Errors: ARGUMENT. */

@@ -97,22 +97,22 @@ static void update_version(burnish_transparency *transparency, const burnish_mes
 /* ---- A frame ---- */
 
 burnish_status burnish_transparency_update(burnish_transparency *transparency,
-                                           const burnish_mesh *mesh,
-                                           const burnish_texturing *texturing, int ignore_colors,
-                                           burnish_tasks *tasks, burnish_memory *memory) {
+                                           const burnish_drawn_mesh *mesh,
+                                           const burnish_texturing *texturing, burnish_tasks *tasks,
+                                           burnish_memory *memory) {
     enum { GRAIN = 1024 /* batches */ };
-    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    const size_t materials = burnish_mesh_get_material_count(mesh);
+    const burnish_mesh_view *view = mesh->view;
+    const size_t materials = mesh->material_count;
     const size_t batches = (view->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
     const int had_alpha = transparency->has_alpha;
-    transparency->has_alpha = view->has_transparent_colors && !ignore_colors;
+    transparency->has_alpha = view->has_transparent_colors && !mesh->ignore_colors;
     transparency->has_some = transparency->has_alpha;
     transparency->texturing = texturing;
     transparency->opacities =
         burnish_reserve_discard(memory, transparency->opacities, &transparency->opacity_capacity,
                                 materials, sizeof *transparency->opacities, "opacities");
     for (size_t i = 0; memory->status == BURNISH_STATUS_OK && i < materials; ++i) {
-        const burnish_material *material = burnish_mesh_get_material(mesh, i);
+        const burnish_material *material = burnish_mesh_get_material(mesh->mesh, i);
         const int is_masked = material->alpha_mode == BURNISH_ALPHA_MASK; /* the mask says all */
         transparency->opacities[i] = is_masked ? 1 : 1 - material->transparency;
         transparency->has_some |= is_transparent_material(transparency, i);

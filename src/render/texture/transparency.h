@@ -26,9 +26,9 @@ typedef struct burnish_transparency {
 
 /* Finds the mesh's transparent triangles. Errors: MEMORY. */
 burnish_status burnish_transparency_update(burnish_transparency *transparency,
-                                           const burnish_mesh *mesh,
-                                           const burnish_texturing *texturing, int ignore_colors,
-                                           burnish_tasks *tasks, burnish_memory *memory);
+                                           const burnish_drawn_mesh *mesh,
+                                           const burnish_texturing *texturing, burnish_tasks *tasks,
+                                           burnish_memory *memory);
 
 /* Adds those that clipping made. Errors: MEMORY. */
 burnish_status burnish_transparency_add_clipped(burnish_transparency *transparency,

@@ -1,0 +1,110 @@
+/* Pixels before and after shading: positions from depths, batches of several materials, and codes. */
+#ifndef BURNISH_RENDER_FRAME_PIXELS_SIMD_H
+#define BURNISH_RENDER_FRAME_PIXELS_SIMD_H
+
+#include "core/srgb.h"
+#include "render/render_ops.h"
+#include "simd/vector.h"
+
+static void position_from_depth(const burnish_rays *rays, const burnish_screen_points *points,
+                                size_t count, float *const position[3], float *w) {
+    for (size_t i = 0; i < count; i += LANES) {
+        const vf x = vf_add(vf_set(points->x), vf_load(points->x_offset + i));
+        const vf y = vf_add(vf_set(points->y), vf_load(points->y_offset + i));
+        const vf depth = vf_load(points->depth + i), beyond = vf_sub(vf_set(1.0f), depth);
+        for (int k = 0; k < 3; ++k) {
+            vf sum = vf_add(vf_set(rays->ray[k]), vf_mul(x, vf_set(rays->ray_x[k])));
+            sum = vf_add(sum, vf_mul(y, vf_set(rays->ray_y[k])));
+            vf_store(position[k] + i, vf_add(sum, vf_mul(beyond, vf_set(rays->ray_depth[k]))));
+        }
+        vf_store(w + i, vf_add(vf_mul(depth, vf_set(rays->q_per_depth)), vf_set(rays->q_constant)));
+    }
+}
+
+/* ---- One material after another, by whole vectors: a vector that shows several materials is shaded
+ * once for each, which costs less than sorting its items ---- */
+
+static int collect_material(int32_t material, int first, int count, int32_t *left,
+                            const burnish_batch_streams *streams, uint8_t *starts) {
+    const vi wanted = vi_set(material), done = vi_set(-1);
+    int size = 0;
+    for (int i = first / (int)LANES * (int)LANES; i < count; i += LANES) {
+        const vi before = vi_load(left + i);
+        const vm here = vi_equal(before, wanted);
+        if (!vm_any(here)) {
+            continue;
+        }
+        vi_store(left + i, vi_blend(here, done, before));
+        for (int k = 0; k < streams->count; ++k) {
+            vf_store(streams->to[k] + size, vf_load(streams->from[k] + i));
+        }
+        starts[size / (int)LANES] = (uint8_t)i;
+        size += LANES;
+    }
+    return size;
+}
+
+static void scatter_material(int32_t material, const int32_t *materials, int size,
+                             const uint8_t *starts, const float *const from[3],
+                             float *const to[3]) {
+    for (int i = 0; i < size; i += LANES) {
+        const int start = starts[i / (int)LANES];
+        const vm here = vi_equal(vi_load(materials + start), vi_set(material));
+        for (int k = 0; k < 3; ++k) {
+            vf_store(to[k] + start, vf_blend(here, vf_load(from[k] + i), vf_load(to[k] + start)));
+        }
+    }
+}
+
+/* ---- Linear light to sRGB codes, exactly those of burnish_linear_to_srgb ---- */
+
+BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) {
+    const vi first = vi_set(BURNISH_SRGB_FIRST_BITS);
+    /* the order of the first clamp's operands sends NaN to the lowest bucket */
+    vf x = vf_max(linear, vf_from_bits(first));
+    x = vf_min(x, vf_from_bits(vi_set(BURNISH_SRGB_LAST_BITS)));
+    vi offset = vi_sub(vf_bits(x), first);
+    vi entry = vi_gather(encoder->entries, vi_shr(offset, 16));
+    /* threshold - 1 - low is negative where the float has reached the threshold */
+    vi low = vi_shr(vi_shl(offset, 16), 16), threshold = vi_shr(vi_shl(entry, 15), 15);
+    vi reached = vi_shr(vi_sub(vi_sub(threshold, vi_set(1)), low), 31);
+    return vi_add(vi_shr(entry, 17), reached);
+}
+
+/* Whether three vectors have the same bits, as grey materials in white light make them. */
+BURNISH_INLINE int is_grey(const vf light[3]) {
+    const vi red = vf_bits(light[0]);
+    const vm same = vm_and(vi_equal(red, vf_bits(light[1])), vi_equal(red, vf_bits(light[2])));
+    return !vm_any(vm_not(same));
+}
+
+static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
+                          const float *const rgb[3], const int32_t *shown, uint32_t alpha,
+                          uint32_t background, uint32_t *pixels) {
+    for (size_t i = 0; i < count; i += LANES) {
+        const vf light[3] = {vf_load(rgb[0] + i), vf_load(rgb[1] + i), vf_load(rgb[2] + i)};
+        const vi red = encode_vector(encoder, light[0]);
+        vi pixel;
+        if (is_grey(light)) {
+            pixel = vi_or(vi_or(red, vi_shl(red, 8)), vi_shl(red, 16));
+        } else {
+            const vi green = encode_vector(encoder, light[1]);
+            const vi blue = encode_vector(encoder, light[2]);
+            pixel = vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
+        }
+        if (shown) {
+            vm mask = vi_not_negative(vi_load(shown + i));
+            pixel =
+                vi_blend(mask, vi_or(pixel, vi_set((int32_t)alpha)), vi_set((int32_t)background));
+        }
+        vi_store((int32_t *)pixels + i, pixel);
+    }
+}
+
+static void pack_groups(size_t count, const uint32_t *pixels, size_t stride, uint8_t *to) {
+    for (size_t i = 0; i < count; ++i) {
+        pack_pixels(to + 12 * i, pixels + stride * i);
+    }
+}
+
+#endif
