@@ -20,6 +20,11 @@ static int is_standard(const char *path) {
     return strcmp(path, "-") == 0;
 }
 
+int render_is_same_file(const char *a, const char *b) {
+    return a && b && !is_standard(a) && !is_standard(b) &&
+           (strcmp(a, b) == 0 || cli_same_file(a, b));
+}
+
 /* A flag that makes a sheet, or NULL. */
 static const char *sheet_flag(const render_settings *settings) {
     return settings->picture.views.count > 1   ? "views"
@@ -79,21 +84,14 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
 /* The report can not replace the input or the picture. */
 static burnish_status check_report(render_settings *settings, burnish_error *error) {
     const char *others[] = {settings->input.name, render_output_path(&settings->output)};
-    for (int i = 0; i < 2 && settings->output.json && !is_standard(settings->output.json); ++i) {
-        if (strcmp(settings->output.json, others[i]) == 0 ||
-            cli_same_file(settings->output.json, others[i])) {
+    for (int i = 0; i < 2; ++i) {
+        if (render_is_same_file(settings->output.json, others[i])) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--json: \"%.200s\" is the %s; name another file",
                             settings->output.json, i == 0 ? "input" : "picture");
         }
     }
     return BURNISH_STATUS_OK;
-}
-
-/* Whether two names are equal, or of the same file. */
-static int is_same(const char *a, const char *b) {
-    return a && b && !is_standard(a) && !is_standard(b) &&
-           (strcmp(a, b) == 0 || cli_same_file(a, b));
 }
 
 /* Planes need separate files and a single picture. */
@@ -109,11 +107,11 @@ static burnish_status check_planes(render_settings *settings, burnish_error *err
         render_plane *plane = &settings->output.planes.items[i];
         burnish_status status = picture_choose("plane", plane->path, PICTURE_PLANE, PICTURE_AUTO,
                                                &plane->format, error);
-        int taken = is_same(plane->path, render_output_path(&settings->output)) ||
-                    is_same(plane->path, settings->output.json) ||
-                    is_same(plane->path, settings->input.name);
+        int taken = render_is_same_file(plane->path, render_output_path(&settings->output)) ||
+                    render_is_same_file(plane->path, settings->output.json) ||
+                    render_is_same_file(plane->path, settings->input.name);
         for (size_t k = 0; k < i; ++k) {
-            taken |= is_same(plane->path, settings->output.planes.items[k].path);
+            taken |= render_is_same_file(plane->path, settings->output.planes.items[k].path);
         }
         if (status == BURNISH_STATUS_OK && taken) {
             status = cli_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -5,19 +5,13 @@
 #include <string.h>
 
 #include "cli/output.h"
-#include "cli/platform.h"
 #include "picture/panels.h"
 #include "picture/read_png.h"
+#include "render/check.h"
 
 static picture_rule rule_of(const render_settings *settings) {
     return (picture_rule){.threshold = settings->output.reference_threshold,
                           .metric = PICTURE_SSIM};
-}
-
-/* Whether two names are of the same file; standard input and output are not files. */
-static int is_same(const char *a, const char *b) {
-    return a && b && strcmp(a, "-") != 0 && strcmp(b, "-") != 0 &&
-           (strcmp(a, b) == 0 || cli_same_file(a, b));
 }
 
 burnish_status render_check_reference(render_settings *settings, burnish_error *error) {
@@ -36,7 +30,7 @@ burnish_status render_check_reference(render_settings *settings, burnish_error *
                         "--reference: --output=%.200s has planes; name a picture",
                         render_output_path(&settings->output));
     }
-    if (is_same(reference, render_output_path(&settings->output))) {
+    if (render_is_same_file(reference, render_output_path(&settings->output))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--output: \"%.200s\" is the reference; name another file",
                         render_output_path(&settings->output));
@@ -44,7 +38,7 @@ burnish_status render_check_reference(render_settings *settings, burnish_error *
     const char *others[] = {settings->input.name, render_output_path(&settings->output), reference,
                             settings->output.json};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
-        if (is_same(difference, others[i])) {
+        if (render_is_same_file(difference, others[i])) {
             return cli_fail(
                 error, BURNISH_STATUS_ARGUMENT,
                 "--reference-difference: \"%.200s\" is used for another file; choose another name",

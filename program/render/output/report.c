@@ -1,6 +1,5 @@
 /* The report of `burnish render`: JSON, times, warnings. */
 #include "render/output/report.h"
-#include "render/flags.h"
 
 #include <cjson/cJSON.h>
 #include <errno.h>
@@ -15,6 +14,7 @@
 #include "cli/run.h"
 #include "import/import.h"
 #include "render/camera.h"
+#include "render/flags.h"
 #include "render/origin.h"
 #include "render/reference.h"
 
@@ -126,10 +126,7 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
         add_picture(object, result, cell, failed);
         cli_json_add(object, "blank", cJSON_CreateBool(render_is_blank(cell)), failed);
         cli_json_add(object, "hash", hash_text(cell->hash), failed);
-        if (!object || !cJSON_AddItemToArray(cells, object)) {
-            cJSON_Delete(object);
-            *failed = 1;
-        }
+        cli_json_add(cells, NULL, object, failed);
     }
     cli_json_add(root, "cells", cells, failed);
 }
@@ -140,11 +137,7 @@ static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
         const burnish_clip_plane *plane = &view->cuts[i];
         const double values[4] = {plane->normal[0], plane->normal[1], plane->normal[2],
                                   render_file_offset(plane, view->origin)};
-        cJSON *cut = cli_json_reals(4, values);
-        if (!cut || !cJSON_AddItemToArray(cuts, cut)) {
-            cJSON_Delete(cut);
-            *failed = 1;
-        }
+        cli_json_add(cuts, NULL, cli_json_reals(4, values), failed);
     }
     cli_json_add(root, "cuts", cuts, failed);
     cli_json_add(root, "filled",
@@ -152,53 +145,51 @@ static void add_cuts(cJSON *root, const burnish_mesh_view *view, int *failed) {
                  failed);
 }
 
+static cJSON *output_name(const render_result *result, const char *path) {
+    return cli_json_text(result->written ? path : NULL);
+}
+
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
+    const render_settings *settings = result->settings;
+    const burnish_mesh *mesh = result->mesh;
+    const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     char ending[IMPORT_ENDING_SIZE];
     const char *format =
-        import_format_word(result->settings->input.name, result->settings->input.load.format,
-                           burnish_mesh_get_info(result->mesh)->format, ending);
-    const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
+        import_format_word(settings->input.name, settings->input.load.format, info->format, ending);
+    const char *source = settings->camera.up == UP_AUTO     ? "auto"
+                         : settings->camera.up == UP_FORMAT ? "format"
+                                                            : "flag";
     cJSON *box = cJSON_CreateObject();
     float low[3], high[3];
-    burnish_mesh_get_bounds(result->mesh, low, high);
-    cli_json_add(root, "input", cli_json_text(result->settings->input.name), failed);
+    burnish_mesh_get_bounds(mesh, low, high);
+    cli_json_add(root, "input", cli_json_text(settings->input.name), failed);
     cli_json_add(root, "format", cJSON_CreateString(format), failed);
-    cli_json_add(root, "output",
-                 result->written ? cli_json_text(render_output_path(&result->settings->output))
-                                 : cJSON_CreateNull(),
+    cli_json_add(root, "output", output_name(result, render_output_path(&settings->output)),
                  failed);
     cli_json_add(root, "width", cJSON_CreateNumber(result->picture->width), failed);
     cli_json_add(root, "height", cJSON_CreateNumber(result->picture->height), failed);
-    if (result->settings->picture.rows.count > 0) {
-        const int rows[2] = {result->settings->picture.rows.first,
-                             result->settings->picture.rows.count};
+    if (settings->picture.rows.count > 0) {
+        const int rows[2] = {settings->picture.rows.first, settings->picture.rows.count};
         cli_json_add(root, "rows", cli_json_integers(2, rows), failed);
     }
     cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
     cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
-    cli_json_add(root, "points", cli_json_count(burnish_mesh_get_info(result->mesh)->point_count),
-                 failed);
-    cli_json_add(root, "lines", cli_json_count(burnish_mesh_get_info(result->mesh)->line_count),
-                 failed);
-    cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(result->mesh)),
-                 failed);
-    cli_json_add(root, "textures", cli_json_count(burnish_mesh_get_texture_count(result->mesh)),
-                 failed);
-    cli_json_add(root, "exponents", exponents_array(result->mesh), failed);
+    cli_json_add(root, "points", cli_json_count(info->point_count), failed);
+    cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
+    const size_t materials = burnish_mesh_get_material_count(mesh);
+    cli_json_add(root, "materials", cli_json_count(materials), failed);
+    cli_json_add(root, "textures", cli_json_count(burnish_mesh_get_texture_count(mesh)), failed);
+    cli_json_add(root, "exponents", exponents_array(mesh), failed);
     cli_json_add(box, "min", cli_json_position(low, view->origin), failed);
     cli_json_add(box, "max", cli_json_position(high, view->origin), failed);
     cli_json_add(root, "bounding_box", box, failed);
-    cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(result->mesh)->unit), failed);
+    cli_json_add(root, "unit", cli_json_text(info->unit), failed);
     cli_json_add(root, "origin", cli_json_reals(3, view->origin), failed);
     add_cuts(root, view, failed);
-    cli_json_add(root, "up",
-                 cJSON_CreateString(render_up_name(result->mesh, &result->settings->camera)),
-                 failed);
-    cli_json_add(root, "up_source",
-                 cJSON_CreateString(result->settings->camera.up == UP_AUTO     ? "auto"
-                                    : result->settings->camera.up == UP_FORMAT ? "format"
-                                                                               : "flag"),
-                 failed);
+    const char *up = render_up_name(mesh, &settings->camera);
+    cli_json_add(root, "up", cJSON_CreateString(up), failed);
+    cli_json_add(root, "up_source", cJSON_CreateString(source), failed);
 }
 
 static const char *word_of(const cli_word *words, int value) {
@@ -214,13 +205,9 @@ static void add_planes(cJSON *root, const render_result *result, int *failed) {
     for (size_t i = 0; i < planes->count; ++i) {
         const render_plane *plane = &planes->items[i];
         cJSON *object = cJSON_CreateObject();
-        const cli_word *word = render_plane_words;
-        while (word->value != (int)plane->kind) {
-            ++word;
-        }
-        cli_json_add(object, "plane", cJSON_CreateString(word->name), failed);
-        cli_json_add(object, "output",
-                     result->written ? cli_json_text(plane->path) : cJSON_CreateNull(), failed);
+        const char *kind = word_of(render_plane_words, (int)plane->kind);
+        cli_json_add(object, "plane", cJSON_CreateString(kind), failed);
+        cli_json_add(object, "output", output_name(result, plane->path), failed);
         if (plane->kind == PLANE_DEPTH) {
             cli_json_add(object, "low", cli_json_float(result->planes.low), failed);
             cli_json_add(object, "high", cli_json_float(result->planes.high), failed);
@@ -230,38 +217,38 @@ static void add_planes(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "planes", array, failed);
 }
 
+/* The phases of render_seconds, in their order. */
+static const char *const phases[] = {"start", "load",   "read",  "build", "transform",
+                                     "draw",  "encode", "write", "total"};
+enum { PHASES = sizeof phases / sizeof *phases };
+_Static_assert(sizeof(render_seconds) == PHASES * sizeof(double), "each phase has a name");
+
+static void list_seconds(const render_seconds *seconds, double values[PHASES]) {
+    memcpy(values, seconds, PHASES * sizeof *values);
+}
+
 static void add_run(cJSON *root, const render_result *result, int *failed) {
-    const render_seconds *seconds = &result->seconds;
     const burnish_render_options *options = result->options;
+    const burnish_render_report *cell = &result->cells[0].report;
+    const char *model = options->specular_model == BURNISH_SPECULAR_BLINN ? "blinn" : "phong";
+    const char *viewer = options->local_viewer ? "local" : "distant";
+    const char *look = word_of(render_look_words, result->settings->shading.look);
+    double seconds[PHASES];
     cJSON *times = cJSON_CreateObject();
-    cli_json_add(
-        root, "equation",
-        cJSON_CreateString(options->specular_model == BURNISH_SPECULAR_BLINN ? "blinn" : "phong"),
-        failed);
-    cli_json_add(root, "viewer", cJSON_CreateString(options->local_viewer ? "local" : "distant"),
-                 failed);
-    cli_json_add(
-        root, "look",
-        cJSON_CreateString(word_of(render_look_words, (int)result->settings->shading.look)),
-        failed);
-    cli_json_add(root, "occlusion",
-                 cJSON_CreateNumber(result->cells[0].report.occlusion_directions), failed);
-    cli_json_add(root, "shadow", cJSON_CreateBool(result->cells[0].report.shadow), failed);
-    cli_json_add(root, "ground", cJSON_CreateBool(result->cells[0].report.ground), failed);
+    list_seconds(&result->seconds, seconds);
+    for (int i = 0; i < PHASES; ++i) {
+        cli_json_add(times, phases[i], cli_json_seconds(seconds[i]), failed);
+    }
+    cli_json_add(root, "equation", cJSON_CreateString(model), failed);
+    cli_json_add(root, "viewer", cJSON_CreateString(viewer), failed);
+    cli_json_add(root, "look", cJSON_CreateString(look), failed);
+    cli_json_add(root, "occlusion", cJSON_CreateNumber(cell->occlusion_directions), failed);
+    cli_json_add(root, "shadow", cJSON_CreateBool(cell->shadow), failed);
+    cli_json_add(root, "ground", cJSON_CreateBool(cell->ground), failed);
     cli_json_add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
     cli_json_add(root, "samples", cJSON_CreateNumber(options->samples), failed);
-    cli_json_add(root, "threads", cJSON_CreateNumber(result->cells[0].report.threads), failed);
-    cli_json_add(times, "start", cli_json_seconds(seconds->start), failed);
-    cli_json_add(root, "isa", cJSON_CreateString(burnish_isa_name(result->cells[0].report.isa)),
-                 failed);
-    cli_json_add(times, "load", cli_json_seconds(seconds->load), failed);
-    cli_json_add(times, "read", cli_json_seconds(seconds->read), failed);
-    cli_json_add(times, "build", cli_json_seconds(seconds->build), failed);
-    cli_json_add(times, "transform", cli_json_seconds(seconds->transform), failed);
-    cli_json_add(times, "draw", cli_json_seconds(seconds->draw), failed);
-    cli_json_add(times, "encode", cli_json_seconds(seconds->encode), failed);
-    cli_json_add(times, "write", cli_json_seconds(seconds->write), failed);
-    cli_json_add(times, "total", cli_json_seconds(seconds->total), failed);
+    cli_json_add(root, "threads", cJSON_CreateNumber(cell->threads), failed);
+    cli_json_add(root, "isa", cJSON_CreateString(burnish_isa_name(cell->isa)), failed);
     cli_json_add(root, "seconds", times, failed);
     cli_json_add(root, "hash", hash_text(result->hash), failed);
     cli_json_add(root, "hash_algorithm", cJSON_CreateString("xxh64"), failed);
@@ -306,16 +293,13 @@ burnish_status render_write_json(const render_result *result, burnish_error *err
 }
 
 void render_print_timing(const render_seconds *seconds) {
-    const struct {
-        const char *name;
-        double seconds;
-    } phases[] = {{"start", seconds->start}, {"read", seconds->read},
-                  {"build", seconds->build}, {"transform", seconds->transform},
-                  {"draw", seconds->draw},   {"encode", seconds->encode},
-                  {"write", seconds->write}, {"total", seconds->total}};
-    for (size_t i = 0; i < sizeof phases / sizeof *phases; ++i) {
-        fprintf(stderr, "%s%s %.2f ms", i == 0 ? "burnish: " : ", ", phases[i].name,
-                phases[i].seconds * 1e3);
+    double values[PHASES];
+    list_seconds(seconds, values);
+    for (int i = 0; i < PHASES; ++i) {
+        if (strcmp(phases[i], "load") != 0) { /* read plus build */
+            fprintf(stderr, "%s%s %.2f ms", i == 0 ? "burnish: " : ", ", phases[i],
+                    values[i] * 1e3);
+        }
     }
     fprintf(stderr, "\n");
 }
