@@ -1,4 +1,4 @@
-/* `burnish batch`: its flags, and the order of its steps. */
+/* `burnish batch`: flags and main steps. */
 #include "batch/batch.h"
 
 #include <errno.h>
@@ -26,84 +26,87 @@ static cli_handler flag_part;
 static const cli_flag flags[] = {
     {.group = "Many inputs",
      .topic = "batch",
-     CLI_FLAG("output-dir", "FOLDER", "where pictures go", cli_flag_text, output_dir),
+     CLI_FLAG("output-dir", "FOLDER", "folder of the pictures", cli_flag_text, output_dir),
      .default_text = ".",
      .letter = 'd',
      .common = 1,
      .takes_file = 1,
      .aliases = "outdir,out-dir,path",
-     .manual = "The folder of all pictures, made where it is missing. Nothing is written outside "
-               "it but what *--report* and *--sheet* name."},
-    {CLI_FLAG("output", "NAME", "their names: {model} {folder} {ending} {view}", cli_flag_text,
+     .manual = "The folder of all pictures, created if missing. Only *--report* and *--sheet* can "
+               "write files outside it."},
+    {CLI_FLAG("output", "NAME", "file names: {model} {folder} {ending} {view}", cli_flag_text,
               output),
      .default_text = "{folder}{model}.png", .letter = 'o', .common = 1, .aliases = "out,template",
      .manual = "Names of the pictures in the folder. *{model}* is the input's name without its "
-               "ending, *{ending}* that ending, *{folder}* its folders below a folder that was "
-               "named as _INPUT_, with a slash at the end, *{view}* the view: then each of "
-               "*--views* has a picture of its own. The ending says the format, as in *burnish "
-               "render*. Where two inputs would share a picture, their endings are kept "
-               "(*part.stl.png*), and if that is not enough all their folders."},
-    {CLI_SWITCH("recursive", "folders below, too", recursive), .letter = 'r', .common = 1,
-     .manual = "Takes the meshes in all folders below an _INPUT_ that is a folder. Names that "
-               "begin with a dot and links to folders are left out."},
-    {CLI_FLAG("files-from", "FILE", "names of inputs, lines or with 0 between; -: standard input",
-              cli_flag_text, files_from),
+               "extension, *{ending}* the extension, *{folder}* its folders below the _INPUT_ "
+               "folder, with a slash at the end, *{view}* the view: each of *--views* then has a "
+               "picture of its own. The extension selects the format, as in *burnish render*. If "
+               "two inputs would share a picture, the names keep their extensions (*part.stl.png*) "
+               "and, if necessary, all folders."},
+    {CLI_SWITCH("recursive", "include subfolders", recursive), .letter = 'r', .common = 1,
+     .manual = "Includes the meshes in all subfolders of an _INPUT_ folder. Names that begin with "
+               "a dot and links to folders are skipped."},
+    {CLI_FLAG("files-from", "FILE",
+              "list of inputs, one per line or separated by 0; -: standard input", cli_flag_text,
+              files_from),
      .common = 1, .takes_file = 1, .aliases = "inputs-from,files0-from,from-file",
      .manual =
-         "Reads names of inputs from _FILE_, from standard input for *-*: one a line or, where the "
-         "list has a byte 0, one before each of these, as *find -print0* prints them."},
-    {CLI_SWITCH("index", "index.html there: a page of all, with search", index), .common = 1,
-     .manual = "Writes *index.html* beside the pictures: one page that shows them all, with facts "
-               "and a search box. It needs nothing but the pictures."},
-    {CLI_FLAG("sheet", "FILE", "one picture of all", cli_flag_text, sheet), .common = 1,
+         "Reads names of inputs from _FILE_, or from standard input for *-*: one per line or, if "
+         "the list contains a byte 0, each followed by a 0, as *find -print0* prints them."},
+    {CLI_SWITCH("index", "write index.html, a page with search", index), .common = 1,
+     .manual = "Writes *index.html* to the output folder: a page with all pictures, facts about "
+               "the meshes and a search box. It loads only the pictures."},
+    {CLI_FLAG("sheet", "FILE", "write a contact sheet", cli_flag_text, sheet), .common = 1,
      .takes_file = 1, .aliases = "contact-sheet,montage",
-     .manual = "Writes a contact sheet of all pictures, as small as they have to be for at most "
-               "16384 pixels a side."},
-    {CLI_FLAG("report", "FILE", "JSON lines, by which the next run goes on", cli_flag_text, report),
-     .default_label = "burnish-batch.jsonl there", .common = 1, .takes_file = 1,
+     .manual =
+         "Writes a contact sheet of all pictures, scaled down to at most 16384 pixels per side."},
+    {CLI_FLAG("report", "FILE", "report in JSON lines, in the output folder", cli_flag_text,
+              report),
+     .default_label = "burnish-batch.jsonl", .common = 1, .takes_file = 1,
      .aliases = "json,log,state",
-     .manual = "Where the report is, one JSON object a line; see *REPORT OF A BATCH*. *-* prints "
-               "it at the end; the next run then draws everything."},
-    {CLI_SWITCH("force", "draw what is unchanged, too", force), .letter = 'f', .common = 1,
-     .manual = "Draws all pictures again. Otherwise an input is left as it is where the report has "
-               "it with the same bytes, the same bytes of the files that it names, the same flags "
-               "and version, and the picture is there."},
-    {CLI_FLAG("shard", "I/N", "part I of N of all, as equal in bytes as can be", flag_part, part),
+     .manual = "File name of the report, one JSON object per line; see *REPORT OF A BATCH*. *-* "
+               "prints it at the end; the next run then draws everything."},
+    {CLI_SWITCH("force", "draw unchanged inputs again", force), .letter = 'f', .common = 1,
+     .manual = "Draws all pictures again. By default an input is skipped if its picture exists and "
+               "the report lists it with the same content, the same content of referenced files, "
+               "the same flags and the same version."},
+    {CLI_FLAG("shard", "I/N", "draw part I of N, balanced by file size", flag_part, part),
      .common = 1, .aliases = "part,partition,array",
-     .manual = "Draws part _I_, from 1 on, of _N_: for tasks that know nothing of each other, as "
-               "those of a job array. All see the same inputs and share them by size. The report "
-               "is *burnish-batch-*_I_*-of-*_N_*.jsonl*. The same command without *--shard*, after "
-               "them, draws what is missing, writes the report of all and removes theirs."},
+     .manual =
+         "Draws part _I_ of _N_, counted from 1, for independent tasks such as a job array. All "
+         "tasks must see the same inputs, which are divided by size. The report is "
+         "*burnish-batch-*_I_*-of-*_N_*.jsonl*. Afterwards the same command without *--shard* "
+         "draws what is missing, merges the reports and removes those of the parts."},
     {CLI_FLAG("jobs", "N", "pictures at a time", cli_flag_integer, jobs), CLI_RANGE(0, 1024),
      .default_text = "0", .default_label = "all cores", .letter = 'j', .common = 1,
      .aliases = "threads,parallel",
      .manual = "How many pictures are drawn at a time, each by one thread; 0 for as many as there "
-               "are processors. No byte of a picture depends on it."},
-    {CLI_FLAG("max-seconds", "N", "of one picture, at most", cli_flag_real, render.job.max_seconds),
+               "are processors. It does not affect the pictures."},
+    {CLI_FLAG("max-seconds", "N", "time limit per picture", cli_flag_real, render.job.max_seconds),
      CLI_RANGE(0, 1e6), .default_text = "60", .common = 1,
-     .manual = "An input that takes longer, by the clock, has failed. 0: without end."},
-    {CLI_FLAG("max-memory", "N", "of one picture, such as 500M", cli_flag_bytes,
+     .manual = "An input that takes longer in wall-clock time fails. 0: no limit."},
+    {CLI_FLAG("max-memory", "N", "memory limit per picture, such as 500M", cli_flag_bytes,
               render.job.max_memory),
      CLI_RANGE(1, 9e18), .default_text = "2G", .common = 1,
-     .manual = "An input that needs more memory has failed. All together need at most this times "
-               "*--jobs*. _N_ may end in *K*, *M* or *G*."},
+     .manual = "An input that needs more memory fails. The total is at most this times *--jobs*. "
+               "_N_ may end in *K*, *M* or *G*."},
     {CLI_SWITCH("no-sandbox", "workers may open files", no_sandbox),
-     .manual = "Each input is read and drawn in a process of its own, and where the program was "
-               "built with libseccomp that process can open no file (docs/security.md). With this "
-               "flag it can; textures and libraries that an input names are then not looked at "
-               "when the next run asks what is unchanged."},
+     .manual =
+         "Each input is read and drawn in a process of its own. If the program was built with "
+         "libseccomp, that process can't open files (docs/security.md). With this flag it can; the "
+         "next run then does not check referenced textures and material libraries for changes."},
     {CLI_SWITCH("no-seconds", "leave seconds out of the report", no_seconds),
-     .manual = "Leaves *seconds* out of the report, which is then the same bytes from run to run "
-               "and from machine to machine."},
-    {CLI_FLAG("runners", "N", "N sockets, from descriptor 3 on, lead to others", cli_flag_integer,
+     .manual =
+         "Leaves *seconds* out of the report, which is then identical on every run and machine."},
+    {CLI_FLAG("runners", "N", "use N runners, connected from descriptor 3 on", cli_flag_integer,
               runners),
      CLI_RANGE(0, 65536),
-     .manual = "For programs that bring runners from other machines, as *burnish-mpi* does "
-               "(docs/scale.md): the sockets from descriptor 3 on lead to processes *burnish batch "
-               "--runner* with the same flags. What one held whose socket ends goes to another. "
-               "*--jobs* is 1 then, unless it is given."},
-    {CLI_SWITCH("runner", "be one of those", runner),
-     .manual = "Draws what comes through the socket at descriptor 3. _INPUT_ is not looked at."},
+     .manual = "For programs that start runners on other machines, such as *burnish-mpi* "
+               "(docs/scale.md): the sockets from descriptor 3 on are connected to processes "
+               "*burnish batch --runner* with the same flags. If a socket closes, its items go to "
+               "other runners. The default of *--jobs* is then 1."},
+    {CLI_SWITCH("runner", "be a runner", runner),
+     .manual = "Draws the items received on the socket at descriptor 3. _INPUT_ is ignored."},
     {.group = "Picture",
      .topic = "picture",
      CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size,
@@ -112,7 +115,7 @@ static const cli_flag flags[] = {
      .default_text = "512,512",
      .common = 1,
      .aliases = "width,height,res",
-     .manual = "Width and height of each picture in pixels."},
+     .manual = "Width and height of each picture."},
     {CLI_FLAG("size", "N", "a square: --resolution=N,N", cli_flag_square, render.picture.size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .common = 1,
      .manual = "The same as *--resolution=*_N_*,*_N_."},
@@ -128,32 +131,30 @@ static const cli_example examples[] = {
 };
 
 static const cli_term report_terms[] = {
-    {"*burnish, options*", "in the first line: the version, and the flags that say what is drawn"},
-    {"*passed_over*",
-     "there too, where there are any: files of folders with an ending of a mesh that are "
-     "something else by their first bytes"},
-    {"*id*", "of input and output, 16 hexadecimal digits"},
+    {"*burnish, options*", "in the first line: the version, and the flags that affect pictures"},
+    {"*passed_over*", "in the first line, if not 0: number of files in folders with a mesh "
+                      "extension and other content"},
+    {"*id*", "hash of the names of input and output, 16 hexadecimal digits"},
     {"*input, output*", "names; bytes that are not UTF-8 are ?"},
     {"*input_bytes, output_bytes*",
-     "of a name that is not UTF-8, all of it with such bytes as %XX, as in a URL"},
+     "a name that is not UTF-8, with such bytes as %XX, as in a URL"},
     {"*status*", "*done* or *failed*"},
     {"*bytes, hash*", "of the input: its size, and XXH64 of its bytes"},
     {"*picture*", "XXH64 of the pixels, as *hash* of *burnish render --json*"},
     {"*format, triangles, vertices, size*",
-     "of the mesh; *size* along X, Y and Z, of points and lines without the solids "
-     "that stand for them"},
+     "of the mesh; *size* along X, Y and Z, for points and lines without their drawn thickness"},
     {"*width, height, blank, warnings*", "as *burnish render --json* has them"},
     {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
-    {"*code, error*", "of one that failed: what *burnish render* would end with, and its line"},
-    {"*seconds*", "by the clock; the only number that differs from run to run"},
+    {"*code, error*", "of a failed input: exit code and message of *burnish render*"},
+    {"*seconds*", "wall-clock time, the only value that differs between runs"},
     {NULL, NULL},
 };
 
 static const cli_section sections[] = {
     {.heading = "REPORT OF A BATCH",
-     .text = "JSON lines in the order of the inputs; of inputs that are unchanged the line of the "
-             "run that drew them. While a batch runs, lines are added as pictures are done, so "
-             "that after any end the next run goes on where this one was.",
+     .text = "JSON lines in the order of the inputs; an unchanged input keeps its line from the "
+             "run that drew it. Lines are added as pictures are finished, so an interrupted batch "
+             "can be continued.",
      .terms = report_terms},
     {.heading = NULL},
 };
@@ -162,16 +163,15 @@ const cli_command batch_command = {
     .name = "batch",
     .operand = "INPUT...",
     .summary = "draw many meshes, on all cores",
-    .operand_help = "files, :teapot and the like, or folders, of which all meshes are taken",
+    .operand_help = "files, built-in objects such as :teapot, or folders of meshes",
     .manual =
         "Draws a picture of each _INPUT_, with the same bytes as *burnish render --sandbox* would. "
-        "Each input has a process, a time and an amount of memory of its own; one that fails is "
-        "listed at the end and stops nothing, and the exit code is 11. A picture whose input and "
-        "flags have not changed since the last run into the same folder is left as it is. "
-        "Control-C "
-        "ends at once and keeps what is done.\n"
-        "Besides the flags below, those of *burnish render* that say how the camera stands, how "
-        "the surface and its light look and how _INPUT_ is read have the same meaning here.",
+        "Each input has its own process, time limit and memory limit. Failed inputs are listed at "
+        "the end and do not stop the batch; the exit code is then 11. Pictures whose input and "
+        "flags have not changed since the last run are skipped. Control-C stops at once and keeps "
+        "finished pictures.\n"
+        "The flags of *burnish render* for camera, light, surface and input have the same meaning "
+        "here.",
     .operands_max = SIZE_MAX,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
@@ -196,7 +196,7 @@ static burnish_status flag_part(const cli_flag *flag, const char *text, void *ta
         !cli_read_real(slash + 1, strlen(slash + 1), &count) || index < 1 || index > count ||
         count > 1e6 || index != (double)(int)index || count != (double)(int)count) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, as 3/100",
+                        "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100",
                         flag->name, text);
     }
     *part = (batch_part){(int)index, (int)count};
@@ -208,12 +208,12 @@ static burnish_status flag_part(const cli_flag *flag, const char *text, void *ta
 static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     (void)from, (void)call;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "batch: not on this system; call burnish render for each input");
+                    "batch: not supported on this system; run burnish render for each input");
 }
 
 #else
 
-/* Whether a flag says what a picture looks like. */
+/* Whether a flag affects pictures. */
 static int is_about_pictures(const cli_flag *flag) {
     static const char *const others[] = {
         "quiet", "isa", "overwrite", "max-triangles", "max-input-bytes", "max-overdraw"};
@@ -230,7 +230,7 @@ static int is_about_pictures(const cli_flag *flag) {
     return 1;
 }
 
-/* The flags that say what is drawn, as one text; to be freed. NULL without memory. */
+/* The flags that affect pictures, as one string; release with free. NULL: out of memory. */
 static char *list_options(const cli_call *call) {
     char *text = NULL;
     size_t size = 0;
@@ -269,7 +269,7 @@ static char *choose_report(const batch_settings *settings) {
     return path;
 }
 
-/* What no input can change, told once. */
+/* Checks the settings once, before any input. */
 static burnish_status check(batch *b, burnish_error *error) {
     render_settings settings = b->settings->render;
     settings.input.name = ":sphere";
@@ -278,12 +278,12 @@ static burnish_status check(batch *b, burnish_error *error) {
     }
     if (strcmp(b->settings->output, "-") == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: many pictures can't go to standard output; leave it out");
+                        "--output: a batch can't write to standard output; leave it out");
     }
     if (b->settings->part.count > 0 && (b->settings->index || b->settings->sheet)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--shard: a part has no --index and no --sheet; the same command without "
-                        "--shard, when all parts are done, makes them");
+                        "--shard: not with --index or --sheet; after all parts, run the same "
+                        "command without --shard to write them");
     }
     settings.output.path = b->settings->output;
     settings.picture.views.count =
@@ -300,18 +300,18 @@ static burnish_status check(batch *b, burnish_error *error) {
     return status;
 }
 
-/* The line of one that failed, which begins with its name. */
+/* Prints the error of a failed input, preceded by its name. */
 static void print_failure(const batch_item *item) {
     cJSON *line = item->line ? cJSON_Parse(item->line) : NULL, *name = cli_json_text(item->input);
     cJSON *text = cJSON_GetObjectItemCaseSensitive(line, "error");
-    char memory[] = "out of memory", *said = cJSON_IsString(text) ? text->valuestring : memory;
+    char memory[] = "out of memory", *message = cJSON_IsString(text) ? text->valuestring : memory;
     char *input = cJSON_IsString(name) ? name->valuestring : memory;
-    cli_clean(said);
+    cli_clean(message);
     cli_clean(input);
-    if (strncmp(said, input, strlen(input)) == 0) {
-        fprintf(stderr, "burnish: %s\n", said);
+    if (strncmp(message, input, strlen(input)) == 0) {
+        fprintf(stderr, "burnish: %s\n", message);
     } else {
-        fprintf(stderr, "burnish: %s: %s\n", input, said);
+        fprintf(stderr, "burnish: %s: %s\n", input, message);
     }
     cJSON_Delete(line);
     cJSON_Delete(name);
@@ -328,7 +328,7 @@ static void list_failures(const batch *b) {
     }
 }
 
-static void tell_end(const batch *b, double seconds) {
+static void print_summary(const batch *b, double seconds) {
     const size_t drawn = b->done - b->kept - b->failed;
     if (b->is_stopped) {
         fprintf(stderr, "burnish: stopped: %zu of %zu are done; the same command goes on\n",
@@ -375,12 +375,12 @@ static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *er
     }
     if (status == BURNISH_STATUS_OK) {
         list_failures(b);
-        tell_end(b, cli_seconds_now() - start);
+        print_summary(b, cli_seconds_now() - start);
     }
     return status;
 }
 
-/* As a runner of a batch that is elsewhere. */
+/* Runs as a runner of a batch on another machine. */
 static burnish_status run_orders(batch *b, burnish_error *error) {
     enum { CHANNEL = 3 };
     struct stat state;
@@ -390,7 +390,7 @@ static burnish_status run_orders(batch *b, burnish_error *error) {
     }
     if (fstat(CHANNEL, &state) != 0 || !S_ISSOCK(state.st_mode)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--runner: descriptor %d is no socket; burnish-mpi opens it", CHANNEL);
+                        "--runner: descriptor %d is not a socket; burnish-mpi opens it", CHANNEL);
     }
     fcntl(CHANNEL, F_SETFD, FD_CLOEXEC);
     batch_runner(b, CHANNEL);

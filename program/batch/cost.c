@@ -1,4 +1,4 @@
-/* What a picture costs is told from its input's bytes. */
+/* The cost of a picture is estimated by the size of its input file. */
 #include <stdlib.h>
 
 #include "batch/batch.h"
@@ -33,8 +33,7 @@ uint32_t *batch_order_by_cost(const batch_items *list) {
     return order;
 }
 
-/* Parts get items as players get cards, but to and fro: the first of a round is the last of the
- * next. */
+/* Items are dealt in snake order: parts take turns, and each round reverses the order. */
 static int is_dealt(const batch_part *part, size_t at) {
     const size_t count = (size_t)part->count, seat = at % count;
     return (at / count % 2 ? count - 1 - seat : seat) == (size_t)part->index - 1;

@@ -1,4 +1,4 @@
-/* The page of all pictures: one file that asks for nothing but them. */
+/* index.html: shows all pictures and loads nothing else. */
 #include <stdlib.h>
 #include <string.h>
 

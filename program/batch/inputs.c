@@ -1,4 +1,4 @@
-/* Which files there are. */
+/* Finds the input files. */
 #include "batch/batch.h"
 #include "import/import.h"
 
@@ -41,9 +41,8 @@ static burnish_status add_item(batch_items *list, const char *input, size_t tree
 
 typedef enum file_kind {
     FILE_OTHER,
-    FILE_MESH,       /* a format's ending, or that of an importer which is installed, also with .gz
-                        behind it */
-    FILE_PASSED_OVER /* such an ending, of a file that is something else */
+    FILE_MESH, /* the extension of a reader or of an installed importer, with or without .gz */
+    FILE_PASSED_OVER /* a mesh extension, but other content */
 } file_kind;
 
 static file_kind kind_of(const char *name, const char *path) {
@@ -81,7 +80,7 @@ static int by_bytes(const struct dirent **a, const struct dirent **b) {
 
 enum { DEPTH_MAX = 64 };
 
-/* The meshes of a folder and, with --recursive, of those in it; links to folders are not followed.
+/* Adds the meshes of a folder and, with --recursive, of its subfolders, but not of linked folders.
  */
 static burnish_status add_folder(batch *b, const char *folder, size_t tree, int depth,
                                  burnish_error *error) {
@@ -146,7 +145,7 @@ static burnish_status add_name(batch *b, const char *name, burnish_error *error)
     return add_item(&b->list, name, (size_t)(batch_base_name(name) - name), bytes, error);
 }
 
-/* A whole file; *size bytes and a 0. */
+/* Reads a whole file: *size bytes and a terminating 0. */
 static char *read_list(const char *path, size_t *size, burnish_error *error) {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
     size_t capacity = 0, used = 0, count = 1;
@@ -179,7 +178,7 @@ static char *read_list(const char *path, size_t *size, burnish_error *error) {
     return text;
 }
 
-/* Names end with a newline or, where the list has any 0, with that. */
+/* Names end with a newline or, if the list contains a byte 0, with a 0. */
 static burnish_status add_list(batch *b, const char *path, burnish_error *error) {
     size_t size = 0;
     char *text = read_list(path, &size, error);

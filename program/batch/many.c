@@ -1,4 +1,4 @@
-/* `burnish render` with many inputs: a batch that draws all of them and leaves no report. */
+/* `burnish render` with many inputs: a batch without a report. */
 #include "render/many.h"
 
 #include <stdio.h>
@@ -32,7 +32,7 @@ static burnish_status check(const render_settings *settings, burnish_error *erro
                  : BURNISH_STATUS_OK;
 }
 
-/* Whether the last word about the sandbox is no. */
+/* Whether --no-sandbox is the last of the sandbox flags. */
 static int is_unlocked(const cli_call *call) {
     int is = 0;
     for (size_t i = 0; i < call->argument_count; ++i) {

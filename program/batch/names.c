@@ -1,4 +1,4 @@
-/* Which picture goes where: templates, and names that no two inputs share. */
+/* Names outputs: expands the template and makes the names unique. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,12 +19,12 @@ const char *batch_view_name(const batch *b, const batch_item *item) {
 
 enum { NAME_MAX_BYTES = 4000 };
 
-/* How much of the input's name is in the output's: first as the template has it; where that is
- * another input's too, with the ending, "part.stl.png"; then with all its folders; then with both.
+/* How much of the input's name is in the output's: first what the template names. While two inputs
+ * share an output, the extension is added ("part.stl.png"), then all folders, then both.
  */
 enum { LEVEL_PLAIN, LEVEL_ENDING, LEVEL_FOLDERS, LEVEL_BOTH, LEVELS };
 
-/* A name as it grows; size is NAME_MAX_BYTES where it is too long. */
+/* A name under construction; size is NAME_MAX_BYTES if it is too long. */
 typedef struct name {
     char text[NAME_MAX_BYTES + 1];
     size_t size;
@@ -42,7 +42,7 @@ static void append(name *n, const char *text, size_t size) {
 
 /* The parts of an input's name. */
 typedef struct parts {
-    const char *folder, *model, *ending; /* the last without its dot */
+    const char *folder, *model, *ending; /* ending: without its dot */
     size_t folder_size, model_size;
 } parts;
 
@@ -80,7 +80,7 @@ static burnish_status expand_one(const batch *b, const batch_item *item, const c
     return BURNISH_STATUS_OK;
 }
 
-/* The template's text for an item. */
+/* Expands the template for an item. */
 static burnish_status expand(const batch *b, const batch_item *item, name *n,
                              burnish_error *error) {
     const char *at = b->settings->output;
@@ -112,9 +112,8 @@ static burnish_status expand(const batch *b, const batch_item *item, name *n,
     return BURNISH_STATUS_OK;
 }
 
-/* Joins what stands between slashes to the folder. Parts that are empty, and . and .. of the
- * input's folders, are left out, so that nothing leads out of the folder. NULL: nothing is left, or
- * it is too long. */
+/* Appends the name to the folder. Empty parts, "." and ".." are dropped to keep the path below the
+ * folder. NULL: nothing is left, or the name is too long. */
 static char *join(const char *folder, const name *n) {
     const size_t length = strlen(folder);
     char *path = malloc(length + n->size + 2);
@@ -180,7 +179,7 @@ static void sort(const batch *b, batch_item **sorted, int (*compare)(const void 
     qsort(sorted, b->list.count, sizeof *sorted, compare);
 }
 
-/* An input that was named twice is drawn once, where it was first. */
+/* Drops repeated inputs; the first one stays. */
 static void drop_repeated(batch *b, batch_item **sorted) {
     size_t kept = 0;
     sort(b, sorted, compare_inputs);
@@ -197,7 +196,7 @@ static void drop_repeated(batch *b, batch_item **sorted) {
     b->list.count = kept;
 }
 
-/* An item per view, where the template has {view}. */
+/* Splits items into one per view if the template contains {view}. */
 static burnish_status split_views(batch *b, burnish_error *error) {
     const size_t views = b->settings->render.picture.views.count, count = b->list.count;
     if (!strstr(b->settings->output, "{view}")) {
@@ -231,8 +230,8 @@ static burnish_status split_views(batch *b, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-/* One round: those that share an output get more of their inputs' names. *shared: one of those that
- * still do. */
+/* One round: items that share an output get longer names. *shared receives one that shared its
+ * output, or NULL. */
 static burnish_status part(batch *b, batch_item **sorted, batch_item **shared,
                            burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;

@@ -1,5 +1,5 @@
-/* Orders: what a runner is told of an item. Its process may be on another machine, where the list
- * of items is not known, and where another version of the program may lie. */
+/* Orders describe an item to a runner. The runner may be on another machine, without the list of
+ * items and with another version of the program. */
 #include <stdlib.h>
 #include <string.h>
 

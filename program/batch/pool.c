@@ -1,8 +1,8 @@
-/* Hands items to runners and keeps what they say.
+/* Hands items to runners and collects their report lines.
  *
- * A runner here is a process that this one forks. One elsewhere is a socket: whoever brought it
- * closes it when that machine is lost, and its item goes to another. When nothing is left to hand
- * out, an idle runner gets what another machine has had for long; the first answer counts. */
+ * Local runners are forked by this process. Remote runners are sockets. A socket is closed when its
+ * machine is lost, and the item goes to another runner. When no items are left, idle runners repeat
+ * slow items of remote runners; the first reply counts. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,9 +28,9 @@
 
 enum {
     NOTHING = -1,
-    RUNNERS_AT = 3,     /* descriptor of the first runner elsewhere */
-    LOST_MAX = 3,       /* machines that an item may be lost with */
-    SECOND_SECONDS = 3, /* until another runner gets an item, too */
+    RUNNERS_AT = 3,     /* descriptor of the first remote runner */
+    LOST_MAX = 3,       /* an item fails after so many lost machines */
+    SECOND_SECONDS = 3, /* after which an idle runner repeats a remote item */
     LINE_MAX_BYTES = 1 << 24
 };
 
@@ -38,7 +38,7 @@ typedef struct worker {
     pid_t process; /* 0: none */
     int is_elsewhere;
     int channel; /* NOTHING: closed */
-    long item;   /* in work; NOTHING */
+    long item;   /* being drawn; or NOTHING */
     double start;
 } worker;
 
@@ -47,9 +47,9 @@ typedef struct pool {
     worker *workers;
     size_t count, next; /* next: index into order */
     uint32_t *order;
-    uint32_t *lost; /* with a machine, to be handed out again */
+    uint32_t *lost; /* items of lost machines, to be handed out again */
     size_t lost_count;
-    FILE *report; /* lines as they come; NULL: none */
+    FILE *report; /* receives each line as it arrives; NULL: none */
     double start, shown;
     int is_terminal;
 } pool;
@@ -64,7 +64,7 @@ static const int ending[] = {SIGHUP, SIGINT, SIGTERM};
 
 /* ---- Runners ---- */
 
-/* In the new process. */
+/* Runs in the forked process. */
 static void become_runner(const pool *p, int channel, pid_t parent) {
     const int nothing = open("/dev/null", O_RDWR);
 #ifdef __linux__
@@ -117,14 +117,14 @@ static int start_runner(pool *p, worker *w) {
     return w->process > 0;
 }
 
-/* Takes over the sockets of --runners. */
+/* Adopts the sockets of --runners. */
 static burnish_status take_runners(pool *p, worker *workers, burnish_error *error) {
     for (int i = 0; i < p->b->settings->runners; ++i) {
         struct stat state;
         const int channel = RUNNERS_AT + i;
         if (fstat(channel, &state) != 0 || !S_ISSOCK(state.st_mode)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--runners: descriptor %d is no socket; burnish-mpi opens them",
+                            "--runners: descriptor %d is not a socket; burnish-mpi opens them",
                             channel);
         }
         fcntl(channel, F_SETFD, FD_CLOEXEC);
@@ -134,7 +134,7 @@ static burnish_status take_runners(pool *p, worker *workers, burnish_error *erro
     return BURNISH_STATUS_OK;
 }
 
-/* Waits for a runner; its wait status. */
+/* Ends a runner and returns its wait status. */
 static int end_runner(worker *w, int number) {
     int state = 0;
     if (w->channel != NOTHING) {
@@ -155,7 +155,7 @@ static int end_runner(worker *w, int number) {
 
 /* ---- Items ---- */
 
-/* Takes the line, which becomes the item's. */
+/* Stores the item's line and takes ownership of it. */
 static void keep_line(pool *p, uint32_t index, char *line, const batch_answer *answer) {
     batch_item *item = &p->b->list.items[index];
     if (answer->failed == BATCH_LATE) {
@@ -173,7 +173,7 @@ static void keep_line(pool *p, uint32_t index, char *line, const batch_answer *a
     }
 }
 
-/* What another machine has had for longest, and long. */
+/* The item that a remote runner has held longest, for at least SECOND_SECONDS. */
 static long find_slow(const pool *p) {
     const double now = cli_seconds_now();
     const worker *slow = NULL;
@@ -198,7 +198,7 @@ static long choose_item(pool *p) {
     return p->next < p->b->list.count ? (long)p->order[p->next++] : find_slow(p);
 }
 
-/* The item is nobody's now. */
+/* Returns an item to the queue if no other runner holds it. */
 static void give_back(pool *p, long index) {
     batch_item *item = &p->b->list.items[index];
     item->held -= 1;
@@ -207,7 +207,7 @@ static void give_back(pool *p, long index) {
     }
 }
 
-/* Gives a runner an item; one that has died before is started again. */
+/* Gives a runner an item and restarts the runner if it has died. */
 static void hand_out(pool *p, worker *w) {
     if (stopped || (w->is_elsewhere && w->channel == NOTHING)) {
         return;
@@ -227,7 +227,7 @@ static void hand_out(pool *p, worker *w) {
     end_runner(w, 0);
 }
 
-/* A runner is gone, and so is a machine, perhaps. */
+/* Handles the loss of a runner or of its machine. */
 static void lose_runner(pool *p, worker *w) {
     const long index = w->item;
     const double seconds = cli_seconds_now() - w->start;
@@ -272,7 +272,7 @@ static void take_answer(pool *p, worker *w) {
     batch_item *item = &p->b->list.items[w->item];
     item->held -= 1;
     w->item = NOTHING;
-    if (item->line || (answer.failed && item->held > 0)) { /* the other one may do better */
+    if (item->line || (answer.failed && item->held > 0)) { /* another runner may still succeed */
         free(line);
     } else {
         keep_line(p, answer.index, line, &answer);
@@ -305,7 +305,7 @@ static burnish_status fail_runner(burnish_error *error) {
                     strerror(errno));
 }
 
-/* Lends items to idle runners and says how many have one. */
+/* Hands items to idle runners. Returns the number of busy runners. */
 static size_t lend(pool *p, struct pollfd *ready) {
     size_t active = 0;
     for (size_t i = 0; i < p->count; ++i) {
@@ -336,7 +336,7 @@ static burnish_status work(pool *p, struct pollfd *ready, burnish_error *error) 
     return BURNISH_STATUS_OK;
 }
 
-/* The lines so far, should this process be killed: of earlier runs, then each when it is there. */
+/* Starts a report that survives a crash: lines of earlier runs first, then each new line on arrival. */
 static burnish_status open_report(pool *p, burnish_error *error) {
     const batch *b = p->b;
     if (!b->report || strcmp(b->report, "-") == 0) {
@@ -370,7 +370,7 @@ static void catch_signals(void) {
     }
 }
 
-/* How many pictures are drawn here at a time. */
+/* The number of pictures drawn at a time on this machine. */
 static size_t count_jobs(const batch *b) {
     const size_t jobs = b->settings->jobs > 0      ? (size_t)b->settings->jobs
                         : b->settings->runners > 0 ? 1
@@ -408,7 +408,7 @@ burnish_status batch_run(batch *b, burnish_error *error) {
     if (p.is_terminal) {
         fprintf(stderr, "\r\033[K");
     }
-    for (size_t i = 0; i < p.count; ++i) { /* one at work has an item that another has done */
+    for (size_t i = 0; i < p.count; ++i) { /* a busy runner has an item that another has finished */
         end_runner(&p.workers[i], stopped || p.workers[i].item != NOTHING ? SIGTERM : 0);
     }
     if (p.report) {

@@ -1,4 +1,4 @@
-/* The report: JSON lines, which the next run reads to leave what is unchanged. */
+/* The report: JSON lines, from which the next run detects unchanged items. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static int compare_lines(const void *a, const void *b) {
 
 const struct batch_past_line *batch_past_line(const batch_past *past, uint64_t id) {
     size_t low = 0, high = past->count;
-    while (low < high) { /* the first beyond id: the last line of an id counts */
+    while (low < high) { /* the first line beyond id; the last line of an id counts */
         const size_t middle = low + (high - low) / 2;
         if (past->lines[middle].id <= id) {
             low = middle + 1;
@@ -34,7 +34,7 @@ const struct batch_past_line *batch_past_line(const batch_past *past, uint64_t i
     return low > 0 && past->lines[low - 1].id == id ? &past->lines[low - 1] : NULL;
 }
 
-/* A whole file with a 0 at its end; NULL where there is none. */
+/* Reads a whole file and appends a 0; NULL: it can't be read. */
 static char *read_text(const char *path) {
     FILE *file = fopen(path, "rb");
     char *text = NULL;
@@ -76,15 +76,15 @@ static int add_line(batch_past *past, uint64_t id, const char *line, int is_same
     return 1;
 }
 
-/* Whether a line is the first one of a report with the same flags, by the same version: what was
- * passed over in folders comes after those. */
+/* Whether a line begins a report with the same flags and version. The number of ignored files may
+ * follow them. */
 static int is_head(const char *line, const char *head) {
     const size_t size = strlen(head) - 1; /* without the brace */
     return strncmp(line, head, size) == 0 &&
            (strcmp(line + size, "}") == 0 || strncmp(line + size, ",\"passed_over\":", 15) == 0);
 }
 
-/* The lines of a text but the last one where a run was cut off in it. */
+/* Lists the lines of a text, except an incomplete last one. */
 static int list_lines(batch_past *past, char *text, const char *head) {
     int is_same = 0;
     for (char *line = text; line;) {
@@ -105,7 +105,7 @@ static int list_lines(batch_past *past, char *text, const char *head) {
     return 1;
 }
 
-/* Takes the path. A file that is not there is no error. */
+/* Takes ownership of the path. A missing file is not an error. */
 static burnish_status read_report(batch *b, char *path, const char *head, burnish_error *error) {
     batch_past *past = &b->past;
     char *text = read_text(path ? path : b->report);
@@ -114,8 +114,8 @@ static burnish_status read_report(batch *b, char *path, const char *head, burnis
         free(text);
         free(path);
         return is_own ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                 "--report: \"%.300s\" exists and is no report of burnish batch; "
-                                 "name another file",
+                                 "--report: \"%.300s\" exists but is not a report of burnish "
+                                 "batch; name another file",
                                  b->report)
                       : BURNISH_STATUS_OK;
     }
@@ -135,7 +135,7 @@ burnish_status batch_read_past(batch *b, burnish_error *error) {
 
 #else
 
-/* A report that is there; path NULL: the one that this run will write. */
+/* A report; path NULL: the one that this run will write. */
 typedef struct found {
     char *path;
     struct timespec changed;
@@ -161,8 +161,8 @@ static int is_part_or_whole(const struct dirent *entry) {
             name[end] == 0);
 }
 
-/* Of the folder where reports are unless --report names one: that of all and, unless this is a
- * part, those of parts, oldest first. NULL without memory. */
+/* Finds reports in the output folder, oldest first: the main report and, unless this run is a part,
+ * the reports of parts. --report disables the search. NULL: out of memory. */
 static found *find_reports(const batch *b, size_t *count) {
     struct dirent **entries = NULL;
     const char *folder = b->settings->output_dir, *own = batch_base_name(b->report);

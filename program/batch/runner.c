@@ -1,5 +1,5 @@
-/* A runner: one of as many processes as there are cores. It reads an input only to hash it; what
- * parses and draws is a worker, forked for one item. */
+/* A runner: one process per core. It reads inputs only to hash them; a worker, forked for one item,
+ * parses and draws. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,8 +36,8 @@
 
 enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64 };
 
-/* What a worker tells, in memory that it shares with its runner: numbers and texts that are looked
- * at before they are used. */
+/* A worker's results, in memory that it shares with its runner. The runner does not trust them and
+ * checks them before use. */
 typedef struct facts {
     uint64_t picture, triangles, vertices;
     float size[3];
@@ -47,12 +47,12 @@ typedef struct facts {
     char message[480];
 } facts;
 
-/* The files beside an input that were asked for. */
+/* The referenced files that a worker requested. */
 typedef struct files {
     char *names[FILES_MAX];
     size_t count;
     int are_too_many;
-    uint64_t hash; /* over names and bytes, in their order */
+    uint64_t hash; /* of names and bytes, in order */
 } files;
 
 typedef struct runner {
@@ -62,7 +62,7 @@ typedef struct runner {
 
 /* ---- Hashes ---- */
 
-/* The hash of an open file's bytes; 0, with errno, if it can't be read or is not a file. */
+/* Hashes an open file. Returns 0, with errno set, if it is not a regular file or can't be read. */
 static int hash_open_file(int file, uint64_t *hash, uint64_t seed) {
     static char buffer[1 << 18];
     struct stat state;
@@ -103,7 +103,7 @@ static void release_files(files *f) {
     *f = (files){0};
 }
 
-static void see_file(void *context, const char *name, int file) {
+static void record_file(void *context, const char *name, int file) {
     files *f = context;
     char *copy = f->count < FILES_MAX ? strdup(name) : NULL;
     if (!copy) {
@@ -123,12 +123,12 @@ static const char *text_of(const cJSON *object, const char *key) {
 }
 
 static int is_hash(const char *text, uint64_t hash) {
-    char wanted[17];
-    snprintf(wanted, sizeof wanted, "%016llx", (unsigned long long)hash);
-    return strcmp(text, wanted) == 0;
+    char expected[17];
+    snprintf(expected, sizeof expected, "%016llx", (unsigned long long)hash);
+    return strcmp(text, expected) == 0;
 }
 
-/* Whether the files that the line lists still have its hash. */
+/* Whether the files listed in the line still have the recorded hash. */
 static int has_same_files(const cJSON *line, const char *input) {
     const cJSON *names = cJSON_GetObjectItemCaseSensitive(line, "files"), *name;
     const size_t folder = (size_t)(batch_base_name(input) - input);
@@ -145,7 +145,7 @@ static int has_same_files(const cJSON *line, const char *input) {
     return !names || is_hash(text_of(line, "files_hash"), hash);
 }
 
-/* Whether the line of an earlier run is still true. */
+/* Whether the line of an earlier run still applies. */
 static int is_unchanged(const batch_order *order, uint64_t hash) {
     struct stat state;
     if (!order->past || stat(order->item.output, &state) != 0 || state.st_size == 0) {
@@ -162,7 +162,7 @@ static int is_unchanged(const batch_order *order, uint64_t hash) {
 
 /* ---- The worker ---- */
 
-static void tell(void *context, const render_result *result) {
+static void record_result(void *context, const render_result *result) {
     facts *f = context;
     const burnish_mesh_info *info = burnish_mesh_get_info(result->mesh);
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
@@ -185,7 +185,7 @@ static void tell(void *context, const render_result *result) {
     f->is_drawn = 1;
 }
 
-/* Ends the process with the exit code of `burnish render`. */
+/* Draws, then ends the process with the exit code of `burnish render`. */
 __attribute__((noreturn)) static void draw(const runner *r, render_settings *settings) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
     int code = 0;
@@ -200,7 +200,7 @@ __attribute__((noreturn)) static void draw(const runner *r, render_settings *set
     _exit(code);
 }
 
-/* Without a sandbox: the worker opens files itself. */
+/* Runs the worker without a sandbox: it opens files itself. */
 static burnish_status run_plainly(const runner *r, render_settings *settings, int *code,
                                   burnish_error *ended, burnish_error *error) {
     const pid_t self = getpid(), worker = fork();
@@ -226,7 +226,7 @@ static burnish_status run_plainly(const runner *r, render_settings *settings, in
     return BURNISH_STATUS_OK;
 }
 
-/* Forks the worker and waits for it. *code: its exit code; *line: what there is to say of it. */
+/* Forks the worker and waits for it. *code receives its exit code, *line the reason for a failure. */
 static burnish_status run_worker(const runner *r, render_settings *settings, files *seen, int *code,
                                  int *is_late, burnish_error *line) {
     burnish_error error = {BURNISH_STATUS_OK, ""}, ended = {BURNISH_STATUS_OK, ""};
@@ -236,7 +236,7 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
                                .output_count = 1,
                                .max_input_bytes = settings->input.load.max_input_bytes,
                                .max_memory = settings->job.max_memory,
-                               .see_file = see_file,
+                               .record_file = record_file,
                                .context = seen,
                                .ended = &ended};
     memset(r->shared, 0, sizeof *r->shared);
@@ -326,7 +326,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
         cli_json_add(object, "files", cli_json_texts(seen->count, seen->names), &failed);
         add_hash(object, "files_hash", seen->hash, &failed);
     }
-    if (seen->are_too_many) { /* nobody can tell whether they are unchanged */
+    if (seen->are_too_many) { /* too many to check whether they are unchanged */
         cli_json_add(object, "uncertain", cJSON_CreateTrue(), &failed);
     }
     batch_add_seconds(b, object, seconds, &failed);
@@ -342,7 +342,7 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
     settings->input.name = item->input;
     settings->output.path = item->output;
     settings->output.overwrite |= order->is_ours;
-    settings->output.is_derived = 1; /* what has the name may be a texture */
+    settings->output.is_derived = 1; /* the existing file may be a texture */
     if (item->view >= 0) {
         settings->picture.views.items[0] = settings->picture.views.items[item->view];
         settings->picture.views.count = 1;
@@ -351,7 +351,7 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
     settings->job.threads = 1;
 }
 
-/* The line, to be freed; *answer gets what stands before it. */
+/* Returns the line, to be freed, and fills *answer, which is sent before it. */
 static char *run_item(const runner *r, const batch_order *order, batch_answer *answer) {
     const batch_item *item = &order->item;
     const double start = cli_seconds_now();
@@ -371,7 +371,7 @@ static char *run_item(const runner *r, const batch_order *order, batch_answer *a
         return strdup(order->past);
     }
     set_item(r->b, order, &settings);
-    settings.job.on_result = tell;
+    settings.job.on_result = record_result;
     settings.job.user_data = r->shared;
     r->shared->is_drawn = 0;
     if (status == BURNISH_STATUS_OK && !batch_make_folders(item->output)) {
@@ -385,20 +385,20 @@ static char *run_item(const runner *r, const batch_order *order, batch_answer *a
     if (status == BURNISH_STATUS_OK) {
         status = run_worker(r, &settings, &seen, &code, &is_late, &error);
     }
-    facts told = *r->shared;
-    told.message[sizeof told.message - 1] = 0;
+    facts result = *r->shared;
+    result.message[sizeof result.message - 1] = 0;
     if (status == BURNISH_STATUS_OK && code != 0) {
         cli_fail(&error, BURNISH_STATUS_FORMAT, "%s",
                  code == CLI_EXIT_BLANK ? "the picture is blank (--fail-on-blank)"
-                 : told.message[0]      ? told.message
+                 : result.message[0]    ? result.message
                                         : "the program that draws ended");
     }
-    if (status != BURNISH_STATUS_OK || code != 0 || !told.is_drawn) {
+    if (status != BURNISH_STATUS_OK || code != 0 || !result.is_drawn) {
         answer->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
     const double seconds = cli_seconds_now() - start;
     char *text = answer->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
-                                : done_line(r->b, item, hash, &told, &seen, seconds);
+                                : done_line(r->b, item, hash, &result, &seen, seconds);
     release_files(&seen);
     return text;
 }

@@ -1,5 +1,5 @@
-/* The contact sheet. Pictures were written by workers that nobody trusts, so a locked process
- * decodes them, lays them out and encodes the sheet; this one reads and writes files. */
+/* The contact sheet. The pictures come from untrusted workers, so a sandboxed process decodes them,
+ * lays them out and encodes the sheet. This process only reads and writes files. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,16 +26,16 @@ enum { CELL_MAX = 256, CELL_MIN = 16, LABEL_MIN = 96, FILE_MAX_BYTES = 1 << 28 }
 typedef struct sheet {
     const batch *b;
     int channel;
-    size_t count;      /* of pictures */
+    size_t count;      /* number of pictures */
     int width, height; /* of a cell */
     int columns;
     picture_format format;
 } sheet;
 
-/* ---- The locked process ---- */
+/* ---- The sandboxed process ---- */
 
-/* The mean of the pixels that fall on each, weighted by what they cover; squares are near enough to
- * linear light. Transparent ones lie on white. */
+/* Box filter over the source pixels of each target pixel. Squared values approximate linear light;
+ * transparent pixels are blended with white. */
 static void shrink(const burnish_image *from, burnish_image *to) {
     const int n = from->channels;
     for (int y = 0; y < to->height; ++y) {
@@ -66,7 +66,7 @@ static void shrink(const burnish_image *from, burnish_image *to) {
     }
 }
 
-/* The next picture as a cell; white where it can't be read. */
+/* Receives the next picture as a cell; unreadable pictures become white. */
 static burnish_status take_cell(const sheet *s, burnish_image *cell, char *label, size_t label_size,
                                 burnish_error *error) {
     uint64_t size = 0;
@@ -95,7 +95,7 @@ static burnish_status take_cell(const sheet *s, burnish_image *cell, char *label
 
 enum { LABEL_BYTES = 64 };
 
-/* The name's end, where it is too long, without half a character of UTF-8. */
+/* Shortens a label that is too long. */
 static void shorten(char *label, int width) {
     const size_t most = (size_t)width / 9 > 4 ? (size_t)width / 9 : 4, length = strlen(label);
     if (length > most) {
@@ -136,7 +136,7 @@ static burnish_status make_sheet(const sheet *s, picture_file *file, burnish_err
     return status;
 }
 
-/* Reads all pictures, answers with a status and the sheet's bytes or an error's line. */
+/* Receives all pictures; sends a status, then the sheet's bytes or an error message. */
 __attribute__((noreturn)) static void be_decoder(sheet *s) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
     picture_file file = {0};
@@ -149,8 +149,8 @@ __attribute__((noreturn)) static void be_decoder(sheet *s) {
     }
     if (code != 0) {
         status = cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                          "--sheet: this system has no sandbox (%s: %s); use --no-sandbox", wall,
-                          strerror(code));
+                          "--sheet: this system can't create a sandbox (%s: %s); use --no-sandbox",
+                          wall, strerror(code));
     }
     s->channel = 3;
     if (status == BURNISH_STATUS_OK) {
@@ -224,7 +224,7 @@ static burnish_status take_sheet(const sheet *s, const char *path, burnish_error
     return status;
 }
 
-/* The largest cells with which the sheet is not larger than a picture may be. */
+/* Chooses the largest cells with which the sheet is within the image size limit. */
 static burnish_status lay_out(sheet *s, burnish_error *error) {
     const int *size = s->b->settings->render.picture.size;
     const int longest = size[0] > size[1] ? size[0] : size[1];

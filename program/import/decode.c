@@ -1,4 +1,4 @@
-/* Draco's streams in glTF: what the loader hands over goes through an importer. */
+/* Decodes Draco streams in glTF through an importer. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ int import_unnamed_file(void) {
 #ifdef __linux__
     return memfd_create("streams", MFD_CLOEXEC);
 #else
-    FILE *file = tmpfile(); /* its descriptor stays, as the process does */
+    FILE *file = tmpfile(); /* its descriptor stays open until the process ends */
     return file ? dup(fileno(file)) : -1;
 #endif
 }
@@ -56,7 +56,7 @@ void import_set_decode(import_decode_function *function) {
     decode_function = function;
 }
 
-/* What an importer that could do nothing wrote: the stream of an error. */
+/* Reads the error message from the stream of an importer that failed. */
 static burnish_status take_error(const char *name, const import_stream *stream,
                                  burnish_error *error) {
     const burnish_load_options options = burnish_load_options_default();

@@ -1,15 +1,15 @@
-/* Files that an input names: in its folder or below. Messages are those of the library, which opens
- * such files itself if there is no importer and no sandbox. */
+/* Files that an input references, in its folder or below. Messages match the library's, which opens
+ * such files itself without an importer or a sandbox. */
 #ifndef TOOL_IMPORT_FOLDER_H
 #define TOOL_IMPORT_FOLDER_H
 
 #include "burnish/mesh.h"
 #include "import/import.h"
 
-/* A descriptor of the input's folder; -1: it has none, or can't be opened. */
+/* A descriptor of the input's folder; -1: no folder, or it can't be opened. */
 int folder_open(const char *input);
 
-/* Opens the regular file `name`; neither ".." nor a link leads out of the folder.
+/* Opens the regular file `name`; ".." and links can't lead out of the folder.
  *   folder  -1: no file is found
  *   file    receives a descriptor, to be closed
  *   size    receives its size; the file may change
@@ -17,16 +17,16 @@ int folder_open(const char *input);
 burnish_status folder_open_file(int folder, const char *name, uint64_t max_bytes, int *file,
                                 uint64_t *size, burnish_error *error);
 
-/* Hands the bytes of an open file to `take`, piece by piece, from its start. Errors: READ, LIMIT
+/* Passes the bytes of an open file to `take`, in pieces, from the start. Errors: READ, LIMIT
  * (the file has grown beyond max_bytes), MEMORY (take returned 0). */
 burnish_status folder_read(int file, const char *name, uint64_t max_bytes, import_taker *take,
                            void *context, burnish_error *error);
 
-/* The errors of a file that can't be opened, by its errno, and of one there is no memory for. */
+/* Errors for a file that can't be opened, by errno, and for a file that does not fit in memory. */
 burnish_status folder_fail(const char *name, int code, burnish_error *error);
 burnish_status folder_fail_memory(const char *name, uint64_t bytes, burnish_error *error);
 
-/* Both steps as a loader for load options; *folder has to stay. */
+/* Both steps as a loader for load options; *folder must outlive it. */
 burnish_file_loader folder_loader(int *folder);
 
 #endif

@@ -1,4 +1,4 @@
-/* Which importers there are, and what is done with their streams. */
+/* The list of importers, and how their streams become meshes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +39,7 @@ void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]) {
     ending[size] = 0;
 }
 
-/* The one whose endings have that word: " .fbx ". */
+/* The importer whose extensions contain that word: " .fbx ". */
 static const import_program *find_word(const char *word) {
     for (size_t i = 0; i < sizeof importers / sizeof *importers; ++i) {
         if (strstr(importers[i].endings, word)) {
@@ -97,9 +97,9 @@ const import_program *import_choose(const char *input, int format,
 
 #endif
 
-const char *import_format_word(const char *name, int asked, burnish_format format,
+const char *import_format_word(const char *name, int requested, burnish_format format,
                                char ending[IMPORT_ENDING_SIZE]) {
-    return format == BURNISH_FORMAT_BMS && import_choose(name, asked, ending)
+    return format == BURNISH_FORMAT_BMS && import_choose(name, requested, ending)
                ? ending
                : burnish_format_get_info(format)->name;
 }
@@ -157,7 +157,7 @@ burnish_status import_build(const import_program *importer, const char *name,
     }
     snprintf(whole, sizeof whole, "%.200s: %s", shown(name), importer->name);
     handed.format = BURNISH_FORMAT_BMS;
-    handed.max_input_bytes = UINT64_MAX; /* of the file that was imported */
+    handed.max_input_bytes = UINT64_MAX; /* max_input_bytes limits the imported file only */
     handed.referenced_files = companions;
     return burnish_mesh_load_memory(stream->bytes, stream->size, whole, &handed, mesh, error);
 }

@@ -1,4 +1,4 @@
-/* Endings that other programs use for other things: whether a file of a folder is a mesh. */
+/* Recognises meshes by signature if their extension has other uses. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 
 enum { LOOKED_AT = 512 };
 
-/* How files of an ending begin; of several rows one has to fit. */
+/* Signatures by extension; one of several rows has to match. */
 static const struct {
     const char *ending, *first;
     size_t size; /* of `first`, where it holds a 0; else 0 */
@@ -46,7 +46,7 @@ static const struct {
     {"x", "xof ", 0}, /* lex, RPC */
 };
 
-/* What may stand before text, and before everything: a mark of UTF-8, blanks. */
+/* Skips a UTF-8 byte order mark and blanks. */
 static size_t skip_blanks(const unsigned char *bytes, size_t size) {
     size_t at = size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
     while (at < size && (bytes[at] == ' ' || (bytes[at] >= '\t' && bytes[at] <= '\r'))) {
@@ -64,7 +64,7 @@ static int is_lfs_pointer(const unsigned char *bytes, size_t size) {
     return begins(bytes, size, "version https://git-lfs.github.com/spec/", 0);
 }
 
-/* Bytes that say nothing here: packed by gzip, UTF-16, a file that Git LFS has not fetched. */
+/* Content that can't be judged here: gzip, UTF-16, a Git LFS pointer. */
 static int is_wrapped(const unsigned char *bytes, size_t size) {
     return begins(bytes, size, "\x1F\x8B", 0) || begins(bytes, size, "\xFF\xFE", 0) ||
            begins(bytes, size, "\xFE\xFF", 0) || is_lfs_pointer(bytes, size);
@@ -81,7 +81,7 @@ const char *import_describe_other(const unsigned char *bytes, size_t size) {
                      : NULL;
 }
 
-/* Most .dxf are flat drawings of lines: whether one names what has faces, on a line of its own. */
+/* Most .dxf files are line drawings. Looks for an entity with faces, on a line of its own. */
 static int has_faces(const char *path) {
     char line[64];
     int is_start = 1, found = 0;
@@ -116,7 +116,7 @@ int import_may_hold_mesh(const char *path) {
         if (!is_known) {
             FILE *file = fopen(path, "rb");
             if (!file) {
-                return 1; /* it is told when it is to be drawn */
+                return 1; /* drawing it reports the error */
             }
             size = fread(bytes, 1, sizeof bytes, file);
             fclose(file);

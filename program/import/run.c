@@ -29,8 +29,8 @@
 enum {
     SECONDS = 300, /* that an importer may take at least */
     PIECE = 1 << 16,
-    HEAD = 512,            /* bytes that are looked at before an importer is started */
-    MOST_FIXED = 64 << 20, /* bytes of a stream: these, and so many for each of the input's */
+    HEAD = 512,            /* bytes to inspect before an importer is started */
+    MOST_FIXED = 64 << 20, /* limit of a stream: MOST_FIXED plus MOST_FACTOR per input byte */
     MOST_FACTOR = 256,
     MEMORY_FACTOR = 64
 };
@@ -61,7 +61,7 @@ static int is_there(run *r, const char *folder, const char *below) {
     return size > 0 && (size_t)size < sizeof r->path && access(r->path, X_OK) == 0;
 }
 
-/* In BURNISH_IMPORTERS alone where that is set; else where it is installed, or beside the program,
+/* Searches only BURNISH_IMPORTERS if that is set; else the installed folder and the program's own,
  * as in a build. */
 static burnish_status find_program(run *r) {
     const char *given = getenv("BURNISH_IMPORTERS");
@@ -81,7 +81,7 @@ static burnish_status find_program(run *r) {
         }
     }
     snprintf(message, sizeof message,
-             "reads such files and is not there; build it (%s), name its folder in "
+             "reads such files and is not installed; build it (%s), name its folder in "
              "BURNISH_IMPORTERS, or %s",
              r->importer->from, r->importer->otherwise);
     return fail(r, BURNISH_STATUS_FORMAT, message);
@@ -98,8 +98,8 @@ int import_is_installed(const import_program *importer) {
 static void limit(int what, uint64_t most) {
     struct rlimit limits;
     if (getrlimit(what, &limits) == 0) {
-        const rlim_t wanted = most < (uint64_t)RLIM_INFINITY ? (rlim_t)most : RLIM_INFINITY;
-        limits.rlim_max = wanted < limits.rlim_max ? wanted : limits.rlim_max;
+        const rlim_t highest = most < (uint64_t)RLIM_INFINITY ? (rlim_t)most : RLIM_INFINITY;
+        limits.rlim_max = highest < limits.rlim_max ? highest : limits.rlim_max;
         limits.rlim_cur = limits.rlim_max < limits.rlim_cur ? limits.rlim_max : limits.rlim_cur;
         setrlimit(what, &limits);
     }
@@ -170,9 +170,9 @@ static burnish_status start(run *r, int input, uint64_t memory) {
     return BURNISH_STATUS_OK;
 }
 
-/* ---- What it says ---- */
+/* ---- Its output ---- */
 
-/* Also when the time of the process that waits for the mesh is over, as in a batch. */
+/* Also true after the deadline of the process that waits for the mesh, as in a batch. */
 static int is_late(const run *r) {
     return cli_child_was_late() || cli_seconds_now() > r->end;
 }
@@ -220,7 +220,7 @@ static burnish_status read_stream(const run *r, import_taker *take, void *contex
     return status;
 }
 
-/* How it ended. One that has closed its pipe gets the rest of its time to end too. */
+/* Waits for the end of the importer within its time limit and checks its status. */
 static burnish_status end(const run *r, burnish_status status) {
     const struct timespec nap = {0, 500000};
     char what[160];
@@ -234,7 +234,7 @@ static burnish_status end(const run *r, burnish_status status) {
     }
     if (ended == 0) {
         kill(-r->process, SIGKILL);
-        kill(r->process, SIGKILL); /* one that has no group yet */
+        kill(r->process, SIGKILL); /* in case it has no process group yet */
         while (waitpid(r->process, &state, 0) < 0 && errno == EINTR) {
         }
     }
@@ -254,13 +254,13 @@ static burnish_status end(const run *r, burnish_status status) {
         return fail(r, BURNISH_STATUS_MEMORY, "was ended by the system: out of memory");
     }
     snprintf(what, sizeof what,
-             number == SIGSYS ? "asked the system for what importing does not need, and was ended"
+             number == SIGSYS ? "made a system call that importing does not need, and was ended"
                               : "crashed by signal %d (%s); repair the file, or convert it",
              number, strsignal(number));
     return fail(r, BURNISH_STATUS_FORMAT, what);
 }
 
-/* Refuses a file that its first bytes show to be none that an importer reads. */
+/* Rejects a file whose first bytes show that it is not a mesh. */
 static burnish_status check_head(const run *r, int input) {
     unsigned char head[HEAD];
     const ssize_t size = pread(input, head, sizeof head, 0);
@@ -331,15 +331,15 @@ burnish_status import_run_over(const import_program *importer, const char *endin
 burnish_status import_load(const char *path, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error) {
     char ending[IMPORT_ENDING_SIZE];
-    const int asked = (int)options->format;
-    const import_program *importer = import_choose(path, asked, ending);
+    const int format = (int)options->format;
+    const import_program *importer = import_choose(path, format, ending);
     burnish_load_options handed = *options;
     import_stream stream = {0};
     burnish_error native;
     *mesh = NULL;
     handed.decoder = import_decoder(path);
     if (!importer) {
-        handed.format = cli_foreign_ending(asked) ? BURNISH_FORMAT_AUTO : options->format;
+        handed.format = cli_foreign_ending(format) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(path, &handed, mesh, error); /* a built-in object */
     }
     burnish_status status = import_run_over(importer, ending, path, -1, options->max_input_bytes,
@@ -353,7 +353,7 @@ burnish_status import_load(const char *path, const burnish_load_options *options
         }
     }
     free(stream.bytes);
-    return import_may_be_other(status, asked) &&
+    return import_may_be_other(status, format) &&
                    burnish_mesh_load(path, &handed, mesh, &native) == BURNISH_STATUS_OK
                ? BURNISH_STATUS_OK
                : status;

@@ -1,14 +1,12 @@
-/* burnish-mpi: a command of burnish on many machines, started by mpirun.
+/* burnish-mpi: runs a burnish command on many machines, started by mpirun.
  *
- * Every rank is two processes. One is burnish, which draws and knows nothing of MPI: on rank 0 the
- * command with --runners=N, on each other rank the same command with --runner. The other is this
- * one, which opens no file: it carries bytes between the sockets of rank 0's burnish and the one
- * socket of each other rank's. What crashes or runs out of memory is not a process of MPI, and
- * nothing is forked once MPI has begun.
+ * Every rank has two processes. One is burnish, which draws and does not use MPI: on rank 0 with
+ * --runners=N, on other ranks with --runner. The other is this program, which opens no files: it
+ * relays bytes between the sockets of rank 0's burnish and the socket of each other rank. So a
+ * crash or lack of memory does not hit an MPI process, and nothing is forked after MPI_Init.
  *
- * Ranks are heard of all the time. A rank that has been silent for too long is lost: its socket is
- * closed, and burnish hands to others what it held. Nothing waits for a rank, so that one that is
- * dead can't hold up the others. */
+ * Ranks send heartbeats. A rank that is silent for too long is lost: its socket is closed, and
+ * burnish hands its items to others. Nothing blocks on a rank, so a dead one can't delay the rest. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,11 +18,11 @@
 
 enum {
     SILENCE_DEFAULT = 60, /* seconds */
-    START_SILENCES = 10,  /* until all ranks have to be there */
-    FAREWELL_SECONDS = 10 /* for what has to do with the end */
+    START_SILENCES = 10,  /* times the silence: limit for the start of all ranks */
+    FAREWELL_SECONDS = 10 /* limit for the shutdown */
 };
 
-/* What the command line and mpirun say. */
+/* Settings from the command line and mpirun. */
 typedef struct run {
     relay relay;
     const char *status_file; /* NULL: none */
@@ -34,22 +32,21 @@ typedef struct run {
 /* ---- The beginning ---- */
 
 static const char usage[] =
-    "burnish-mpi: a command of burnish on many machines\n\n"
+    "burnish-mpi: run a burnish command on many machines\n\n"
     "Usage: mpirun --enable-recovery [-n RANKS ...] burnish-mpi [options] COMMAND ARGUMENTS...\n\n"
-    "  COMMAND ARGUMENTS...  as of burnish: batch, or render of a PNG or a --turntable\n"
-    "  --silence=SECONDS     after which a rank is lost (60)\n"
-    "  --status=FILE         gets burnish's exit code; mpirun's is 0 with --enable-recovery\n"
+    "  COMMAND ARGUMENTS...  as for burnish: batch, or render to a PNG or a --turntable\n"
+    "  --silence=SECONDS     time without a heartbeat after which a rank is lost (60)\n"
+    "  --status=FILE         write burnish's exit code; mpirun's is 0 with --enable-recovery\n"
     "  --help, --version\n\n"
-    "Rank 0 draws too; files are on a file system that all ranks share (docs/scale.md).\n";
+    "Rank 0 also draws. All ranks must share a file system (docs/scale.md).\n";
 
 static int number_in(const char *name, int missing) {
     const char *text = getenv(name);
     return text && *text ? atoi(text) : missing;
 }
 
-/* Rank and size before MPI knows them: of mpirun, or of Slurm's srun where that speaks PMIx. Alone
- * without either. Returns 0 for tasks of srun that could not find each other, and would all draw
- * the same. */
+/* Reads rank and size before MPI_Init: from mpirun, or from Slurm's srun if it supports PMIx; else
+ * the only rank. Returns 0 for tasks of an srun without PMIx, which would all draw the same. */
 static int find_rank(relay *r) {
     r->rank = number_in("OMPI_COMM_WORLD_RANK", 0);
     r->size = number_in("OMPI_COMM_WORLD_SIZE", 0);
@@ -64,7 +61,7 @@ static int find_rank(relay *r) {
         r->rank = 0;
     } else if (!rank || atoi(rank) != r->rank) {
         fputs(r->rank == 0
-                  ? "burnish-mpi: srun starts it without PMIx: use srun --mpi=pmix, or mpirun\n"
+                  ? "burnish-mpi: started by srun without PMIx: use srun --mpi=pmix, or mpirun\n"
                   : "",
               stderr);
         return 0;
@@ -72,7 +69,7 @@ static int find_rank(relay *r) {
     return 1;
 }
 
-/* Returns the index of the command; 0: there is nothing to do. */
+/* Returns the index of the command; 0: nothing to do. */
 static int read_options(int argc, char **argv, run *r, int *code) {
     int at = 1;
     *code = 0;
@@ -112,8 +109,8 @@ static int read_options(int argc, char **argv, run *r, int *code) {
     return at;
 }
 
-static void tell_missing(int number) {
-    static const char text[] = "burnish-mpi: MPI_Init: not all ranks have come\n";
+static void report_missing(int number) {
+    static const char text[] = "burnish-mpi: MPI_Init: not all ranks have started\n";
     (void)number;
     (void)!write(STDERR_FILENO, text, sizeof text - 1);
     _exit(1);
@@ -121,7 +118,7 @@ static void tell_missing(int number) {
 
 static void begin_mpi(relay *r, int argc, char **argv) {
     int rank, size;
-    signal(SIGALRM, tell_missing);
+    signal(SIGALRM, report_missing);
     alarm((unsigned)(START_SILENCES * r->silence) + 1);
     MPI_Init(&argc, &argv);
     alarm(0);
@@ -130,15 +127,15 @@ static void begin_mpi(relay *r, int argc, char **argv) {
     MPI_Comm_size(MPI_COMM_WORLD, &size);
     if (rank != r->rank || size != r->size) {
         fprintf(stderr,
-                "burnish-mpi: MPI says rank %d of %d, the environment %d of %d: start it "
-                "by Open MPI's mpirun, or srun --mpi=pmix\n",
+                "burnish-mpi: MPI reports rank %d of %d, the environment %d of %d: start it with "
+                "Open MPI's mpirun or srun --mpi=pmix\n",
                 rank, size, r->rank, r->size);
         MPI_Abort(MPI_COMM_WORLD, 2);
     }
     relay_begin(r);
 }
 
-/* Links, and the child at their ends. */
+/* Creates the links and starts the child. */
 static int begin(run *r, int argc, char **argv) {
     relay *to = &r->relay;
     if (!relay_create(to)) {
@@ -166,17 +163,17 @@ static void leave(int number) {
 static void write_status(const run *r, int code) {
     FILE *file = r->status_file ? fopen(r->status_file, "w") : NULL;
     if (r->status_file && (!file || fprintf(file, "%d\n", code) < 0 || fclose(file) != 0)) {
-        tell_failure(r->status_file);
+        report_failure(r->status_file);
     }
 }
 
-/* MPI_Finalize waits for all ranks, and one that is lost would never come. */
+/* MPI_Finalize waits for all ranks and would block on a lost one. */
 static int finish(run *r) {
     relay *to = &r->relay;
     int code = to->rank == 0 ? child_exit_code(&to->child) : 0;
     if (to->rank == 0) {
         write_status(r, code);
-        code = r->survives ? 0 : code; /* which mpirun would call an error of its own, and drop */
+        code = r->survives ? 0 : code; /* since mpirun would report another error as its own */
     }
     const int is_whole = relay_end(to);
     if (to->rank > 0) {
@@ -211,10 +208,9 @@ int main(int argc, char **argv) {
     if (r.relay.rank == 0) {
         child_take_signals(&r.relay.child);
         if (r.relay.size > 1 && !r.survives) {
-            fputs(
-                "burnish-mpi: without mpirun --enable-recovery a rank that dies ends all; the same "
-                "command then goes on\n",
-                stderr);
+            fputs("burnish-mpi: without mpirun --enable-recovery, a rank that dies ends all ranks; "
+                  "run the same command again to continue\n",
+                  stderr);
         }
     }
     begin_mpi(&r.relay, argc, argv);

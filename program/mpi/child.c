@@ -22,12 +22,12 @@ double seconds_now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-int tell_failure(const char *what) {
+int report_failure(const char *what) {
     fprintf(stderr, "burnish-mpi: %s: %s\n", what, strerror(errno));
     return 0;
 }
 
-static volatile sig_atomic_t child_to_stop; /* gets the signals that end rank 0 */
+static volatile sig_atomic_t child_to_stop; /* receives the signals that end rank 0 */
 
 static void pass_on(int number) {
     if (child_to_stop > 0) {
@@ -35,7 +35,7 @@ static void pass_on(int number) {
     }
 }
 
-/* The program beside this one, or where BURNISH or PATH say. */
+/* Finds burnish: by BURNISH, in this program's folder, or in PATH. */
 static void find_program(char *path, size_t size) {
     const char *named = getenv("BURNISH");
     const ssize_t length = readlink("/proc/self/exe", path, size - 16);
@@ -53,7 +53,7 @@ static void find_program(char *path, size_t size) {
     }
 }
 
-/* Descriptors up from CHANNEL become the sockets; they are moved out of the way first. */
+/* Moves the sockets to descriptors from CHANNEL on, after moving them out of the way. */
 static void place_sockets(int *sockets, int count) {
     for (int i = 0; i < count; ++i) {
         const int high = fcntl(sockets[i], F_DUPFD, CHANNEL + count);
@@ -69,7 +69,7 @@ static void place_sockets(int *sockets, int count) {
     }
 }
 
-/* In the new process. A runner waits for work first, so that a command line that is wrong is told
+/* Runs in the forked process. Runners first wait for work, so a wrong command line is reported only
  * once. */
 static void become_burnish(const child_command *command, int *sockets, pid_t parent) {
     const int rank = command->rank, count = command->count, argc = command->argc;
@@ -98,7 +98,7 @@ static void become_burnish(const child_command *command, int *sockets, pid_t par
     }
     memcpy(all + at, argv + 1, sizeof *all * (size_t)(argc - 1));
     execvp(path, all);
-    fprintf(stderr, "burnish-mpi: %s: %s; set BURNISH to where it is\n", path, strerror(errno));
+    fprintf(stderr, "burnish-mpi: %s: %s; set BURNISH to its path\n", path, strerror(errno));
     _exit(126);
 }
 
@@ -113,7 +113,7 @@ int child_start(child *c, const child_command *command, int *sockets) {
     for (int i = 0; theirs && i < count; ++i) {
         int ends[2];
         if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
-            return tell_failure("no socket for each rank");
+            return report_failure("no socket for each rank");
         }
         fcntl(ends[0], F_SETFD, FD_CLOEXEC);
         fcntl(ends[0], F_SETFL, O_NONBLOCK);
@@ -129,7 +129,7 @@ int child_start(child *c, const child_command *command, int *sockets) {
         close(theirs[i]);
     }
     free(theirs);
-    return c->id > 0 ? 1 : tell_failure("no process for burnish");
+    return c->id > 0 ? 1 : report_failure("no process for burnish");
 }
 
 void child_take_signals(const child *c) {

@@ -1,42 +1,41 @@
-/* The other process of a rank: burnish, which draws. */
+/* A rank's burnish process, which draws. */
 #ifndef MPI_CHILD_H
 #define MPI_CHILD_H
 
 #include <sys/types.h>
 
 typedef struct child {
-    pid_t id;  /* 0: it is gone */
-    int state; /* wait status; valid when it is gone */
+    pid_t id;  /* 0: it has ended */
+    int state; /* wait status; valid after it has ended */
 } child;
 
-/* What it is to do: the command and its arguments, on rank 0 with a socket to each other rank, on
- * those with one to rank 0. */
+/* The command to run: rank 0 has a socket to each other rank, other ranks have one to rank 0. */
 typedef struct child_command {
     int rank, count; /* sockets */
     int argc;
     char **argv;
 } child_command;
 
-/* Starts it, before MPI begins; sockets gets the other ends of its sockets. Returns 0, and tells
- * why, where that fails. */
+/* Starts the child, before MPI_Init; `sockets` receives the other ends of its sockets. Returns 0 on
+ * failure, after printing the reason. */
 int child_start(child *c, const child_command *command, int *sockets);
 
-/* Signals that would end this process go to the child from now on. */
+/* Forwards signals that would end this process to the child. */
 void child_take_signals(const child *c);
 
 int child_is_gone(child *c);
 
-/* Ends it, by force after a second. */
+/* Ends the child; kills it after a second. */
 void child_end(child *c);
 
-/* As a shell has it; of one that is gone. */
+/* The exit code as in a shell, after the child has ended. */
 int child_exit_code(const child *c);
 
-/* ---- What all parts use ---- */
+/* ---- Shared helpers ---- */
 
 double seconds_now(void);
 
-/* Prints what failed and why, by errno. Returns 0. */
-int tell_failure(const char *what);
+/* Prints what failed, and errno's message. Returns 0. */
+int report_failure(const char *what);
 
 #endif

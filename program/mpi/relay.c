@@ -8,12 +8,12 @@
 #include <unistd.h>
 
 enum {
-    BUFFER_BYTES = 1 << 18, /* of each direction of a link */
-    BEATS = 8,              /* in the time of silence */
-    FAREWELL_SECONDS = 10   /* for what has to do with the end */
+    BUFFER_BYTES = 1 << 18, /* per direction of a link */
+    BEATS = 8,              /* heartbeats per time of silence */
+    FAREWELL_SECONDS = 10   /* limit for the shutdown */
 };
 
-/* Tags: bytes; the link's end; nothing but a sign of life. */
+/* Tags: bytes; the link's end; a heartbeat. */
 enum { TAG_BYTES = 1, TAG_END, TAG_BEAT };
 
 int relay_create(relay *r) {
@@ -33,7 +33,7 @@ int relay_create(relay *r) {
         is_made = r->links[i].in && r->links[i].out;
         r->requests[2 * i] = r->requests[2 * i + 1] = MPI_REQUEST_NULL;
     }
-    return is_made ? 1 : tell_failure("out of memory");
+    return is_made ? 1 : report_failure("out of memory");
 }
 
 static MPI_Request *receive_of(relay *r, const link_state *l) {
@@ -51,10 +51,10 @@ static void close_socket(link_state *l) {
     l->socket = -1;
 }
 
-/* Its requests are left as they are: nothing that waits for them can be trusted to return. */
+/* Does not touch the link's requests: a call that waits for them might never return. */
 static void lose(relay *r, link_state *l, const char *why) {
     if (r->rank == 0 && !l->has_ended) {
-        fprintf(stderr, "burnish-mpi: rank %d %s; what it held goes to others\n", l->peer, why);
+        fprintf(stderr, "burnish-mpi: rank %d %s; its items go to other ranks\n", l->peer, why);
     }
     *receive_of(r, l) = MPI_REQUEST_NULL;
     *send_of(r, l) = MPI_REQUEST_NULL;
@@ -66,7 +66,7 @@ static void lose(relay *r, link_state *l, const char *why) {
 static void expect(relay *r, link_state *l) {
     if (MPI_Irecv(l->in, BUFFER_BYTES, MPI_BYTE, l->peer, MPI_ANY_TAG, MPI_COMM_WORLD,
                   receive_of(r, l)) != MPI_SUCCESS) {
-        lose(r, l, "can't be heard");
+        lose(r, l, "failed to deliver a message");
     }
 }
 
@@ -85,7 +85,7 @@ static void end_link(relay *r, link_state *l) {
     }
 }
 
-/* What was received goes to the child as far as it takes it; then the next may come. */
+/* Passes received bytes to the child as far as it accepts them; then posts the next receive. */
 static int write_socket(relay *r, link_state *l) {
     if (l->in_taken == l->in_size || l->is_lost) {
         return 0;
@@ -93,7 +93,7 @@ static int write_socket(relay *r, link_state *l) {
     ssize_t count = l->socket >= 0 ? write(l->socket, l->in + l->in_taken, l->in_size - l->in_taken)
                                    : (ssize_t)(l->in_size - l->in_taken);
     if (count < 0 && errno != EAGAIN && errno != EINTR) {
-        count = (ssize_t)(l->in_size - l->in_taken); /* it wants no more */
+        count = (ssize_t)(l->in_size - l->in_taken); /* it reads no more */
     }
     l->in_taken += count > 0 ? (size_t)count : 0;
     r->expects_child |= count > 0;
@@ -112,7 +112,7 @@ static int read_socket(relay *r, link_state *l) {
         r->expects_child = 0;
         post(r, l, (size_t)count, TAG_BYTES);
     } else if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
-        /* rank 0's burnish has its report to write yet, and the others wait for that */
+        /* rank 0's burnish still has to write its report, and the others wait for it */
         r->rank == 0 ? close_socket(l) : end_link(r, l);
     }
     return count > 0;
@@ -120,7 +120,7 @@ static int read_socket(relay *r, link_state *l) {
 
 static void take_message(relay *r, link_state *l, const MPI_Status *status) {
     int size = 0;
-    l->heard = seconds_now();
+    l->last_received = seconds_now();
     if (status->MPI_TAG == TAG_BYTES) {
         MPI_Get_count(status, MPI_BYTE, &size);
         l->in_size = (size_t)size;
@@ -135,7 +135,7 @@ static void take_message(relay *r, link_state *l, const MPI_Status *status) {
     expect(r, l);
 }
 
-/* Messages that have come or gone. Returns how many. */
+/* Handles completed messages. Returns their number. */
 static int move_messages(relay *r) {
     int count = 0;
     const int code = MPI_Testsome(2 * r->count, r->requests, &count, r->done, r->statuses);
@@ -154,7 +154,7 @@ static int move_messages(relay *r) {
     return count;
 }
 
-/* Signs of life, and who has given none. */
+/* Sends heartbeats and drops silent ranks. */
 static void beat(relay *r) {
     const double time = seconds_now();
     if (time < r->next_beat) {
@@ -168,7 +168,8 @@ static void beat(relay *r) {
             continue;
         }
         if (l->in_taken < l->in_size) {
-            l->heard = time; /* nothing is received until the child has taken what is there */
+            l->last_received =
+                time; /* nothing is received until the child has read what is pending */
         }
         if (l->beat != MPI_REQUEST_NULL) {
             MPI_Test(&l->beat, &is_sent, MPI_STATUS_IGNORE);
@@ -176,14 +177,14 @@ static void beat(relay *r) {
         if (is_sent) {
             MPI_Isend(NULL, 0, MPI_BYTE, l->peer, TAG_BEAT, MPI_COMM_WORLD, &l->beat);
         }
-        if (time - l->heard > r->silence) {
+        if (time - l->last_received > r->silence) {
             lose(r, l, "is silent");
         }
     }
 }
 
-/* Waits for the child; for MPI, which has nothing to wait with, by sleeping for a while that grows
- * with the time in which nothing happened. */
+/* Waits for the child. MPI can't be polled, so this sleeps for a time that grows while nothing
+ * happens. */
 static void rest(relay *r, int idle) {
     const long longest = r->rank > 0 && r->expects_child ? 10000000 : 1000000;
     const long least = 20000, nanoseconds = least << (idle < 10 ? idle : 10);
@@ -223,7 +224,7 @@ void relay_carry(relay *r) {
 
 void relay_begin(relay *r) {
     for (int i = 0; i < r->count; ++i) {
-        r->links[i].heard = seconds_now();
+        r->links[i].last_received = seconds_now();
         expect(r, &r->links[i]);
     }
 }

@@ -1,4 +1,4 @@
-/* Bytes between the sockets of the child here and those of other ranks, by MPI. */
+/* Relays bytes between the child's sockets and those of other ranks over MPI. */
 #ifndef MPI_RELAY_H
 #define MPI_RELAY_H
 
@@ -8,7 +8,7 @@
 
 #include "child.h"
 
-/* A socket of the child here, and the rank that its bytes come from and go to. */
+/* A socket of the local child and the rank that it is connected to. */
 typedef struct link {
     int peer, socket; /* -1: closed */
     char *in, *out;
@@ -16,7 +16,7 @@ typedef struct link {
     int has_ended;            /* 1: TAG_END was received */
     int is_ending;            /* 1: TAG_END was sent */
     int is_lost;
-    double heard; /* when, the last time */
+    double last_received; /* seconds_now */
     MPI_Request beat;
 } link_state;
 
@@ -30,24 +30,24 @@ typedef struct relay {
     MPI_Status *statuses;
     struct pollfd *ready;
     double silence, next_beat;
-    int expects_child; /* 1: what comes next comes from the child, most likely */
+    int expects_child; /* 1: the child will most likely send next */
     int has_losses;
 } relay;
 
-/* Links to all other ranks, on those to rank 0; rank, size and silence are set. Returns 0, and
- * tells why, where that fails. */
+/* Creates the links: on rank 0 to all other ranks, else to rank 0. Set rank, size and silence first.
+ * Returns 0 on failure, after printing the reason. */
 int relay_create(relay *r);
 
-/* Once MPI has begun: from now on ranks are listened to. */
+/* Starts to receive from the ranks; call it after MPI_Init. */
 void relay_begin(relay *r);
 
-/* Until this rank has nothing more to do. */
+/* Relays bytes until this rank has nothing more to do. */
 void relay_carry(relay *r);
 
-/* Tells all ranks that it is over; 1: all know. */
+/* Notifies all ranks of the end. 1: all have confirmed. */
 int relay_end(relay *r);
 
-/* Takes back what nobody will send any more. */
+/* Cancels the receives that nobody will match. */
 void relay_cancel(relay *r);
 
 #endif

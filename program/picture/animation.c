@@ -1,4 +1,4 @@
-/* What all animations share: growing bytes, the changed part of a frame, times. */
+/* Shared by all animations: buffers, the changed part of a frame, frame times. */
 #include "picture/animation.h"
 
 #include <stdlib.h>
@@ -33,7 +33,7 @@ int picture_time(const picture_animation *animation, int frame, int units_per_se
     return (2 * frame * units_per_second + fps) / (2 * fps);
 }
 
-/* Whether the rows of a column or the columns of a row differ is asked by memcmp of pixels. */
+/* Compares pixels of rows and columns with memcmp. */
 void picture_changed(const picture_animation *animation, const burnish_image *frame, int box[4]) {
     const size_t pixel = (size_t)frame->channels, row = pixel * (size_t)frame->width;
     const uint8_t *a = frame->pixels, *b = animation->previous.pixels;
@@ -58,7 +58,7 @@ void picture_changed(const picture_animation *animation, const burnish_image *fr
         top = top < 0 ? y : top;
         bottom = y;
     }
-    const int none = right < 0; /* a frame like the one before still takes its time */
+    const int none = right < 0; /* an unchanged frame still needs its delay */
     memcpy(box,
            (int[]){none ? 0 : left, none ? 0 : top, none ? 1 : right - left + 1,
                    none ? 1 : bottom - top + 1},
@@ -107,7 +107,7 @@ void picture_animation_destroy(picture_animation *animation) {
     }
 }
 
-/* Keeps the frame, for the next one to be compared with. */
+/* Keeps the frame to compare it with the next one. */
 static burnish_status keep(picture_animation *animation, const burnish_image *frame,
                            burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
@@ -124,7 +124,7 @@ static burnish_status keep(picture_animation *animation, const burnish_image *fr
 burnish_status picture_animation_add(picture_animation *animation, const burnish_image *frame,
                                      burnish_error *error) {
     if (animation->index > 0) {
-        animation->out.size = 0; /* the first frame comes behind what begin has left */
+        animation->out.size = 0; /* the first frame follows the header */
     }
     burnish_status status = frame ? animation->animator->add(animation, frame, error)
                                   : animation->animator->end(animation, error);

@@ -13,16 +13,16 @@ typedef struct picture_animation_options {
     int fps;      /* frames per second; GIF at most 50 */
     int quality;  /* of WebP, [1, 100]; 0: without loss */
     int threads;
-    const picture_palette *palette; /* of GIF, which keeps it; NULL for the others */
+    const picture_palette *palette; /* GIF: must outlive the animation; others: NULL */
 } picture_animation_options;
 
-enum { PICTURE_GIF_FPS_MAX = 50 }; /* browsers show shorter times as a tenth of a second */
+enum { PICTURE_GIF_FPS_MAX = 50 }; /* browsers replace shorter delays by 0.1 s */
 
-/* Bytes that grow. Empty: {0}; free data. */
+/* A growing buffer. Empty: {0}; release with free(data). */
 typedef struct picture_bytes {
     uint8_t *data;
     size_t size, capacity;
-    int failed; /* 1: out of memory; what came after is lost */
+    int failed; /* 1: out of memory; later bytes are lost */
 } picture_bytes;
 
 void picture_put(picture_bytes *bytes, const void *data, size_t size);
@@ -30,7 +30,7 @@ void picture_put_byte(picture_bytes *bytes, int value);
 
 typedef struct picture_animation picture_animation;
 
-/* How a format is written; `state` is its own, NULL before begin. All append to the bytes. */
+/* The encoder of a format; it owns `state`, which is NULL before begin. All functions append to `out`. */
 typedef struct picture_animator {
     burnish_status (*begin)(picture_animation *animation, burnish_error *error);
     burnish_status (*add)(picture_animation *animation, const burnish_image *frame,
@@ -43,9 +43,9 @@ struct picture_animation {
     picture_animation_options options;
     const picture_animator *animator;
     void *state;
-    burnish_image previous; /* the frame before; empty at the first one */
-    int index;              /* of the frame that comes */
-    picture_bytes out;      /* what comes next in the file */
+    burnish_image previous; /* the previous frame; empty before the first */
+    int index;              /* of the next frame */
+    picture_bytes out;      /* the next bytes of the file */
 };
 
 extern const picture_animator picture_gif, picture_apng, picture_webp, picture_y4m;
@@ -55,16 +55,16 @@ burnish_status picture_animation_create(const picture_animation_options *options
                                         picture_animation **animation, burnish_error *error);
 void picture_animation_destroy(picture_animation *animation); /* NULL is allowed */
 
-/* Encodes the next frame, or after all of them (NULL) the end. What is to be written is then
- * animation->out, until the next call. Errors: MEMORY, and those of the format. */
+/* Encodes the next frame, or the end of the file (NULL). animation->out then has the bytes to write,
+ * until the next call. Errors: MEMORY, and errors of the format. */
 burnish_status picture_animation_add(picture_animation *animation, const burnish_image *frame,
                                      burnish_error *error);
 
-/* Where the frame differs from the one before: x, y, width, height; at least one pixel; all of the
- * first frame. */
+/* The rectangle that differs from the previous frame: x, y, width, height. At least one pixel; the
+ * whole first frame. */
 void picture_changed(const picture_animation *animation, const burnish_image *frame, int box[4]);
 
-/* Frames times a unit of time, rounded: when frame i begins. */
+/* The start time of a frame in the given units, rounded. */
 int picture_time(const picture_animation *animation, int frame, int units_per_second);
 
 #endif

@@ -1,5 +1,5 @@
-/* APNG (PNG, third edition): each frame is the part that changed, compressed as a PNG of its own,
- * whose image data is taken over. Readers without animation show the first frame. */
+/* APNG (PNG, third edition): each frame is the changed part, encoded as a PNG whose image data
+ * is copied. Readers without animation show the first frame. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 
 enum { SIGNATURE = 8, FRAME = 12, FCTL_SIZE = 26 };
 
-/* Of the chunks after the header: their order in the file. */
+/* Sequence number of the next frame chunk. */
 typedef struct apng_state {
     uint32_t sequence;
     uint32_t crc[256];
@@ -32,7 +32,7 @@ static uint32_t crc_of(const apng_state *state, uint32_t crc, const uint8_t *byt
     return crc;
 }
 
-/* A chunk whose data comes in two pieces. */
+/* Writes a chunk with data in two pieces. */
 static void put_chunk(picture_animation *animation, const char *type, const uint8_t *head,
                       size_t head_size, const uint8_t *body, size_t body_size) {
     const apng_state *state = animation->state;
@@ -83,8 +83,7 @@ static void put_frame_control(picture_animation *animation, const int box[4]) {
     put_chunk(animation, "fcTL", control, sizeof control, NULL, 0);
 }
 
-/* Takes over the chunks of a frame's PNG: of the first one all but the end, of others the image
- * data. */
+/* Copies chunks of a frame's PNG: for the first frame all except IEND, for others the image data. */
 static void put_frame(picture_animation *animation, const uint8_t *png, size_t size,
                       const int box[4]) {
     apng_state *state = animation->state;

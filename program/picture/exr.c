@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The file as it grows in memory; the library goes back to fill in its table of offsets. */
+/* The file in memory; the library seeks back to fill in its table of offsets. */
 typedef struct growing {
     uint8_t *bytes;
     size_t size, capacity;
-    char reason[160]; /* what the library says of an error */
+    char reason[160]; /* the library's error message */
 } growing;
 
 static int64_t write_bytes(exr_const_context_t codec, void *user_data, const void *buffer,
@@ -33,7 +33,7 @@ static int64_t write_bytes(exr_const_context_t codec, void *user_data, const voi
     return (int64_t)size;
 }
 
-/* Instead of a line on standard error. */
+/* Receives messages that the library would print to standard error. */
 static void take_reason(exr_const_context_t codec, exr_result_t code, const char *reason) {
     void *user_data = NULL;
     (void)code;
@@ -62,7 +62,7 @@ static exr_result_t write_header(exr_context_t codec, const picture_channels *ch
     return result == EXR_ERR_SUCCESS ? exr_write_header(codec) : result;
 }
 
-/* Points the pipeline's channels, which it has sorted, at rows from y on. */
+/* Points the pipeline's channels, which the library has sorted, at rows from y on. */
 static void point_channels(exr_encode_pipeline_t *pipeline, const picture_channels *channels,
                            int y) {
     for (int i = 0; i < pipeline->channel_count; ++i) {

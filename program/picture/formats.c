@@ -1,4 +1,4 @@
-/* The formats: endings, uses, and whether this build has them. */
+/* The formats: extensions, uses, and whether this build supports them. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 typedef struct format_row {
     const char *name, *ending, *other_ending;
     int uses;
-    const char *library; /* what a build without it lacks; NULL: built in */
+    const char *library; /* a library that this build lacks; NULL: supported */
 } format_row;
 
 #define WITH(has, package) ((has) ? NULL : (package))
@@ -27,8 +27,8 @@ static const format_row rows[PICTURE_COUNT] = {
     [PICTURE_Y4M] = {"Y4M", "y4m", NULL, PICTURE_ANIMATION, NULL},
 };
 
-/* Endings of formats that pictures come in elsewhere; a PNG under such a name would mislead. The
- * second list has what moves. */
+/* Extensions of other picture formats; a PNG with such a name would be misleading. The second list
+ * has animations. */
 static const char *const foreign[] = {"tif", "tiff", "bmp", "ppm", "pgm", "pnm",  "avif", "pdf",
                                       "ico", "tga",  "hdr", "jxl", "eps", "heic", "jp2",  "qoi"};
 static const char *const moving[] = {"gif", "y4m", "apng", "mp4", "webm",
@@ -38,7 +38,7 @@ const char *picture_ending(picture_format format) {
     return rows[format].ending;
 }
 
-/* Lists names or, with a dot before each, endings: "a", "a or b", "a, b or c". */
+/* Lists names or extensions (with dots): "a", "a or b", "a, b or c". */
 static void list(int use, int endings, char *text, size_t size) {
     size_t used = 0;
     int left = 0;
@@ -92,7 +92,8 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
                     picture_list_names(use).text, endings);
 }
 
-/* The format whose ending the path has; AUTO for none, COUNT for one that burnish does not write.
+/* The format for a path's extension; AUTO: no known extension, COUNT: a format that burnish can't
+ * write.
  */
 static picture_format find_ending(const char *path) {
     const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');

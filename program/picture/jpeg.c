@@ -9,7 +9,7 @@
 
 #include <jpeglib.h>
 
-/* The library ends the process where it meets an error, unless this returns elsewhere. */
+/* The library exits the process on an error, unless this handler jumps out. */
 typedef struct jpeg_failure {
     struct jpeg_error_mgr manager;
     jmp_buf place;

@@ -64,7 +64,7 @@ static uint8_t *pixel_at(burnish_image *image, int x, int y) {
     return image->pixels + 3 * ((size_t)y * (size_t)image->width + (size_t)x);
 }
 
-/* A picture, enlarged, over white where it is transparent. */
+/* Enlarges a picture and blends it with white. */
 static void place(const layout *l, const burnish_image *picture, int panel, burnish_image *made) {
     int left, top;
     corner_of(l, panel, &left, &top);
@@ -82,7 +82,7 @@ static void place(const layout *l, const burnish_image *picture, int panel, burn
     }
 }
 
-/* A frame around the pixels that differ, where they are not everywhere. */
+/* Frames the pixels that differ, unless they fill the picture. */
 static void frame(const layout *l, const burnish_image *picture, const int box[4],
                   burnish_image *made) {
     int left, top;
@@ -102,7 +102,7 @@ static void frame(const layout *l, const burnish_image *picture, const int box[4
     }
 }
 
-/* One line, as large as the width allows, its end left out where it does not fit at all. */
+/* Draws one line as large as the width allows, and truncates it if it does not fit. */
 static void write_line(burnish_image *made, int left, float y, float height, int width,
                        const char *text) {
     char shown[LINE_SIZE];
@@ -118,7 +118,7 @@ static void write_line(burnish_image *made, int left, float y, float height, int
     burnish_image_draw_text(made, (float)left, y, height, ink, shown);
 }
 
-/* The end of the scale: round, and no difference is beyond it. */
+/* The end of the scale: a round number not below any difference. */
 static double choose_end(const burnish_comparison *numbers) {
     static const int ends[] = {8, 16, 32, 64, 128, 256};
     int largest = 0;
@@ -168,7 +168,7 @@ static void write_numbers(const layout *l, const burnish_comparison *n, float y,
     write_line(made, l->gap, y + l->text * 3.4F, l->text, width, lines[1]);
 }
 
-/* Labels, numbers and the scale, which stands below the difference. */
+/* Draws labels, numbers and the scale, which is below the difference. */
 static void annotate(const layout *l, const picture_panels *panels, double end,
                      burnish_image *made) {
     const char *labels[PANELS] = {

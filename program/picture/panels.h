@@ -12,12 +12,11 @@ typedef struct picture_panels {
     const float *flip_map; /* FLIP of each pixel, shown instead of differences of codes; or NULL */
 } picture_panels;
 
-/* A new picture. Small ones are enlarged by a whole factor; the panels stand below each other where
- * they are too wide. Errors: LIMIT (too large a picture), MEMORY. */
+/* Composes a new picture. Small pictures are enlarged by a whole factor; wide panels are stacked. Errors: LIMIT (too large a picture), MEMORY. */
 burnish_status picture_compose(const picture_panels *panels, burnish_image *made,
                                burnish_error *error);
 
-/* The same into a file. Errors: as picture_compose, picture_encode and burnish_file_write. */
+/* Composes and writes a file. Errors: as picture_compose, picture_encode and burnish_file_write. */
 burnish_status picture_write_panels(const picture_panels *panels, const char *path,
                                     picture_format format, const picture_options *options,
                                     burnish_error *error);

@@ -1,5 +1,5 @@
-/* Files that pictures, planes of numbers and animations go into: which formats there are, and how
- * their bytes are made. Here and not in libburnish, so that who links that needs no libjpeg. */
+/* File formats of pictures, planes and animations, and their encoders. They are not in libburnish,
+ * so its users do not need libjpeg. */
 #ifndef TOOL_PICTURE_PICTURE_H
 #define TOOL_PICTURE_PICTURE_H
 
@@ -7,19 +7,19 @@
 #include "cli/values.h"
 
 typedef enum picture_format {
-    PICTURE_AUTO, /* by the ending of the file's name */
+    PICTURE_AUTO, /* by file extension */
     PICTURE_PNG,
     PICTURE_JPEG,
     PICTURE_WEBP,
     PICTURE_EXR,
     PICTURE_NPY,
-    PICTURE_SVG, /* of lines: picture_encode does not make it */
+    PICTURE_SVG, /* line drawings; not written by picture_encode */
     PICTURE_GIF,
     PICTURE_Y4M,
     PICTURE_COUNT
 } picture_format;
 
-/* What a file is for; a set of bits says what a format serves. */
+/* Uses of a file, as bits. */
 typedef enum picture_use {
     PICTURE_STILL = 1,
     PICTURE_PLANE = 2, /* numbers per pixel */
@@ -27,16 +27,16 @@ typedef enum picture_use {
     PICTURE_ANIMATION = 8 /* PNG is APNG */
 } picture_use;
 
-/* What comes after the dot in names of that format: "jpg". */
+/* The file extension of a format, without the dot: "jpg". */
 const char *picture_ending(picture_format format);
 
-/* "PNG, JPEG or WebP": the formats that serve one of these uses. */
+/* "PNG, JPEG or WebP": the formats for one of these uses. */
 typedef struct picture_names {
     char text[96];
 } picture_names;
 picture_names picture_list_names(int uses);
 
-/* Whether a name ends as that of a picture or a video, burnish's own formats or others: never a
+/* Whether a name has an extension of pictures or videos, known to burnish or not, so it is not a
  * mesh. */
 int picture_is_name(const char *path);
 
@@ -44,9 +44,8 @@ int picture_is_name(const char *path);
  *   flag    names the output in messages: "output"
  *   path    of the file; "-" is standard output
  *   use     a sum of picture_use
- *   wanted  a format whatever the name says, or PICTURE_AUTO: by the ending; still pictures whose
- *           name has none, or one that no format of pictures has, are PNG, animations on standard
- *           output Y4M
+ *   wanted  a format, or PICTURE_AUTO: by file extension. Still pictures without a known extension
+ *           are PNG, animations on standard output Y4M
  * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks. */
 burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
                               picture_format *format, burnish_error *error);
@@ -56,7 +55,7 @@ typedef struct picture_options {
     int threads;
     int quality;          /* [1, 100]; 0: JPEG 90, WebP without loss */
     double dots_per_inch; /* 0: none; PNG and JPEG hold it */
-    int is_data;          /* 1: PNG does not say that the values are sRGB */
+    int is_data;          /* 1: PNG without an sRGB chunk */
 } picture_options;
 
 enum { PICTURE_JPEG_QUALITY = 90 };
@@ -75,7 +74,7 @@ burnish_status picture_encode(picture_format format, const burnish_pixels *pixel
                               const picture_options *options, picture_file *file,
                               burnish_error *error);
 
-/* The same for one format; picture_encode finds it. Those without their library always fail. */
+/* The encoders of single formats. They always fail if the build lacks their library. */
 burnish_status picture_encode_jpeg(const burnish_pixels *pixels, const picture_options *options,
                                    picture_file *file, burnish_error *error);
 burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
@@ -85,8 +84,8 @@ burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_o
 
 typedef enum picture_kind { PICTURE_FLOAT, PICTURE_INT, PICTURE_BYTE } picture_kind;
 
-/* height rows of width items of `channels` numbers, nothing between them. With one channel the
- * array has two axes, else three. */
+/* Contiguous rows of items with `channels` numbers each. With one channel the array has two axes,
+ * else three. */
 typedef struct picture_array {
     picture_kind kind;
     int width, height, channels;

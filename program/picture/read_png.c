@@ -14,7 +14,7 @@ int picture_is_png(const uint8_t *bytes, size_t size) {
 
 /* ---- Files ---- */
 
-/* Appends what the stream still has. */
+/* Reads the rest of the stream. */
 static burnish_status read_stream(const char *path, FILE *file, uint64_t max_bytes, uint8_t **bytes,
                                   size_t *size, burnish_error *error) {
     size_t capacity = 0;

@@ -1,4 +1,4 @@
-/* Reading PNG files, which may be hostile. */
+/* Reads untrusted PNG files. */
 #ifndef TOOL_PICTURE_READ_PNG_H
 #define TOOL_PICTURE_READ_PNG_H
 
@@ -6,25 +6,25 @@
 
 #include "burnish/image.h"
 
-/* 1 where the bytes begin as a PNG does. */
+/* 1 if the bytes begin with the PNG signature. */
 int picture_is_png(const uint8_t *bytes, size_t size);
 
-/* Decodes any PNG: palettes, grey, transparent colours, 1 to 16 bits, interlaced. Sixteen bits
- * become the nearest eight; codes are taken as sRGB, whatever gamma or profile the file states.
- * RGBA where the file has any transparency, else RGB. Memory stays in proportion to the bytes: a
- * picture larger than they can hold is refused.
- *   name   stands in messages
+/* Decodes any PNG: palettes, grey, transparent colours, 1 to 16 bits, interlaced. 16 bits are
+ * rounded to 8; values are read as sRGB, and gamma and profiles are ignored. The result is RGBA if
+ * the file has transparency, else RGB. Memory is proportional to the file's size: larger pictures
+ * than the data can encode are rejected.
+ *   name   for messages
  *   image  receives the picture; empty on error
- * Errors: FORMAT, LIMIT (sides over BURNISH_IMAGE_MAX_SIZE), MEMORY; ARGUMENT where burnish was
- * built without libpng. */
+ * Errors: FORMAT, LIMIT (sides over BURNISH_IMAGE_MAX_SIZE), MEMORY; ARGUMENT if burnish was built
+ * without libpng. */
 burnish_status picture_decode_png(const char *name, const uint8_t *bytes, size_t size,
                                   burnish_image *image, burnish_error *error);
 
-/* The whole file, or standard input for "-": *bytes, to be freed. Errors: READ, LIMIT, MEMORY. */
+/* Reads a whole file, or standard input for "-"; release *bytes with free. Errors: READ, LIMIT, MEMORY. */
 burnish_status picture_read_bytes(const char *path, uint64_t max_bytes, uint8_t **bytes,
                                   size_t *size, burnish_error *error);
 
-/* Both. A file that is no PNG is FORMAT. */
+/* Reads and decodes a file. Errors: as above; FORMAT if it is not a PNG file. */
 burnish_status picture_read_png(const char *path, uint64_t max_bytes, burnish_image *image,
                                 burnish_error *error);
 

@@ -1,4 +1,4 @@
-/* Whether two pictures are alike enough, and the numbers that say so. */
+/* Decides whether two pictures are similar enough, and reports the metrics. */
 #ifndef TOOL_PICTURE_VERDICT_H
 #define TOOL_PICTURE_VERDICT_H
 
@@ -9,7 +9,7 @@
 #include "burnish/image.h"
 #include "cli/values.h"
 
-/* What the threshold is compared with. */
+/* The metric that the threshold limits. */
 typedef enum picture_metric {
     PICTURE_SSIM,  /* 1 - SSIM */
     PICTURE_FLIP,  /* mean FLIP */
@@ -18,8 +18,8 @@ typedef enum picture_metric {
 
 extern const cli_word picture_metric_words[];
 
-/* Two pictures pass where no pixel differs by more than the tolerance, or with a threshold where
- * the error is at most that. */
+/* Two pictures pass if no pixel differs by more than the tolerance or, with a threshold, if the
+ * error is at most the threshold. */
 typedef struct picture_rule {
     int tolerance; /* 8-bit codes */
     cli_real threshold;
@@ -28,17 +28,17 @@ typedef struct picture_rule {
 
 typedef struct picture_verdict {
     burnish_comparison numbers;
-    double error; /* by the rule's metric; the share of pixels where there is no SSIM */
+    double error; /* by the rule's metric; the share of pixels if there is no SSIM */
     int passes;
 } picture_verdict;
 
 picture_verdict picture_judge(const picture_rule *rule, const burnish_comparison *numbers);
 
-/* The keys that the man page's section lists, in that order. */
+/* Adds the keys in the order of the man page. */
 void picture_add_verdict(cJSON *object, const picture_rule *rule, const picture_verdict *verdict,
                          int *failed);
 
-/* Lines of text. */
+/* Prints the verdict as text. */
 void picture_print_verdict(FILE *stream, const picture_verdict *verdict);
 
 #endif

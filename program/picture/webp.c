@@ -1,4 +1,4 @@
-/* WebP by libwebp: without loss, or with the quality that is asked for. */
+/* WebP by libwebp: lossless, or lossy with a given quality. */
 #include "picture/animation.h"
 
 #if BURNISH_HAS_WEBP
@@ -6,7 +6,7 @@
 #include <webp/encode.h>
 #include <webp/mux.h>
 
-/* Where loss is allowed, alpha keeps all its values. */
+/* Lossy files still have lossless alpha. */
 static int configure(WebPConfig *config, int quality, int threads) {
     if (!WebPConfigInit(config)) {
         return 0;
@@ -14,7 +14,7 @@ static int configure(WebPConfig *config, int quality, int threads) {
     config->lossless = quality == 0;
     config->quality = quality > 0 ? (float)quality : 20; /* lossless: effort */
     config->method = config->lossless ? 2 : 4;
-    config->exact = 1; /* colours below alpha 0 too: all that was drawn */
+    config->exact = 1; /* keep colours of transparent pixels */
     config->use_sharp_yuv = 1;
     config->thread_level = threads != 1;
     return WebPValidateConfig(config);
@@ -60,7 +60,7 @@ burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_o
     return BURNISH_STATUS_OK;
 }
 
-/* ---- Animations: libwebpmux keeps the compressed frames and hands them over at the end ---- */
+/* ---- Animations: libwebpmux collects the compressed frames until the end ---- */
 
 static burnish_status fail_animation(const WebPAnimEncoder *encoder, burnish_error *error) {
     return cli_fail(error, BURNISH_STATUS_MEMORY, "WebP: %.200s",

@@ -1,4 +1,4 @@
-/* YUV4MPEG2: frames as they are, for video encoders. 4:2:0 with chroma in the middle of each 2 x 2
+/* YUV4MPEG2: uncompressed frames for video encoders. 4:2:0 with chroma in the middle of each 2 x 2
  * pixels (C420jpeg), limited range, BT.709's matrix on sRGB codes. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ static uint8_t luma(const uint8_t *p) {
     return (uint8_t)((11966 * p[0] + 40254 * p[1] + 4064 * p[2] + (16 << 16) + 32768) >> 16);
 }
 
-/* Of the sum of four pixels. */
+/* From the sum of four pixels. */
 static uint8_t blue_of(const int s[3]) {
     return (uint8_t)((-6596 * s[0] - 22189 * s[1] + 28785 * s[2] + (512 << 16) + 131072) >> 18);
 }

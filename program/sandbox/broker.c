@@ -12,7 +12,7 @@
 #include "import/import.h"
 #include "sandbox/channel.h"
 
-#define DECODE_MAX ((uint64_t)4 << 30) /* bytes that a worker may have decoded at a time */
+#define DECODE_MAX ((uint64_t)4 << 30) /* most bytes of a stream to decode */
 
 typedef struct broker {
     const sandbox_plan *plan;
@@ -20,7 +20,7 @@ typedef struct broker {
     int input;        /* open; -1: none */
     int folder;       /* the input's; -1: it has none */
     int depth;        /* outputs that are being written: one, or the report of one */
-    int has_imported; /* 1: an importer has run over the input, as one does at most once */
+    int has_imported; /* 1: an importer has read the input, which is allowed once */
     broker_state state;
 } broker;
 
@@ -56,10 +56,10 @@ static int receive(broker *b, message *head) {
     return b->state == BROKER_SERVES;
 }
 
-/* What follows the head: 1 to `capacity` bytes of MESSAGE_DATA. Returns their number; 0: none. */
+/* Receives the body of MESSAGE_DATA, 1 to `capacity` bytes. Returns the size; 0: invalid. */
 static size_t receive_data(broker *b, const message *head, char *buffer, size_t capacity) {
     if (head->kind != MESSAGE_DATA || head->size == 0 || head->size > capacity) {
-        end(b, BROKER_LIED);
+        end(b, BROKER_VIOLATION);
     } else if (!channel_read(b->channel, buffer, (size_t)head->size)) {
         end(b, BROKER_GONE);
     }
@@ -74,7 +74,7 @@ typedef struct output {
     int has_ended; /* 1: the worker has sent all of it */
 } output;
 
-/* Bytes of the output; 0 at their end, and when something is wrong. */
+/* Receives bytes of the output; 0 at the end and on errors. */
 static size_t take_data(void *context, char *buffer, size_t size) {
     output *o = context;
     message head;
@@ -85,7 +85,7 @@ static size_t take_data(void *context, char *buffer, size_t size) {
     return o->has_ended ? 0 : receive_data(o->b, &head, buffer, size);
 }
 
-/* The last step is the worker's: a report, which may be an output of its own. */
+/* The worker does the last step: a report, which may be an output too. */
 static burnish_status let_finish(void *context, burnish_error *error) {
     broker *b = ((const output *)context)->b;
     reply(b, MESSAGE_READY, 0, NULL, 0);
@@ -106,33 +106,35 @@ static void write_output(broker *b, const char *path) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
     output o = {b, 0};
     if (!is_planned(b->plan, path) || b->depth == 2) {
-        end(b, BROKER_LIED);
+        end(b, BROKER_VIOLATION);
         return;
     }
     b->depth += 1;
     burnish_status status =
         burnish_file_write_stream_checked(path, take_data, &o, let_finish, &error);
     b->depth -= 1;
-    while (take_data(&o, unread, sizeof unread) > 0) { /* of an output that can't be written */
+    while (take_data(&o, unread, sizeof unread) >
+           0) { /* discards an output that can't be written */
     }
     reply_status(b, status, &error);
 }
 
 /* ---- Files that the input names ---- */
 
-/* The library asks for no name that leads out of the folder: a worker that does was taken over. */
+/* The library never requests a name outside the folder, so such a request comes from a compromised
+ * worker. */
 static void send_file(broker *b, const char *name, uint64_t max_bytes) {
     const uint64_t own = b->plan->max_input_bytes, most = max_bytes < own ? max_bytes : own;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     uint64_t size;
     int file;
     if (burnish_check_beneath(name) == EXDEV) {
-        end(b, BROKER_LIED);
+        end(b, BROKER_VIOLATION);
         return;
     }
     burnish_status status = folder_open_file(b->folder, name, most, &file, &size, &error);
-    if (b->plan->see_file) {
-        b->plan->see_file(b->plan->context, name, file);
+    if (b->plan->record_file) {
+        b->plan->record_file(b->plan->context, name, file);
     }
     if (status == BURNISH_STATUS_OK) {
         reply(b, MESSAGE_READY, size, NULL, 0);
@@ -150,7 +152,7 @@ static void import(broker *b, uint64_t max_bytes) {
     const import_program *importer = import_choose(b->plan->input, b->plan->format, ending);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     if (!importer || b->has_imported) {
-        end(b, BROKER_LIED);
+        end(b, BROKER_VIOLATION);
         return;
     }
     b->has_imported = 1;
@@ -160,13 +162,13 @@ static void import(broker *b, uint64_t max_bytes) {
     reply_status(b, status, &error);
 }
 
-/* More can't have come from the input, nor be in a worker's memory. */
+/* Neither the input nor the worker's memory can hold more. */
 static uint64_t decode_limit(const sandbox_plan *plan) {
     uint64_t most = plan->max_input_bytes < DECODE_MAX ? plan->max_input_bytes : DECODE_MAX;
     return plan->max_memory > 0 && plan->max_memory < most ? plan->max_memory : most;
 }
 
-/* What the worker wants decoded goes into a file of memory. */
+/* Copies the stream to decode into an in-memory file. */
 static void decode(broker *b, uint64_t size) {
     static char piece[MESSAGE_DATA_MAX];
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -183,7 +185,7 @@ static void decode(broker *b, uint64_t size) {
         const burnish_status status =
             is_kept ? import_decode(b->plan->input, file, reply_piece, b, &error)
                     : cli_fail(&error, BURNISH_STATUS_MEMORY,
-                               "%.200s: out of memory for what has to be decoded", b->plan->input);
+                               "%.200s: out of memory for the stream to decode", b->plan->input);
         reply_status(b, status, &error);
     }
     if (file >= 0) {
@@ -193,8 +195,7 @@ static void decode(broker *b, uint64_t size) {
 
 /* ---- The loop ---- */
 
-/* Answers one message; anything out of order is a lie. Returns 1 if it was the status of a last
- * step. */
+/* Answers one message; an unexpected one is a violation. Returns 1 for the status of a last step. */
 static int answer(broker *b, const message *head, const char *text) {
     const int is_text = strlen(text) == head->size;
     if (head->kind == MESSAGE_WRITE && is_text) {
@@ -209,19 +210,19 @@ static int answer(broker *b, const message *head, const char *text) {
                head->value < BURNISH_STATUS_COUNT) {
         return 1;
     } else {
-        end(b, BROKER_LIED);
+        end(b, BROKER_VIOLATION);
     }
     return 0;
 }
 
-/* Answers the worker until it is gone or lies, which is WRITE, or sends the status of a last step,
- * which is returned. */
+/* Answers the worker until it sends the status of a last step, which is returned. WRITE: the worker
+ * is gone or has violated the protocol. */
 static burnish_status serve(broker *b, burnish_error *error) {
     message head;
     while (receive(b, &head)) {
         char text[MESSAGE_NAME_MAX + 1];
         if (head.size > MESSAGE_NAME_MAX) {
-            end(b, BROKER_LIED);
+            end(b, BROKER_VIOLATION);
         } else if (!channel_read(b->channel, text, (size_t)head.size)) {
             end(b, BROKER_GONE);
         } else {

@@ -1,4 +1,4 @@
-/* The broker's side of the channel, which believes nothing that the worker sends. */
+/* The broker's side of the channel. It does not trust what the worker sends. */
 #ifndef TOOL_SANDBOX_BROKER_H
 #define TOOL_SANDBOX_BROKER_H
 
@@ -7,11 +7,12 @@
 typedef enum broker_state {
     BROKER_SERVES,
     BROKER_GONE, /* the worker has closed the channel */
-    BROKER_LIED /* the worker has broken the protocol, or asked for what an honest one never does */
+    BROKER_VIOLATION /* the worker has broken the protocol, or requested what a sound worker never does */
 } broker_state;
 
-/* Answers a worker's messages (channel.h) until it is gone or lies; returns which. Whatever the
- * worker sends, the broker needs 256 KiB, and for what is to be decoded the plan's limits.
+/* Answers a worker's messages (channel.h) until it is gone or violates the protocol; returns which.
+ * The broker needs 256 KiB whatever the worker sends, and memory for streams to decode within the
+ * plan's limits.
  *   channel  a stream socket
  *   input    the open input, for importers; -1: none
  *   folder   the input's folder; -1: none */

@@ -1,4 +1,4 @@
-/* What there is to say of a process that did not end by itself. */
+/* Describes how a process ended. */
 #include "sandbox/sandbox.h"
 
 #ifndef _WIN32
@@ -9,15 +9,15 @@
 
 #include "cli/options.h"
 
-int sandbox_explain_end(int state, burnish_error *line) {
+int sandbox_describe_end(int state, burnish_error *line) {
     if (WIFEXITED(state)) {
         return WEXITSTATUS(state);
     }
     const int number = WTERMSIG(state);
     if (number == SIGSYS) {
         cli_fail(line, BURNISH_STATUS_FORMAT,
-                 "the sandbox ended the program: it asked the system for what drawing does not "
-                 "need; report the input, or use --no-sandbox");
+                 "the sandbox ended the program: it made a system call that drawing does not need; "
+                 "report the input, or use --no-sandbox");
     } else if (number == SIGKILL) {
         cli_fail(line, BURNISH_STATUS_MEMORY, "out of memory: the system ended the program");
     } else {

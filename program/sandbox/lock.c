@@ -21,16 +21,16 @@ int sandbox_is_built(void) {
 
 /* ---- Landlock ---- */
 
-/* Of linux/landlock.h, which older systems lack: rights by version of the interface. Version 1 has
- * 13 rights of files, 2 refer, 3 truncate, 5 ioctl; 4 has bind and connect, 6 scopes. */
+/* From linux/landlock.h, which older systems lack. Version 1 of the interface has 13 file rights; 2
+ * adds refer, 3 truncate, 4 bind and connect, 5 ioctl, 6 scopes. */
 typedef struct landlock_rules {
     uint64_t files, network, scopes;
 } landlock_rules;
 
 enum { LANDLOCK_CREATE = 444, LANDLOCK_RESTRICT = 446, LANDLOCK_VERSION = 1 };
 
-/* Gives up every right that the kernel's version knows. Returns 0, also if the kernel has no
- * Landlock: then seccomp stands alone; else an errno. */
+/* Drops every right that the kernel's version supports. Returns 0 or an errno; also 0 if the kernel
+ * has no Landlock, since seccomp then protects alone. */
 static int forbid_files(void) {
     const long version = syscall(LANDLOCK_CREATE, NULL, 0, LANDLOCK_VERSION);
     if (version < 0) {
@@ -59,7 +59,7 @@ static int forbid_files(void) {
 
 /* ---- seccomp ---- */
 
-/* What drawing needs once everything is open. */
+/* System calls that drawing needs after all files are open. */
 static const char *const allowed[] = {"read",
                                       "pread64",
                                       "write",
@@ -102,7 +102,7 @@ static const char *const allowed[] = {"read",
                                       "ppoll_time64",
                                       "clock_nanosleep_time64"};
 
-/* A call whose argument has to match; those that this processor lacks are passed over. */
+/* Allows a call if its argument matches. Calls that this processor lacks are ignored. */
 static int allow_where(scmp_filter_ctx filter, const char *name, struct scmp_arg_cmp argument) {
     const int number = seccomp_syscall_resolve_name(name);
     return number == __NR_SCMP_ERROR
@@ -110,7 +110,7 @@ static int allow_where(scmp_filter_ctx filter, const char *name, struct scmp_arg
                : seccomp_rule_add(filter, SCMP_ACT_ALLOW, number, 1, argument);
 }
 
-/* What there would have to be files for, or what tells of the system. */
+/* Calls that look for files or describe the system fail instead of ending the process. */
 static int pretend(scmp_filter_ctx filter) {
     static const char *const refused[] = {"open",  "openat", "access", "faccessat", "faccessat2",
                                           "stat",  "lstat",  "statfs", "readlink",  "readlinkat",
@@ -132,7 +132,7 @@ static int fill(scmp_filter_ctx filter) {
         const int number = seccomp_syscall_resolve_name(allowed[i]);
         code = number == __NR_SCMP_ERROR ? 0 : seccomp_rule_add(filter, SCMP_ACT_ALLOW, number, 0);
     }
-    /* memory that is not run; threads and no processes; limits are read and not set */
+    /* no executable memory; threads but no processes; limits can be read, not set */
     code = code ? code : allow_where(filter, "mmap", SCMP_A2(SCMP_CMP_MASKED_EQ, execute, 0));
     code = code ? code : allow_where(filter, "mmap2", SCMP_A2(SCMP_CMP_MASKED_EQ, execute, 0));
     code = code ? code : allow_where(filter, "mprotect", SCMP_A2(SCMP_CMP_MASKED_EQ, execute, 0));
@@ -143,7 +143,7 @@ static int fill(scmp_filter_ctx filter) {
     /* whether a descriptor is a terminal; the C library falls back from clone3 to clone, whose
      * flags a filter can see */
     code = code ? code : allow_where(filter, "ioctl", SCMP_A1(SCMP_CMP_EQ, TCGETS, 0));
-    /* fstat of the C library names a path, which a filter can't see: callers do without */
+    /* the C library's fstat passes a path, which a filter can't read; callers avoid it */
     code = code ? code : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(newfstatat), 0);
     code = code ? code : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(statx), 0);
     return code ? code : seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
@@ -164,7 +164,7 @@ static int forbid_calls(int pretends) {
 
 /* ---- The process itself ---- */
 
-/* No right by a program's file, no memory of it for others: neither core files nor debuggers. */
+/* No setuid programs, no core files and no debuggers. */
 static int forbid_rights(void) {
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) {
         return errno;
@@ -180,7 +180,7 @@ static int forbid_more(int what, rlim_t most) {
 }
 
 int sandbox_close_descriptors(int first) {
-    enum { DESCRIPTORS_MAX = 1 << 20 }; /* that Linux lets a process have, by default */
+    enum { DESCRIPTORS_MAX = 1 << 20 }; /* Linux's default limit */
     struct rlimit limit;
     if (close_range((unsigned)first, ~0U, 0) == 0) {
         return 0;

@@ -1,6 +1,5 @@
-/* Locks the calling process in: from then on it can compute, read and write descriptors that are
- * open, and nothing else. Importers are built with the same file, so it needs no other part of the
- * program. */
+/* Sandboxes the calling process: afterwards it can only compute, and read and write open
+ * descriptors. Importers include this file too, so it is independent of the rest of the program. */
 #ifndef TOOL_SANDBOX_LOCK_H
 #define TOOL_SANDBOX_LOCK_H
 
@@ -10,20 +9,19 @@ int sandbox_is_built(void);
 /* Closes all descriptors from `first` on. Returns 0 or an errno. */
 int sandbox_close_descriptors(int first);
 
-/* Locks the calling thread, which has to be the only one; later ones inherit it. In this order:
+/* Sandboxes the calling thread, which must be the only one; later threads inherit it. In this order:
  *   descriptors    those from `descriptors` on are closed
  *   no_new_privs   and not dumpable: no rights from a program's file, no core file, no debugger
  *   RLIMIT_CORE    0
- *   Landlock       no file can be opened, no TCP port, and nothing outside of the lock signalled,
- *                  as far as the kernel's version of Landlock goes. A kernel without is accepted
+ *   Landlock       no opening of files or TCP ports, no signals to other processes, as far as the
+ *                  kernel's version supports it. A kernel without Landlock is accepted
  *   RLIMIT_NOFILE  no new descriptors
- *   seccomp        a system call that is not in a list ends the process by SIGSYS
- * Each is tried out, or read back, once it is there.
- *   pretends  1: there are no files, for libraries that look for theirs: opening one fails; 0: it
- *             ends the process
- *   wall      receives the name of the last one
- * Returns 0, or the errno of the wall that can't be built; the process is to end. ENOSYS: this
- * build has no seccomp. */
+ *   seccomp        a system call outside a list ends the process with SIGSYS
+ * Each step is tested or read back.
+ *   pretends  1: opening a file fails, for libraries that search for files; 0: it ends the process
+ *   wall      receives the name of the last step
+ * Returns 0, or the errno of the step that failed; the process must then exit. ENOSYS: this build
+ * has no seccomp. */
 int sandbox_lock(int descriptors, int pretends, const char **wall);
 
 #endif

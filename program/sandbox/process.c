@@ -22,13 +22,13 @@
 #include "sandbox/broker.h"
 #include "sandbox/worker.h"
 
-/* The exit code of a worker that has ended; a line about one that did not end by itself. */
-static int explain(broker_state reason, int state, burnish_error *ended) {
+/* Returns the exit code of a worker that has ended, and reports a worker that was killed. */
+static int describe_end(broker_state reason, int state, burnish_error *ended) {
     burnish_error line;
-    int code = sandbox_explain_end(state, &line), has_line = !WIFEXITED(state);
-    if (reason == BROKER_LIED && !cli_child_was_late()) {
+    int code = sandbox_describe_end(state, &line), has_line = !WIFEXITED(state);
+    if (reason == BROKER_VIOLATION && !cli_child_was_late()) {
         cli_fail(&line, BURNISH_STATUS_FORMAT,
-                 "the sandbox ended the program: it asked for what drawing does not need; report "
+                 "the sandbox ended the program: it requested what drawing does not need; report "
                  "the input");
         code = has_line = 1;
     }
@@ -60,8 +60,8 @@ static burnish_status open_input(const char *input, int *file, burnish_error *er
     return BURNISH_STATUS_OK;
 }
 
-/* In the worker: the channel becomes 3, the input 4, nothing else of the broker's stays open, and
- * it does not outlive the broker. */
+/* In the worker: the channel becomes descriptor 3 and the input 4; the broker's other descriptors
+ * are closed. The worker does not outlive the broker. */
 static void enter_worker(pid_t parent, int channel, int input) {
     const int first = STDERR_FILENO + 1, is_open = input >= 0;
     const int held = is_open ? fcntl(input, F_DUPFD_CLOEXEC, first + 16) : -1;
@@ -74,18 +74,18 @@ static void enter_worker(pid_t parent, int channel, int input) {
     sandbox_become_worker(first, is_open ? first + 1 : -1);
 }
 
-/* Answers the worker until it has ended; returns the exit code. */
+/* Serves the worker until it has ended. Returns the exit code. */
 static int be_broker(const sandbox_plan *plan, pid_t worker, int channel, int input) {
     const int folder = folder_open(plan->input);
     cli_limit_child(worker);
     const broker_state reason = broker_serve(plan, channel, input, folder);
     close(channel);
-    kill(worker, SIGKILL); /* a liar goes on; an honest worker's exit code is already settled */
+    kill(worker, SIGKILL); /* a compromised worker may still run; a sound one has already exited */
     const int state = cli_wait_child(worker);
     if (folder >= 0) {
         close(folder);
     }
-    return explain(reason, state, plan->ended);
+    return describe_end(reason, state, plan->ended);
 }
 
 burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error) {

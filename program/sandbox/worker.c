@@ -105,7 +105,7 @@ int sandbox_is_worker(void) {
 }
 
 burnish_status sandbox_close(burnish_error *error) {
-    static char buffer[1 << 16]; /* stdio would ask what standard output is */
+    static char buffer[1 << 16]; /* stdio would call fstat on standard output */
     if (!sandbox_is_worker()) {
         return BURNISH_STATUS_OK;
     }
@@ -113,13 +113,15 @@ burnish_status sandbox_close(burnish_error *error) {
     setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     const char *wall;
     const int code = sandbox_lock((broker > input_file ? broker : input_file) + 1, 0, &wall);
-    return code == 0 ? BURNISH_STATUS_OK
-                     : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "--sandbox: this system can't (%s: %s); use --no-sandbox", wall,
-                                strerror(code));
+    return code == 0
+               ? BURNISH_STATUS_OK
+               : cli_fail(
+                     error, BURNISH_STATUS_ARGUMENT,
+                     "--sandbox: this system can't create a sandbox (%s: %s); use --no-sandbox",
+                     wall, strerror(code));
 }
 
-/* What the importer writes, as the broker hands it on. */
+/* Receives the importer's stream from the broker. */
 static burnish_status take_stream(import_stream *stream, burnish_error *error) {
     burnish_status status;
     return channel_take_stream(broker, import_keep, stream, &status, error) ? status
@@ -164,11 +166,11 @@ burnish_status sandbox_load(const char *input, const burnish_load_options *optio
     }
     handed.decoder = import_decoder(input);
     import_set_decode(decode_by_broker);
-    const int asked = (int)options->format, is_standard = strcmp(input, "-") == 0;
+    const int format = (int)options->format, is_standard = strcmp(input, "-") == 0;
     char ending[IMPORT_ENDING_SIZE];
-    const import_program *importer = import_choose(input, asked, ending);
+    const import_program *importer = import_choose(input, format, ending);
     if (!importer && (*input == ':' || is_standard)) {
-        handed.format = cli_foreign_ending(asked) ? BURNISH_FORMAT_AUTO : options->format;
+        handed.format = cli_foreign_ending(format) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(input, &handed, mesh, error);
     }
     handed.referenced_files = is_standard
@@ -178,7 +180,7 @@ burnish_status sandbox_load(const char *input, const burnish_load_options *optio
     burnish_status status =
         importer ? import(importer, import_shown(input), &handed, mesh, error)
                  : burnish_mesh_load_descriptor(input_file, input, &handed, mesh, error);
-    if (importer && import_may_be_other(status, asked) &&
+    if (importer && import_may_be_other(status, format) &&
         burnish_mesh_load_descriptor(input_file, input, &handed, mesh, &native) ==
             BURNISH_STATUS_OK) {
         status = BURNISH_STATUS_OK;

@@ -1,8 +1,8 @@
-/* The side of a sandbox that draws. */
+/* The worker's side of a sandbox. */
 #ifndef TOOL_SANDBOX_WORKER_H
 #define TOOL_SANDBOX_WORKER_H
 
-/* Makes this process the worker: process-wide, as the lock will be.
+/* Makes this process the worker. Affects the whole process, like the sandbox.
  *   channel  to the broker
  *   input    the open input, or -1 */
 void sandbox_become_worker(int channel, int input);

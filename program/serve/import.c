@@ -1,6 +1,6 @@
-/* Importers for requests. A worker can start nothing: it asks the server, which forks a process
- * that runs the importer over the mesh's bytes and hands the stream to the worker. Nothing of the
- * mesh, nor of the stream, is parsed but by the importer and the worker. */
+/* Importers for requests. A worker can't start processes: it sends a request to the server,
+ * which forks a process that runs the importer and passes the stream to the worker. Only the
+ * importer parses the mesh, and only the worker parses the stream. */
 #include "serve/serve.h"
 
 #ifndef _WIN32
@@ -24,18 +24,19 @@
 burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
                             const burnish_load_options *options, burnish_mesh **mesh,
                             burnish_error *error) {
-    serve_wish wish = {.offset = offset, .size = size, .format = (int32_t)options->format};
+    serve_import_request import = {
+        .offset = offset, .size = size, .format = (int32_t)options->format};
     char ending[IMPORT_ENDING_SIZE];
     const import_program *importer = import_choose(input, (int)options->format, ending);
-    const size_t length = strlen(input), shown = sizeof wish.name - 1;
+    const size_t length = strlen(input), shown = sizeof import.name - 1;
     import_stream stream = {0};
     *mesh = NULL;
-    if (length > shown) { /* the end, which has the ending */
+    if (length > shown) { /* keep the end, with the extension */
         input += length - shown;
     }
-    memcpy(wish.name, input, strlen(input));
+    memcpy(import.name, input, strlen(input));
     burnish_status status;
-    if (!cli_write_all(SERVE_CHANNEL, &wish, sizeof wish) ||
+    if (!cli_write_all(SERVE_CHANNEL, &import, sizeof import) ||
         !channel_take_stream(SERVE_CHANNEL, import_keep, &stream, &status, error)) {
         status = cli_fail(error, BURNISH_STATUS_READ, "the server's importer has ended");
     }
@@ -49,23 +50,23 @@ burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
 
 /* ---- The server ---- */
 
-int serve_hear_wish(int channel, serve_wish *wish) {
-    const ssize_t size = recv(channel, wish, sizeof *wish, MSG_DONTWAIT);
-    wish->name[sizeof wish->name - 1] = 0;
-    return size == 0                       ? SERVE_ENDED
-           : size == (ssize_t)sizeof *wish ? SERVE_WISH
-           : size < 0 && errno == EAGAIN   ? SERVE_NOTHING
-           : size < 0 && errno == EINTR    ? SERVE_NOTHING
-                                           : SERVE_NONSENSE;
+int serve_receive_import(int channel, serve_import_request *import) {
+    const ssize_t size = recv(channel, import, sizeof *import, MSG_DONTWAIT);
+    import->name[sizeof import->name - 1] = 0;
+    return size == 0                         ? SERVE_ENDED
+           : size == (ssize_t)sizeof *import ? SERVE_IMPORT
+           : size < 0 && errno == EAGAIN     ? SERVE_PENDING
+           : size < 0 && errno == EINTR      ? SERVE_PENDING
+                                             : SERVE_INVALID;
 }
 
-/* The mesh's bytes as a file of their own. */
-static int copy_mesh(const serve_wish *wish, uint64_t request_size, int request) {
+/* Copies the mesh's bytes to a file of their own. */
+static int copy_mesh(const serve_import_request *import, uint64_t request_size, int request) {
     static char piece[MESSAGE_DATA_MAX];
     const int file = import_unnamed_file();
-    uint64_t left = wish->size;
-    off_t next = (off_t)wish->offset;
-    if (file < 0 || wish->offset > request_size || wish->size > request_size - wish->offset) {
+    uint64_t left = import->size;
+    off_t next = (off_t)import->offset;
+    if (file < 0 || import->offset > request_size || import->size > request_size - import->offset) {
         return -1;
     }
     while (left > 0) {
@@ -85,17 +86,18 @@ static int send_piece(void *context, const void *bytes, size_t size) {
     return channel_send(SERVE_CHANNEL, MESSAGE_BYTES, 0, bytes, size);
 }
 
-void serve_run_importer(const serve_settings *settings, const serve_wish *wish,
+void serve_run_importer(const serve_settings *settings, const serve_import_request *import,
                         uint64_t request_size) {
     char ending[IMPORT_ENDING_SIZE];
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    const import_program *importer = import_choose(wish->name, wish->format, ending);
-    const int file = importer ? copy_mesh(wish, request_size, SERVE_REQUEST) : -1;
+    const import_program *importer = import_choose(import->name, import->format, ending);
+    const int file = importer ? copy_mesh(import, request_size, SERVE_REQUEST) : -1;
     cli_set_child_memory(settings->render.job.max_memory);
     const burnish_status status =
         file < 0
-            ? cli_fail(&error, BURNISH_STATUS_MEMORY, "%.200s: no room for an importer", wish->name)
-            : import_run(importer, wish->name, ending, file,
+            ? cli_fail(&error, BURNISH_STATUS_MEMORY, "%.200s: no room for an importer",
+                       import->name)
+            : import_run(importer, import->name, ending, file,
                          settings->render.input.load.max_input_bytes, send_piece, NULL, &error);
     channel_send(SERVE_CHANNEL, MESSAGE_DONE, (uint64_t)status, error.text,
                  status == BURNISH_STATUS_OK ? 0 : strlen(error.text));

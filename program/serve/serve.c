@@ -23,31 +23,32 @@ static const cli_flag flags[] = {
      .letter = 'j',
      .common = 1,
      .aliases = "workers,parallel",
-     .manual = "How many requests are drawn at a time; 0 for as many as there are processors. So "
-               "many processes wait for requests. Answers come as they are done: with *--jobs=1* "
-               "in the order of the requests."},
-    {CLI_FLAG("threads", "N", "of each picture", cli_flag_integer, render.job.threads),
+     .manual = "How many requests are drawn at a time; 0 for as many as there are processors. The "
+               "server keeps as many idle processes. Replies are written as they are finished: "
+               "with *--jobs=1* in the order of the requests."},
+    {CLI_FLAG("threads", "N", "threads per picture", cli_flag_integer, render.job.threads),
      CLI_RANGE(1, 1024), .default_text = "1", .common = 1,
-     .manual = "Threads that draw one picture. More make a single request quicker, not many."},
+     .manual = "Threads that draw one picture. More threads shorten a single request, but not many "
+               "at a time."},
     {CLI_FLAG("max-request-bytes", "N", "refuse larger requests", cli_flag_bytes,
               max_request_bytes),
      CLI_RANGE(1, 4294967295.0), .default_text = "256M", .common = 1,
-     .manual = "A request of more bytes, its line and its files together, is passed over and "
-               "answered with code 5. _N_ may end in *K*, *M* or *G*."},
-    {CLI_FLAG("max-seconds", "N", "of one request, at most", cli_flag_real, render.job.max_seconds),
+     .manual = "A larger request, including its files, is skipped and answered with code 5. _N_ "
+               "may end in *K*, *M* or *G*."},
+    {CLI_FLAG("max-seconds", "N", "time limit per request", cli_flag_real, render.job.max_seconds),
      CLI_RANGE(0, 1e6), .default_text = "60", .common = 1,
-     .manual = "A request that takes longer, by the clock and from its last byte on, is answered "
-               "with code 5. 0: without end."},
-    {CLI_FLAG("max-memory", "N", "of one request, such as 500M", cli_flag_bytes,
+     .manual = "A request that takes longer in wall-clock time, counted from its last byte, is "
+               "answered with code 5. 0: no limit."},
+    {CLI_FLAG("max-memory", "N", "memory limit per request, such as 500M", cli_flag_bytes,
               render.job.max_memory),
      CLI_RANGE(1, 9e18), .default_text = "2G", .common = 1,
-     .manual = "A request that needs more memory is answered with code 6. All together need at "
-               "most this times *--jobs*. _N_ may end in *K*, *M* or *G*."},
+     .manual = "A request that needs more memory is answered with code 6. The total is at most "
+               "this times *--jobs*. _N_ may end in *K*, *M* or *G*."},
     {CLI_SWITCH("no-sandbox", "workers may open files", no_sandbox),
-     .manual = "Each request is parsed and drawn in a process of its own that can open no file, no "
-               "socket and start no program (docs/security.md). Without libseccomp, or with a "
-               "kernel that can't, the server does not start. With this flag it does, and "
-               "processes are not locked in."},
+     .manual = "Each request is parsed and drawn in a process of its own that can't open files or "
+               "sockets or start programs (docs/security.md). Without libseccomp or support by the "
+               "kernel, the server does not start. With this flag it starts, and processes are not "
+               "sandboxed."},
     {.group = "Picture",
      .topic = "picture",
      CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size,
@@ -56,7 +57,7 @@ static const cli_flag flags[] = {
      .default_text = "512,512",
      .common = 1,
      .aliases = "width,height,res",
-     .manual = "Width and height of pictures whose request does not say them."},
+     .manual = "Default width and height of pictures."},
 };
 
 static const cli_example examples[] = {
@@ -65,25 +66,25 @@ static const cli_example examples[] = {
 };
 
 static const cli_term request_terms[] = {
-    {"*name*", "the mesh's name: its ending tells the format, messages begin with it; without "
-               "bytes a built-in object, such as *:teapot*"},
-    {"*flags*", "an array of texts: flags of *burnish render* for camera, light, surface, input "
-                "and picture, such as *--size=256*; they come after those of the command line"},
-    {"*files*", "an array of {\"name\", \"bytes\"}: files that the mesh names; the last bytes of "
+    {"*name*", "the mesh's name, which selects the format by its extension and begins messages; "
+               "without bytes, a built-in object such as *:teapot*"},
+    {"*flags*", "an array of strings: flags of *burnish render* for camera, light, surface, input "
+                "and picture, such as *--size=256*; they follow those of the command line"},
+    {"*files*", "an array of {\"name\", \"bytes\"}: referenced files; they are the last bytes of "
                 "the frame, in this order"},
     {NULL, NULL},
 };
 
 static const cli_section sections[] = {
     {.heading = "REQUESTS OF A SERVER",
-     .text = "A request is a frame: its length and its id, 4 bytes each and little-endian, and so "
-             "many bytes: a JSON object in one line, a newline, the bytes of the mesh. Its answer "
-             "has the same id and the same form: a JSON object in one line, a newline, the bytes "
-             "of the picture. *code* is 0, and *report* what *burnish render --json* says; or "
-             "*code* is what *burnish render* would end with, and *error* its line. Keys of a "
-             "request, which may all be missing:",
+     .text = "A request is a frame: length and id, 4 bytes each and little-endian, then `length` "
+             "bytes: a JSON object in one line, a newline, the bytes of the mesh. The reply has "
+             "the same id and form: a JSON object in one line, a newline, the bytes of the "
+             "picture. On success *code* is 0, and *report* is the output of *burnish render "
+             "--json*. Otherwise *code* is the exit code of *burnish render*, and *error* its "
+             "message. Keys of a request, all optional:",
      .terms = request_terms,
-     .closing = "What is no frame, such as text, ends the server with exit code 4. "
+     .closing = "An invalid frame, such as text, ends the server with exit code 4. "
                 "docs/serve.md has clients, and an example behind a web server."},
     {.heading = NULL},
 };
@@ -93,17 +94,16 @@ static const cli_section sections[] = {
 const cli_command serve_command = {
     .name = "serve-stdio",
     .operand = "",
-    .summary = "pictures by request, through a pipe",
-    .operand_help = "requests on standard input, their answers on standard output",
+    .summary = "draw pictures on request, through pipes",
+    .operand_help = "requests on standard input, replies on standard output",
     .manual =
-        "Reads requests from standard input and writes their answers, pictures, to standard "
-        "output, until its input ends: what a web server or another program starts once to draw "
-        "many meshes. Pictures have the same bytes as those of *burnish render*. A process has "
-        "started, has its memory and is locked in before its request comes; it serves one, and "
-        "another takes its place. So no request sees another, and one that crashes or goes beyond "
-        "a limit gets an answer that says so.\n"
-        "Flags of *burnish render* that are given here are those of every request, with its own "
-        "after them. Limits are set here alone.",
+        "Reads requests from standard input and writes pictures to standard output until its input "
+        "ends. A web server or another program starts it once to draw many meshes. Pictures are "
+        "identical to those of *burnish render*. Each process starts, allocates memory and enters "
+        "the sandbox before its request arrives; it serves one request and is replaced. No request "
+        "can see another, and a request that crashes or exceeds a limit gets an error reply.\n"
+        "Flags of *burnish render* given here apply to every request; a request can override them, "
+        "except for limits.",
     .operands_max = 0,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
@@ -132,7 +132,7 @@ const cli_command serve_request_command = {
 static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     (void)from, (void)call;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "serve-stdio: not on this system; call burnish render for each input");
+                    "serve-stdio: not supported on this system; run burnish render for each input");
 }
 
 #else
@@ -145,8 +145,8 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     defaults.output.path = "-";
     if (isatty(STDIN_FILENO) || isatty(STDOUT_FILENO)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "serve-stdio: standard %s is a terminal; requests and answers are for "
-                        "programs: see docs/serve.md",
+                        "serve-stdio: standard %s is a terminal, but requests and replies are "
+                        "binary: see docs/serve.md",
                         isatty(STDIN_FILENO) ? "input" : "output");
     }
     if (!settings->no_sandbox && !sandbox_is_built()) {
@@ -154,7 +154,7 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
                         "serve-stdio: this program was built without libseccomp; install "
                         "libseccomp-dev and build again, or use --no-sandbox");
     }
-    defaults.given = (cli_given){{0}}; /* they are of requests, which may have what they need */
+    defaults.given = (cli_given){{0}}; /* requests may set them again */
     const burnish_status status = render_finish(&defaults, error);
     return status == BURNISH_STATUS_OK ? serve_run(settings, error) : status;
 }

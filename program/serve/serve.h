@@ -1,20 +1,20 @@
-/* `burnish serve-stdio`: pictures by request, from standard input to standard output.
+/* `burnish serve-stdio`: reads requests from standard input and writes pictures to standard output.
  *
- *   server.c  frames and processes: hands each request to a worker that waits for it, and hands
- *             out what the worker leaves. It parses nothing of a request but its length
- *   import.c  how a worker has an importer run, by a process that the server forks for it
- *   worker.c  a process of one request: starts and locks itself in before there is one, then
- *             parses, draws as `burnish render` does, and leaves the answer
+ *   server.c  frames and processes: passes each request to an idle worker and writes the worker's
+ *             reply. It parses only the length of a request
+ *   import.c  runs an importer for a worker, in a process that the server forks
+ *   worker.c  a process for one request: enters the sandbox before it receives the request, then
+ *             parses it, draws as `burnish render` does, and writes the reply
  *
- * A frame is {uint32 length, uint32 id}, little-endian, and `length` bytes: a line of JSON, and
- * what docs/serve.md says behind it. */
+ * A frame is {uint32 length, uint32 id}, little-endian, and `length` bytes: a line of
+ * JSON, then data as described in docs/serve.md. */
 #ifndef TOOL_SERVE_SERVE_H
 #define TOOL_SERVE_SERVE_H
 
 #include "render/settings.h"
 
 typedef struct serve_settings {
-    render_settings render; /* first: its flags are ours too, and the defaults of every request */
+    render_settings render; /* first: the server accepts its flags, as defaults for every request */
     int jobs;               /* 0: as many as there are processors */
     int no_sandbox;
     uint64_t max_request_bytes;
@@ -22,49 +22,50 @@ typedef struct serve_settings {
 
 enum { SERVE_HEAD_BYTES = 8, SERVE_LINE_MAX = 1 << 16 };
 
-/* The flags that a request may have: render's, without those that an operator sets. */
+/* The flags that a request may contain: render's, except those reserved for the operator. */
 extern const cli_command serve_request_command;
 
-/* Answers requests until standard input ends. Errors: FORMAT (what is no frame), READ, WRITE,
+/* Answers requests until standard input ends. Errors: FORMAT (invalid frame), READ, WRITE,
  * MEMORY (no process), ARGUMENT (no sandbox). */
 burnish_status serve_run(const serve_settings *settings, burnish_error *error);
 
-/* A worker's descriptors, beside the standard streams, which are closed to it. */
+/* A worker's descriptors. Its standard streams are /dev/null. */
 enum {
-    SERVE_CHANNEL = 3, /* gives a byte when the worker is ready, takes the size of the request */
+    SERVE_CHANNEL = 3, /* the worker sends a byte when ready and receives the request's size */
     SERVE_REQUEST,     /* a file with the frame's bytes */
-    SERVE_ANSWER,      /* an empty file for those of the answer, or for the line about why there
-                          can be no worker */
+    SERVE_ANSWER,      /* a file for the reply, or for the reason why the worker could not start */
     SERVE_DESCRIPTORS
 };
 
-/* What a worker may say while it has a request, once: an importer is to read some of its bytes. The
- * answer is that of a broker to MESSAGE_IMPORT (sandbox/channel.h). */
-typedef struct serve_wish {
+/* A worker's request, at most once, to run an importer on part of the frame. The reply has the form
+ * of the broker's reply to MESSAGE_IMPORT (sandbox/channel.h). */
+typedef struct serve_import_request {
     uint64_t offset, size; /* of the mesh in the frame */
     int32_t format;        /* burnish_format or cli_foreign */
-    char name[244];        /* the mesh's, or its end: for its ending and messages */
-} serve_wish;
+    char name[244];        /* of the mesh, or the end of a long name */
+} serve_import_request;
 
-/* In the worker: import_load of such bytes, where import_choose has an importer. Textures come from
+/* In the worker: imports a mesh for which import_choose found an importer. Textures come from
  * options->referenced_files. */
 burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
                             const burnish_load_options *options, burnish_mesh **mesh,
                             burnish_error *error);
 
-/* In the server: what a worker that has a request says, without waiting. */
-enum { SERVE_NOTHING, SERVE_ENDED, SERVE_WISH, SERVE_NONSENSE };
-int serve_hear_wish(int channel, serve_wish *wish);
+/* In the server: receives an import request without blocking. PENDING: nothing yet; ENDED: the
+ * worker has closed the channel; INVALID: anything else. */
+enum { SERVE_PENDING, SERVE_ENDED, SERVE_IMPORT, SERVE_INVALID };
+int serve_receive_import(int channel, serve_import_request *import);
 
-/* The whole life of a process with a worker's channel and request, at the descriptors of a worker.
+/* Runs an importer in a forked process, with the descriptors of a worker.
  */
 __attribute__((noreturn)) void serve_run_importer(const serve_settings *settings,
-                                                  const serve_wish *wish, uint64_t request_size);
+                                                  const serve_import_request *import,
+                                                  uint64_t request_size);
 
-/* The process's whole life. It ends with 0 when the answer is whole. */
+/* Runs a worker. The process exits with 0 when the reply is complete. */
 __attribute__((noreturn)) void serve_work(const serve_settings *settings);
 
-/* The line of a request that has failed, without a newline; to be freed, NULL without memory.
+/* The line of a failed request, without a newline; release with free. NULL: out of memory.
  *   report  a JSON object in one line, or NULL */
 char *serve_failed_line(int code, const char *message, const char *report);
 

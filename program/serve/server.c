@@ -1,5 +1,5 @@
-/* Frames and processes. One thread, which waits for nothing but poll: requests are read while a
- * worker is free, answers are written as the client takes them. */
+/* Frames and processes. One thread, which blocks only in poll: it reads requests while a worker is
+ * free and writes replies as fast as the client reads them. */
 #include "serve/serve.h"
 
 #ifndef _WIN32
@@ -29,31 +29,31 @@
 
 enum {
     BUFFER = 1 << 16,
-    PIECE = 4096 /* a pipe that poll calls writable takes so many bytes at once: PIPE_BUF */
+    PIECE = 4096 /* PIPE_BUF: a pipe that poll reports as writable accepts so many bytes */
 };
 
 typedef enum slot_state {
     SLOT_EMPTY,    /* no process */
-    SLOT_STARTING, /* it gets ready */
-    SLOT_IDLE,     /* it waits for a request */
-    SLOT_FILLING,  /* the request is being read */
+    SLOT_STARTING, /* getting ready */
+    SLOT_IDLE,     /* waiting for a request */
+    SLOT_FILLING,  /* its request is being read */
     SLOT_WORKING,
-    SLOT_ANSWERED, /* the answer is whole, and waits to be written */
+    SLOT_ANSWERED, /* the reply is complete, but not written */
 } slot_state;
 
 /* A worker and its request. */
 typedef struct slot {
     slot_state state;
     pid_t process;  /* 0: it has ended */
-    pid_t importer; /* a process that runs one for it, or has; 0: none */
+    pid_t importer; /* a process that runs or ran an importer for it; 0: none */
     int channel, request, answer;
-    uint32_t id, left;    /* of the request's bytes, still to be read */
-    uint64_t size;        /* of them all */
-    double deadline;      /* clock */
+    uint32_t id, left;    /* left: bytes of the request still to read */
+    uint64_t size;        /* of the whole request */
+    double deadline;      /* as cli_seconds_now */
     int is_late;          /* 1: the deadline has passed */
-    char *line;           /* the answer where the worker has none; NULL: it is in the file */
+    char *line;           /* the reply if the worker wrote none; NULL: it is in the file */
     size_t answer_size;   /* without the frame's head */
-    uint64_t answer_next; /* of head and answer, the next byte to write */
+    uint64_t answer_next; /* next byte to write, counted from the frame's head */
 } slot;
 
 typedef struct server {
@@ -62,12 +62,12 @@ typedef struct server {
     struct pollfd *ready; /* standard input and output, then one per slot */
     size_t count;
     slot *filling; /* NULL: between requests */
-    slot *writing; /* NULL: no answer is on its way */
+    slot *writing; /* NULL: no reply is being written */
     uint8_t head[SERVE_HEAD_BYTES];
-    size_t head_size;  /* bytes of it that are there */
+    size_t head_size;  /* bytes of it that were read */
     uint64_t requests; /* read so far */
     int has_ended;     /* 1: no more requests */
-    burnish_error end; /* why, where its status is not OK */
+    burnish_error end; /* the reason, unless its status is OK */
 } server;
 
 /* ---- Workers ---- */
@@ -82,28 +82,28 @@ static void close_files(slot *s) {
     s->channel = s->request = s->answer = -1;
 }
 
-/* In a new process: of all descriptors it keeps three, as serve.h numbers them. */
+/* In the forked process: keeps three descriptors, numbered as in serve.h, and closes the rest. */
 static void keep_descriptors(const server *v, const slot *s, int channel, pid_t parent) {
     const int first_free = 2 * SERVE_DESCRIPTORS;
     const int held[] = {fcntl(channel, F_DUPFD_CLOEXEC, first_free),
                         fcntl(s->request, F_DUPFD_CLOEXEC, first_free),
                         fcntl(s->answer, F_DUPFD_CLOEXEC, first_free)};
     const int nothing = open("/dev/null", O_RDWR);
-    (void)v; /* tells how many there may be, elsewhere */
+    (void)v; /* used only on other systems */
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
     if (getppid() != parent) {
         _exit(1);
     }
-    signal(SIGINT, SIG_IGN); /* of a terminal: the server ends, and its workers with it */
+    signal(SIGINT, SIG_IGN); /* Control-C ends the server, which ends its workers */
     for (int i = 0; i < 3; ++i) {
         dup2(nothing, i);
     }
     for (int i = 0; i < 3; ++i) {
         dup2(held[i], SERVE_CHANNEL + i);
     }
-#if BURNISH_HAS_SECCOMP /* of glibc; others may lack it */
+#if BURNISH_HAS_SECCOMP /* other C libraries may lack it */
     close_range(SERVE_DESCRIPTORS, ~0U, 0);
 #else
     for (int i = SERVE_DESCRIPTORS; i < first_free + 4 * (int)v->count + 8; ++i) {
@@ -145,7 +145,7 @@ static burnish_status start_worker(server *v, slot *s, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-/* Waits for a process that ends or is killed; its state. */
+/* Waits for a process. Returns its wait status. */
 static int wait_for(slot *s) {
     int state = 0;
     while (waitpid(s->process, &state, 0) < 0 && errno == EINTR) {
@@ -156,8 +156,8 @@ static int wait_for(slot *s) {
 
 /* ---- Importers ---- */
 
-/* A worker that asks for one twice, or says something else, is ended. */
-static void start_importer(server *v, slot *s, const serve_wish *wish) {
+/* A second or an invalid request ends the worker. */
+static void start_importer(server *v, slot *s, const serve_import_request *import) {
     static const char text[] = "serve-stdio: no process for an importer";
     const pid_t self = getpid();
     if (s->importer > 0) {
@@ -167,7 +167,7 @@ static void start_importer(server *v, slot *s, const serve_wish *wish) {
     s->importer = fork();
     if (s->importer == 0) {
         keep_descriptors(v, s, s->channel, self);
-        serve_run_importer(v->settings, wish, s->size);
+        serve_run_importer(v->settings, import, s->size);
     }
     if (s->importer < 0) {
         s->importer = 0;
@@ -175,7 +175,7 @@ static void start_importer(server *v, slot *s, const serve_wish *wish) {
     }
 }
 
-/* With the worker that it is for. What it runs ends with it. */
+/* Ends the importer's process and the importer that it runs. */
 static void end_importer(slot *s) {
     if (s->importer > 0) {
         kill(s->importer, SIGKILL);
@@ -193,7 +193,7 @@ static void answer_failure(slot *s, int code, const char *text) {
     }
 }
 
-/* The request has been read, and its worker has ended or does not get it. */
+/* Finishes a request that was read and whose worker has ended or did not receive it. */
 static void finish(slot *s) {
     struct stat state;
     s->state = SLOT_ANSWERED;
@@ -206,10 +206,10 @@ static void finish(slot *s) {
     s->answer_size = s->line ? strlen(s->line) + 1 : (size_t)state.st_size;
 }
 
-/* A worker has ended while it had a request. */
-static void explain(const server *v, slot *s, int state) {
+/* Writes the error reply for a worker that ended during its request. */
+static void describe_end(const server *v, slot *s, int state) {
     burnish_error line = {BURNISH_STATUS_MEMORY, "the program that draws ended before its answer"};
-    int code = sandbox_explain_end(state, &line);
+    int code = sandbox_describe_end(state, &line);
     if (s->is_late) {
         code = burnish_status_exit_code(cli_fail(&line, BURNISH_STATUS_LIMIT,
                                                  "not done after %g seconds (--max-seconds): raise "
@@ -221,27 +221,28 @@ static void explain(const server *v, slot *s, int state) {
     }
 }
 
-/* The line of a worker that could not start, which it has left in its answer. */
+/* Reports a worker that could not start; its reply file has the reason. */
 static burnish_status fail_start(slot *s, int state, burnish_error *error) {
     char text[sizeof error->text] = "";
     const ssize_t size = pread(s->answer, text, sizeof text - 1, 0);
     burnish_error line = {BURNISH_STATUS_MEMORY, "serve-stdio: a worker could not start"};
-    sandbox_explain_end(state, &line);
+    sandbox_describe_end(state, &line);
     return size > 0 ? cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s", text)
                     : cli_fail(error, line.status, "%s", line.text);
 }
 
-/* A worker says that it is ready, wants an importer, or has ended. */
-static burnish_status hear(server *v, slot *s, burnish_error *error) {
+/* Handles a worker that became ready, requested an importer or ended. */
+static burnish_status receive(server *v, slot *s, burnish_error *error) {
     char byte;
-    serve_wish wish;
-    const int said = s->state == SLOT_WORKING ? serve_hear_wish(s->channel, &wish) : SERVE_ENDED;
-    if (said == SERVE_WISH) {
-        start_importer(v, s, &wish);
-    } else if (said == SERVE_NONSENSE) {
+    serve_import_request import;
+    const int kind =
+        s->state == SLOT_WORKING ? serve_receive_import(s->channel, &import) : SERVE_ENDED;
+    if (kind == SERVE_IMPORT) {
+        start_importer(v, s, &import);
+    } else if (kind == SERVE_INVALID) {
         kill(s->process, SIGKILL);
     }
-    if (said != SERVE_ENDED) {
+    if (kind != SERVE_ENDED) {
         return BURNISH_STATUS_OK;
     }
     if (s->state != SLOT_WORKING && read(s->channel, &byte, 1) == 1) {
@@ -253,11 +254,11 @@ static burnish_status hear(server *v, slot *s, burnish_error *error) {
     if (s->state == SLOT_STARTING) {
         return fail_start(s, state, error);
     }
-    if (s->state == SLOT_IDLE) { /* the system ended it */
+    if (s->state == SLOT_IDLE) { /* it was killed while idle */
         close_files(s);
         return start_worker(v, s, error);
     }
-    explain(v, s, state);
+    describe_end(v, s, state);
     if (s->state == SLOT_WORKING) {
         finish(s);
     }
@@ -275,7 +276,7 @@ static uint32_t get32(const uint8_t *from) {
            (uint32_t)from[3] << 24;
 }
 
-/* Bytes of head and answer from answer_next on; how many, -1: the file can't be read. */
+/* Copies head and reply from answer_next on. Returns the byte count; -1: the file can't be read. */
 static ssize_t answer_bytes(const slot *s, char piece[PIECE]) {
     size_t used = 0;
     uint64_t next = s->answer_next;
@@ -296,13 +297,13 @@ static ssize_t answer_bytes(const slot *s, char piece[PIECE]) {
     }
     memcpy(piece + used, s->line + next, count);
     if (next + count == s->answer_size) {
-        piece[used + count - 1] = '\n'; /* for the line's 0 */
+        piece[used + count - 1] = '\n'; /* replaces the line's 0 */
     }
     return (ssize_t)(used + count);
 }
 
-/* Writes as much as standard output takes without waiting. A worker takes the place of one whose
- * answer is written; one that did not get its request stays. */
+/* Writes as much as standard output accepts without blocking. A worker is replaced after its reply
+ * was written, unless it did not receive the request. */
 static burnish_status write_answer(server *v, burnish_error *error) {
     char piece[PIECE];
     slot *s = v->writing;
@@ -350,12 +351,12 @@ static void end_input(server *v, burnish_status status, const char *what) {
                  (unsigned long long)v->requests + (v->head_size > 0), what);
     }
     if (v->filling) {
-        v->filling->state = SLOT_IDLE; /* its request has no end */
+        v->filling->state = SLOT_IDLE; /* its request is incomplete */
         v->filling = NULL;
     }
 }
 
-/* A head is whole. */
+/* Handles a complete head. */
 static void begin_request(server *v) {
     const uint32_t length = get32(v->head);
     slot *s = find(v, SLOT_IDLE);
@@ -371,13 +372,13 @@ static void begin_request(server *v) {
     if (length > v->settings->max_request_bytes) {
         burnish_error line;
         cli_fail(&line, BURNISH_STATUS_LIMIT,
-                 "request: %lu bytes; at most %llu are taken (--max-request-bytes)",
+                 "request: %lu bytes; the limit is %llu (--max-request-bytes)",
                  (unsigned long)length, (unsigned long long)v->settings->max_request_bytes);
         answer_failure(s, burnish_status_exit_code(line.status), line.text);
     }
 }
 
-/* All bytes of the request are there. */
+/* Handles a complete request. */
 static void end_request(server *v) {
     slot *s = v->filling;
     const double seconds = v->settings->render.job.max_seconds.value;
@@ -408,7 +409,7 @@ static void keep_bytes(server *v, const char *bytes, size_t size) {
     }
 }
 
-/* Reads what there is of one head or one request. */
+/* Reads available bytes of one head or one request. */
 static void read_input(server *v) {
     static char buffer[BUFFER];
     slot *s = v->filling;
@@ -421,10 +422,10 @@ static void read_input(server *v) {
         end_input(v, BURNISH_STATUS_READ, strerror(errno));
     } else if (count == 0) {
         end_input(v, s || v->head_size > 0 ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_OK,
-                  "the input ends in it");
+                  "incomplete");
     } else if (s) {
         keep_bytes(v, buffer, (size_t)count);
-        memset(buffer, 0, (size_t)count); /* later workers begin as copies of this process */
+        memset(buffer, 0, (size_t)count); /* forked workers must not see earlier requests */
     } else {
         v->head_size += (size_t)count;
         if (v->head_size == sizeof v->head) {
@@ -435,7 +436,7 @@ static void read_input(server *v) {
 
 /* ---- The loop ---- */
 
-/* Ends workers that are late; milliseconds until the next one may be, -1: none. */
+/* Ends workers past their deadline. Returns milliseconds until the next deadline; -1: none. */
 static int look_at_clock(server *v) {
     double next = INFINITY;
     for (size_t i = 0; i < v->count; ++i) {
@@ -472,7 +473,7 @@ static burnish_status turn(server *v, burnish_error *error) {
         return status;
     }
     for (size_t i = 0; i < v->count && status == BURNISH_STATUS_OK; ++i) {
-        status = v->ready[2 + i].revents ? hear(v, &v->slots[i], error) : status;
+        status = v->ready[2 + i].revents ? receive(v, &v->slots[i], error) : status;
     }
     if (status == BURNISH_STATUS_OK && v->ready[1].revents) {
         status = write_answer(v, error);
@@ -487,7 +488,7 @@ static int has_work(const server *v) {
     return !v->has_ended || v->writing || find(v, SLOT_WORKING) || find(v, SLOT_ANSWERED);
 }
 
-/* Those that wait see that there is nothing more. */
+/* Closing the channels ends the idle workers. */
 static void end_workers(server *v) {
     for (size_t i = 0; v->slots && i < v->count; ++i) {
         slot *s = &v->slots[i];

@@ -1,5 +1,5 @@
-/* A process of one request. It is locked in before there is one, so that nothing of a request is
- * parsed outside, and nothing is left of it for the next. */
+/* A process for one request. It enters the sandbox before it receives the request: nothing is parsed
+ * outside, and the next request can't see this one. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,14 +38,14 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 
 enum { FILES_MAX = 256, FLAGS_MAX = 256, PIECE = 1 << 16, WARM_BYTES = 8 << 20, PAGE_BYTES = 4096 };
 
-/* ---- What drawing writes ---- */
+/* ---- Outputs ---- */
 
 typedef struct output {
     char *bytes;
     size_t size, capacity;
 } output;
 
-/* Of this process's one request. */
+/* Outputs of this process's only request. */
 static output picture, report;
 
 static burnish_status keep_output(const char *path, burnish_file_source *source, void *context,
@@ -97,7 +97,7 @@ static burnish_status take_flags(request *r, const cJSON *list, burnish_error *e
                : fail_key("flags", "give an array of at most 256 texts", error);
 }
 
-/* Files are the last bytes, the first of them first; the mesh is what stands before. */
+/* The files are the last bytes, in order; the mesh precedes them. */
 static burnish_status take_files(request *r, const cJSON *list, burnish_error *error) {
     const cJSON *item;
     uint64_t sum = 0;
@@ -154,7 +154,7 @@ static burnish_status take_keys(request *r, const cJSON *object, burnish_error *
     return status;
 }
 
-/* The names and flags that r then has belong to *object. */
+/* r's names and flags point into *object. */
 static burnish_status parse_request(const char *frame, size_t size, request *r, cJSON **object,
                                     burnish_error *error) {
     const size_t most = size < SERVE_LINE_MAX ? size : SERVE_LINE_MAX;
@@ -185,19 +185,19 @@ static burnish_status load(void *context, const char *input, const burnish_load_
     request *r = context;
     burnish_load_options handed = *options;
     handed.referenced_files = cli_companion_loader(&r->companions);
-    const int asked = (int)options->format;
+    const int format = (int)options->format;
     char ending[IMPORT_ENDING_SIZE];
     burnish_error native;
     if (*input == ':') {
-        handed.format = cli_foreign_ending(asked) ? BURNISH_FORMAT_AUTO : options->format;
+        handed.format = cli_foreign_ending(format) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(input, &handed, mesh, error);
     }
-    if (!import_choose(input, asked, ending)) {
+    if (!import_choose(input, format, ending)) {
         return burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, error);
     }
     burnish_status status =
         serve_import(input, (uint64_t)(r->bytes - r->frame), r->size, &handed, mesh, error);
-    if (import_may_be_other(status, asked) &&
+    if (import_may_be_other(status, format) &&
         burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, &native) ==
             BURNISH_STATUS_OK) {
         status = BURNISH_STATUS_OK;
@@ -209,11 +209,11 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
                            burnish_error *error) {
     render_settings settings = server->render;
     cli_call call = {0};
-    settings.given = (cli_given){{0}}; /* what the server was given are defaults */
+    settings.given = (cli_given){{0}}; /* the server's flags are only defaults */
     burnish_status status =
         cli_parse(&serve_request_command, r->flag_count, r->flags, &settings, &call, error);
     if (status == BURNISH_STATUS_OK && call.help) {
-        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--help: is no flag of a request");
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "--help: not a flag of a request");
     }
     settings.input.name = r->name;
     settings.output.path = "-";
@@ -242,10 +242,10 @@ static burnish_status serve(const serve_settings *settings, const char *frame, s
     if (status == BURNISH_STATUS_OK && *code != 0) {
         cli_fail(error, status, "%.300s: the picture is blank (--fail-on-blank)", r.name);
     }
-    return status; /* the process ends: nothing is released */
+    return status; /* the process exits, so nothing is released */
 }
 
-/* Ends the process. */
+/* Writes the reply and ends the process. */
 __attribute__((noreturn)) static void answer(const serve_settings *settings, const char *frame,
                                              size_t size) {
     static const char head[] = "{\"code\":0,\"report\":";
@@ -253,7 +253,7 @@ __attribute__((noreturn)) static void answer(const serve_settings *settings, con
     int code = 0;
     const burnish_status status = serve(settings, frame, size, &code, &error);
     if (report.bytes) {
-        cJSON_Minify(report.bytes); /* into one line */
+        cJSON_Minify(report.bytes); /* to one line */
     }
     int is_written;
     if (status == BURNISH_STATUS_OK && code == 0) {
@@ -272,7 +272,7 @@ __attribute__((noreturn)) static void answer(const serve_settings *settings, con
 
 /* ---- The process ---- */
 
-/* Memory is touched while nobody waits: a picture of 256 x 256 takes so much. */
+/* Touches memory while idle, enough for a picture of 256 x 256 pixels. */
 static void warm_up(void) {
     volatile char *room = malloc(WARM_BYTES);
     for (size_t i = 0; room && i < WARM_BYTES; i += PAGE_BYTES) {
@@ -290,11 +290,12 @@ static burnish_status get_ready(const serve_settings *settings, burnish_error *e
     if (status == BURNISH_STATUS_OK && !settings->no_sandbox) {
         const char *wall;
         const int reason = sandbox_lock(SERVE_DESCRIPTORS, 0, &wall);
-        status = reason == 0 ? status
-                             : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                        "serve-stdio: this system has no sandbox (%s: %s); use "
-                                        "--no-sandbox",
-                                        wall, strerror(reason));
+        status = reason == 0
+                     ? status
+                     : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "serve-stdio: this system can't create a sandbox (%s: %s); use "
+                                "--no-sandbox",
+                                wall, strerror(reason));
     }
     return status;
 }

@@ -130,12 +130,12 @@ check "all was drawn" [ -z "$(find out -name '*.png' -newermt 2002-01-01)" ]
 check "an array and a queue: $(diff -r out reference 2>&1 | head -n 3)" diff -r out reference
 rm -rf out reference programs
 for part in 0/3 4/3 1.5/3 3 /; do
-    expect 2 "burnish: --shard: \"$part\": expected I/N with 1 <= I <= N <= 1000000, as 3/100" batch in --shard=$part
+    expect 2 "burnish: --shard: \"$part\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100" batch in --shard=$part
 done
-expect 2 'burnish: --shard: a part has no --index and no --sheet; the same command without --shard, when all parts are done, makes them' \
+expect 2 'burnish: --shard: not with --index or --sheet; after all parts, run the same command without --shard to write them' \
     batch in --shard=1/2 --index
-expect 2 'burnish: --runner: descriptor 3 is no socket; burnish-mpi opens it' batch --runner
-expect 2 'burnish: --runners: descriptor 3 is no socket; burnish-mpi opens them' batch in -d out --runners=1
+expect 2 'burnish: --runner: descriptor 3 is not a socket; burnish-mpi opens it' batch --runner
+expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens them' batch in -d out --runners=1
 rm -rf out
 
 # Names: lists, templates, views; nothing outside the folder, no duplicate pictures.
@@ -153,7 +153,7 @@ expect 2 'burnish: --output: "in/a.obj" and another input would both be written 
 expect 2 'burnish: batch: no INPUT; try "burnish batch FOLDER --output-dir=thumbs" or "burnish batch --help"' batch
 mkdir empty
 expect 2 'burnish: batch: no meshes there; --recursive looks into folders below' batch empty
-expect 2 'burnish: --report: "in/a.obj" exists and is no report of burnish batch; name another file' batch :sphere --report=in/a.obj -d out
+expect 2 'burnish: --report: "in/a.obj" exists but is not a report of burnish batch; name another file' batch :sphere --report=in/a.obj -d out
 echo text >out/sphere.png
 batch :sphere -d out --size=8
 check "a file that is no picture of ours stays: $(cat "$err")" [ "$code" = 11 -a "$(cat out/sphere.png)" = text ]
@@ -187,7 +187,7 @@ END
 check "a list: $(cat "$err")" [ "$(find thumbs -type f | wc -l)" = 2 ]
 rm -rf thumbs
 expect 2 'burnish: --plane: is of one picture; draw one INPUT, without --output-dir' render in/a.obj in/a.off --plane=depth:d.npy
-expect 2 'burnish: --output: many pictures can'\''t go to standard output; leave it out' render in/a.obj in/a.off -o -
+expect 2 'burnish: --output: a batch can'\''t write to standard output; leave it out' render in/a.obj in/a.off -o -
 rm -rf thumbs one.png
 
 # Limits: only the worker that takes too long ends.

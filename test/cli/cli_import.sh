@@ -34,7 +34,7 @@ refused() {
     check "no picture" [ "$(ls -A)" = a.fbx ]
 }
 
-refused 4 "reads such files and is not there; build it (-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev), name its folder in BURNISH_IMPORTERS, or convert the file to glTF, OBJ, PLY or STL"
+refused 4 "reads such files and is not installed; build it (-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev), name its folder in BURNISH_IMPORTERS, or convert the file to glTF, OBJ, PLY or STL"
 importer 'exit 0'
 refused 4 'ended without a mesh'
 importer 'exit 3'
@@ -42,7 +42,7 @@ refused 4 'ended with exit code 3 and no mesh'
 importer 'echo hello; kill -SEGV $$'
 refused 4 'crashed by signal 11 (Segmentation fault); repair the file, or convert it'
 importer 'kill -SYS $$'
-refused 4 'asked the system for what importing does not need, and was ended'
+refused 4 'made a system call that importing does not need, and was ended'
 importer 'kill -KILL $$'
 refused 6 'was ended by the system: out of memory'
 importer 'exec yes'
@@ -170,7 +170,7 @@ mkfifo "$bin/open"
 exec 5<>"$bin/open"
 for flag in --no-sandbox $boxed; do # it does not wait for input that nobody would read
     BURNISH_IMPORTERS=$bin/none run_with render - --input-format=dae --max-seconds=60 "$flag" -o s.png <&5
-    check "no importer, $flag: $(cat "$err")" grep -q "^burnish: standard input: $name reads such files and is not there" "$err"
+    check "no importer, $flag: $(cat "$err")" grep -q "^burnish: standard input: $name reads such files and is not installed" "$err"
 done
 exec 5<&-
 rm -f a.dat

@@ -134,17 +134,17 @@ if [ $code = 77 ]; then
 else
     full render :sphere --size=16 --sandbox -o s.png
     check "render: $code, $(cat "$err")" [ "$code $(cat "$err")" = \
-        "2 burnish: --sandbox: this system can't (Landlock: Argument list too long); use --no-sandbox" ]
+        "2 burnish: --sandbox: this system can't create a sandbox (Landlock: Argument list too long); use --no-sandbox" ]
     full serve-stdio
     check "serve-stdio: $code, $(cat "$err")" [ "$code $(cat "$err")" = \
-        "2 burnish: serve-stdio: this system has no sandbox (Landlock: Argument list too long); use --no-sandbox" ]
+        "2 burnish: serve-stdio: this system can't create a sandbox (Landlock: Argument list too long); use --no-sandbox" ]
     cp "$here/../data/cube.obj" c.obj
     full batch c.obj -d out
     check "batch: $code, $(cat "$err")" [ "$code" = 11 ]
-    check "batch: $(cat "$err")" grep -q "this system can't (Landlock: Argument list too long); use --no-sandbox" "$err"
+    check "batch: $(cat "$err")" grep -q "this system can't create a sandbox (Landlock: Argument list too long); use --no-sandbox" "$err"
     run batch c.obj -d out
     full batch c.obj -d out --sheet=out/sheet.png
-    check "sheet: $code, $(cat "$err")" grep -q "sheet: this system has no sandbox (Landlock: Argument list too long); use --no-sandbox" "$err"
+    check "sheet: $code, $(cat "$err")" grep -q "sheet: this system can't create a sandbox (Landlock: Argument list too long); use --no-sandbox" "$err"
     check "no sheet" [ ! -e out/sheet.png ]
     rm -rf out c.obj
 fi

@@ -124,7 +124,7 @@ failed 10 2 'request: byte 15: the line is not one JSON object'
 failed 11 2 'request: \"name\": a built-in object has no bytes'
 failed 12 4 'mesh: byte 0: the file is empty'
 failed 13 5 'request: '
-check "too large: $(cat 13.line)" grep -q ' bytes; at most 1024 are taken (--max-request-bytes)' 13.line
+check "too large: $(cat 13.line)" grep -q ' bytes; the limit is 1024 (--max-request-bytes)' 13.line
 failed 14 8 'a.obj: the picture is blank (--fail-on-blank)'
 check "blank: the report" grep -q '"report":{"burnish"' 14.line
 failed 15 4 '../../etc/passwd: byte 0: the file is empty'
@@ -239,7 +239,7 @@ importer 'kill -SEGV $$'
 } >in
 serve -j1 --size=24
 failed 1 4 'a.fbx: burnish-import-assimp crashed by signal 11'
-failed 2 4 'a.step: burnish-import-occt reads such files and is not there'
+failed 2 4 'a.step: burnish-import-occt reads such files and is not installed'
 check "one that is something else: $(head -c 300 3.line)" [ -s 3.picture ]
 check "the next one is drawn" [ -s 4.picture ]
 rm -f ./*.line ./*.picture
@@ -264,7 +264,7 @@ check "text: $(cat "$err")" grep -q '^burnish: standard input: request 2: does n
 check "the answer before it" [ -s 1.picture ]
 request 1 '{"name": "a.obj"}' a.obj | head -c 40 >in
 serve
-check "cut off: exit code $code: $(cat "$err")" grep -q '^burnish: standard input: request 1: the input ends in it$' "$err"
+check "cut off: exit code $code: $(cat "$err")" grep -q '^burnish: standard input: request 1: incomplete$' "$err"
 head -c 8 /dev/zero >in
 serve
 check "empty: exit code $code: $(cat "$err")" grep -q '^burnish: standard input: request 1: is empty; see docs/serve.md$' "$err"

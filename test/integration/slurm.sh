@@ -104,7 +104,7 @@ if [ -n "$mpi" ]; then
     check "srun: $(diff -r thumbs reference 2>&1 | head -n 3; cat "$out")" diff -r thumbs reference
     rm -rf thumbs
     timeout 60 srun --mpi=none -n 3 burnish-mpi batch parts -r -d thumbs >"$out" 2>&1
-    check "tasks that can't find each other: $(cat "$out")" [ "$(grep -c '^burnish-mpi: srun starts it without PMIx: use srun --mpi=pmix, or mpirun$' "$out")" = 1 ]
+    check "tasks that can't find each other: $(cat "$out")" [ "$(grep -c '^burnish-mpi: started by srun without PMIx: use srun --mpi=pmix, or mpirun$' "$out")" = 1 ]
     check "nor draw anything" [ ! -e thumbs ]
 fi
 finish

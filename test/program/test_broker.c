@@ -116,7 +116,7 @@ static void test_escapes(void) {
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
         script s = {.size = 0};
         add_text(&s, MESSAGE_FILE, UINT64_MAX, names[i]);
-        CHECK(run(&s) == BROKER_LIED, "%s", names[i]);
+        CHECK(run(&s) == BROKER_VIOLATION, "%s", names[i]);
         CHECK(box.reply_size == 0, "%s", names[i]);
     }
 }
@@ -132,11 +132,11 @@ static void test_long_names(void) {
     take_reply(&at, text);
     CHECK(strstr(text, "x: can't be opened: File name too long"), "%s", text);
     add(&s, MESSAGE_FILE, 100, name, MESSAGE_NAME_MAX + 1);
-    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(run(&s) == BROKER_VIOLATION);
     add(&s, MESSAGE_FILE, 100, NULL, UINT64_MAX);
-    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(run(&s) == BROKER_VIOLATION);
     add(&s, MESSAGE_FILE, 100, "a.bin\0x", 7);
-    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(run(&s) == BROKER_VIOLATION);
 }
 
 /* ---- Outputs ---- */
@@ -173,14 +173,14 @@ static void test_other_outputs(void) {
         add_text(&s, MESSAGE_DATA, 0, "bytes of a liar");
         add(&s, MESSAGE_END, 0, NULL, 0);
         add(&s, MESSAGE_STATUS, BURNISH_STATUS_OK, NULL, 0);
-        CHECK(run(&s) == BROKER_LIED, "%s", names[i]);
+        CHECK(run(&s) == BROKER_VIOLATION, "%s", names[i]);
         CHECK1(box.reply_size == 0);
     }
     for (int i = 0; i < 3; ++i) { /* while an output is being reported, nothing else is written */
         add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
         add(&s, MESSAGE_END, 0, NULL, 0);
     }
-    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(run(&s) == BROKER_VIOLATION);
     CHECK1(!is_there(LYING_PICTURE));
 }
 
@@ -214,19 +214,19 @@ static void test_order(void) {
     script s = {.size = 0};
     for (size_t i = 0; i < sizeof first / sizeof *first; ++i) {
         add(&s, first[i], 0, NULL, 0);
-        CHECK(run(&s) == BROKER_LIED, "kind %u", first[i]);
+        CHECK(run(&s) == BROKER_VIOLATION, "kind %u", first[i]);
     }
     for (uint32_t kind = 0; kind <= MESSAGE_BYTES; ++kind) { /* where an output's bytes should be */
         if (kind != MESSAGE_END) {
             add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
             add(&s, kind, 0, NULL, 0);
-            CHECK(run(&s) == BROKER_LIED, "kind %u", kind);
+            CHECK(run(&s) == BROKER_VIOLATION, "kind %u", kind);
         }
     }
     add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
     add(&s, MESSAGE_END, 0, NULL, 0);
     add(&s, MESSAGE_STATUS, BURNISH_STATUS_COUNT, NULL, 0);
-    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(run(&s) == BROKER_VIOLATION);
     CHECK1(!is_there(LYING_PICTURE));
 }
 
@@ -238,14 +238,14 @@ static void test_sizes(void) {
         const char *bytes = sizes[i] <= sizeof large ? large : NULL;
         add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
         add(&s, MESSAGE_DATA, 0, bytes, sizes[i]);
-        CHECK(run(&s) == BROKER_LIED, "size %llu", (unsigned long long)sizes[i]);
+        CHECK(run(&s) == BROKER_VIOLATION, "size %llu", (unsigned long long)sizes[i]);
         add(&s, MESSAGE_DECODE, LYING_MAX_BYTES, NULL, 0);
         add(&s, MESSAGE_DATA, 0, bytes, sizes[i]);
-        CHECK(run(&s) == BROKER_LIED, "size %llu", (unsigned long long)sizes[i]);
+        CHECK(run(&s) == BROKER_VIOLATION, "size %llu", (unsigned long long)sizes[i]);
     }
     add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
     add_text(&s, MESSAGE_END, 0, "x");
-    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(run(&s) == BROKER_VIOLATION);
     CHECK1(!is_there(LYING_PICTURE));
 }
 
@@ -260,7 +260,7 @@ static void test_import(void) {
     setenv("BURNISH_IMPORTERS", box.path, 1); /* none is there */
     add(&s, MESSAGE_IMPORT, UINT64_MAX, NULL, 0);
     add(&s, MESSAGE_IMPORT, UINT64_MAX, NULL, 0);
-    CHECK1(run(&s) == BROKER_LIED); /* the second */
+    CHECK1(run(&s) == BROKER_VIOLATION); /* the second */
     CHECK1(take_reply(&at, text).kind == MESSAGE_DONE);
     CHECK1(at == box.reply_size);
     box.plan = plan;
@@ -275,7 +275,7 @@ static void test_decode(void) {
     add(&s, MESSAGE_DATA, 0, bytes, sizeof bytes);
     CHECK1(run(&s) == BROKER_GONE);
     CHECK1(take_reply(&at, text).value == BURNISH_STATUS_MEMORY);
-    CHECK(strstr(text, "in/mesh.gltf: out of memory for what has to be decoded"), "%s", text);
+    CHECK(strstr(text, "in/mesh.gltf: out of memory for the stream to decode"), "%s", text);
     box.plan.max_memory = 9; /* of the worker, which can not have had more */
     add(&s, MESSAGE_DECODE, 10, NULL, 0);
     add(&s, MESSAGE_DATA, 0, bytes, 10);
@@ -289,7 +289,7 @@ static void test_decode(void) {
     CHECK1(box.reply_size == 0);
     add(&s, MESSAGE_DECODE, 10, NULL, 0);
     add(&s, MESSAGE_DATA, 0, bytes, 11);
-    CHECK1(run(&s) == BROKER_LIED);
+    CHECK1(run(&s) == BROKER_VIOLATION);
 }
 
 /* A descriptor that is sent with the bytes is ignored. */
@@ -337,7 +337,7 @@ static void test_process(int closes) {
     CHECK(status == BURNISH_STATUS_OK, "%s", error.text);
     CHECK(code == (closes ? burnish_status_exit_code(BURNISH_STATUS_MEMORY) : 1), "%d", code);
     CHECK_TEXT(ended.text, closes ? "out of memory: the system ended the program"
-                                  : "the sandbox ended the program: it asked for what drawing "
+                                  : "the sandbox ended the program: it requested what drawing "
                                     "does not need; report the input");
 }
 
