@@ -106,6 +106,9 @@ typedef struct rows {
 static char kind_of(const char *format, Py_ssize_t size) {
     const uint16_t one = 1;
     const int is_little = *(const char *)&one;
+    if (size != 1 && size != 2 && size != 4 && size != 8) {
+        return 0;
+    }
     if (!format) {
         return 'u';
     }
@@ -164,8 +167,8 @@ static int open_rows(PyObject *object, const char *name, int columns, array_inpu
     r->kind = kind_of(view->format, view->itemsize);
     if (r->kind == 0) {
         PyErr_Format(PyExc_TypeError,
-                     "%s: items of format '%s'; give float32, float64 or integers in the "
-                     "machine's byte order",
+                     "%s: items of format '%s'; give floats or integers in the machine's byte "
+                     "order, or a NumPy array",
                      name, view->format);
         return 0;
     }
@@ -177,43 +180,29 @@ static int open_rows(PyObject *object, const char *name, int columns, array_inpu
     return 1;
 }
 
-static double float_at(const rows *r, Py_ssize_t row, Py_ssize_t column) {
-    const char *at = r->items + row * r->stride + column * r->column_stride;
-    float single;
-    double value;
-    if (r->size == sizeof single) {
-        memcpy(&single, at, sizeof single);
-        return single;
-    }
-    memcpy(&value, at, sizeof value);
-    return value;
-}
-
-/* -1 for negative numbers, and for those beyond. */
-static int64_t integer_at(const rows *r, Py_ssize_t row, Py_ssize_t column) {
-    const char *at = r->items + row * r->stride + column * r->column_stride;
-    uint64_t value = 0;
-    uint8_t u8;
-    uint16_t u16;
-    uint32_t u32;
-    switch (r->size) {
-    case 1:
-        memcpy(&u8, at, 1);
-        value = r->kind == 'i' && u8 > INT8_MAX ? UINT64_MAX : u8;
-        break;
-    case 2:
-        memcpy(&u16, at, 2);
-        value = r->kind == 'i' && u16 > INT16_MAX ? UINT64_MAX : u16;
-        break;
-    case 4:
-        memcpy(&u32, at, 4);
-        value = r->kind == 'i' && u32 > INT32_MAX ? UINT64_MAX : u32;
-        break;
+/* Integers of more than 53 bits are rounded. */
+static double number_at(const rows *r, Py_ssize_t row, Py_ssize_t column) {
+    union {
+        float f4;
+        double f8;
+        int8_t i1;
+        int16_t i2;
+        int32_t i4;
+        int64_t i8;
+        uint8_t u1;
+        uint16_t u2;
+        uint32_t u4;
+        uint64_t u8;
+    } n;
+    memcpy(&n, r->items + row * r->stride + column * r->column_stride, (size_t)r->size);
+    switch (r->kind) {
+    case 'f':
+        return r->size == 4 ? (double)n.f4 : n.f8;
+    case 'i':
+        return r->size == 1 ? n.i1 : r->size == 2 ? n.i2 : r->size == 4 ? n.i4 : (double)n.i8;
     default:
-        memcpy(&value, at, 8);
-        break;
+        return r->size == 1 ? n.u1 : r->size == 2 ? n.u2 : r->size == 4 ? n.u4 : (double)n.u8;
     }
-    return value > INT64_MAX ? -1 : (int64_t)value;
 }
 
 static void *allocate(Py_ssize_t count, Py_ssize_t each) {
@@ -240,10 +229,9 @@ int array_read_floats(PyObject *object, const char *name, int components, array_
     if (!open_rows(object, name, components, input, &r)) {
         return 0;
     }
-    if (r.kind != 'f' || r.columns != components) {
-        PyErr_Format(r.kind == 'f' ? PyExc_ValueError : PyExc_TypeError,
-                     "%s: rows of %zd %s; give %d floats each", name, r.columns,
-                     r.kind == 'f' ? "floats" : "integers", components);
+    if (r.columns != components) {
+        PyErr_Format(PyExc_ValueError, "%s: rows of %zd numbers; give %d each", name, r.columns,
+                     components);
         return 0;
     }
     if (in_place(&r, 'f', sizeof(float))) {
@@ -254,7 +242,7 @@ int array_read_floats(PyObject *object, const char *name, int components, array_
     input->copy = copy;
     for (Py_ssize_t i = 0; i < r.count && copy; ++i) {
         for (int k = 0; k < components; ++k) {
-            copy[i * components + k] = (float)float_at(&r, i, k);
+            copy[i * components + k] = (float)number_at(&r, i, k);
         }
     }
     input->array = (burnish_array){copy, (size_t)r.count, 0};
@@ -271,7 +259,7 @@ static int copy_faces(const rows *r, const char *name, array_input *input) {
     input->array = (burnish_array){copy, (size_t)(r->count * fan * 3), 0};
     for (Py_ssize_t i = 0; i < r->count && copy; ++i) {
         for (Py_ssize_t k = 0; k < r->columns; ++k) {
-            const int64_t index = integer_at(r, i, k);
+            const double index = number_at(r, i, k);
             if (index < 0 || index >= UINT32_MAX) {
                 PyErr_Format(PyExc_ValueError,
                              "%s: face %zd has a vertex that is none; vertices are numbered from "
@@ -324,9 +312,9 @@ int array_read_colors(PyObject *object, const char *name, array_input *input) {
     if (!open_rows(object, name, 4, input, &r)) {
         return 0;
     }
-    if ((r.columns != 3 && r.columns != 4) || (r.kind != 'f' && (r.kind != 'u' || r.size != 1))) {
-        PyErr_Format(PyExc_ValueError,
-                     "%s: give 3 or 4 per vertex: uint8, or floats from 0 to 1, in sRGB", name);
+    if (r.columns != 3 && r.columns != 4) {
+        PyErr_Format(PyExc_ValueError, "%s: rows of %zd numbers; give 3 or 4 per vertex", name,
+                     r.columns);
         return 0;
     }
     if (r.columns == 4 && in_place(&r, 'u', 1)) {
@@ -338,9 +326,15 @@ int array_read_colors(PyObject *object, const char *name, array_input *input) {
     for (Py_ssize_t i = 0; i < r.count && copy; ++i) {
         copy[4 * i + 3] = 255;
         for (Py_ssize_t k = 0; k < r.columns; ++k) {
-            const double value =
-                r.kind == 'f' ? 255 * float_at(&r, i, k) : (double)integer_at(&r, i, k);
-            copy[4 * i + k] = (uint8_t)(value > 0 ? value < 255 ? value + 0.5 : 255 : 0);
+            const double value = (r.kind == 'f' ? 255 : 1) * number_at(&r, i, k);
+            if (!(value > -0.5 && value < 255.5)) {
+                PyErr_Format(PyExc_ValueError,
+                             "%s: row %zd is out of range; floats are from 0 to 1, integers from "
+                             "0 to 255",
+                             name, i);
+                return 0;
+            }
+            copy[4 * i + k] = (uint8_t)(value + 0.5);
         }
     }
     input->array = (burnish_array){copy, (size_t)r.count, 0};

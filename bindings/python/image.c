@@ -96,12 +96,38 @@ static PyObject *png(PyObject *object, PyObject *unused) {
     return result;
 }
 
+/* Whether a file's name has the extension .png or none. Others raise ValueError: only the program
+ * writes other formats. */
+static int check_extension(const char *name) {
+    const char *slash = strrchr(name, '/');
+    const char *dot = strrchr(slash ? slash : name, '.');
+    if (!dot || PyOS_stricmp(dot, ".png") == 0) {
+        return 1;
+    }
+    PyErr_Format(PyExc_ValueError,
+                 "%s: save() writes PNG; use the extension .png, or Pillow for other formats: "
+                 "PIL.Image.fromarray(picture).save(name)",
+                 name);
+    return 0;
+}
+
 static PyObject *save(PyObject *object, PyObject *path) {
     const image_object *self = (image_object *)object;
     PyObject *name = NULL;
     burnish_error error = {0};
     burnish_status status;
+    if (PyObject_HasAttrString(path, "write")) {
+        PyObject *bytes = png(object, NULL);
+        PyObject *result = bytes ? PyObject_CallMethod(path, "write", "O", bytes) : NULL;
+        Py_XDECREF(bytes);
+        Py_XDECREF(result);
+        return result ? Py_NewRef(Py_None) : NULL;
+    }
     if (!PyUnicode_FSConverter(path, &name)) {
+        return NULL;
+    }
+    if (!check_extension(PyBytes_AsString(name))) {
+        Py_DECREF(name);
         return NULL;
     }
     Py_BEGIN_ALLOW_THREADS;
@@ -209,7 +235,8 @@ static PyMethodDef methods[] = {
     {"png", png, METH_NOARGS, "png() -> bytes\n\nThe picture as a PNG file."},
     {"_repr_png_", png, METH_NOARGS, NULL},
     {"save", save, METH_O,
-     "save(path)\n\nWrites a PNG file, whole or not at all. Pillow writes other formats:\n"
+     "save(file)\n\nWrites a PNG file, whole or not at all. file is a path with the extension "
+     ".png or none,\nor an object with write(). Pillow writes other formats:\n"
      "Image.fromarray(picture).save('part.jpg')."},
     {"tobytes", to_bytes, METH_NOARGS, "tobytes() -> bytes\n\nA copy of the pixels."},
     {0},

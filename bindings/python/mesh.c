@@ -409,10 +409,17 @@ static PyObject *represent(PyObject *object) {
 }
 
 static PyGetSetDef properties[] = {
-    {"vertices", get_vertices, NULL, "Positions, (N, 3) of float32, read-only.", NULL},
-    {"faces", get_faces, NULL, "Triangles, (N, 3) of uint32, read-only.", NULL},
-    {"normals", get_normals, NULL, "Unit normals, (N, 3) of float32, read-only.", NULL},
-    {"colors", get_colors, NULL, "sRGB and alpha, (N, 4) of uint8, read-only; or None.", NULL},
+    {"vertices", get_vertices, NULL,
+     "A memoryview (N, 3) of float32, read-only: positions after corners with several normals or\n"
+     "colors were split, so there can be more than were given. numpy.asarray(mesh.vertices)\n"
+     "shares the memory; mesh.vertices.tolist() copies it.",
+     NULL},
+    {"faces", get_faces, NULL,
+     "A memoryview (M, 3) of uint32, read-only: triangles as indices into vertices.", NULL},
+    {"normals", get_normals, NULL,
+     "A memoryview (N, 3) of float32, read-only: unit normals, one per vertex.", NULL},
+    {"colors", get_colors, NULL,
+     "A memoryview (N, 4) of uint8, read-only: sRGB and alpha, one per vertex; or None.", NULL},
     {"bounds", get_bounds, NULL, "The least and the largest coordinates.", NULL},
     {"origin", get_origin, NULL,
      "To be added to vertices: (0, 0, 0), except for files whose objects are far away from it.",

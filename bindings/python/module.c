@@ -1,6 +1,7 @@
 /* burnish._burnish: the library for Python. Its public interface is in burnish/__init__.py. */
 #include "module.h"
 
+#include <errno.h>
 #include <string.h>
 
 module_state *module_state_of(PyTypeObject *type) {
@@ -23,6 +24,15 @@ void module_free(PyObject *object) {
     Py_DECREF(type);
 }
 
+/* Files that can't be read or written also raise what open() raises. */
+static PyObject *class_of(const module_state *state, const burnish_error *error) {
+    const int is_file =
+        error->status == BURNISH_STATUS_READ || error->status == BURNISH_STATUS_WRITE;
+    return !is_file                                ? state->error
+           : strstr(error->text, strerror(ENOENT)) ? state->missing_file_error
+                                                   : state->file_error;
+}
+
 PyObject *module_fail(const module_state *state, const burnish_error *error) {
     static const char *const names[] = {
 #define STATUS_NAME(name, code, text) #name,
@@ -34,9 +44,10 @@ PyObject *module_fail(const module_state *state, const burnish_error *error) {
     }
     PyObject *text = PyUnicode_DecodeUTF8(error->text, (Py_ssize_t)strlen(error->text), "replace");
     PyObject *status = PyUnicode_FromString(names[error->status]);
-    PyObject *raised = text ? PyObject_CallFunctionObjArgs(state->error, text, NULL) : NULL;
+    PyObject *class = class_of(state, error);
+    PyObject *raised = text ? PyObject_CallFunctionObjArgs(class, text, NULL) : NULL;
     if (raised && status && PyObject_SetAttrString(raised, "status", status) == 0) {
-        PyErr_SetObject(state->error, raised);
+        PyErr_SetObject(class, raised);
     }
     Py_XDECREF(text);
     Py_XDECREF(status);
@@ -68,17 +79,30 @@ static int add(PyObject *module, const char *name, PyObject *object) {
     return object && PyModule_AddObjectRef(module, name, object) == 0;
 }
 
+/* Creates an exception class with two bases; NULL if the first one is missing. */
+static PyObject *derive(const char *name, const char *doc, PyObject *first, PyObject *second) {
+    PyObject *bases = first ? PyTuple_Pack(2, first, second) : NULL;
+    PyObject *class = bases ? PyErr_NewExceptionWithDoc(name, doc, bases, NULL) : NULL;
+    Py_XDECREF(bases);
+    return class;
+}
+
 static int execute(PyObject *module) {
     module_state *state = PyModule_GetState(module);
     state->error = PyErr_NewExceptionWithDoc(
-        "burnish.Error",
-        "What burnish says of a failure: one line; a word such as 'FORMAT' in status.", NULL, NULL);
+        "burnish.Error", "A one-line error; status is a word such as 'FORMAT'.", NULL, NULL);
+    state->file_error = derive("burnish.FileError", "A file can't be read or written.",
+                               state->error, PyExc_OSError);
+    state->missing_file_error = derive("burnish.MissingFileError", "A file does not exist.",
+                                       state->file_error, PyExc_FileNotFoundError);
     state->array_type = array_create_type(module);
     state->image_type = image_create_type(module);
     state->mesh_type = mesh_create_type(module);
     const int done =
-        add(module, "Error", state->error) && add(module, "Array", state->array_type) &&
-        add(module, "Image", state->image_type) && add(module, "Mesh", state->mesh_type) &&
+        add(module, "Error", state->error) && add(module, "FileError", state->file_error) &&
+        add(module, "MissingFileError", state->missing_file_error) &&
+        add(module, "Array", state->array_type) && add(module, "Image", state->image_type) &&
+        add(module, "Mesh", state->mesh_type) &&
         PyModule_AddStringConstant(module, "version", burnish_version()) == 0 &&
         create_context(state);
     return done ? 0 : -1;
@@ -87,6 +111,8 @@ static int execute(PyObject *module) {
 static int traverse(PyObject *module, visitproc visit, void *arg) {
     const module_state *state = PyModule_GetState(module);
     Py_VISIT(state->error);
+    Py_VISIT(state->file_error);
+    Py_VISIT(state->missing_file_error);
     Py_VISIT(state->array_type);
     Py_VISIT(state->image_type);
     Py_VISIT(state->mesh_type);
@@ -96,6 +122,8 @@ static int traverse(PyObject *module, visitproc visit, void *arg) {
 static int clear(PyObject *module) {
     module_state *state = PyModule_GetState(module);
     Py_CLEAR(state->error);
+    Py_CLEAR(state->file_error);
+    Py_CLEAR(state->missing_file_error);
     Py_CLEAR(state->array_type);
     Py_CLEAR(state->image_type);
     Py_CLEAR(state->mesh_type);

@@ -12,12 +12,13 @@
 
 typedef struct module_state {
     PyObject *error;                               /* burnish.Error */
+    PyObject *file_error, *missing_file_error;     /* derived from it */
     PyObject *array_type, *image_type, *mesh_type; /* heap types */
     burnish_context *context;                      /* cancels calls when Python has a signal */
 } module_state;
 
-/* Raises burnish.Error with its status, unless a signal handler has raised an exception. Returns
- * NULL. */
+/* Raises burnish.Error or a class derived from it, with its status, unless a signal handler has
+ * raised an exception. Returns NULL. */
 PyObject *module_fail(const module_state *state, const burnish_error *error);
 
 /* A zeroed instance of a heap type, and the end of its tp_dealloc. */
@@ -64,9 +65,9 @@ typedef struct array_input {
 
 /* Each takes a buffer of one dimension (items one after another), two, or three, and returns 1, or
  * 0 after an exception; None gives an empty array. Release each array, also after an exception.
- *   floats   float32 or float64, `components` per item
+ *   floats   any numbers, `components` per item
  *   indices  any integers, three or more per face: polygons become fans
- *   colors   3 or 4 per vertex: uint8, or floats in [0, 1] */
+ *   colors   3 or 4 per vertex: integers in [0, 255], or floats in [0, 1] */
 int array_read_floats(PyObject *object, const char *name, int components, array_input *input);
 int array_read_indices(PyObject *object, const char *name, array_input *input);
 int array_read_colors(PyObject *object, const char *name, array_input *input);

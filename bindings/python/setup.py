@@ -12,6 +12,8 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
+from setuptools.errors import SetupError
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
@@ -40,6 +42,11 @@ class Build(build_ext):
         shutil.copyfile(folder / "bindings/python/_burnish.abi3.so", target)
 
 
+class Sources(sdist):
+    def run(self):
+        raise SetupError("no sdist: the C sources are outside bindings/python; build a wheel in a checkout: pip wheel bindings/python")
+
+
 class Wheel(bdist_wheel):
     def get_tag(self):
         return ("cp311", "abi3", super().get_tag()[2])  # later Pythons load it too
@@ -49,6 +56,6 @@ BASE.mkdir(parents=True, exist_ok=True)
 setup(
     version=version(),
     ext_modules=[Extension("burnish._burnish", sources=[], py_limited_api=True)],
-    cmdclass={"build_ext": Build, "bdist_wheel": Wheel},
+    cmdclass={"build_ext": Build, "bdist_wheel": Wheel, "sdist": Sources},
     options={"build": {"build_base": str(BASE / "base")}, "egg_info": {"egg_base": str(BASE)}},
 )

@@ -12,19 +12,26 @@ or FreeCAD, a pair (vertices, faces), or a Mesh. Options are the flags of ``burn
 
 from __future__ import annotations
 
+import difflib
 import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from . import _burnish, _shapes, lobe
-from ._burnish import Error, Image
+from ._burnish import Error, FileError, Image, MissingFileError
 from ._options import Options, Unpack
 
-__all__ = ["Error", "Image", "Mesh", "Options", "Scene", "__version__", "load", "lobe", "render"]
+__all__ = [
+    "Error", "FileError", "Image", "Mesh", "MissingFileError", "Options", "Scene", "__version__", "load", "lobe", "render",
+]  # fmt: skip
 __version__ = _burnish.version
 
 _FLAGS = {name.replace("-", "_"): row for name, row in _burnish.flags().items()}
 _AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1), "-Z": (0, 0, -1)}
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def _value(value: Any) -> bool | str | tuple[float, ...]:
@@ -44,36 +51,38 @@ def _pairs(options: Mapping[str, Any]) -> list[tuple[str, bool | str | tuple[flo
     for key, value in options.items():
         if value is None or value is False:
             continue
+        if key == "size" and isinstance(value, (list, tuple)):
+            raise TypeError(f"size: {value!r} is not a number; resolution={value!r} sets width and height")
         is_list = isinstance(value, (list, tuple)) and any(isinstance(item, str) for item in value)
         pairs += [(key, _value(item)) for item in (value if is_list else [value])]
     return pairs
 
 
-def _split(options: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The options of loading, and of drawing. Unknown ones are in the second, and rejected there."""
-    loading = {key: value for key, value in options.items() if key in _FLAGS and _FLAGS[key][0]}
-    drawing = {key: value for key, value in options.items() if key not in _FLAGS or _FLAGS[key][1]}
-    return loading, drawing
-
-
-def _check_loading(options: Mapping[str, Any]) -> None:
+def _check(function: str, options: Mapping[str, Any], which: int | None, instead: str = "") -> None:
+    """Raises TypeError for unknown options, and for options that are not of loading (which = 0) or drawing (which = 1)."""
     for key in options:
-        if key not in _FLAGS or not _FLAGS[key][0]:
-            raise TypeError(f"{key}: not an option of loading; pass options of drawing to render()")
+        if key not in _FLAGS:
+            near = difflib.get_close_matches(key, _FLAGS, 1)
+            hint = f". Did you mean '{near[0]}'?" if near else ""
+            raise TypeError(f"{function}() got an unexpected keyword argument '{key}'{hint}")
+        if which is not None and not _FLAGS[key][which]:
+            raise TypeError(f"{function}() does not take '{key}'; {instead} does")
 
 
 class Mesh(_burnish.Mesh):
     """A mesh from arrays, which can be drawn many times and by several threads.
 
-    vertices  (N, 3) floats, float32 or float64, or a list of triples
+    vertices  (N, 3) numbers, or a list of triples
     faces     (M, 3) numbers of vertices; more columns are polygons. None: every three vertices are a triangle
     normals   (N, 3) floats. None: generated; each edge is smooth or sharp depending on its surroundings
-    colors    (N, 3) or (N, 4), sRGB: uint8, or floats in [0, 1]
+    colors    (N, 3) or (N, 4), sRGB: integers in [0, 255], or floats in [0, 1]
     uv        (N, 2) floats: texture coordinates
     up        the up axis: "+Y", "+Z" ...
     name      for messages
 
     Arrays are objects with a buffer, such as NumPy arrays; they are copied. The other options are options of loading.
+    The properties vertices, faces, normals and colors are memoryviews for numpy.asarray(). A vertex with several normals or colors
+    is split, so there can be more vertices than were given.
 
     >>> corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     >>> mesh = burnish.Mesh(corners, [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
@@ -99,7 +108,7 @@ class Mesh(_burnish.Mesh):
         name: str = "mesh",
         **options: Unpack[Options],
     ) -> Mesh:
-        _check_loading(options)
+        _check("Mesh", options, 0, "render()")
         if up != "auto" and up not in _AXES:
             raise ValueError(f'up: "{up}"; expected one of {", ".join(_AXES)} and auto')
         if up == "auto":
@@ -112,9 +121,7 @@ class Mesh(_burnish.Mesh):
 
     def render(self, **options: Unpack[Options]) -> Image:
         """Draws the mesh, with options of drawing."""
-        for key in options:
-            if key in _FLAGS and not _FLAGS[key][1]:
-                raise TypeError(f"{key}: an option of loading; pass it to load() or Mesh()")
+        _check("render", options, 1, "load() or Mesh()")
         return self._draw(_pairs(options))
 
     def _repr_png_(self) -> bytes:
@@ -132,7 +139,7 @@ def load(
     tolerance: float | None = None,
     **options: Unpack[Options],
 ) -> Mesh:
-    """Loads a mesh: a file by its name, the bytes of one, a built-in object, or another library's mesh.
+    """Loads a mesh: a file by its name, the bytes of one, an open binary file, a built-in object, or another library's mesh.
 
     name       of bytes and arrays, for messages; the extension of a file name chooses the format
     files      files that the bytes refer to, such as textures: {"part.mtl": b"..."}
@@ -146,7 +153,10 @@ def load(
     Traceback (most recent call last):
     burnish.Error: part.stl: ...
     """
-    _check_loading(options)
+    _check("load", options, 0, "render()")
+    if hasattr(source, "read") and not isinstance(source, (str, bytes)):
+        name = name or os.path.basename(str(getattr(source, "name", ""))) or None
+        source = source.read()
     if isinstance(source, (str, os.PathLike)):
         path = os.fsencode(source)
         if b"\0" in path:
@@ -184,7 +194,8 @@ def render(
     """
     if isinstance(source, Mesh):
         return source.render(**options)
-    loading, drawing = _split(options)
-    pairs = _pairs(drawing)
+    _check("render", options, None)
+    loading = {key: value for key, value in options.items() if _FLAGS[key][0]}
+    pairs = _pairs({key: value for key, value in options.items() if _FLAGS[key][1]})
     _burnish.check(pairs)
     return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(pairs)

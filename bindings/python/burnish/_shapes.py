@@ -1,7 +1,8 @@
-"""Conversion of meshes and shapes of other libraries to arrays for Mesh. They are recognized by their attributes; no library is imported."""
+"""Conversion of meshes and shapes of other libraries to arrays for Mesh. They are recognized by their attributes; only NumPy is imported."""
 
 from __future__ import annotations
 
+import warnings
 from array import array
 from collections.abc import Iterable
 from typing import Any
@@ -22,17 +23,27 @@ def _coordinates(vector: Any) -> tuple[float, ...]:
     return tuple(vector)
 
 
+def _native(values: Any) -> Any:
+    """A NumPy array of a type that the extension reads: float16, long double and foreign byte orders are converted."""
+    kind, size = values.dtype.kind, values.dtype.itemsize
+    if kind == "f" and (size not in (4, 8) or not values.dtype.isnative):
+        return values.astype("f8")
+    return values if values.dtype.isnative else values.astype(values.dtype.newbyteorder("="))
+
+
 def numbers(values: Any, typecode: str) -> Any:
     """values itself if it has a buffer, else an array of its rows' numbers."""
+    if hasattr(values, "astype") and hasattr(values, "dtype"):
+        return _native(values)
     if values is None or _has_buffer(values):
         return values
     if hasattr(values, "__array__") or hasattr(values, "__array_interface__"):
         import numpy
 
-        return numpy.asarray(values)
+        return _native(numpy.asarray(values))
     rows = [_coordinates(row) if typecode == "f" else tuple(row) for row in values]
     widths = {len(row) for row in rows}
-    if len(widths) > 1 and typecode != "f":  # polygons of several sizes
+    if len(widths) > 1 and typecode == "I":  # polygons of several sizes
         rows = [(row[0], *pair) for row in rows for pair in zip(row[1:], row[2:])]
         widths = {3}
     if len(widths) > 1 or widths and min(widths) < 2:
@@ -43,13 +54,11 @@ def numbers(values: Any, typecode: str) -> Any:
 
 
 def colors(values: Any) -> Any:
-    """Like numbers(), for colours: integers are bytes."""
+    """Like numbers(), for colours, which can be integers or floats."""
     if values is None or _has_buffer(values) or hasattr(values, "__array__"):
         return numbers(values, "f")
     rows = [tuple(row) for row in values]
-    if any(isinstance(number, float) for row in rows for number in row):
-        return numbers(rows, "f")
-    return memoryview(bytes(number for row in rows for number in row)).cast("B", (len(rows), len(rows[0]) if rows else 3))
+    return numbers(rows, "f" if any(isinstance(number, float) for row in rows for number in row) else "q")
 
 
 def _call(value: Any) -> Any:
@@ -77,15 +86,31 @@ def _tessellate(shapes: Iterable[Any], tolerance: float | None) -> dict[str, Any
 
 
 def _of_trimesh(mesh: Any) -> dict[str, Any]:
-    arrays = {"vertices": mesh.vertices, "faces": mesh.faces}
+    """Without normals: those of trimesh are generated."""
+    arrays = {"vertices": mesh.vertices, "faces": mesh.faces, "up": "auto"}
     visual = getattr(mesh, "visual", None)
-    if getattr(visual, "kind", None) == "vertex":
+    kind = getattr(visual, "kind", None)
+    if kind == "vertex":
         arrays["colors"] = visual.vertex_colors
-    return arrays  # trimesh's normals are generated
+    elif kind == "face":
+        import numpy  # which trimesh needs
+
+        corners = numpy.asarray(mesh.vertices)[numpy.asarray(mesh.faces)]
+        return {"vertices": corners, "colors": numpy.repeat(numpy.asarray(visual.face_colors), 3, axis=0), "up": "auto"}
+    elif kind == "texture":
+        warnings.warn('burnish ignores textures of trimesh; load the file, or mesh.export(file_type="glb")', stacklevel=5)
+    return arrays
+
+
+def _of_meshio(mesh: Any) -> dict[str, Any]:
+    faces = [mesh.cells_dict[kind] for kind in ("triangle", "quad") if kind in mesh.cells_dict]
+    if not faces:
+        raise ValueError(f"no triangle or quad in the mesh's cells, which are: {', '.join(mesh.cells_dict) or 'none'}")
+    return {"vertices": mesh.points, "faces": faces[0] if len(faces) == 1 else [*faces[0], *faces[1]], "up": "auto"}
 
 
 def _of_open3d(mesh: Any) -> dict[str, Any]:
-    arrays = {"vertices": mesh.vertices, "faces": mesh.triangles}
+    arrays = {"vertices": mesh.vertices, "faces": mesh.triangles, "up": "auto"}
     if _call(getattr(mesh, "has_vertex_normals", False)):
         arrays["normals"] = mesh.vertex_normals
     if _call(getattr(mesh, "has_vertex_colors", False)):
@@ -108,9 +133,9 @@ def arrays_of(thing: Any, tolerance: float | None = None) -> dict[str, Any]:
     if hasattr(thing, "vertices") and hasattr(thing, "faces"):
         return _of_trimesh(thing)
     if hasattr(thing, "points") and hasattr(thing, "cells_dict"):  # meshio
-        return {"vertices": thing.points, "faces": thing.cells_dict["triangle"]}
+        return _of_meshio(thing)
     if hasattr(thing, "points") and hasattr(thing, "regular_faces"):  # PyVista
-        return {"vertices": thing.points, "faces": thing.regular_faces}
+        return {"vertices": thing.points, "faces": thing.regular_faces, "up": "auto"}
     if _has_buffer(thing):
         return {"vertices": thing}
     raise TypeError(

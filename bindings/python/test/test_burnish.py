@@ -141,6 +141,22 @@ class Pictures(unittest.TestCase):
         lonely = burnish.render(bytearray(files["textured.obj"]), name="textured.obj", size=64)
         self.assertIn("textured.mtl", lonely.warnings[0])
 
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_numpy_values(self):
+        """Vectors and numbers of NumPy are values of options."""
+        for key, value in {"camera_position": [3.0, 4.0, 5.0], "color": [1.0, 0.5, 0.0], "resolution": [40, 30], "size": 40, "margin": 0.25}.items():
+            with self.subTest(key):
+                options = {"size": 32} if key not in ("size", "resolution") else {}
+                expected = burnish.render(":teapot", **options, **{key: value}).hash
+                self.assertEqual(burnish.render(":teapot", **options, **{key: numpy.array(value)}).hash, expected)
+                self.assertEqual(burnish.render(":teapot", **options, **{key: numpy.array([value])[0]}).hash, expected)
+
+    def test_open_files(self):
+        expected = burnish.render(DATA / "wedge.stl", size=32).hash
+        with open(DATA / "wedge.stl", "rb") as file:
+            self.assertEqual(burnish.render(file, size=32).hash, expected)
+        self.assertEqual(burnish.render(io.BytesIO((DATA / "wedge.stl").read_bytes()), name="w.stl", size=32).hash, expected)
+
     def test_again_and_again(self):
         mesh = burnish.load(DATA / "cube.obj")
         first = mesh.render(size=64).hash
@@ -178,6 +194,19 @@ class Images(unittest.TestCase):
         with self.assertRaises(burnish.Error) as caught:
             self.picture.save("no such folder/knot.png")
         self.assertEqual(caught.exception.status, "WRITE")
+        self.assertIsInstance(caught.exception, FileNotFoundError)
+
+    def test_save(self):
+        """The extension decides, as in Pillow: no PNG file gets another format's name."""
+        for name in ("x.jpg", "x.webp", "a.png/x.svg", Path("x.gif")):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, "save\\(\\) writes PNG"):
+                self.picture.save(name)
+            self.assertFalse(Path(name).exists())
+        stream = io.BytesIO()
+        self.picture.save(stream)
+        for name in ("X.PNG", "plain"):
+            self.picture.save(name)
+            self.assertEqual(Path(name).read_bytes(), stream.getvalue())
 
     @unittest.skipUnless(numpy, "no NumPy")
     def test_numpy(self):
@@ -230,6 +259,29 @@ class Arrays(unittest.TestCase):
         self.assertEqual(self.draw(vertices[faces]), self.expected)  # (N, 3, 3), as numpy-stl's vectors
         self.assertEqual(burnish.render(vertices[faces], size=64).hash, self.expected)
 
+    def test_integer_vertices(self):
+        for code in "bhilqBHILQ":
+            self.assertEqual(self.draw(array(code, (x for corner in CORNERS for x in corner)), FACES), self.expected)
+
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_numpy_types(self):
+        red = self.draw(CORNERS, FACES, colors=[(255, 0, 0)] * 4)
+        for dtype in ("f2", ">f4", ">f8", "longdouble", "i8", ">i2", "u1"):
+            with self.subTest(dtype):
+                self.assertEqual(self.draw(numpy.array(CORNERS, dtype), FACES), self.expected)
+        for dtype in (">u4", ">i8", "u2"):
+            self.assertEqual(self.draw(CORNERS, numpy.array(FACES, dtype)), self.expected)
+        for dtype in ("i8", "u1", ">u2", "i4"):
+            self.assertEqual(self.draw(CORNERS, FACES, colors=numpy.array([(255, 0, 0)] * 4, dtype)), red)
+
+    def test_color_ranges(self):
+        """Floats are in [0, 1]: floats of bytes are an error, not white."""
+        for colors in ([(200.0, 0, 0)] * 4, [(0, 0, -0.1)] * 4, [(float("nan"), 0, 0)] * 4, [(300, 0, 0)] * 4, [(0, -1, 0)] * 4, array("h", [0] * 15 + [256])):
+            with self.subTest(colors), self.assertRaisesRegex(ValueError, "colors: row [03] "):
+                burnish.Mesh(CORNERS, FACES, colors=colors)
+        nearly = self.draw(CORNERS, FACES, colors=[(1.000001, -0.000001, 0.0)] * 4)
+        self.assertEqual(nearly, self.draw(CORNERS, FACES, colors=[(255, 0, 0)] * 4))
+
     def test_polygons(self):
         square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 2, 0)]
         pentagon = self.draw(square, [(0, 1, 2, 4, 3)])
@@ -262,7 +314,8 @@ class Arrays(unittest.TestCase):
         self.assertEqual(burnish.render(solid, size=64).hash, standing)
         self.assertEqual(burnish.render(SimpleNamespace(vals=lambda: [solid]), size=64).hash, standing)
         red = [(255, 0, 0, 255)] * 4
-        colored = self.draw(CORNERS, FACES, colors=red)
+        colored = self.draw(CORNERS, FACES, colors=red, up="auto")  # as files are: these libraries know no axis
+        grey = self.draw(CORNERS, FACES, up="auto")
         trimesh = SimpleNamespace(vertices=CORNERS, faces=FACES, visual=SimpleNamespace(kind="vertex", vertex_colors=red))
         self.assertEqual(burnish.render(trimesh, size=64).hash, colored)
         open3d = SimpleNamespace(
@@ -271,9 +324,36 @@ class Arrays(unittest.TestCase):
         )  # fmt: skip
         self.assertEqual(burnish.render(open3d, size=64).hash, colored)
         meshio = SimpleNamespace(points=CORNERS, cells_dict={"triangle": FACES})
-        self.assertEqual(burnish.render(meshio, size=64).hash, self.expected)
+        self.assertEqual(burnish.render(meshio, size=64).hash, grey)
+        self.assertEqual(burnish.render(meshio, size=64, up="+Y").hash, self.expected)
+        mixed = SimpleNamespace(points=CORNERS, cells_dict={"line": [(0, 1)], "triangle": FACES[:2], "quad": [(0, 3, 2, 1)]})
+        self.assertEqual(burnish.load(mixed).faces.shape, (4, 3))
+        with self.assertRaisesRegex(ValueError, "no triangle or quad in the mesh's cells, which are: line, tetra"):
+            burnish.load(SimpleNamespace(points=CORNERS, cells_dict={"line": [(0, 1)], "tetra": [(0, 1, 2, 3)]}))
         pyvista = SimpleNamespace(points=CORNERS, regular_faces=FACES)
-        self.assertEqual(burnish.render(pyvista, size=64).hash, self.expected)
+        self.assertEqual(burnish.render(pyvista, size=64).hash, grey)
+
+    def test_up_of_other_libraries(self):
+        """A pyramid that would fall over on +Y stands on +Z, like its STL file."""
+        corners = [(0, -2, 0), (2, -1, 0), (2, 1, 0), (0, 2, 0), (-2, 1, 0), (-2, -1, 0), (0, 0, 3)]
+        faces = [(i, (i + 1) % 6, 6) for i in range(6)] + [(0, i + 1, i) for i in range(1, 5)]
+        expected = burnish.render(stl(corners, faces), name="t.stl", size=64).hash
+        self.assertEqual(burnish.render(SimpleNamespace(vertices=corners, faces=faces), size=64).hash, expected)
+
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_face_colors(self):
+        colors = numpy.array([(255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255, 255, 0, 255)], "u1")
+        trimesh = SimpleNamespace(
+            vertices=numpy.array(CORNERS, "f8"), faces=numpy.array(FACES), visual=SimpleNamespace(kind="face", face_colors=colors)
+        )
+        corners = [CORNERS[i] for face in FACES for i in face]
+        expected = self.draw(corners, colors=[color for color in colors.tolist() for _ in range(3)], up="auto")
+        self.assertEqual(burnish.render(trimesh, size=64).hash, expected)
+
+    def test_textures_of_trimesh(self):
+        trimesh = SimpleNamespace(vertices=CORNERS, faces=FACES, visual=SimpleNamespace(kind="texture"))
+        with self.assertWarnsRegex(UserWarning, "burnish ignores textures of trimesh"):
+            burnish.load(trimesh)
 
     def test_refused(self):
         for arrays, kind in (
@@ -282,7 +362,6 @@ class Arrays(unittest.TestCase):
             ((CORNERS, array("d", [0, 1, 2])), TypeError),
             (([(0, 0), (1, 0), (0, 1)],), ValueError),
             ((array("f", range(8)),), ValueError),
-            ((array("i", range(9)),), TypeError),
             (([(0, 0, 0), (float("nan"), 0, 0), (0, 1, 0)],), burnish.Error),
             (([(0, 0, 0)] * 3,), burnish.Error),
             ((CORNERS, FACES, [(1, 0, 0)]), burnish.Error),
@@ -300,7 +379,7 @@ class Errors(unittest.TestCase):
     def test_lines(self):
         for options, flag in (
             ({"samples": 3}, "--samples=3"), ({"lobe": "enrgy"}, "--lobe=enrgy"), ({"size": 0}, "--size=0"),
-            ({"light": ["spot:1,2,3"]}, "--light=spot:1,2,3"), ({"marginn": 1}, "--marginn=1"),
+            ({"light": ["spot:1,2,3"]}, "--light=spot:1,2,3"),
         ):  # fmt: skip
             with self.subTest(flag), self.assertRaises(burnish.Error) as caught:
                 burnish.render(":sphere", **options)
@@ -316,6 +395,28 @@ class Errors(unittest.TestCase):
             with self.subTest(source), self.assertRaises(burnish.Error) as caught:
                 burnish.render(source, **more)
             self.assertEqual(caught.exception.status, status)
+
+    def test_os_errors(self):
+        """`except OSError` catches what open() would raise."""
+        with self.assertRaises(FileNotFoundError) as caught:
+            burnish.load("no such file.stl")
+        self.assertIsInstance(caught.exception, burnish.Error)
+        self.assertTrue(str(caught.exception).startswith("no such file.stl: "))
+        with self.assertRaises(OSError) as caught:
+            burnish.load(".")
+        self.assertNotIsInstance(caught.exception, FileNotFoundError)
+
+    def test_unknown_options(self):
+        for call, line in (
+            (lambda: burnish.render(":knot", siz=3), "render() got an unexpected keyword argument 'siz'. Did you mean 'size'?"),
+            (lambda: burnish.load(":knot").render(zzzzz=3), "render() got an unexpected keyword argument 'zzzzz'"),
+            (lambda: burnish.load(":knot", strickt=True), "load() got an unexpected keyword argument 'strickt'. Did you mean 'strict'?"),
+            (lambda: burnish.load(":knot", size=3), "load() does not take 'size'; render() does"),
+            (lambda: burnish.render(":knot", size=(640, 480)), "size: (640, 480) is not a number; resolution=(640, 480) sets width and height"),
+        ):
+            with self.subTest(line), self.assertRaises(TypeError) as caught:
+                call()
+            self.assertEqual(str(caught.exception), line)
 
     def test_wrong_options(self):
         for call in (
