@@ -86,7 +86,7 @@ static burnish_status fill_slice(const fill_context *fill, size_t number) {
     const size_t batches = fill->geometry->batch_count;
     const size_t end = batches * (number + 1) / bins->slice_count;
     size_t at = batches * number / bins->slice_count, needed = 1;
-    slice->chunk_count = 1; /* number 0 stands for none */
+    slice->chunk_count = 1; /* number 0 means none */
     do {
         burnish_status status = reserve_chunks(bins, slice, needed, fill->chunk_limit);
         if (status != BURNISH_STATUS_OK) {

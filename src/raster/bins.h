@@ -23,9 +23,9 @@ static inline burnish_tile_box burnish_tile_box_of(const burnish_triangle_batch 
 }
 
 /* Tile lists of a band of tile rows: two per tile, of the front-facing triangles, then of the
- * back-facing ones. Where two triangles have the same depth, the first one drawn stays. A list is
- * made of chunks, so that a single pass over the triangles fills all lists. Each slice of the
- * triangles has lists of its own; a tile's follow one another. */
+ * back-facing ones. Of two triangles at the same depth, the one drawn first remains visible. Lists
+ * consist of chunks, so one pass over the triangles fills all lists. Each slice of the triangles
+ * has lists of its own; a tile's follow one another. */
 enum {
     BURNISH_CHUNK_ENTRIES = 16,
     BURNISH_LISTS_MAX = 1 << 21 /* of all slices: 16 MiB */
@@ -80,7 +80,7 @@ void burnish_bins_destroy(burnish_bins *bins);
 
 /* ---- Bands: as many rows of tiles as fit the budget. Frames and depth maps are drawn so. ---- */
 
-/* What a picture's tiles are drawn from. */
+/* Inputs for drawing a picture's tiles. */
 typedef struct burnish_bands {
     burnish_bins *bins;
     const burnish_raster_ops *ops;

@@ -1,4 +1,4 @@
-/* Appending triangles to tile lists, by vectors. */
+/* Appends triangles to tile lists with SIMD. */
 #ifndef BURNISH_RASTER_BINS_SIMD_H
 #define BURNISH_RASTER_BINS_SIMD_H
 
@@ -7,8 +7,8 @@
 
 enum { ALL_OF_BATCH = (1 << BURNISH_BATCH_SIZE) - 1 };
 
-/* Begins another chunk of a list, whose last one is full or which has none; 0 when the slice has no
- * more chunks. */
+/* Begins a chunk of a list that is empty or whose last chunk is full. Returns 0 if the slice is out
+ * of chunks. */
 static int append_chunk(burnish_bin_slice *slice, burnish_tile_list *list) {
     if (slice->chunk_count == slice->chunk_capacity) {
         return 0;
@@ -23,8 +23,8 @@ static int append_chunk(burnish_bin_slice *slice, burnish_tile_list *list) {
     return 1;
 }
 
-/* Appends triangles of a batch to a list; 0 when there is no room. Whether the list's last entry is
- * of the same batch is unpredictable, so there is no branch. */
+/* Appends triangles of a batch to a list. Returns 0 if the slice is out of chunks. It is
+ * unpredictable whether the list's last entry is of the same batch, so this code has no branch. */
 static inline int append_entry(burnish_bin_slice *slice, burnish_tile_list *list, size_t batch,
                                unsigned mask) {
     uint32_t next = list->next;
@@ -100,7 +100,8 @@ static int bin_triangle(const burnish_bins *bins, burnish_bin_slice *slice,
     return 1;
 }
 
-/* Triangles of a batch that touch one tile alone to its lists; 0 when there is no room. */
+/* Appends triangles of a batch that touch a single tile. Returns 0 if the slice is out of chunks.
+ * */
 static inline int bin_to_tile(const burnish_bins *bins, burnish_bin_slice *slice, size_t batch,
                               const burnish_batch_header *header, uint32_t tile, unsigned mask) {
     const int column = (int)BURNISH_PACKED_X(tile), row = (int)BURNISH_PACKED_Y(tile);

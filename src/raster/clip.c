@@ -24,7 +24,7 @@ static float plane_distance(const float p[4], int plane) {
     }
 }
 
-/* The point where an edge leaves a plane. Always from the inner end, so that both triangles at the
+/* The point where an edge leaves a plane. Interpolates from the inner end, so both triangles at the
  * edge get the same bits. */
 static burnish_clip_corner cut(const burnish_clip_corner *inner, float inner_distance,
                                const burnish_clip_corner *outer, float outer_distance) {
@@ -39,8 +39,7 @@ static burnish_clip_corner cut(const burnish_clip_corner *inner, float inner_dis
     return point;
 }
 
-/* Cut points are rounded, so that a polygon need not stay exactly convex: the bound holds all the
- * same. */
+/* Rounding of the cut points can make a polygon slightly concave; the bound still holds. */
 static int append(burnish_clip_corner *out, int count, burnish_clip_corner corner) {
     if (count < BURNISH_CLIP_MAX) {
         out[count++] = corner;

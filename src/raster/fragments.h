@@ -1,5 +1,5 @@
-/* What a tile hands over to shading: rows of blocks whose simple pixels lie in the tile's planes
- * already, and fragments of complex pixels.
+/* The interface from a tile to shading: block rows, whose simple pixels are already in the tile's
+ * planes, and fragments of complex pixels.
  *
  * A pixel is simple when all its samples show one triangle, which then is shaded at the pixel's
  * centre. In a complex pixel all samples that show one triangle are one fragment, shaded at the

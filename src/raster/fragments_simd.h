@@ -1,4 +1,4 @@
-/* What the pixels of a drawn tile show, by vectors. */
+/* Finds what the pixels of a drawn tile show, with SIMD. */
 #ifndef BURNISH_RASTER_FRAGMENTS_SIMD_H
 #define BURNISH_RASTER_FRAGMENTS_SIMD_H
 
@@ -52,7 +52,7 @@ static void classify_block_row(const burnish_tile *tile, int row, burnish_block_
 typedef struct sample_groups {
     int count;
     uint8_t pixel[BURNISH_FRAGMENT_BATCH];    /* in the block */
-    uint16_t samples[BURNISH_FRAGMENT_BATCH]; /* bits of those that show the triangle */
+    uint16_t samples[BURNISH_FRAGMENT_BATCH]; /* bits of the samples that show the triangle */
     int32_t id[BURNISH_FRAGMENT_BATCH];
 } sample_groups;
 
@@ -64,7 +64,7 @@ typedef struct sample_points {
 
 /* Groups the samples of LANES pixels of a block, from pixel `first` on, by triangle. Bit t of
  * group[s] is set where sample t shows the same triangle as sample s; the first sample of a group
- * stands for it. */
+ * represents it. */
 BURNISH_INLINE void group_vector(const burnish_tile *tile, int samples, int block, int first,
                                  sample_groups *groups) {
     const int32_t *ids = tile->buffer.ids + block * samples * BURNISH_BLOCK_PIXELS + first;
@@ -212,9 +212,8 @@ static int next_fragments(const burnish_tile *tile, const burnish_raster_view *v
 
 /* ---- Counts ---- */
 
-/* Neighbours mostly show the same triangle: only where the id changes there is something to do. Ids
- * of samples that show nothing may be those of an earlier tile, so a sample differs from such a
- * one. */
+/* Neighbours mostly show the same triangle: only where the id changes there is something to do.
+ * Samples that show nothing may have ids of an earlier tile, so a sample never equals them. */
 static void mark_block(const burnish_tile *tile, int first, uint8_t *drawn) {
     const int count = tile->options.samples * BURNISH_BLOCK_PIXELS;
     const float *depths = tile->buffer.depths + first;

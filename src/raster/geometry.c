@@ -166,7 +166,8 @@ burnish_status burnish_check_overdraw(double overdraw, double limit, const char 
 
 /* ---- Culling ---- */
 
-/* Culls a part of the mesh's triangles, which begins with a batch, and clips those that must be. */
+/* Culls a part of the mesh's triangles, which begins with a batch, and clips triangles that need
+ * it. */
 static void cull_task(void *context, size_t index, int thread) {
     const update_context *update = context;
     burnish_geometry *geometry = update->geometry;
@@ -195,7 +196,7 @@ static void cull_task(void *context, size_t index, int thread) {
     }
 }
 
-/* Room for the clipped triangles and their vertices after those of the mesh. */
+/* Reserves memory for clipped triangles and their vertices, which follow the mesh's own. */
 static burnish_status reserve_clipped(burnish_geometry *geometry, size_t vertices, size_t triangles,
                                       burnish_error *error) {
     burnish_screen_vertices *screen = &geometry->vertices;

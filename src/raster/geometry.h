@@ -37,7 +37,7 @@ enum {
     BURNISH_OUT_CLIP = BURNISH_OUT_NEAR | BURNISH_OUT_GUARD
 };
 
-/* One item per vertex of the mesh, then those that clipping made. */
+/* One item per vertex of the mesh, then one per vertex made by clipping. */
 typedef struct burnish_screen_vertices {
     burnish_screen_vertex *items;
     float *inverse_w;  /* 1 / w; 0 for a vertex of the mesh that only clipped triangles use */
@@ -101,8 +101,8 @@ typedef struct burnish_triangles {
 enum { BURNISH_LAYER_WORK = 28 };
 
 /* A frame's geometry; every array but the mesh's indices is owned. All zero before the first frame;
- * later frames use the arrays again. A primitive's index is its triangle's in the mesh; those that
- * clipping made come after the mesh's last batch and are otherwise no different. */
+ * later frames use the arrays again. A primitive has the index of its triangle in the mesh;
+ * primitives made by clipping follow the mesh's last batch. */
 typedef struct burnish_geometry {
     const burnish_context *context;
     burnish_screen_vertices vertices;
@@ -115,10 +115,10 @@ typedef struct burnish_geometry {
     size_t mesh_batches, clipped_count;
     size_t batch_count;    /* with the clipped ones */
     size_t triangle_count; /* visible ones */
-    /* HiZ cells that large visible triangles touch, at most: of each those of its bounds, or of its
-     * area and its outline where these are fewer. Small ones, whose bounds are at most two cells
-     * wide and high, are not counted: they take about as long as being listed. Cells of transparent
-     * ones count BURNISH_LAYER_WORK times. */
+    /* Upper bound of the HiZ cells that large visible triangles touch: per triangle, the cells of
+     * its bounds or, if that is fewer, of its area and outline. Small ones, whose bounds are at
+     * most two cells wide and high, are not counted: they take about as long as being listed. Cells
+     * of transparent ones count BURNISH_LAYER_WORK times. */
     uint64_t cells;
     struct burnish_geometry_part *parts; /* what each task found */
     size_t batch_capacity, header_capacity, clip_capacity, index_capacity, id_capacity;

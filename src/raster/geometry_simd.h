@@ -1,4 +1,4 @@
-/* Transform, cull and bound, by vectors. */
+/* Transforms vertices, and culls and bounds triangles, with SIMD. */
 #ifndef BURNISH_RASTER_GEOMETRY_SIMD_H
 #define BURNISH_RASTER_GEOMETRY_SIMD_H
 
@@ -99,7 +99,7 @@ static void transform_vertices(burnish_screen_vertices *vertices, const burnish_
 }
 
 /* First and last pixel along one axis whose samples can lie between the minimum and the maximum of
- * three coordinates in 1/256 pixel; with one sample those whose centre does. */
+ * three coordinates in 1/256 pixel; with one sample, pixels whose centre does. */
 BURNISH_INLINE void bound_pixels(int samples, const vi at[3], int size, vi *first, vi *last) {
     const int to_first = samples == 1 ? BURNISH_SUBPIXELS / 2 - 1 : 0;
     const int to_last = samples == 1 ? BURNISH_SUBPIXELS / 2 : 0;

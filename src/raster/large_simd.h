@@ -1,10 +1,10 @@
 /* Drawing large triangles cell by cell: cells that an edge or HiZ excludes are left out at once,
  * cells wholly inside need no edges, and depth and attributes are planes, one addition per vector.
  *
- * Coverage is exact. At the pixels' centres, or at one sample's place in every pixel, an edge
- * function changes by multiples of 256, so that floor(E / 256) has its sign and its steps are whole
- * numbers. An edge that crosses the tile stays below 63 (2^23 + 2^23) + 2^23 < 2^31 all over it,
- * for images of 16384 pixels and a guard band of 16000.
+ * Coverage is exact. From one pixel's centre to the next, or from sample s of a pixel to sample s
+ * of the next, an edge function changes by multiples of 256. So floor(E / 256) has the sign of E,
+ * and its steps are whole numbers. An edge that crosses the tile stays below 63 (2^23 + 2^23) +
+ * 2^23 < 2^31 all over it, for images of 16384 pixels and a guard band of 16000.
  *
  * Planes count from the tile's first pixel in double precision up to a cell's first pixel, and
  * within the cell in single precision:
@@ -192,9 +192,9 @@ BURNISH_INLINE void compute_depth_bounds(large_triangle *large, int samples) {
                     vf_mul(vf_set(large->depth_down), vf_from_int(vi_load(CELL_Y)))));
 }
 
-/* Of CELL_ROWS x CELL_COLUMNS cells from (x, y) on: bits of those that the triangle may be seen
- * in; *inside gets those of which it covers all samples. HiZ learns of these unless the triangle
- * becomes a layer. */
+/* Classifies CELL_ROWS x CELL_COLUMNS cells from (x, y) on. Returns bits of the cells in which the
+ * triangle may be visible; *inside receives bits of the cells that it covers entirely. HiZ
+ * learns of these unless the triangle becomes a layer. */
 BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle *large, int keep,
                                        int x, int y, unsigned *inside) {
     vi outside = vi_set(0), partly = vi_set(0);
@@ -232,8 +232,8 @@ BURNISH_INLINE void start_planes(const large_triangle *large, int planes, int x,
     }
 }
 
-/* Edges at the centres of LANES pixels of a cell, from pixel k on; `first` are those of its first
- * pixel. Returns where the triangle is, or with several samples may be. */
+/* Edges at the centres of LANES pixels of a cell, from pixel k on; `first` has the edges at the
+ * cell's first pixel. Returns where the triangle is, or with several samples may be. */
 BURNISH_INLINE vm find_edges(const large_triangle *large, const int32_t first[3], int samples,
                              int k, vi at[3]) {
     vi outside = vi_set(0);
@@ -254,8 +254,8 @@ BURNISH_INLINE vm cover_sample(const large_triangle *large, const vi at[3], int 
     return vi_not_negative(outside);
 }
 
-/* A number of the planes between those of the vertices: planes of needles are steep, and rounding
- * could carry it beyond. */
+/* Clamps a value of a plane to the range of the vertices: planes of needles are steep, and rounding
+ * could exceed it. */
 BURNISH_INLINE vf clamp_number(const large_triangle *large, int i, vf value) {
     return vf_min(vf_max(value, vf_set(large->low[i])), vf_set(large->high[i]));
 }

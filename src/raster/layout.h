@@ -1,5 +1,5 @@
-/* How an image is cut into tiles, a tile into blocks of pixels and HiZ cells, and where a pixel's
- * numbers lie in a tile's memory. */
+/* How an image is divided into tiles and a tile into blocks and HiZ cells, and the order of pixels
+ * in a tile's memory. */
 #ifndef BURNISH_RASTER_LAYOUT_H
 #define BURNISH_RASTER_LAYOUT_H
 
@@ -24,8 +24,8 @@ enum {
 /* The tile part of a HiZ cell's packed coordinates. */
 #define BURNISH_HIZ_TILE_MASK (~((BURNISH_HIZ_SIZE - 1) * BURNISH_PACK(1, 1)))
 
-/* A tile's pixels lie block after block, block row after block row, so that 4, 8 or 16 neighbours
- * of a block are one vector. */
+/* A tile's pixels are stored block by block and block row by block row, so 4, 8 or 16 neighbours in
+ * a block form a vector. */
 static inline int burnish_pixel_index(int x, int y) {
     const unsigned u = (unsigned)x, v = (unsigned)y;
     const unsigned block = v / BURNISH_BLOCK_SIZE * BURNISH_TILE_BLOCKS + u / BURNISH_BLOCK_SIZE;
@@ -43,7 +43,7 @@ static inline int burnish_pixel_y(int pixel) {
                  i / BURNISH_BLOCK_SIZE % BURNISH_BLOCK_SIZE);
 }
 
-/* Where sample s of a pixel lies in depths and ids: of a block's samples, sample s comes s blocks
+/* Index of sample s of a pixel in depths and ids: within a block's samples, sample s is s blocks
  * after sample 0. */
 static inline int burnish_sample_index(int samples, int pixel, int s) {
     return (pixel & ~(BURNISH_BLOCK_PIXELS - 1)) * samples + s * BURNISH_BLOCK_PIXELS +

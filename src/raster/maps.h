@@ -29,7 +29,7 @@ typedef struct burnish_map_vertex {
     } in[BURNISH_MAPS];
 } burnish_map_vertex;
 
-/* What a mesh is drawn from, and into. */
+/* A mesh, and the maps that it is drawn into. */
 typedef struct burnish_maps {
     int count;                    /* of pairs */
     int size;                     /* texels along an edge, a multiple of 16 */

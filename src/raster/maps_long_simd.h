@@ -14,8 +14,8 @@ BURNISH_INLINE void raise_texel(uint16_t *const depths[2], size_t texel, int32_t
     *back = against > old_back ? against : old_back;
 }
 
-/* E needs more than 32 bits. Vertices 1 and 2 change places where the triangle faces the front, as
- * those of others do. */
+/* E needs more than 32 bits. Vertices 1 and 2 of a front-facing triangle are swapped, as for other
+ * triangles. */
 typedef struct long_triangle {
     int64_t x[3], y[3], area; /* twice the area, 1/256 texel squared, > 0 */
     double depth[3];
@@ -42,8 +42,8 @@ BURNISH_INLINE void clip_row(const int32_t e[3], const int32_t step[3], const do
 
 enum { FEW_IN_A_ROW = 3 };
 
-/* Raises `count` texels in a row to codes that are linear along it, limited to those of the
- * vertices. */
+/* Raises `count` texels in a row to codes that are linear along the row, clamped to the range of
+ * the vertices. */
 BURNISH_INLINE void raise_row(uint16_t *const depths[2], size_t texel, int count, float code,
                               float step, const float limits[2]) {
     for (int x = 0; x < count && count <= FEW_IN_A_ROW; ++x) { /* as a vector does */
@@ -63,7 +63,7 @@ BURNISH_INLINE void raise_row(uint16_t *const depths[2], size_t texel, int count
     }
 }
 
-/* Row by row: the texels between the edges are found by quotients, depths lie in a plane. */
+/* Row by row: divisions give the texels between the edges, a plane gives the depths. */
 BURNISH_INLINE void draw_long(const long_triangle *t, int size, uint16_t *const depths[2]) {
     const double codes = BURNISH_MAP_CODES, scale = codes / (double)t->area;
     const double step1 = (t->depth[1] - t->depth[0]) * scale;

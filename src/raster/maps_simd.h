@@ -1,6 +1,6 @@
-/* Triangles into pairs of depth maps, by vectors. Which texels triangles cover is found out for as
- * many triangles at once as a vector has lanes, texel by texel of their bounds, or where these are
- * wide for one triangle after another, stamp by stamp; then depths of as many covered texels at
+/* Draws triangles into pairs of depth maps with SIMD. Which texels triangles cover is found out for
+ * as many triangles at once as a vector has lanes, texel by texel of their bounds, or where these
+ * are wide for one triangle after another, stamp by stamp; then depths of as many covered texels at
  * once. Large triangles go row by row. */
 #ifndef BURNISH_RASTER_MAPS_SIMD_H
 #define BURNISH_RASTER_MAPS_SIMD_H
@@ -129,7 +129,7 @@ enum {
     FEW_TEXELS =
         8, /* across and down: the bounds of triangles of which a vector is drawn at once */
     MOST_TEXELS = BURNISH_SMALL_EDGE / BURNISH_SUBPIXELS + 1, /* across and down of others */
-    /* room for those that a vector of narrow triangles, or a wide one after others, covers */
+    /* capacity for what a vector of narrow triangles, or a wide triangle after others, covers */
     COVERED_MOST = 8192,
     COVERED_FULL = COVERED_MOST - (MOST_TEXELS + 3) * (MOST_TEXELS + 3)
 };
@@ -218,7 +218,7 @@ BURNISH_INLINE vf map_permute(const float x[LANES], vi lane) {
     return vf_from_bits(vi_permute(vf_bits(vf_load(x)), lane));
 }
 
-/* What LANES covered texels show: where they lie in the map, and their codes. */
+/* LANES covered texels: their indices in the map, and their codes. */
 BURNISH_INLINE void find_codes(const map_triangles *triangles, const int32_t *items, int size,
                                int32_t texel[LANES], int32_t code[LANES]) {
     const vi item = vi_load(items);

@@ -1,5 +1,5 @@
-/* Large triangles that cover a whole tile hide others, wherever they stand in its list: HiZ learns
- * of them before any is drawn, and then most of what is behind them is left out.
+/* Large triangles that cover a whole tile hide others, in any order of its list. They enter HiZ
+ * before any triangle is drawn, so most hidden triangles are culled.
  *
  * This changes no bit. HiZ's cells get a depth that is farther than the triangle by more than
  * rounding (compute_depth_bounds), and a triangle is left out only where it is farther than that:

@@ -17,9 +17,9 @@ struct burnish_raster_ops {
                                const struct burnish_raster_view *view, const float *positions,
                                size_t first, size_t end);
 
-    /* Culls `count` <= BURNISH_BATCH_SIZE triangles, 3 indices each, and finds depth and bounds of
-     * those that may be seen; returns how many. Bit i of *clipped is set where triangle i must be
-     * clipped first. */
+    /* Culls `count` <= BURNISH_BATCH_SIZE triangles, 3 indices each, and computes depth and bounds
+     * of the potentially visible ones. Returns how many there are. Bit i of *clipped is set where
+     * triangle i must be clipped first. */
     int (*cull_and_bound)(const struct burnish_screen_vertices *vertices,
                           const struct burnish_raster_view *view, const uint32_t *indices,
                           size_t count, struct burnish_triangle_batch *batch,

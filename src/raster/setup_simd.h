@@ -1,9 +1,8 @@
-/* Triangle setup by vectors: as many triangles at once as a vector has lanes.
+/* Triangle setup with SIMD: one triangle per lane.
  *
  * Edge functions are whole numbers and exact. Small triangles are drawn stamp by stamp, weights
  * from their edges (stamps_simd.h), or several at once (tiny_simd.h), large ones cell by cell, by
- * planes (large_simd.h). What is
- * computed keeps one order of operations, that of test/support/reference_tile.h. */
+ * planes (large_simd.h). Operations have the order of test/support/reference_tile.h. */
 #ifndef BURNISH_RASTER_SETUP_SIMD_H
 #define BURNISH_RASTER_SETUP_SIMD_H
 
@@ -51,8 +50,8 @@ typedef struct triangle_setup {
     unsigned live, small, beyond, tiny, tiny_3x3, wide;
 } triangle_setup;
 
-/* The primitives of some indices, `count` <= LANES. Prefetches what will be loaded of them: lists
- * are in the mesh's order, not in that of memory. */
+/* The primitives of some indices, `count` <= LANES. Prefetches their data: lists have the order of
+ * the mesh, not of memory. */
 BURNISH_INLINE void fetch_group(const burnish_tile *tile, const burnish_geometry *geometry,
                                 const uint32_t *indices, size_t count, unsigned back,
                                 primitive_group *group) {

@@ -67,7 +67,7 @@ BURNISH_INLINE void compute_steps(const triangle_setup *setup, int samples, samp
     }
 }
 
-/* What is kept of a sample that is nearer than what is there. */
+/* What is stored of a sample that is nearer than the stored one. */
 enum {
     KEEP_DEPTH,
     KEEP_ID,   /* and depth */
@@ -79,13 +79,13 @@ typedef struct draw_kind {
     int samples, planes, keep; /* per pixel; of attributes; KEEP_... */
 } draw_kind;
 
-/* No layer is that far away: a lane's that has none, and that of a lane that adds none. */
+/* No layer is that far away: the depth of lanes without a layer, and of lanes that add none. */
 #define NO_LAYER (2 * BURNISH_FARTHEST)
 #define NOTHING_TO_ADD (4 * BURNISH_FARTHEST)
 
-/* Keeps layers of `id` at the samples `lanes` from `sample` on, each behind those that are as near
- * or nearer; where there are too many the farthest one is dropped. A layer of neighbouring samples
- * is one vector, so the time does not depend on the order in which layers come. */
+/* Inserts layers of `id` at the samples `lanes` from `sample` on, each after the layers that are as
+ * near or nearer. If there are too many, the farthest one is dropped. A layer of neighbouring
+ * samples is one vector, so the time does not depend on the order in which layers come. */
 BURNISH_INLINE void keep_layers(const burnish_tile *tile, vm lanes, vf depth, vi id, int sample) {
     burnish_tile_layers *layers = tile->layers;
     if (layers->pass > 0) {
@@ -181,8 +181,8 @@ BURNISH_INLINE vi edge_of_stamp(const triangle_setup *setup, size_t lane, int i,
     return vi_add(vi_set(setup->stamp[i][lane]), vi_shl(along, BURNISH_SUBPIXEL_BITS));
 }
 
-/* Draws a stamp, one sample per pixel, where `covered` holds. Whether it is nearer is
- * unpredictable, so there is no branch. */
+/* Draws a stamp, one sample per pixel, where `covered` holds. It is unpredictable whether it is
+ * nearer, so this code has no branch. */
 BURNISH_INLINE void draw_stamp(burnish_tile *tile, const stamp_constants *constants, draw_kind kind,
                                vm covered, const vi e[3], int pixel) {
     vf weight1 = weight_from(constants, e, 1), weight2 = weight_from(constants, e, 2);

@@ -1,12 +1,12 @@
-/* A tile from its lists of triangles to depth, ids and attributes of every pixel. What comes out
- * is, bit for bit, what test/support/reference_tile.h computes in the plainest way, for every
- * instruction set.
+/* A tile from its lists of triangles to depth, ids and attributes of every pixel. For every
+ * instruction set, the result has the same bits as test/support/reference_tile.h, which computes it
+ * in the plainest way.
  *
  * A sample shows the triangle that is nearest there; of two at the same depth the front-facing one,
  * then the first. Attributes of simple pixels (fragments.h) are interpolated at their centre while
  * the triangle is drawn.
  *
- * Transparent triangles, where there are any, are no part of that: they become layers in front of
+ * Transparent triangles are kept apart: they become layers in front of
  * the opaque ones (layers.h).
  *
  * A tile has three parts: the buffer (depth, ids, planes per pixel), HiZ (coarse depth, against
@@ -65,10 +65,10 @@ typedef struct burnish_hiz {
     float quads[BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE];
 } burnish_hiz;
 
-/* What fragments need of the primitives that samples of the tile show, or may have shown: arrays of
- * four words per primitive, stored and loaded by vectors. Coordinates are 1/256 pixel from the
- * tile's corner. The edge function of edge i = 1, 2, opposite vertex i, is E(x, y) = dx[i - 1] y -
- * dy[i - 1] x + constant[i - 1], and E / area the barycentric weight of vertex i. */
+/* Data for fragments of the primitives that samples of the tile show, or have shown: arrays of four
+ * words per primitive, stored and loaded as vectors. Coordinates are 1/256 pixel from the tile's
+ * corner. The edge function of edge i = 1, 2, opposite vertex i, is E(x, y) = dx[i - 1] y - dy[i -
+ * 1] x + constant[i - 1], and E / area the barycentric weight of vertex i. */
 typedef struct burnish_primitive_edges {
     int32_t constant[2], dx[2];
 } burnish_primitive_edges;
@@ -89,17 +89,17 @@ typedef struct burnish_tile_primitives {
     burnish_primitive_weights *weights;
     burnish_primitive_depths *depths;
     burnish_primitive *primitives;
-    int64_t (*constants)[2]; /* of those that need 64 bits */
+    int64_t (*constants)[2]; /* of primitives that need 64 bits */
     int32_t *moved;          /* scratch of eviction: their new indices */
     size_t count, capacity;
 } burnish_tile_primitives;
 
-/* How often large triangles cover a picture before it pays to look for those that hide others. */
+/* How often large triangles must cover a picture before searching for occluders pays. */
 #define BURNISH_TILE_OVERDRAWN 16.0
 
 enum {
-    /* Primitives per sample that a tile holds before it evicts those that no sample shows: samples
-     * show at most half of them. */
+    /* Primitives per sample that a tile holds before it evicts primitives that no sample shows. At
+     * most half of them are shown. */
     BURNISH_TILE_PRIMITIVES = 2 * BURNISH_TILE_PIXELS,
     BURNISH_TILE_PRIMITIVES_EXTRA = 16 /* that a vector may write past the last one */
 };
@@ -112,7 +112,7 @@ typedef struct burnish_tile_layers {
     /* BURNISH_LAYERS_MAX per sample: burnish_layer_index */
     float *depths;
     uint32_t *indices;     /* the primitive's * 2, + 1 when it is back-facing */
-    uint8_t *counts;       /* per sample; of the current tile where it has some */
+    uint8_t *counts;       /* per sample; valid if the tile has some */
     int block_samples;     /* of a block */
     int has_some;          /* 1: the current tile lists a transparent triangle */
     int pass;              /* 0: the nearest layers are collected; else those behind fronts */
@@ -121,9 +121,9 @@ typedef struct burnish_tile_layers {
     size_t dropped_before; /* the current tile */
 } burnish_tile_layers;
 
-/* Where the nearest layer of a sample lies, in the order of burnish_sample_index. The next one
- * comes block_samples after it, so that a layer of all a block's samples lies together, and what
- * few samples need is not touched. */
+/* Where the nearest layer of a sample lies, in the order of burnish_sample_index. The next one is
+ * block_samples later, so a layer of all samples of a block is contiguous, and layers that few
+ * samples have stay out of the cache. */
 static inline size_t burnish_layer_index(const burnish_tile_layers *layers, int sample) {
     const int within = sample & (layers->block_samples - 1);
     return (size_t)(sample - within) * BURNISH_LAYERS_MAX + (size_t)within;

@@ -300,7 +300,7 @@ BURNISH_INLINE void draw_multisampled(burnish_tile *tile, const triangle_setup *
     }
 }
 
-/* Adds a group of triangles, whose primitives have some indices, to the layers. */
+/* Adds a group of triangles to the layers. indices: of their primitives. */
 BURNISH_INLINE void draw_layers(burnish_tile *tile, const triangle_setup *setup,
                                 const uint32_t *indices, unsigned back) {
     const int samples = tile->options.samples;
@@ -371,8 +371,7 @@ static size_t expand_entries(const burnish_bin_entry *entries, size_t count, uin
     return found;
 }
 
-/* Removes the triangles that are transparent, or for layers those that are not; returns how many
- * entries are left. */
+/* Removes transparent triangles or, for layers, opaque ones. Returns how many entries are left. */
 static size_t select_opaque(burnish_tile *tile, int are_layers, burnish_bin_entry *entries,
                             size_t count) {
     size_t kept = 0;

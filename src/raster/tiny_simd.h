@@ -168,7 +168,7 @@ static void compute_tiny_samples(const triangle_setup *setup, const sample_steps
     }
 }
 
-/* What the tile keeps of pixel p of a triangle that has taken all its samples: its centre. */
+/* Stores the centre of pixel p, all of whose samples show the triangle. */
 BURNISH_INLINE void draw_center(const burnish_tile *tile, const triangle_setup *setup, size_t lane,
                                 int p, int planes) {
     const int x = p % TINY_SIDE, y = p / TINY_SIDE;
@@ -192,8 +192,8 @@ BURNISH_INLINE void draw_center(const burnish_tile *tile, const triangle_setup *
     }
 }
 
-/* Draws the samples `covered` of a triangle; returns those that were nearer. Which ones is
- * unpredictable, so there is no branch. */
+/* Draws the samples `covered` of a triangle; returns bits of the nearer ones. These are
+ * unpredictable, so this code has no branch. */
 BURNISH_INLINE uint64_t draw_covered(burnish_tile *tile, const tiny_samples *found, size_t lane,
                                      uint64_t covered, int32_t id) {
     float *depths = tile->buffer.depths;

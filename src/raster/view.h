@@ -13,8 +13,8 @@ enum {
     BURNISH_MAX_SAMPLES = 16                        /* coverage samples per pixel */
 };
 
-/* Pixels from the image's centre beyond which triangles are clipped, so that fixed point can't
- * overflow. */
+/* Pixels from the image's centre beyond which triangles are clipped, which keeps fixed point from
+ * overflowing. */
 #define BURNISH_GUARD_BAND 16000.0f
 
 /* clip = rows * (p - origin, 1); x and y come out in pixels from the image's centre (y up) times w;
@@ -31,7 +31,7 @@ typedef struct burnish_raster_view {
  * the sum's lowest bits: 1.5 * 2^23. */
 #define BURNISH_ROUNDER 12582912.0f
 
-/* Rounds to 1/256 pixel, halves to even, so that mirrored scenes stay mirrored; abs(pixels) <
+/* Rounds to 1/256 pixel, halves to even, which keeps mirrored scenes mirrored; abs(pixels) <
  * 16384. */
 static inline int32_t burnish_to_fixed(float pixels) {
     const float sum = pixels * (float)BURNISH_SUBPIXELS + BURNISH_ROUNDER;

@@ -1,4 +1,4 @@
-/* What a frame is drawn from. */
+/* The mesh of a frame. */
 #ifndef BURNISH_RENDER_DRAWN_MESH_H
 #define BURNISH_RENDER_DRAWN_MESH_H
 

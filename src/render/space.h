@@ -1,5 +1,4 @@
-/* The raster's space: the mesh's, moved and scaled so that it fills the unit sphere, whatever its
- * size and wherever it lies. */
+/* The raster's space: the mesh is moved and scaled to fill the unit sphere. */
 #ifndef BURNISH_RENDER_SPACE_H
 #define BURNISH_RENDER_SPACE_H
 

@@ -23,7 +23,7 @@ const burnish_kernels *burnish_kernels_best(void) {
     return burnish_shading_ops_for(isa);
 }
 
-/* NULL, as burnish_kernels_for returns it, stands for the best. */
+/* NULL, as burnish_kernels_for returns it, means the best. */
 static const burnish_kernels *or_best(const burnish_kernels *kernels) {
     return kernels ? kernels : burnish_kernels_best();
 }

@@ -70,15 +70,15 @@ typedef struct family {
     double log_ratio; /* of the slopes at the peak: log(scale m zeta / n) */
 } family;
 
-/* The logarithm of (slope of the lobe / slope of the power). Its derivative has one zero at most,
- * so that lobe - power has at most two stationary points. */
+/* The logarithm of (slope of the lobe / slope of cos^n). Its derivative has at most one zero, so
+ * lobe - cos^n has at most two stationary points. */
 static double slope_ratio(double lambda, const void *context) {
     const family *f = context;
     return f->log_ratio + (f->order - 1) * log_1_plus(-f->zeta * lambda) -
            (f->exponent - 1) * log_1_plus(-lambda);
 }
 
-/* The largest errors of the lobe: above the power, and below it without the peak itself. */
+/* The largest errors of the lobe: above cos^n, and below it except at the peak. */
 static void largest_errors(family *f, double *above, double *below) {
     const double end = f->zeta > 1 ? 1 / f->zeta : 1;
     const double limit = end * (1 - 1e-15); /* both slopes may vanish at the very end */
@@ -113,7 +113,7 @@ static double imbalance(double zeta, const void *context) {
     return above - below;
 }
 
-/* The zeta at which both errors are equal, for a given peak; zeta m/n lies in (0.6, 1.42). */
+/* The zeta at which both errors are equal, for a given peak; zeta m/n is in (0.6, 1.42). */
 static double balance(int order, double n, double scale, double tolerance) {
     const family f = {0, scale, n, order, 0};
     return find_root(imbalance, &f, 0.5 * n / order, 1.5 * n / order, tolerance);
@@ -217,7 +217,7 @@ burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exp
     const int searches =
         fit == BURNISH_FIT_MINIMAX || fit == BURNISH_FIT_LEAST_SQUARES || fit == BURNISH_FIT_AFFINE;
     *scale = 1;
-    if (searches && exponent == order) { /* the power is a lobe itself */
+    if (searches && exponent == order) { /* cos^n is itself a lobe */
         *zeta = 1;
         return BURNISH_LOBE_OK;
     }

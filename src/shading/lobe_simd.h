@@ -11,7 +11,7 @@
  * them afterwards. */
 enum { STREAM_BYTES = 8 << 20 };
 
-/* So many floats ahead the input is asked for: the processor's own prefetching waits at each page.
+/* Floats that input is prefetched ahead: the processor's own prefetcher stops at each page.
  * bench/NOTES.md has the figures. */
 enum { STREAM_AHEAD = 512 };
 

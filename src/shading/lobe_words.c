@@ -76,7 +76,7 @@ static const struct word *find_word(const char *text) {
     return NULL;
 }
 
-/* Reads "0.5", ".5" or "256" and moves *text past it; -1 when malformed or too long. */
+/* Reads "0.5", ".5" or "256" and moves *text past it; -1 if malformed or too long. */
 static double read_number(const char **text) {
     double digits = 0, scale = 1;
     int count = 0, decimals = 0, seen_point = 0, seen_digit = 0;
@@ -184,7 +184,7 @@ burnish_status burnish_lobe_words_parse(const char *text, burnish_lobe_spec *lob
 }
 
 /* A number in [0, 65536] without the locale's decimal point: the shortest that read_number reads
- * back, or cut to 15 digits, so that a level below 1 stays below 1. */
+ * back, or truncated to 15 digits, which keeps a level below 1 below 1. */
 static void write_number(double x, char *text, size_t size) {
     const double limit = 1e15; /* 10^MAX_DIGITS */
     double scale = 1;

@@ -1,7 +1,7 @@
 /* The whole lighting equation over vectors of points.
  *
- * A skipped lobe is exactly 0 and sums are never negative, so that leaving out what a whole vector
- * does not need changes no bit, however long the vector is. */
+ * A skipped lobe is exactly 0 and sums are never negative, so skipping what a whole vector does not
+ * need changes no bit, for any length of vectors. */
 #ifndef BURNISH_SHADING_SHADE_SIMD_H
 #define BURNISH_SHADING_SHADE_SIMD_H
 
@@ -172,7 +172,7 @@ BURNISH_INLINE shade_cosines shade_cosines_of(const burnish_light_constants *lig
     return cosines;
 }
 
-/* What the lobe is of: N.H or R.V. */
+/* The argument of the lobe: N.H or R.V. */
 BURNISH_INLINE vf shade_lobe_cosine(const burnish_kernels_shader *shader, const shade_vectors *at,
                                     const shade_cosines *cosines) {
     const vf two = vf_set(2.0f);

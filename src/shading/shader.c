@@ -217,7 +217,7 @@ burnish_status burnish_lighting_check(const burnish_kernels_lighting *lighting,
     return check_lights(lighting, error);
 }
 
-/* The unit vector between two. Opposite ones have none: (0, 0, 0). */
+/* The unit vector between two. (0, 0, 0) for opposite vectors. */
 static void find_half(const float a[3], const float b[3], double half[3]) {
     double squared = 0;
     for (int k = 0; k < 3; ++k) {

@@ -34,7 +34,7 @@ typedef struct burnish_lobe_constants {
     float zeta;     /* family */
     float exponent; /* n */
     float slope;    /* factor in an exponent or denominator */
-    float least;    /* MULTIPLY: the cosine up to which the power is below 2^-126 */
+    float least;    /* MULTIPLY: the cosine up to which cos^n is below 2^-126 */
     uint32_t whole; /* MULTIPLY: n */
 } burnish_lobe_constants;
 

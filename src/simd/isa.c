@@ -70,8 +70,8 @@ static uint32_t ask_processor(void) {
     return burnish_isa_from_cpuid(&cpuid);
 }
 
-/* Asked once per process and those that it forks: in a virtual machine the answers take longer than
- * a small mesh. */
+/* CPUID runs once per process and its forks: in a virtual machine it takes longer than drawing a
+ * small mesh. */
 static uint32_t processor_mask(void) {
     static atomic_uint_least32_t known; /* 0: not yet */
     uint32_t mask = atomic_load_explicit(&known, memory_order_relaxed);

@@ -33,8 +33,8 @@ typedef struct burnish_cpuid {
     uint64_t xcr0; /* what the operating system saves; 0 without OSXSAVE */
 } burnish_cpuid;
 
-/* The instruction sets that such a processor runs, SCALAR included. A pure function, so that tests
- * can try any processor. */
+/* The instruction sets that such a processor runs, SCALAR included. A pure function, so tests can
+ * try any processor. */
 uint32_t burnish_isa_from_cpuid(const burnish_cpuid *cpuid);
 
 #endif

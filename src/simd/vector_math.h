@@ -12,8 +12,8 @@
 #include "simd/vector.h"
 
 /* 1 / sqrt(x), relative error at most 1.04e-7 for x in [2^-126, 2^127] (every float of two octaves
- * tried), against 0.9e-7 of an IEEE root and division. For x = 0 a number near 1e19, so that
- * 0 * it is 0; for negative x, infinity and NaN something, which may be NaN.
+ * tried), against 0.9e-7 of an IEEE root and division. For x = 0 the result is near 1e19, so 0
+ * times it is 0; for negative x, infinity and NaN it is unspecified and may be NaN.
  *
  * The exponent is halved by a shift, which leaves 3 %. One Newton step whose two constants spread
  * that error evenly leaves 6.5e-4, one step of third order leaves rounding. The first step's idea:

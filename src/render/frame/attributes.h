@@ -7,8 +7,8 @@
 #include "raster/tile.h"
 
 /* What a vertex carries to its points: normals and colours times 1/w, which are linear on the
- * screen. One item per screen vertex, those that clipping made included. Owned; all zero before the
- * first frame, a later frame uses the arrays again. */
+ * screen. One item per screen vertex, including vertices made by clipping. Owned; all zero before
+ * the first frame, a later frame uses the arrays again. */
 typedef struct burnish_attributes {
     burnish_float4 *normals; /* (x, y, z, 1) / w */
     burnish_float4 *colors;  /* linear (r, g, b, alpha) / w */

@@ -4,7 +4,7 @@
 
 #include "core/vector.h"
 
-/* Solves rows^T x = b for x by elimination with partial pivoting; 0 where there is no solution. */
+/* Solves rows^T x = b for x by elimination with partial pivoting; 0 if the system is singular. */
 static int solve(const float rows[4][4], const double b[4], double x[4]) {
     double m[4][5];
     for (int i = 0; i < 4; ++i) {

@@ -156,8 +156,9 @@ static void draw_block_row(const burnish_frame *frame, burnish_tile_worker *work
     }
 }
 
-/* The rows of blocks of a tile that hold some of the rows drawn. A tile that lies in them in part
- * is rasterised whole, as which pixels share a look-up of the sky may depend on it, but no more. */
+/* The rows of blocks of a tile that hold some of the rows drawn. A tile that is partly in them is
+ * rasterised completely, because it can affect which pixels share a look-up of the sky; only its
+ * drawn rows are shaded. */
 static burnish_row_range keep_drawn_rows(const burnish_output *output, burnish_tile *tile) {
     const int top = output->rows.first - tile->y, bottom = output->rows.end - tile->y;
     const int height = bottom < tile->height ? bottom : tile->height;
@@ -236,7 +237,7 @@ static size_t tile_count(const burnish_frame *frame) {
     return (size_t)columns * (size_t)(rows.end - rows.first);
 }
 
-/* Only the thread that called tells how far the frame is. */
+/* Only the calling thread reports progress. */
 static void report_progress(frame_context *context, int thread) {
     const size_t done =
         1 + atomic_fetch_add_explicit(&context->tiles_done, 1, memory_order_relaxed);
@@ -328,7 +329,7 @@ static int worker_count(const burnish_frame *frame) {
     return (size_t)threads < tiles ? threads : (int)tiles;
 }
 
-/* Workers that can draw the frame: those of the last one where they do. */
+/* Prepares workers for the frame; reuses the last frame's if they fit. */
 static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles *tiles,
                                       burnish_error *error) {
     const burnish_surface *surface = &frame->surface;

@@ -1,7 +1,7 @@
 /* From the layers of a tile to their light.
  *
- * A layer of opacity a and colour C in front of what has the light L gives a C + (1 - a) L, for
- * each sample, in linear light, from the nearest layer to the farthest. A layer's opacity is its
+ * A layer of opacity a and colour C in front of light L gives a C + (1 - a) L. This is computed per
+ * sample, in linear light, from the nearest layer to the farthest. A layer's opacity is its
  * material's times its vertices', interpolated as a colour is, times its textures'. A masked
  * material is wholly opaque or not there, sample by sample; where its texels are smaller than
  * pixels, samples are as opaque as the area is that the mask leaves. */
@@ -19,7 +19,7 @@ typedef struct burnish_layer_light {
     float through[]; /* per sample: what passes of the light behind its layers */
 } burnish_layer_light;
 
-/* NULL when there is no memory. */
+/* NULL if memory runs out. */
 burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *memory);
 
 void burnish_layer_light_clear(burnish_layer_light *layers, int samples);

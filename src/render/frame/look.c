@@ -86,7 +86,7 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                               .occlusion_strength = 0.75f,
                               .edges = BURNISH_EDGES_FEATURES,
                               .edge_width = EDGE_WIDTH},
-    /* Dark, so that the highlight is most of what is seen. */
+    /* A dark material, which makes the highlight prominent. */
     [BURNISH_LOOK_LOBES] = {.lights = {{LIGHT, KEY, {1, 1, 1}}},
                             .light_count = 1,
                             .ambient = 0.08f,

@@ -1,4 +1,5 @@
-/* Pixels before and after shading: positions from depths, batches of several materials, and codes. */
+/* Pixels before and after shading: positions from depths, batches of several materials, and codes.
+ * */
 #ifndef BURNISH_RENDER_FRAME_PIXELS_SIMD_H
 #define BURNISH_RENDER_FRAME_PIXELS_SIMD_H
 
@@ -21,8 +22,8 @@ static void position_from_depth(const burnish_rays *rays, const burnish_screen_p
     }
 }
 
-/* ---- One material after another, by whole vectors: a vector that shows several materials is shaded
- * once for each, which costs less than sorting its items ---- */
+/* ---- One material after another, by whole vectors: a vector that shows several materials is
+ * shaded once for each, which costs less than sorting its items ---- */
 
 static int collect_material(int32_t material, int first, int count, int32_t *left,
                             const burnish_batch_streams *streams, uint8_t *starts) {
@@ -56,7 +57,7 @@ static void scatter_material(int32_t material, const int32_t *materials, int siz
     }
 }
 
-/* ---- Linear light to sRGB codes, exactly those of burnish_linear_to_srgb ---- */
+/* ---- Linear light to sRGB codes, equal to burnish_linear_to_srgb ---- */
 
 BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) {
     const vi first = vi_set(BURNISH_SRGB_FIRST_BITS);

@@ -8,7 +8,7 @@ static void *plane_at(void *plane, size_t stride, int x, int y, size_t size) {
     return plane ? (char *)plane + (size_t)y * stride + (size_t)x * size : NULL;
 }
 
-/* The row of the planes that a pixel of a tile lies in; -1 where it is none of the rows drawn. */
+/* The row of the planes for a pixel of a tile; -1 if that row is not drawn. */
 static int plane_row(const burnish_output *output, const burnish_tile *tile, int pixel) {
     const int y = tile->y + burnish_pixel_y(pixel);
     return y >= output->rows.first && y < output->rows.end ? y - output->rows.first : -1;

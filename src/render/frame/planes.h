@@ -4,7 +4,7 @@
 
 #include "render/frame/target.h"
 
-/* Whether a target has some. */
+/* Whether a target has planes. */
 static inline int burnish_planes_are_wanted(const burnish_target *target) {
     return target->depth || target->triangles || target->normals || target->coverage;
 }

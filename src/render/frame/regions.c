@@ -5,7 +5,7 @@
 
 #include "core/vector.h"
 
-/* Half pixels: how far a straight line may pass from the points that it stands for. Those of a
+/* Half pixels: the maximum distance of a straight line from the points that it replaces. Those of a
  * straight border are up to 1 off it, and the line may begin on either side. */
 #define TOLERANCE 2.1
 
@@ -82,8 +82,8 @@ static int is_inside(const burnish_region_map *map, uint8_t value, int x, int y)
            (map->values[(size_t)y * (size_t)map->width + (size_t)x] & ~VISITED) == value;
 }
 
-/* Follows a border with the region on its right, from the upper side of a pixel eastward. Where
- * pixels touch in a corner they are apart. Returns twice the area, in square half pixels. */
+/* Follows a border with the region on its right, from the upper side of a pixel eastward. Pixels
+ * that touch at a corner only are not connected. Returns twice the area, in square half pixels. */
 static double follow(const burnish_region_map *map, uint8_t value, int first_x, int first_y,
                      thinner *t) {
     static const int step[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -164,8 +164,8 @@ typedef struct crossings {
     size_t count, capacity;
 } crossings;
 
-/* Lines i with period i + offset in [the lower end, the upper end): so that each border crosses
- * every line an even number of times. */
+/* Lines i with period i + offset in [lower end, upper end). The half-open range makes each border
+ * cross every line an even number of times. */
 static void cross_edge(crossings *to, const float *a, const float *b, double sign, double period,
                        double offset, burnish_memory *memory) {
     const double f = ((double)a[0] + sign * (double)a[1] - offset) / period;

@@ -86,7 +86,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
 
 /* ---- A frame ---- */
 
-/* What one call draws, and what it learns. */
+/* Inputs and results of one call. */
 typedef struct drawing {
     burnish_renderer *renderer;
     burnish_drawn_mesh mesh;

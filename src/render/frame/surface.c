@@ -48,7 +48,8 @@ static void divide(int count, const float *const attribute[3], const float *inve
     }
 }
 
-/* `count` points of one material; those of a special one leave their opacity in scratch. */
+/* Shades `count` fragments of one material. If it is special, their opacity is in scratch
+ * afterwards. */
 static void shade_material(const burnish_shading *shading, const burnish_kernels_points *points,
                            float (*streams)[BURNISH_SHADE_BATCH], int material, int count,
                            burnish_texture_scratch *scratch, float *const rgb[3]) {
@@ -111,7 +112,7 @@ static void scatter_opacity(const burnish_shading *shading, const burnish_fragme
     }
 }
 
-/* Where points lie in their textures; all are opaque until their material is shaded. */
+/* Texture coordinates of a batch; all fragments are opaque until their material is shaded. */
 static void locate(const burnish_shading *shading, const burnish_fragment_batch *batch,
                    burnish_texture_scratch *scratch) {
     if (shading->texturing->needs_points) {
@@ -242,14 +243,14 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
 
 /* ---- Caps ---- */
 
-/* Instead of the colours of vertices, which a cap has none of. */
+/* Caps have no vertices, so they have this colour instead of vertex colours. */
 #define CAP_COLOR 0.5f
 
 static int material_of(const burnish_surface *surface, uint32_t id_and_facing) {
     return surface->triangle_materials ? surface->triangle_materials[id_and_facing >> 1] : 0;
 }
 
-/* ---- Simple pixels: attributes lie in the tile's planes ---- */
+/* ---- Simple pixels: attributes are in the tile's planes ---- */
 
 /* The pixels of a row of blocks from its first one. */
 #define BLOCK_X(x)                                                                                 \
@@ -274,8 +275,8 @@ typedef struct block_run {
     int row, first, end;
 } block_run;
 
-/* Complex pixels get the material of the pixel before, so that runs of one material stay long;
- * their result is discarded. */
+/* Complex pixels get the material of the pixel before, which keeps runs of one material long; their
+ * result is discarded. */
 static void find_materials(const burnish_surface *surface, const burnish_tile *tile, block_run run,
                            const burnish_block_row *pixels, int32_t *material) {
     int32_t last = 0;
@@ -299,7 +300,7 @@ static int is_plain_block(const burnish_tile *tile, const int32_t *simple) {
     return any >= 0 && (different & first) == 0;
 }
 
-/* The triangles of a run's pixels; complex ones get that of the pixel before. */
+/* The triangles of a run's pixels; complex pixels get the triangle of the pixel before. */
 static void find_triangles(const burnish_tile *tile, block_run run, const burnish_block_row *pixels,
                            uint32_t *ids) {
     uint32_t last = 0;
@@ -337,7 +338,7 @@ burnish_screen_points burnish_row_points(const burnish_raster_view *view, const 
                                    .y_offset = PIXEL_Y};
 }
 
-/* The pixels of a run, which lie in the tile's planes. */
+/* The batch of a run: its arrays are the tile's planes. */
 static burnish_fragment_batch run_batch(const burnish_surface *surface, const burnish_tile *tile,
                                         block_run run) {
     const int start = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;

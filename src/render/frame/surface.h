@@ -1,6 +1,6 @@
-/* From attributes of vertices to the light of visible points. There are two ways from a tile to the
- * fragments that are shaded: a row of blocks whose simple pixels lie in the tile's planes already,
- * and fragments of complex pixels, which are gathered. Both are shaded by the kernels as a batch.
+/* From attributes of vertices to the light of visible points. Fragments come from a tile in two
+ * ways: as block rows, whose simple pixels are already in the tile's planes, and as fragments of
+ * complex pixels, which are gathered. The kernels shade both as batches.
  *
  * Everything here happens in the raster's space: model space moved and scaled so that the scene is
  * about 1 in size; positions count from the eye. */
@@ -37,12 +37,12 @@ typedef struct burnish_fragment_batch {
     burnish_screen_points points; /* read where burnish_shading.needs_position */
     const int32_t *material;      /* NULL: all are 0 */
     const uint16_t *pixels;       /* index in the tile; NULL: first_pixel + i */
-    const uint16_t *samples; /* of fragments of layers: bits of those that show it; else NULL */
+    const uint16_t *samples;      /* of fragments of layers: bits of their samples; else NULL */
     int first_pixel;
     const int32_t *shown; /* items below 0 need no light; NULL: all do */
 } burnish_fragment_batch;
 
-/* What a frame is shaded with. */
+/* A frame's shaders, lights and kernels. */
 typedef struct burnish_shading {
     const burnish_kernels *kernels;
     const burnish_render_ops *ops;
@@ -55,7 +55,7 @@ typedef struct burnish_shading {
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 
-/* What visible points are shaded from. */
+/* A frame's surfaces: attributes, materials and caps. */
 typedef struct burnish_surface {
     const burnish_raster_view *view;
     const burnish_shading *shading;
@@ -63,7 +63,7 @@ typedef struct burnish_surface {
     const uint16_t *triangle_materials;       /* NULL: all have material 0 */
     const burnish_transparency *transparency; /* NULL: every triangle is opaque */
     const burnish_caps *caps;                 /* NULL: none */
-    int is_layers;                            /* 1: fragments are those of layers of transparency */
+    int is_layers;                            /* 1: fragments are of layers of transparency */
 } burnish_surface;
 
 /* The vectors of a batch in which a material is shown, and their light. */

@@ -113,8 +113,9 @@ static inline float pick(int32_t simple, float a, float b) {
     return a;
 }
 
-/* With several samples, the light of a row in place: simple pixels as they are, of the others' sums
- * the mean. The background's code comes back from its linear value where nothing covers a pixel. */
+/* Resolves a row with several samples in place: simple pixels stay, complex ones get the mean of
+ * their sums. The background's code comes back from its linear value where nothing covers a pixel.
+ * */
 static void resolve_row(const burnish_output *output, const burnish_tile_sums *sums, int number,
                         burnish_row_light *row) {
     const int base = number * BURNISH_BLOCK_ROW_PIXELS, samples = output->samples;
@@ -201,7 +202,8 @@ static void store_codes(const burnish_output *output, const uint32_t *codes, int
 }
 
 /* The same as three bytes per pixel. A group may be written past its end: the next one overwrites
- * that, and the last ones go by way of `bytes`, so that the next tile's pixels stay. */
+ * that. The last groups are written to `bytes` first, because the next tile's pixels must not
+ * change. */
 static void pack_codes(const burnish_output *output, const uint32_t *codes, int width,
                        uint8_t *out) {
     enum { LAST = 2 /* groups */ };

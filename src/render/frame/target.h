@@ -14,9 +14,9 @@ typedef struct burnish_output {
     const burnish_render_ops *ops;
     const burnish_srgb_encoder *encoder;
     const burnish_view *view;
-    int has_planes; /* 1: the target has some */
+    int has_planes; /* 1: the target has planes */
     int samples;
-    int transparent;           /* 1: alpha is coverage, and there is no background */
+    int transparent;           /* 1: alpha is coverage, and the background is empty */
     float limit;               /* a fragment's light is clamped to it before samples are mixed */
     uint32_t alpha;            /* the bits of an opaque pixel's alpha; 0 where there is none */
     uint32_t background_code;  /* red lowest */

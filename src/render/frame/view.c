@@ -10,7 +10,7 @@
 #include "core/vector.h"
 #include "render/space.h"
 
-/* Distance of the near plane in units of the scene's size; a power of two, so that 1/w comes back
+/* Distance of the near plane in units of the scene's size; a power of two, so 1/w can be computed
  * from the depth exactly. */
 #define NEAR_PLANE 0x1p-14
 
@@ -220,8 +220,8 @@ static burnish_lobe_spec solved_lobe(const burnish_lobe_spec *lobe, double expon
     return solved;
 }
 
-/* A lobe as it is drawn for an exponent: what the specular colour is multiplied by, and whether its
- * order is lower than the one asked for. */
+/* The lobe for an exponent, the factor for the specular colour, and whether its order is lower than
+ * requested. */
 typedef struct drawn_lobe {
     float exponent; /* 0: none yet */
     burnish_lobe_spec lobe;

@@ -30,7 +30,7 @@ typedef struct cutter {
     double carry;    /* area that should cast and does not */
     double finest;   /* squared length of edges that are not halved */
     size_t pieces;   /* so far */
-    int is_too_many; /* 1: the budget is spent, or there is no memory */
+    int is_too_many; /* 1: the budget or the memory is exhausted */
 } cutter;
 
 /* ---- Alpha ---- */
@@ -58,7 +58,7 @@ static double texel_at(const burnish_texture_levels *levels, int level, int x, i
                           : (double)levels->codes[i] / 255;
 }
 
-/* Texels of a level that a box of coordinates lies in, one side: the first, and how many. */
+/* Texels of a level that a box of coordinates touches, along one axis: the first, and how many. */
 static int side_of(double low, double high, int size, long long *first) {
     const double from = low * size, to = high * size;
     *first = (long long)from - (from < (double)(long long)from);
@@ -191,8 +191,8 @@ static double area_of(const corner corners[3]) {
            0.5;
 }
 
-/* Whether a piece that is opaque in part casts a whole shadow: so that as much area does as should
- * (error diffusion). */
+/* Whether a partly opaque piece casts a full shadow. Error diffusion makes the total area correct.
+ * */
 static int takes_turn(cutter *cut, const corner corners[3], double share) {
     const double area = area_of(corners);
     cut->carry += share * area;

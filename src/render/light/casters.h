@@ -1,5 +1,5 @@
 /* What casts shadows: the mesh's opaque triangles, and of masked ones the pieces that their mask
- * leaves. A piece is a part of a triangle, so that depth maps know nothing of textures. */
+ * leaves. A piece is a part of a triangle, so depth maps need no textures. */
 #ifndef BURNISH_RENDER_LIGHT_CASTERS_H
 #define BURNISH_RENDER_LIGHT_CASTERS_H
 
@@ -10,8 +10,9 @@
 /* Owned; all zero before the first frame, a later frame of the same version uses the same pieces.
  */
 typedef struct burnish_casters {
-    burnish_mesh_view mesh; /* with the pieces' positions, indices and triangles after its own; its
-                               serial is the version, so depth maps of it are those of a version */
+    /* The mesh, followed by the pieces' positions, indices and triangles. Its serial is the version,
+     * by which depth maps recognise it. */
+    burnish_mesh_view mesh;
     const uint16_t *transparent; /* per batch of these: triangles that cast none; NULL: all cast */
     float *positions;
     uint32_t *indices;

@@ -184,7 +184,7 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_mesh_v
 
 /* ---- Pairs of maps ---- */
 
-/* Vertices of all threads take at most so many bytes, or those of one. */
+/* Limit in bytes for the vertices of all threads; one thread's are always allowed. */
 #define VERTEX_BUDGET ((size_t)64 << 20)
 
 /* What the tasks of many pairs share. */

@@ -27,7 +27,7 @@ typedef struct burnish_map_rows {
     float column[4], row[4], depth[4];
 } burnish_map_rows;
 
-/* What maps are drawn with; kept from map to map. All zero before the first. */
+/* Memory and settings for drawing maps; kept from map to map. All zero before the first. */
 typedef struct burnish_map_drawer {
     const burnish_raster_ops *ops; /* the caller's to set */
     burnish_geometry geometry;
@@ -52,7 +52,7 @@ static inline burnish_map_view burnish_map_view_back(burnish_map_view view) {
     return view;
 }
 
-/* What the slopes of a surface's plane in a map are multiplied with: codes per texel are
+/* Factor for the slope of a surface's plane in a map: codes per texel are
  * -burnish_map_plane (normal . column, normal . row) / (normal . toward). */
 static inline double burnish_map_plane(const burnish_map_view *view) {
     return BURNISH_MAP_CODES / (BURNISH_MAP_RANGE * view->texels * view->texels);
@@ -68,7 +68,7 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_mesh_v
                                 const burnish_map_view *view, uint16_t *depths,
                                 burnish_tasks *tasks, burnish_memory *memory);
 
-/* What is made of a map of size^2 codes as soon as it is drawn, while it is in cache. */
+/* Called for a map of size^2 codes as soon as it is drawn, while it is in cache. */
 typedef void burnish_map_finish(uint16_t *depths, size_t size);
 
 /* Pairs of maps of one size, which is a multiple of 16 and at most BURNISH_MAPS_SIZE. */

@@ -39,7 +39,7 @@ BURNISH_INLINE vf texel_before(vf x, int size) {
     return vf_sub(vf_add(at, rounder), rounder);
 }
 
-/* Where the texel (x, y) lies in a map; exact below 2^22. */
+/* Index of the texel (x, y) in a map; exact below 2^22. */
 BURNISH_INLINE vi texel_index(vf x, vf y, int size) {
     const vf at = vf_add(vf_add(vf_mul(y, vf_set((float)size)), x), vf_set(BURNISH_ROUNDER));
     return vi_sub(vf_bits(at), vf_bits(vf_set(BURNISH_ROUNDER)));

@@ -11,7 +11,7 @@
 #define LARGEST_REACH 2.5
 #define FADE 0.5
 
-/* What is left of the background where nothing of the sky is seen: 1 - STRENGTH. */
+/* A point that sees nothing of the sky keeps 1 - STRENGTH of the background. */
 #define STRENGTH 0.85
 
 /* What the first light adds to the ground's, as a share of what is left in its shadow. */
@@ -123,7 +123,7 @@ static void compose(const burnish_ground *ground, const float row[4], float out[
 }
 
 /* A silhouette against the sky in direction -toward.
- *   cone  tangent of the half angle of the part of the sky that it stands for */
+ *   cone tangent of the half angle of the part of the sky that it represents */
 static burnish_silhouette silhouette_of(const burnish_ground *ground, const burnish_map_rows *map,
                                         const uint16_t *depths, int size, double cone) {
     burnish_silhouette silhouette = {.depths = depths, .size = size};

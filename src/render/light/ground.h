@@ -1,12 +1,12 @@
 /* A ground that is seen only by the shadow on it: the plane across the up direction through the
- * mesh's lowest point. The background is darkened where it shows the plane from above. The mesh
- * lies above the plane, so that nothing of it is ever behind the ground.
+ * mesh's lowest point. The background is darkened where it shows the plane from above. The mesh is
+ * above the plane, so the ground never hides it.
  *
- * The shadow is the share of the sky that is hidden from points of the plane, a texture. Each of
- * the depth maps that see the mesh from below has a silhouette on the plane, which stands for a
- * cone of the sky: its edge is blurred by as much as the cone is wide where the blocker is.
- * Silhouettes are added up by width of blur, so that few blurs serve all. The first light's shadow,
- * where there is one, is one more silhouette, against that light. */
+ * The shadow is a texture: the share of the sky that is hidden from points of the plane. Each depth
+ * map that sees the mesh from below gives a silhouette on the plane, which represents a cone of the
+ * sky: its edge is blurred by the width of the cone at the blocker. Silhouettes are added up by
+ * width of blur, so that few blurs serve all. The first light's shadow, where there is one, is one
+ * more silhouette, against that light. */
 #ifndef BURNISH_RENDER_LIGHT_GROUND_H
 #define BURNISH_RENDER_LIGHT_GROUND_H
 
@@ -53,14 +53,14 @@ typedef struct burnish_ground_view {
     float column[3], row[3], depth[3];
 } burnish_ground_view;
 
-/* Where the plane is. Errors: none. */
+/* Computes the plane. Errors: none. */
 void burnish_ground_place(burnish_ground *ground, const burnish_mesh_view *mesh, burnish_vec3 up);
 
 /* Whether a camera at `eye`, in the raster's space, sees the plane from above. */
 int burnish_ground_is_seen(const burnish_ground *ground, const burnish_rays *rays,
                            burnish_vec3 eye);
 
-/* Whether the texture is that of the plane and the maps. shadow may be NULL. */
+/* Whether the texture was drawn for this plane and these maps. shadow may be NULL. */
 int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_occlusion *occlusion,
                             const burnish_shadow *shadow);
 

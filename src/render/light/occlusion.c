@@ -59,8 +59,8 @@ static size_t map_texels(int size) {
     return edge * edge + 2 * cells * cells;
 }
 
-/* After a map's depths the largest of each cell, then of each 2 x 2 cells; the last row and column
- * have none. */
+/* Writes after a map's depths the largest of each cell, then of each 2 x 2 cells; the last row and
+ * column are 0. */
 static void find_blockers(uint16_t *depths, size_t size) {
     const size_t cells = size / BURNISH_OCCLUSION_CELL;
     uint16_t *blockers = depths + size * size, *quads = blockers + cells * cells;

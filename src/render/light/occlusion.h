@@ -1,5 +1,5 @@
 /* Ambient occlusion: how much of the sky a point sees. The mesh's depth is drawn from directions
- * spread over the sphere; a point is hidden from those where its depth map shows something nearer.
+ * spread over the sphere; a direction does not see a point if its depth map shows something nearer.
  */
 #ifndef BURNISH_RENDER_LIGHT_OCCLUSION_H
 #define BURNISH_RENDER_LIGHT_OCCLUSION_H
@@ -10,7 +10,7 @@
 
 enum { BURNISH_OCCLUDED_MAX = 256 /* points that are looked up at once */ };
 
-/* Texels along an edge of a depth map, and of a cell, whose nearest depth is kept, too. */
+/* Texels along the edge of a depth map, and of a cell, whose nearest depth is also stored. */
 enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256, BURNISH_OCCLUSION_CELL = 8 };
 
 /* A direction and the one against it, for points that count from the eye in the raster's space. A
@@ -19,15 +19,15 @@ typedef struct burnish_occlusion_pair {
     float toward[3], weight[2]; /* unit vector; of both parts of the sky */
     burnish_map_rows map;
     const uint16_t *depths; /* size^2, growing toward the sky */
-    /* (size / CELL)^2: the largest of each cell; after them that of each 2 x 2 from a cell on */
+    /* (size / CELL)^2: the largest of each cell, followed by the largest of each 2 x 2 cells */
     const uint16_t *blockers;
 } burnish_occlusion_pair;
 
-/* What points are looked up with. */
+/* Parameters of a look-up. */
 typedef struct burnish_occlusion_lookup {
     int count, size; /* of pairs; texels along an edge */
     const burnish_occlusion_pair *pairs;
-    int32_t back;   /* from a map's codes to those of the map against it */
+    int32_t back;   /* offset from a map's codes to the codes of the opposite map */
     float strength; /* [0, 1]: what a point that sees no sky loses of its light */
     float offset;   /* along the normal, off the surface that the maps show */
     float slope;    /* a texel's width nearer by depth hides all of a point */

@@ -59,8 +59,8 @@ static int find_key(const burnish_occlusion_lookup *lookup, int point, int squar
     return key;
 }
 
-/* The points in the order of their pixels, of one pixel as they are: the order of fragments within
- * a block depends on the length of vectors, and which point becomes a key on the order. */
+/* Sorts the points by pixel, keeping the order within a pixel. The order of fragments within a
+ * block depends on the length of vectors, and it decides which points become keys. */
 static void sort_points(const burnish_share_points *points, int count, uint16_t *order) {
     for (int first = 0, end; first < count; first = end) {
         const int block = points->pixels[first] / BURNISH_BLOCK_PIXELS;

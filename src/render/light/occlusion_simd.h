@@ -5,8 +5,8 @@
 #include "render/light/depth_map_simd.h"
 #include "render/light/occlusion.h"
 
-/* Hidden shares are means of four taps at these places, in radii: a square that is turned, so that
- * no edge of a map's silhouettes meets two of them at once. */
+/* Hidden shares are means of four taps at these offsets, in radii: a rotated square, because an
+ * edge along a map's axis would meet two taps of an upright one at once. */
 static const float TAPS[4][2] = {
     {0.35f, 0.94f}, {-0.94f, 0.35f}, {-0.35f, -0.94f}, {0.94f, -0.35f}};
 
@@ -15,7 +15,8 @@ BURNISH_INLINE vf map_magnitude(vf x) {
 }
 
 /* How far above a point the blockers around it reach, in codes: the coarse map's maxima, bilinear,
- * less what the point's own plane rises in a cell. Most have none there, which one look-up says. */
+ * less what the point's own plane rises in a cell. Most points have no blockers there, which a
+ * single look-up detects. */
 BURNISH_INLINE vf blocker_distance(const burnish_occlusion_lookup *lookup,
                                    const burnish_occlusion_pair *pair, vi shift,
                                    const map_point *point) {
@@ -112,7 +113,7 @@ BURNISH_INLINE void add_wide(const burnish_occlusion_lookup *lookup,
 }
 
 /* Adds what a direction and the one against it show to LANES points; each faces one of them. A
- * direction stands for a cone, whose width where the blockers are is the radius of the filter. */
+ * direction represents a cone, whose width at the blockers is the radius of the filter. */
 BURNISH_INLINE void add_directions(const burnish_occlusion_lookup *lookup,
                                    const burnish_occlusion_pair *pair, const float *const normal[3],
                                    size_t i, occlusion_sums *sums, wide_points *wide) {

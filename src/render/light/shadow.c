@@ -4,7 +4,7 @@
 
 #include "render/space.h"
 
-/* In texels: how far points are moved off the surface, so that it does not hide itself, and the
+/* In texels: the offset of points from the surface, which keeps it from shadowing itself, and the
  * radius of the filter. */
 #define OFFSET 2.0
 #define RADIUS 2.5f

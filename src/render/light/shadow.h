@@ -6,7 +6,7 @@
 
 enum { BURNISH_SHADOW_SMALL = 1024, BURNISH_SHADOW_LARGE = 2048 }; /* texels along an edge */
 
-/* What points that count from the eye are looked up with. */
+/* Parameters of a look-up, for points relative to the eye. */
 typedef struct burnish_shadow_lookup {
     burnish_map_rows map;
     float toward[3]; /* the light */

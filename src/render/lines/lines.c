@@ -25,8 +25,8 @@ enum {
  * smaller side. */
 #define LOOSE_SHARE 0.03
 
-/* Segments of a wireframe that are shorter than this, in pixels on average, are thinner, so that
- * faces stay to be seen, down to a share of their width. */
+/* Segments of a wireframe that are shorter than this, in pixels on average, are drawn thinner, down
+ * to a share of their width, which keeps faces visible. */
 #define DENSE_LENGTH 10.0
 #define DENSE_LEAST 0.12
 

@@ -22,7 +22,7 @@ typedef struct burnish_line_segment {
     uint32_t triangles[2];
     int8_t outside;     /* where no triangle of the edge lies: 1 left of it, -1 right, 0 nowhere */
     uint8_t has_front;  /* 1: a triangle of the edge is front-facing */
-    uint8_t is_feature; /* 1: drawn where there is no step behind it, too */
+    uint8_t is_feature; /* 1: drawn even without a step in depth */
     uint8_t is_empty;   /* 1: outside the picture */
 } burnish_line_segment;
 
@@ -51,7 +51,7 @@ typedef struct burnish_line_art {
     size_t point_capacity, start_capacity, width_capacity, rim_capacity;
     burnish_lines lines; /* what there is in these arrays */
 
-    float *depth; /* planes of the frame, where the target has none */
+    float *depth; /* planes of the frame that the target lacks */
     uint32_t *triangles;
     size_t depth_capacity, triangle_capacity;
 } burnish_line_art;

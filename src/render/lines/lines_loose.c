@@ -1,10 +1,10 @@
 /* Noise of scans makes creases and silhouettes that begin and end in the midst of a surface. Lines
- * whose ends lie beside each other are joined in sets, and short sets with loose ends left out. */
+ * with adjacent ends form sets, and short sets with loose ends are dropped. */
 #include "render/lines/lines_loose.h"
 
 #include <string.h>
 
-/* Pixels: ends in one cell, or in cells beside each other, meet. */
+/* Pixels: ends in the same cell or in adjacent cells meet. */
 #define CELL 2.0f
 
 /* The cells of one place with the lines that end there. */
@@ -44,7 +44,7 @@ static uint32_t find_root(uint32_t *parents, uint32_t line) {
     return line;
 }
 
-/* The lesser root stands for both. */
+/* The smaller root represents both. */
 static void join(uint32_t *parents, uint32_t a, uint32_t b) {
     const uint32_t x = find_root(parents, a), y = find_root(parents, b);
     parents[x > y ? x : y] = x > y ? y : x;
@@ -86,7 +86,7 @@ static void meet(sets *s, group *a, group *b, uint8_t *has_company, size_t first
     has_company[second] |= a->several || b->line != a->line;
 }
 
-/* Joins groups side by side in a row, and those of a row with those of the row before. */
+/* Joins adjacent groups of a row, and groups of a row with groups of the row before. */
 static void join_groups(sets *s, uint8_t *has_company) {
     size_t before = 0; /* the first group that may lie above, or left of that */
     for (size_t i = 0; i < s->group_count; ++i) {

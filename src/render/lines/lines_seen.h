@@ -4,7 +4,7 @@
 
 #include "render/lines/lines.h"
 
-/* What samples are compared with. */
+/* The frame that samples are compared with. */
 typedef struct burnish_line_scene {
     const burnish_target *target; /* its depth and triangles */
     const int8_t *facing;         /* of triangles */

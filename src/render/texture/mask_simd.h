@@ -1,4 +1,4 @@
-/* What masks leave of the samples of pixels, over vectors of points.
+/* Coverage of the samples of pixels by masks, with SIMD.
  *
  * Where texels are larger than pixels each sample is there or not, by the texels around the point
  * as they are interpolated, followed to where the sample lies. Where they are smaller, alpha is
@@ -113,7 +113,7 @@ typedef struct mask_call {
     float (*cover)[BURNISH_TEXTURE_BATCH];
 } mask_call;
 
-/* A vector of points some of which lie in level 0. */
+/* A vector of points, some of which are in level 0. */
 BURNISH_INLINE void mask_vector(texture_kind kind, const mask_call *call, vm is_level0, size_t i) {
     const burnish_mask *mask = call->mask;
     const float *const *streams = call->streams;

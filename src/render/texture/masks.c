@@ -127,7 +127,7 @@ static void collect_mixed(const float *const *streams, const uint8_t *points, in
     }
 }
 
-/* Where the quarters of points lie, whose sides are half those of pixels. */
+/* Texture coordinates of the quarters of pixels, whose sides are half as long. */
 static void locate_quarters(const quarter *q, float (*from)[BURNISH_TEXTURE_BATCH], int count,
                             float (*to)[BURNISH_TEXTURE_BATCH]) {
     for (int k = 0; k < 2; ++k) {

@@ -28,7 +28,7 @@ static float mask_alpha(const burnish_material *material) {
     return solid > 0 ? material->alpha_cutoff / solid : material->alpha_cutoff > 0 ? 2.0f : 0.0f;
 }
 
-/* What the mean of a texture's texels is where a material uses it so. */
+/* How texels are averaged for such a use of a texture. */
 static burnish_texture_kind kind_of(const burnish_material *material, int slot, int smooth,
                                     const burnish_texture *texture) {
     if (slot == BURNISH_TEXTURE_NORMAL) {
@@ -43,7 +43,7 @@ static burnish_texture_kind kind_of(const burnish_material *material, int slot, 
     return smooth ? BURNISH_TEXTURE_MASKED : BURNISH_TEXTURE_WEIGHTED;
 }
 
-/* Levels of kind MASKED are those of the first cutoff that the frame's materials ask for: levels of
+/* Levels of kind MASKED are built for the first cutoff that the frame's materials need; levels of
  * an earlier frame's cutoff are dropped. Returns 0 if another material has taken them. */
 static int take_cutoff(burnish_texture_levels *levels, float cutoff, const burnish_memory *memory) {
     const int is_other = levels->cutoff < cutoff || levels->cutoff > cutoff;

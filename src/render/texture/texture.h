@@ -2,7 +2,7 @@
  * (texture_points.c), and its light (texture_shade.c).
  *
  * A material is special where it has textures, light of its own, or metal's parameters: batches
- * (surface.h) hand its points over here. A mesh without one has none of all that. */
+ * (surface.h) hand its points over here. A mesh without special materials skips all of this. */
 #ifndef BURNISH_RENDER_TEXTURE_TEXTURE_H
 #define BURNISH_RENDER_TEXTURE_TEXTURE_H
 
@@ -26,7 +26,7 @@ typedef struct burnish_texture_sampler {
     float transform[6]; /* as burnish_texture_use has it */
 } burnish_texture_sampler;
 
-/* Where a material with a mask is there. */
+/* The mask of a material. */
 typedef struct burnish_mask {
     float solid, cutoff; /* there: where solid times alpha is at least cutoff */
     float alpha;         /* the alpha for which they are equal */
@@ -52,8 +52,8 @@ typedef struct burnish_texture_taps {
     int32_t least;                             /* of level[0].upper */
 } burnish_texture_taps;
 
-/* Where points lie in the image, and how that changes from a pixel to the one on its right and
- * the one above. */
+/* Texture coordinates of points, and their changes to the pixel on the right and to the pixel
+ * above. */
 enum {
     BURNISH_TEXTURE_U,
     BURNISH_TEXTURE_V,
@@ -67,7 +67,7 @@ enum {
                                 pixel's centre, right and up */
     BURNISH_TEXTURE_SHIFT_Y,
     BURNISH_TEXTURE_STREAMS, /* arrays of floats per point */
-    /* those where no mask is smoothed */
+    /* streams that are used if no mask is smoothed */
     BURNISH_TEXTURE_STREAMS_PLAIN = BURNISH_TEXTURE_SHIFT_X
 };
 
@@ -109,7 +109,7 @@ typedef struct burnish_texturing {
     double origin[3], scale, eye[3]; /* raster space: (p - origin) scale - eye */
 } burnish_texturing;
 
-/* What the mesh's materials sample; builds levels of textures that have none. Errors: MEMORY,
+/* Prepares what the mesh's materials sample; builds missing levels of textures. Errors: MEMORY,
  * CANCELLED. */
 burnish_status burnish_texturing_update(burnish_texturing *texturing,
                                         const burnish_drawn_mesh *mesh, int samples,

@@ -120,7 +120,7 @@ static level_widening make_widening(const burnish_texture_levels *levels, int i)
     return widening;
 }
 
-/* What of level i is wider than the image: rows' ends and a last row. */
+/* Texels of level i beyond the image: the ends of rows, and a last row. */
 static void repeat_first(burnish_texture_levels *levels, int i, uint8_t *codes) {
     const size_t size = burnish_texture_row_size(levels->width[i]),
                  height = (size_t)levels->height[i];
@@ -143,8 +143,8 @@ static void fill_light(burnish_texture_levels *levels, int i, level_widening *wi
 
 /* ---- Level 0 ---- */
 
-/* Rows [first, end) of level 0, its last one the first again, from those of the image: of normals
- * unit vectors, whatever its alpha is. */
+/* Makes rows [first, end) of level 0 from the image; the last row of the level repeats the first.
+ * Normals become unit vectors; their alpha is ignored. */
 typedef struct level_copy {
     const burnish_texture *texture;
     uint8_t *codes; /* NULL: to texels, as light */
@@ -261,7 +261,7 @@ void burnish_texture_levels_need_all(const burnish_texture_levels *levels, burni
 
 /* ---- All levels ---- */
 
-/* Where codes of levels are while they are filled: all, or those from level 1 on. */
+/* Memory for the codes of levels while they are filled: of all levels, or from level 1 on. */
 typedef struct level_codes {
     uint8_t *codes;
     size_t first; /* texels before them */

@@ -14,7 +14,7 @@ enum { BURNISH_TEXTURE_LEVELS_MAX = 16 }; /* more than log2(BURNISH_TEXTURE_SIZE
 
 enum { BURNISH_TEXTURE_PAD = 2 }; /* codes are read by four texels */
 
-/* What the mean of texels is. */
+/* How texels are averaged. */
 typedef enum burnish_texture_kind {
     BURNISH_TEXTURE_NUMBERS,  /* of codes */
     BURNISH_TEXTURE_COLORS,   /* of linear light */
@@ -32,8 +32,8 @@ static inline int burnish_texture_is_weighted(burnish_texture_kind kind) {
 
 enum { BURNISH_TEXEL_ONE = 65535 }; /* what 1 is in 16 bits */
 
-/* Level 0 of a texture, most of the memory of all, is made where it is asked for, in bands of rows:
- * a picture that shows a texture smaller than it is needs none of it. */
+/* Level 0 of a texture takes most of the memory. It is built on demand, in bands of rows: a picture
+ * that shows a texture at a reduced size does not need it. */
 typedef struct burnish_texture_bands {
     const burnish_texture *texture; /* of the mesh that is drawn */
     int is_normals;
@@ -51,7 +51,7 @@ typedef struct burnish_texture_levels {
     uint16_t *texels;
     uint8_t *codes;
     burnish_texture_bands *bands; /* NULL: level 0 is there */
-    /* Of each level, in texels; from count on, those of the last. A row has width + 1. */
+    /* Of each level, in texels; items from count on repeat the last level. A row has width + 1. */
     int32_t offset[BURNISH_TEXTURE_LEVELS_MAX];
     int32_t width[BURNISH_TEXTURE_LEVELS_MAX], height[BURNISH_TEXTURE_LEVELS_MAX];
     int count;

@@ -1,5 +1,5 @@
-/* Where visible points lie in their triangles' images: gathers the triangles, which the kernel then
- * meets with rays (texture_simd.h). */
+/* Texture coordinates of visible points: gathers the triangles, which the kernel then intersects
+ * with rays (texture_simd.h). */
 #include "render/texture/texture_points.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Where points lie in their textures. */
+/* Texture coordinates of visible points. */
 #ifndef BURNISH_RENDER_TEXTURE_TEXTURE_POINTS_H
 #define BURNISH_RENDER_TEXTURE_TEXTURE_POINTS_H
 

@@ -10,7 +10,7 @@ typedef struct burnish_texture_step {
     size_t from_row; /* bytes */
     uint8_t *to;
     int from_width, from_height, to_width, to_height;
-    int is_image; /* 1: from is the image; its normals are no unit vectors yet, sides are halved */
+    int is_image; /* 1: from is the image; its normals are not unit vectors yet, sides are halved */
     burnish_texture_kind kind;
 } burnish_texture_step;
 

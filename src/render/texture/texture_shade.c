@@ -5,13 +5,12 @@
 
 #include "render/texture/masks.h"
 
-/* Whole vectors: whatever samples a texture is given these, as lanes after the last point are read
- * from its bands, too. */
+/* Rounds up to whole vectors: lanes after the last point also read from the bands of a texture. */
 static int padded_count(int count) {
     return (count + 15) / 16 * 16;
 }
 
-/* Whether points lie at the same texels in both. */
+/* Whether both look up the same texels. */
 static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sampler *b) {
     return a->levels->width[0] == b->levels->width[0] &&
            a->levels->height[0] == b->levels->height[0] && a->wrap[0] == b->wrap[0] &&
@@ -23,7 +22,7 @@ static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sam
 /* Channels by their bits. */
 enum { RED = 1, GREEN_BLUE = 6, COLOR = 7, ALL = 15 };
 
-/* Samples a slot; channels that are not wanted may be written, too. Returns 0 if the material has
+/* Samples a slot; may also write other channels. Returns 0 if the material has
  * no such texture. */
 static int sample_into(const burnish_texture_batch *batch, int slot, unsigned channels,
                        float *const out[4]) {

@@ -10,7 +10,7 @@
 /* Adding it to a float of magnitude below 2^22 leaves a whole number: 1.5 * 2^23. */
 #define TEXTURE_ROUNDER 12582912.0f
 
-/* Points whose texels are asked for before they are read. */
+/* Points whose texels are prefetched. */
 #define TEXTURE_AHEAD 32
 
 /* Coordinates beyond it have no bits left for texels. */
@@ -53,8 +53,8 @@ BURNISH_INLINE void texture_store_plane(texture_plane plane, vf *out) {
 }
 
 /* Where rays meet triangles (Moeller and Trumbore 1997): both numerators and the determinant of the
- * weights are linear on the screen. They come from edges, not from corners, so that single
- * precision is enough for triangles of any size.
+ * weights are linear on the screen. They are computed from edges, not from corners, so single
+ * precision suffices for triangles of any size.
  *
  * In perspective rays d leave the eye, 0: with s = -p they are d's dot products with e2 x s, s x e1
  * and e2 x e1. In parallel projection they start on a plane, all in one direction d: s moves, and
@@ -210,7 +210,7 @@ BURNISH_INLINE vf texture_wrap(vf u, int wrap) {
 }
 
 /* The first of the two texels next to a coordinate on a side of `size`, and the share of the
- * second, which lies beside it in memory. u: from texture_wrap. */
+ * second, which is next to it in memory. u: from texture_wrap. */
 typedef struct texture_side {
     vi first;
     vf share;

@@ -129,8 +129,8 @@ BURNISH_INLINE void texture_phong(const burnish_material *from, unsigned sampled
 }
 
 /* Normals that differ within a pixel widen its lobe (Toksvig 2005): n l / (l + n (1 - l)). A wide
- * lobe of metal's parameters is lower, so that it reflects as much, and none higher than 1, as
- * glTF's reader has it for materials without textures. */
+ * lobe of metal's parameters is lower, which keeps the reflected energy constant, and at most 1, as
+ * in glTF's reader for materials without textures. */
 BURNISH_INLINE void texture_widen(const burnish_textured_material *material, size_t i,
                                   const burnish_texture_scratch *scratch,
                                   texture_coefficients *to) {

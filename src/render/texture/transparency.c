@@ -40,7 +40,7 @@ static void find_range(void *context, size_t first, size_t end) {
 
 /* ---- Versions ---- */
 
-/* What decides where a material is opaque. Compared byte by byte: all 0 before it is filled. */
+/* All that decides where a material is opaque. Compared byte by byte: all 0 before it is filled. */
 typedef struct burnish_opacity_rule {
     const burnish_texture_levels *levels[2]; /* MASK: of colour and opacity; NULL: none */
     float transform[2][6];

@@ -1,4 +1,4 @@
-/* Transparency: which triangles have some. layer_light.h has the light of their layers. */
+/* Finds transparent triangles. layer_light.h has the light of their layers. */
 #ifndef BURNISH_RENDER_TEXTURE_TRANSPARENCY_H
 #define BURNISH_RENDER_TEXTURE_TRANSPARENCY_H
 
@@ -30,7 +30,7 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
                                            const burnish_texturing *texturing, burnish_tasks *tasks,
                                            burnish_memory *memory);
 
-/* Adds those that clipping made. Errors: MEMORY. */
+/* Adds triangles made by clipping. Errors: MEMORY. */
 burnish_status burnish_transparency_add_clipped(burnish_transparency *transparency,
                                                 const burnish_geometry *geometry,
                                                 burnish_memory *memory);
