@@ -10,5 +10,5 @@ export interface Lobe {
   zeta?: number;
 }
 
-/** Adds the lobe to a MeshPhongMaterial or MeshStandardMaterial, and returns it. */
+/** Adds the lobe to a MeshPhongMaterial or MeshStandardMaterial and its clones, and returns it. */
 export function useBurnish<M extends Material>(material: M, lobe?: Lobe): M;

@@ -49,7 +49,7 @@ function changedChunk(material, lobe) {
   throw new Error(`burnish/three: ${material.type} has no highlight to replace; use MeshPhongMaterial or MeshStandardMaterial`);
 }
 
-/** Adds the lobe to the material, and returns it. An existing onBeforeCompile runs first. */
+/** Adds the lobe to the material and its clones, and returns it. An existing onBeforeCompile runs first. */
 export function useBurnish(material, options = {}) {
   const lobe = checkLobe(options, material.isMeshStandardMaterial ? "projected" : "energy");
   const { name, source } = changedChunk(material, lobe);
@@ -64,6 +64,10 @@ export function useBurnish(material, options = {}) {
     shader.fragmentShader = shader.fragmentShader.replace(include, () => `${glsl}\n${source}`);
   };
   material.customProgramCacheKey = () => `${key} burnish ${lobe.fit}:${lobe.order} ${lobe.zeta}`;
+  const { clone } = material;
+  material.clone = function () { // three.js does not copy onBeforeCompile
+    return useBurnish(clone.call(this), lobe);
+  };
   material.needsUpdate = true;
   return material;
 }

@@ -3,6 +3,12 @@
 /** The source of a mesh: the bytes of a file, or a built-in object. */
 export type Input = BufferSource | ":teapot" | ":sphere" | ":torus" | ":knot";
 
+/** What asynchronous functions also take. The name of a File is the default of the option `name`. */
+export type AsyncInput = Input | Blob;
+
+/** Uint8Array<ArrayBuffer> since TypeScript 5.7, Uint8Array before. */
+export type Bytes = ReturnType<typeof Uint8Array.of>;
+
 /** Options of loading: flags of `burnish render` with the same values; a list can be an array. */
 export interface LoadOptions {
   /** For messages; the extension chooses the format: "part.stl". */
@@ -45,7 +51,9 @@ export interface Pixels {
   pixels: Uint8Array | Uint8ClampedArray;
 }
 
-export interface ReadOptions extends LoadOptions {
+export interface ReadOptions extends Omit<LoadOptions, "files"> {
+  /** As in LoadOptions, and Blobs. */
+  files?: Record<string, BufferSource | Blob>;
   /** Decodes the PNG, JPEG and WebP of textures. The default is the browser's decoder; in Node there is none, and textures are skipped. */
   decode?: Decode | null;
 }
@@ -126,6 +134,9 @@ export interface DrawOptions {
   isa?: string;
 }
 
+/** What render() takes. */
+export type RenderOptions = ReadOptions & DrawOptions;
+
 export interface Camera {
   position: number[];
   focalPoint: number[];
@@ -141,7 +152,7 @@ export interface Picture {
   /** 3: RGB; 4: RGBA with noBackground. */
   channels: 3 | 4;
   /** 8-bit sRGB values, rows from the top without gaps. */
-  pixels: Uint8Array;
+  pixels: Bytes;
   /** XXH64 of the pixels in 16 hexadecimal digits, as in `burnish render --json`. */
   hash: string;
   coveredPixels: number;
@@ -210,7 +221,7 @@ export interface Burnish {
   /** Loads a mesh without textures in PNG, JPEG and WebP. */
   open(input: Input, options?: LoadOptions): Mesh;
   /** Loads a mesh and decodes its textures. */
-  read(input: Input, options?: ReadOptions): Promise<Mesh>;
+  read(input: AsyncInput, options?: ReadOptions): Promise<Mesh>;
   render(input: Input, options?: LoadOptions & DrawOptions): Picture;
   /** The lobe at cosines, in single precision: the same bits as in pictures. */
   lobeValues(words: string, exponent: number, cosines: ArrayLike<number>): Float32Array;
@@ -234,4 +245,4 @@ export function hasSimd(): boolean;
 export function load(how?: { simd?: boolean; threads?: number; startThreads?: boolean; module?: URL | string | BufferSource | WebAssembly.Module }): Promise<Burnish>;
 
 /** Draws one picture with an instance that all calls share: read, render, close. */
-export function render(input: Input, options?: ReadOptions & DrawOptions): Promise<Picture>;
+export function render(input: AsyncInput, options?: RenderOptions): Promise<Picture>;

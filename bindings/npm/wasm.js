@@ -63,9 +63,12 @@ function list(options, isWanted) {
   return pairs;
 }
 
+// The name is an argument because bundlers for browsers try to resolve literal ones.
+const importModule = (name) => import(/* webpackIgnore: true */ /* @vite-ignore */ name);
+
 async function compileFile(url) {
   if (url.protocol === "file:" && globalThis.process?.versions?.node) {
-    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs/promises");
+    const { readFile } = await importModule("node:fs/promises");
     return WebAssembly.compile(await readFile(url));
   }
   const response = await fetch(url);
@@ -101,10 +104,30 @@ async function decodeByBrowser(bytes) {
 }
 const usualDecoder = typeof createImageBitmap === "function" && typeof OffscreenCanvas === "function" ? decodeByBrowser : null;
 
-const asBytes = (input) =>
-  input instanceof Uint8Array ? input
-  : ArrayBuffer.isView(input) ? new Uint8Array(input.buffer, input.byteOffset, input.byteLength)
-  : new Uint8Array(input);
+const isBlob = (input) => typeof Blob === "function" && input instanceof Blob;
+
+// The bytes of a buffer. Another realm's ArrayBuffer is not an instance of this one's, but has its tag.
+function asBytes(input, what = "input") {
+  const kind = Object.prototype.toString.call(input).slice(8, -1);
+  if (ArrayBuffer.isView(input)) {
+    return new Uint8Array(input.buffer, input.byteOffset, input.byteLength);
+  }
+  if (kind === "ArrayBuffer" || kind === "SharedArrayBuffer") {
+    return new Uint8Array(input);
+  }
+  throw new TypeError(
+    isBlob(input) ? `${what}: expected bytes, found a ${kind}; use the asynchronous read() or render(), or await its arrayBuffer()`
+    : typeof input === "string" ? `${what}: expected bytes, found the string "${input}"; read the file first`
+    : `${what}: expected bytes (an ArrayBuffer or a typed array), found ${input?.constructor?.name ?? input}`);
+}
+
+// What read() takes, as bytes: the contents of a Blob or File, whose name is the default.
+async function readBlobs(input, { files = {}, ...options }) {
+  const contents = async (content) => (isBlob(content) ? content.arrayBuffer() : content);
+  const read = await Promise.all(Object.entries(files).map(async ([name, content]) => [name, await contents(content)]));
+  const name = options.name ?? (isBlob(input) ? input.name : undefined);
+  return [await contents(input), { ...options, files: Object.fromEntries(read), ...(name !== undefined && { name }) }];
+}
 
 /** One instance of the module. It belongs to one thread: each worker loads its own. */
 class Burnish {
@@ -184,17 +207,17 @@ class Burnish {
 
   /** Loads a mesh from bytes, or ":teapot", ":sphere", ":torus" or ":knot". */
   open(input, options = {}) {
-    const isBuiltIn = typeof input === "string";
+    const isBuiltIn = typeof input === "string" && input.startsWith(":");
     const bytes = isBuiltIn ? new Uint8Array(0) : asBytes(input);
     const name = isBuiltIn ? input : options.name ?? "memory";
+    const files = Object.entries(options.files ?? {}).map(([file, content]) => [file, asBytes(content, `files["${file}"]`)]);
     const e = this.#exports;
     const session = e.session_create();
-    const files = Object.entries(options.files ?? {});
-    const items = [name, bytes, ...files.flatMap(([file, content]) => [file, asBytes(content)])];
+    const items = [name, bytes, ...files.flat()];
     try {
       this.#with(items, (nameAt, bytesAt, ...offers) => {
         files.forEach(([, content], i) => {
-          e.session_offer(session, offers[2 * i], offers[2 * i + 1], asBytes(content).length);
+          e.session_offer(session, offers[2 * i], offers[2 * i + 1], content.length);
         });
         this.#withOptions(list(options, (key) => LOADING.has(key)), (optionsAt, count) => {
           if (!e.session_open(session, nameAt, bytesAt, bytes.length, optionsAt, count)) {
@@ -275,8 +298,9 @@ class Burnish {
     return decoded;
   }
 
-  /** open(), with textures decoded. */
-  async read(input, { decode = usualDecoder, ...options } = {}) {
+  /** open() for Blobs and Files too, with textures decoded. */
+  async read(source, { decode = usualDecoder, ...given } = {}) {
+    const [input, options] = await readBlobs(source, given);
     const before = this.#reading;
     let end;
     this.#reading = new Promise((resolve) => (end = resolve));
@@ -355,7 +379,7 @@ class Burnish {
   /** The output of `burnish lobe`: ["claims", "--format=csv"], or table, choose, fit, boundary. A file that the arguments
    * refer to is passed as { name, bytes }.
    */
-  lobe(words, { name = "", bytes = [] } = {}) {
+  lobe(words, { name = "", bytes = new Uint8Array(0) } = {}) {
     const e = this.#exports;
     const texts = words.map(String);
     if (texts.some((word) => /^(--format=)?json$/.test(word))) {
@@ -417,6 +441,8 @@ class Mesh {
   }
 }
 
+const here = import.meta.url; // webpack would look for what new URL() with a variable and import.meta.url can mean
+
 const usedFile = (simd, threads) =>
   threads > 1 ? new URL("./burnish-threads.wasm", import.meta.url)
   : simd ? new URL("./burnish-simd.wasm", import.meta.url)
@@ -457,7 +483,7 @@ export async function load({ simd = hasSimd(), threads = 1, startThreads = true,
   const count = memory ? Math.min(threads, 64) : 1;
   let source = module ?? usedFile(simd, count);
   if (typeof source === "string" || source instanceof URL) {
-    source = await compileFile(new URL(source, import.meta.url));
+    source = await compileFile(new URL(source, here));
   }
   const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const instance = await WebAssembly.instantiate(compiled, memory ? { env: { memory } } : {});

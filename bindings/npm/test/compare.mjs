@@ -2,6 +2,7 @@
 // Usage: node compare.mjs GOLDEN DATA [PROGRAM SEEDS], in a folder where `burnish` is installed
 import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { hasSimd, load, render } from "burnish/wasm";
@@ -132,6 +133,45 @@ check("a sheet", errorOf(() => burnish.render(":sphere", { views: ["front,top"] 
 check("loading", errorOf(() => burnish.open(":sphere").render({ clip: "1,0,0,0" })),
   "ARGUMENT clip: an option of loading; pass it to open()");
 check("no such object", errorOf(() => burnish.render(":cow")).split(" ")[0], "ARGUMENT");
+
+// ---- Inputs that are not bytes ----
+
+const wedge = files["wedge.stl"];
+const typeErrorOf = (use) => errorOf(() => {
+  try {
+    use();
+  } catch (error) {
+    throw { status: error instanceof TypeError ? "TypeError" : error.status, message: error.message };
+  }
+});
+for (const [input, found] of [["part.stl", 'the string "part.stl"; read the file first'], [7, "Number"], [[1, 2], "Array"], [{}, "Object"]]) {
+  const kind = typeof input === "string" ? "expected bytes, found" : "expected bytes (an ArrayBuffer or a typed array), found";
+  check(`input ${input}`, typeErrorOf(() => burnish.render(input)), `TypeError input: ${kind} ${found}`);
+}
+check("no input", typeErrorOf(() => burnish.render()), "TypeError input: expected bytes (an ArrayBuffer or a typed array), found undefined");
+check("a file's content", typeErrorOf(() => burnish.render(wedge, { files: { "a.mtl": "newmtl" } })),
+  'TypeError files["a.mtl"]: expected bytes, found the string "newmtl"; read the file first');
+check("open(Blob)", typeErrorOf(() => burnish.open(new Blob([wedge]))),
+  "TypeError input: expected bytes, found a Blob; use the asynchronous read() or render(), or await its arrayBuffer()");
+check("render(undefined)", await render().then(() => "none", (error) => error instanceof TypeError), true);
+{
+  const { hash } = burnish.render(wedge, { name: "wedge.stl", size: 64 });
+  const blob = new Blob([wedge]);
+  check("render(Blob)", (await render(blob, { name: "wedge.stl", size: 64 })).hash, hash);
+  check("render(File)", (await render(Object.assign(new Blob([wedge]), { name: "wedge.stl" }), { size: 64 })).hash, hash);
+  const materials = Object.fromEntries(Object.entries(files).map(([name, bytes]) => [name, new Blob([bytes])]));
+  check("Blobs of files", (await render(files["cube.obj"], { name: "cube.obj", files: materials, size: 64 })).hash,
+    burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64 }).hash);
+}
+
+// ---- Entries of the package ----
+
+check("the root", (await import("burnish")).render === render, true);
+for (const name of ["burnish", "burnish-simd", "burnish-threads"]) {
+  check(name, createRequire(import.meta.url).resolve(`burnish/${name}.wasm`).endsWith(`${name}.wasm`), true);
+}
+// esbuild resolves literal names of modules, also Node's, and browsers have none of them.
+check("literal imports", /import\((\s|\/\*.*?\*\/)*["'`]/.test(readFileSync("node_modules/burnish/wasm.js", "utf8")), false);
 
 // ---- Four channels ----
 

@@ -76,6 +76,8 @@ async function compare(name, three, renderer, make) {
 async function run() {
   const gl = new GL.WebGLRenderer({ canvas: document.createElement("canvas") });
   await compare("WebGLRenderer", GL, gl, (lobe) => useBurnish(new GL.MeshPhongMaterial(PHONG), lobe));
+  const original = useBurnish(new GL.MeshPhongMaterial(PHONG), LOBES[1]);
+  results["WebGLRenderer: a clone"] = difference(await picture(GL, gl, original), await picture(GL, gl, original.clone()));
   const metal = { color: "white", metalness: 1, roughness: 0.5 };
   const stock = await picture(GL, gl, new GL.MeshStandardMaterial(metal));
   const standard = await picture(GL, gl, useBurnish(new GL.MeshStandardMaterial(metal)));

@@ -40,8 +40,8 @@ try {
     }
   }
   const count = Object.keys(results).filter((name) => name.startsWith("WebG")).length;
-  if (results.error || count !== 21 || results.worker?.[0] !== "fcaa6cc10a88e4b5" || results.worker?.[1] !== results.worker?.[0]) {
-    fail(results.error ?? `${count} pictures, in a worker ${results.worker}; expected 21 and fcaa6cc10a88e4b5`);
+  if (results.error || count !== 22 || results.worker?.[0] !== "fcaa6cc10a88e4b5" || results.worker?.[1] !== results.worker?.[0]) {
+    fail(results.error ?? `${count} pictures, in a worker ${results.worker}; expected 22 and fcaa6cc10a88e4b5`);
   }
   const dark = results["standard: dark pixels of three.js and of the lobe"] ?? [0, 0];
   if (!(dark[1] > dark[0])) {
