@@ -30,9 +30,8 @@ int import_unnamed_file(void) {
 #endif
 }
 
-burnish_status import_decode(const char *name, int file, import_taker *take, void *context,
-                             burnish_error *error) {
-    return import_run(&draco, name, "", file, UINT64_MAX, take, context, error);
+burnish_status import_decode(const char *name, int file, import_sink sink, burnish_error *error) {
+    return import_run(&draco, name, "", file, UINT64_MAX, sink, error);
 }
 
 static burnish_status decode_here(const char *name, const void *bytes, size_t size,
@@ -45,7 +44,7 @@ static burnish_status decode_here(const char *name, const void *bytes, size_t si
         return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: no room for %s: %s", name,
                         draco.name, strerror(errno));
     }
-    burnish_status status = import_decode(name, file, import_keep, stream, error);
+    burnish_status status = import_decode(name, file, (import_sink){import_keep, stream}, error);
     close(file);
     return status == BURNISH_STATUS_MEMORY && stream->is_short ? BURNISH_STATUS_OK : status;
 }

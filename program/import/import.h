@@ -50,15 +50,18 @@ int import_is_installed(const import_program *importer);
  *   ending the argument, unless the importer has a fixed one
  *   input  a descriptor, read from its start if it is seekable; it stays open
  *   max_bytes  a larger file is refused
- *   take   receives the stream in pieces; returns 0 to end the importer
+ *   sink   receives the stream in pieces; take returns 0 to end the importer
  * On success the stream is complete, but not validated. It can have at most 64 MiB plus 256 times
  * the input's size. Limits of the importer: --max-memory (default: 4 GiB plus 64 times the input's
  * size) and --max-seconds, at least 300.
  * Errors: FORMAT (no such program, it crashed), LIMIT (time, bytes), MEMORY, READ. */
 typedef int import_taker(void *context, const void *bytes, size_t size);
+typedef struct import_sink {
+    import_taker *take;
+    void *context;
+} import_sink;
 burnish_status import_run(const import_program *importer, const char *name, const char *ending,
-                          int input, uint64_t max_bytes, import_taker *take, void *context,
-                          burnish_error *error);
+                          int input, uint64_t max_bytes, import_sink sink, burnish_error *error);
 
 /* An import_taker that keeps all bytes. Start from zeros; free(bytes) at the end. */
 typedef struct import_stream {
@@ -87,8 +90,7 @@ typedef burnish_status import_decode_function(const char *name, const void *byte
 void import_set_decode(import_decode_function *function);
 
 /* Decodes bytes from a file. */
-burnish_status import_decode(const char *name, int file, import_taker *take, void *context,
-                             burnish_error *error);
+burnish_status import_decode(const char *name, int file, import_sink sink, burnish_error *error);
 
 /* Opens an input for import_run. Standard input ("-") is copied to an unnamed file if it is not a
  * file or was partly read. At most max_bytes and 1 GiB are copied, since a stream may be endless. Errors: READ, LIMIT, MEMORY. */
@@ -97,7 +99,7 @@ burnish_status import_open(const char *path, uint64_t max_bytes, int *input, bur
 /* Runs import_run on `path`, or on its open descriptor `held`; -1: none. Standard input is not read
  * if the importer is not installed. */
 burnish_status import_run_over(const import_program *importer, const char *ending, const char *path,
-                               int held, uint64_t max_bytes, import_taker *take, void *context,
+                               int held, uint64_t max_bytes, import_sink sink,
                                burnish_error *error);
 
 /* An input's name for messages. */

@@ -202,7 +202,7 @@ static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *st
     }
 }
 
-static burnish_status read_stream(const run *r, import_taker *take, void *context) {
+static burnish_status read_stream(const run *r, import_sink sink) {
     static unsigned char piece[PIECE];
     burnish_status status = BURNISH_STATUS_OK;
     uint64_t total = 0;
@@ -213,7 +213,7 @@ static burnish_status read_stream(const run *r, import_taker *take, void *contex
             return fail(r, BURNISH_STATUS_LIMIT,
                         "makes a mesh of far more bytes than the file has; simplify the file");
         }
-        if (!take(context, piece, (size_t)size)) {
+        if (!sink.take(sink.context, piece, (size_t)size)) {
             return fail(r, BURNISH_STATUS_MEMORY, "makes a mesh for which there is no memory");
         }
     }
@@ -270,8 +270,7 @@ static burnish_status check_head(const run *r, int input) {
 }
 
 burnish_status import_run(const import_program *importer, const char *name, const char *ending,
-                          int input, uint64_t max_bytes, import_taker *take, void *context,
-                          burnish_error *error) {
+                          int input, uint64_t max_bytes, import_sink sink, burnish_error *error) {
     struct stat state;
     const double seconds = cli_seconds_given() > SECONDS ? cli_seconds_given() : SECONDS;
     run r = {.importer = importer,
@@ -301,7 +300,7 @@ burnish_status import_run(const import_program *importer, const char *name, cons
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    status = read_stream(&r, take, context);
+    status = read_stream(&r, sink);
     status = end(&r, status);
     close(r.pipe);
     return status;
@@ -310,7 +309,7 @@ burnish_status import_run(const import_program *importer, const char *name, cons
 /* ---- Loading ---- */
 
 burnish_status import_run_over(const import_program *importer, const char *ending, const char *path,
-                               int held, uint64_t max_bytes, import_taker *take, void *context,
+                               int held, uint64_t max_bytes, import_sink sink,
                                burnish_error *error) {
     run r = {.importer = importer, .name = import_shown(path), .error = error};
     int input = held;
@@ -321,7 +320,7 @@ burnish_status import_run_over(const import_program *importer, const char *endin
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    status = import_run(importer, r.name, ending, input, max_bytes, take, context, error);
+    status = import_run(importer, r.name, ending, input, max_bytes, sink, error);
     if (held < 0) {
         close(input);
     }
@@ -343,7 +342,7 @@ burnish_status import_load(const char *path, const burnish_load_options *options
         return burnish_mesh_load(path, &handed, mesh, error); /* a built-in object */
     }
     burnish_status status = import_run_over(importer, ending, path, -1, options->max_input_bytes,
-                                            import_keep, &stream, error);
+                                            (import_sink){import_keep, &stream}, error);
     if (status == BURNISH_STATUS_OK || stream.is_short) {
         int folder = folder_open(path);
         status = import_build(importer, import_shown(path), &stream, options,

@@ -54,9 +54,10 @@ void picture_draw_centered(burnish_image *image, float x, float y, float height,
     burnish_image_draw_text(image, x - width / 2, y, height, ink, text);
 }
 
-void picture_draw_scale(burnish_image *card, int left, int top, int width, int thickness,
-                        float height, double low, double end) {
+void picture_draw_scale(burnish_image *card, const int box[4], float height, double low,
+                        double end) {
     enum { MARKS = 5 };
+    const int left = box[0], top = box[1], width = box[2], thickness = box[3];
     for (int x = 0; x < width; ++x) {
         uint8_t color[3];
         picture_difference_color(low + (x + 0.5) / width * (end - low), end, color);

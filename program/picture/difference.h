@@ -14,10 +14,10 @@ burnish_status picture_subtract(const burnish_image *reference, const burnish_im
                                 double end, burnish_image *result, burnish_error *error);
 
 /* Draws a bar of the colours from `low` (-end, or 0 for unsigned values) to end, with numbers below.
- *   left, top, width, thickness  of the bar, pixels
- *   height                       of the numbers, pixels */
-void picture_draw_scale(burnish_image *card, int left, int top, int width, int thickness,
-                        float height, double low, double end);
+ *   box     of the bar: x, y, width, height, pixels
+ *   height  of the numbers, pixels */
+void picture_draw_scale(burnish_image *card, const int box[4], float height, double low,
+                        double end);
 
 /* Draws a line of text centred at x. */
 void picture_draw_centered(burnish_image *image, float x, float y, float height, const char *text);

@@ -185,8 +185,8 @@ static void annotate(const layout *l, const picture_panels *panels, double end,
     const int foot = y + l->height + l->band, thickness = (int)(1.4F * l->text);
     const int inset = (int)(1.5F * l->text); /* half of the outermost numbers */
     const int bar = l->across ? l->width - 2 * inset : l->width / 3;
-    picture_draw_scale(made, x + l->width - inset - bar, foot + (int)(0.3F * l->text), bar,
-                       thickness, l->text, panels->flip_map ? 0 : -end, end);
+    const int box[4] = {x + l->width - inset - bar, foot + (int)(0.3F * l->text), bar, thickness};
+    picture_draw_scale(made, box, l->text, panels->flip_map ? 0 : -end, end);
     write_numbers(l, panels->numbers, (float)foot, made);
 }
 

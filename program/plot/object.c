@@ -13,13 +13,13 @@ enum { LOBES_MAX = 6, NAME_SIZE = 40, LABEL_SIZE = 128 };
 
 static const char object_name[] = ":teapot";
 
-/* Pictures: the lobes' in the first row, the differences in the second. */
+/* The sheet: lobes in the first row, differences in the second. */
 typedef struct gallery {
     burnish_image images[2][LOBES_MAX];
     char names[LOBES_MAX][NAME_SIZE], labels[LOBES_MAX][LABEL_SIZE]; /* under the rows */
     int low[LOBES_MAX], high[LOBES_MAX]; /* extreme differences of a channel, 8-bit codes */
     double mean[LOBES_MAX];              /* mean difference over all channels and pixels */
-    int scale_end; /* codes of the strongest colour: no difference is larger, a multiple of 10 */
+    int scale_end; /* end of the colour scale: a multiple of 10, not below any difference */
     size_t count;
 } gallery;
 
@@ -51,7 +51,7 @@ static void write_code(int difference, char *text, size_t size) {
     snprintf(text, size, difference ? "%+d" : "%d", difference);
 }
 
-/* How a lobe's picture differs from the first one. */
+/* Measures how a lobe's picture differs from the first one. */
 static void measure(gallery *g, size_t i) {
     const burnish_image *reference = &g->images[0][0], *image = &g->images[0][i];
     const size_t bytes = (size_t)image->width * (size_t)image->height * 3;
@@ -68,7 +68,7 @@ static void measure(gallery *g, size_t i) {
     }
 }
 
-/* The second row's cell of a lobe: its difference from the first, and its numbers. */
+/* Draws a lobe's cell in the second row: its difference from the first, with numbers. */
 static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
     char low[16], high[16];
     write_code(g->low[i], low, sizeof low);
@@ -79,7 +79,7 @@ static burnish_status subtract(gallery *g, size_t i, burnish_error *error) {
                             error);
 }
 
-/* The cell under the reference: the scale of the second row. */
+/* Draws the scale of the second row in the cell below the reference. */
 static burnish_status draw_legend(gallery *g, double exponent, burnish_error *error) {
     burnish_image *card = &g->images[1][0];
     const burnish_image *like = &g->images[0][0];
@@ -97,8 +97,9 @@ static burnish_status draw_legend(gallery *g, double exponent, burnish_error *er
     picture_draw_centered(card, middle, y, height, line);
     picture_draw_centered(card, middle, y + 2.2F * height, height, "in 8-bit codes of the channel");
     picture_draw_centered(card, middle, y + 4.4F * height, height, "that differs most");
-    picture_draw_scale(card, card->width / 8, (int)(y + 6.6F * height), card->width * 3 / 4,
-                       (int)(1.6F * height), height, -g->scale_end, g->scale_end);
+    const int box[4] = {card->width / 8, (int)(y + 6.6F * height), card->width * 3 / 4,
+                        (int)(1.6F * height)};
+    picture_draw_scale(card, box, height, -g->scale_end, g->scale_end);
     return BURNISH_STATUS_OK;
 }
 

@@ -158,7 +158,7 @@ static void import(broker *b, uint64_t max_bytes) {
     b->has_imported = 1;
     const burnish_status status =
         import_run_over(importer, ending, b->plan->input, b->input,
-                        max_bytes < own ? max_bytes : own, reply_piece, b, &error);
+                        max_bytes < own ? max_bytes : own, (import_sink){reply_piece, b}, &error);
     reply_status(b, status, &error);
 }
 
@@ -183,7 +183,7 @@ static void decode(broker *b, uint64_t size) {
     }
     if (b->state == BROKER_SERVES) {
         const burnish_status status =
-            is_kept ? import_decode(b->plan->input, file, reply_piece, b, &error)
+            is_kept ? import_decode(b->plan->input, file, (import_sink){reply_piece, b}, &error)
                     : cli_fail(&error, BURNISH_STATUS_MEMORY,
                                "%.200s: out of memory for the stream to decode", b->plan->input);
         reply_status(b, status, &error);

@@ -93,12 +93,12 @@ void serve_run_importer(const serve_settings *settings, const serve_import_reque
     const import_program *importer = import_choose(import->name, import->format, ending);
     const int file = importer ? copy_mesh(import, request_size, SERVE_REQUEST) : -1;
     cli_set_child_memory(settings->render.job.max_memory);
-    const burnish_status status =
-        file < 0
-            ? cli_fail(&error, BURNISH_STATUS_MEMORY, "%.200s: no room for an importer",
-                       import->name)
-            : import_run(importer, import->name, ending, file,
-                         settings->render.input.load.max_input_bytes, send_piece, NULL, &error);
+    const burnish_status status = file < 0
+                                      ? cli_fail(&error, BURNISH_STATUS_MEMORY,
+                                                 "%.200s: no room for an importer", import->name)
+                                      : import_run(importer, import->name, ending, file,
+                                                   settings->render.input.load.max_input_bytes,
+                                                   (import_sink){send_piece, NULL}, &error);
     channel_send(SERVE_CHANNEL, MESSAGE_DONE, (uint64_t)status, error.text,
                  status == BURNISH_STATUS_OK ? 0 : strlen(error.text));
     _exit(0);

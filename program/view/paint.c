@@ -241,8 +241,8 @@ void view_paint_scale(const burnish_pixels *window, int limit, const char *title
     if (width > 4 * SIDES && begin(&p, window, (window->width - width) / 2,
                                    window->height - HEIGHT - PADDING, width, HEIGHT)) {
         picture_draw_centered(&p.image, (float)width / 2, PADDING + CAPITAL, CAPITAL, title);
-        picture_draw_scale(&p.image, SIDES, PADDING + CAPITAL + 10, width - 2 * SIDES, BAR,
-                           CAPITAL - 1, -limit, limit);
+        const int box[4] = {SIDES, PADDING + CAPITAL + 10, width - 2 * SIDES, BAR};
+        picture_draw_scale(&p.image, box, CAPITAL - 1, -limit, limit);
         end(&p);
     }
 }
