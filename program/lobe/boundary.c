@@ -27,76 +27,44 @@ static const cli_word rounding_words[] = {{"nearest", 1 + BURNISH_THEORY_NEAREST
 #define TARGET(member) .offset = offsetof(boundary_settings, member)
 
 static const cli_flag boundary_flags[] = {
-    {.group = "What is stored",
-     .name = "lobe",
-     .value = "LOBE",
-     .help = "such as energy:2, minimax:4, power",
+    {.group = "Contents",
+     CLI_FLAG("lobe", "LOBE", "such as energy:2, minimax:4, power", cli_flag_text, lobe),
      .default_text = "energy:2",
      .manual = "The lobe, in the words of *LOBES* and *LOBE*. Exponents below its order get the "
-               "highest order that they allow.",
-     .handler = cli_flag_text,
-     TARGET(lobe)},
-    {.name = "exponents",
-     .value = "LIST",
-     .help = "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
+               "highest order that they allow."},
+    {CLI_FLAG("exponents", "LIST", "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
+              cli_flag_text, exponents),
      .default_text = "1-1023",
-     .manual = "Exponents, one word each, in this order; see *LOBE TABLE*.",
-     .handler = cli_flag_text,
-     TARGET(exponents)},
-    {.name = "bits",
-     .value = "Q",
-     .help = "where the lobe is 2^-Q, from 1; 0: where it is zero",
-     .default_text = "8",
-     .low = 0,
-     .high = 1024,
-     .manual = "Threshold: the boundary is where the lobe has fallen to 2^-_Q_, from 1 to 1024. 0 "
-               "is where it has become zero.",
-     .handler = cli_flag_real,
-     TARGET(bits)},
-    {.name = "lambda",
-     .help = "store 1 - cosine, which keeps its digits for narrow lobes",
-     .manual = "Words hold 1 - cosine instead of the cosine.",
-     .handler = cli_flag_switch,
-     TARGET(lambda)},
+     .manual = "Exponents, one word each, in this order; see *LOBE TABLE*."},
+    {CLI_FLAG("bits", "Q", "threshold 2^-Q, Q >= 1; 0: where the lobe is zero", cli_flag_real,
+              bits),
+     .default_text = "8", CLI_RANGE(0, 1024),
+     .manual = "Threshold: the boundary is the cosine at which the lobe falls to 2^-_Q_; _Q_ is "
+               "from 1 to 1024. 0: where the lobe becomes zero."},
+    {CLI_SWITCH("lambda", "store 1 - cosine, which keeps its digits for narrow lobes", lambda),
+     .manual = "Words hold 1 - cosine instead of the cosine."},
     {.group = "Words",
-     .name = "format-word",
-     .value = "FORMAT",
-     .help = "UQ0.15: 15 fraction bits; Q0.15: and a sign bit",
+     CLI_FLAG("format-word", "FORMAT", "UQ0.15: 15 fraction bits; Q0.15: and a sign bit",
+              cli_flag_text, word),
      .default_text = "UQ0.15",
      .manual = "Fixed-point format, up to 32 bits: *UQ0.15* has no integer and 15 fraction bits, "
-               "*Q0.15* a sign bit too. What does not fit is limited, so that 1 becomes the "
-               "largest word of *UQ0.15*.",
-     .handler = cli_flag_text,
-     TARGET(word)},
-    {.name = "rounding",
-     .value = "NAME",
-     .help = "of words",
-     .default_label = "keeps all that is visible",
-     .words = rounding_words,
-     .manual = "How words are rounded. Down for cosines and up for 1 - cosine, the default, cuts "
-               "nothing that is brighter than the threshold.",
-     .handler = cli_flag_word,
-     TARGET(rounding)},
+               "*Q0.15* adds a sign bit. Values out of range are clamped: 1 becomes the largest "
+               "word of *UQ0.15*."},
+    {CLI_FLAG("rounding", "NAME", "rounding of words", cli_flag_word, rounding),
+     .default_label = "keeps all visible values", .words = rounding_words,
+     .manual = "How words are rounded. The default, down for cosines and up for 1 - cosine, never "
+               "cuts a value above the threshold."},
     {.group = "Output",
-     .name = "as",
-     .value = "NAME",
-     .help = "C array, AVR flash, $readmemh, or table",
+     CLI_FLAG("as", "NAME", "C array, AVR flash, $readmemh, or table", cli_flag_word, form),
      .default_text = "c",
      .words = form_words,
      .manual =
          "*c* is a C array that compiles alone. *progmem* is one that an AVR keeps in program "
          "memory, with a function _NAME_*_at* that reads an entry on any processor. *mem* is a "
          "file for Verilog's $readmemh, *csv* a table that also has the boundary before "
-         "rounding.",
-     .handler = cli_flag_word,
-     TARGET(form)},
-    {.name = "name",
-     .value = "NAME",
-     .help = "of the C array",
-     .default_text = "burnish_boundary",
-     .manual = "Name of the C array.",
-     .handler = cli_flag_text,
-     TARGET(name)},
+         "rounding."},
+    {CLI_FLAG("name", "NAME", "name of the C array", cli_flag_text, name),
+     .default_text = "burnish_boundary", .manual = "Name of the C array."},
     CLI_OUTPUT_FLAG(boundary_settings, NULL),
 };
 
@@ -111,11 +79,10 @@ static const cli_example examples[] = {
 const cli_command lobe_boundary_command = {
     .name = "lobe boundary",
     .operand = "",
-    .summary = "the cosines from which on a lobe is dark",
+    .summary = "tables of the cosines below which a lobe is dark",
     .operand_help = "a word per exponent: the cosine below which the lobe need not be computed",
-    .manual =
-        "Writes a memory with a word for every exponent: the cosine below which the lobe need "
-        "not be computed.",
+    .manual = "Writes a table with a word for every exponent: the cosine below which the lobe need "
+              "not be computed.",
     .operands_max = 0,
     .flags = boundary_flags,
     .flag_count = sizeof boundary_flags / sizeof *boundary_flags,
@@ -124,13 +91,13 @@ const cli_command lobe_boundary_command = {
     .work = work,
 };
 
-/* The memory, and what was asked for. */
+/* The table and its settings. */
 typedef struct contents {
     const boundary_settings *settings;
     burnish_theory_memory memory;
     lobe_exponents exponents;
     int64_t *words;
-    int consecutive; /* 1: exponents are whole numbers, each one more than the one before */
+    int consecutive; /* 1: exponents are consecutive integers */
     char lobe[LOBE_NAME], format[16], bits[CLI_REAL_SIZE];
 } contents;
 
@@ -142,7 +109,7 @@ static const char *rounding_name(const contents *c) {
     return rounding_words[c->memory.rounding].name;
 }
 
-/* The level that the boundary belongs to, in words. */
+/* The threshold as text. */
 static void level_text(const contents *c, char *text, size_t size) {
     if (c->memory.bits == 0) {
         snprintf(text, size, "zero");
@@ -162,7 +129,7 @@ static int word_digits(const contents *c) {
 
 /* ---- C ---- */
 
-/* What GCC for AVR takes as one array. */
+/* The largest array that GCC for AVR accepts. */
 enum { PROGMEM_BYTES_MAX = 32767 };
 
 static int word_storage(const contents *c) {
@@ -170,7 +137,7 @@ static int word_storage(const contents *c) {
     return width <= 8 ? 8 : width <= 16 ? 16 : 32;
 }
 
-/* Begins an array of c->exponents.count numbers. suffix: of its name */
+/* Begins an array of c->exponents.count numbers; `suffix` is appended to its name. */
 static void print_array_start(FILE *stream, const contents *c, const char *type,
                               const char *suffix) {
     const int flash = c->settings->form == FORM_PROGMEM;

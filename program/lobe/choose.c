@@ -1,4 +1,4 @@
-/* `burnish lobe choose`: the cheapest lobe that is near enough to the power, ready to paste. */
+/* `burnish lobe choose`: the cheapest lobe close enough to cos^n, as C code. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,37 +16,25 @@ static cli_work work;
 #define TARGET(member) .offset = offsetof(choose_settings, member)
 
 static const cli_flag choose_flags[] = {
-    {.group = "What is wanted",
-     .name = "exponent",
-     .value = "N",
-     .help = "of the power that is to be replaced, from 1 to 65536; must be given",
-     .low = 1,
-     .high = 65536,
-     .manual = "Exponent of the power that the lobe stands for. Must be given.",
-     .handler = cli_flag_real,
-     TARGET(exponent)},
-    {.name = "epsilon",
-     .value = "E",
-     .help = "largest error allowed, between 0 and 1, such as 0.02; must be given",
-     .low = 0,
-     .high = 1,
-     .manual =
-         "Largest absolute error against the power that is allowed, over all angles; 1/256 is "
-         "a step of an 8-bit display. Must be given.",
-     .handler = cli_flag_angle,
-     TARGET(epsilon)},
-    {.name = "affine",
-     .help = "allow lobes whose peak is a little below 1",
-     .manual = "Allows the fit *affine*, whose A and B are both free: A + B is not 1, so that the "
-               "peak is lower by the error, and the error is a sixth smaller for the same cost.",
-     .handler = cli_flag_switch,
-     TARGET(affine)},
+    {.group = "Requirements",
+     CLI_FLAG("exponent", "N", "exponent of cos^n to replace, from 1 to 65536; required",
+              cli_flag_real, exponent),
+     CLI_RANGE(1, 65536),
+     .manual = "Exponent of the cos^n that the lobe replaces. Required."},
+    {CLI_FLAG("epsilon", "E", "largest error allowed, between 0 and 1, such as 0.02; required",
+              cli_flag_angle, epsilon),
+     CLI_RANGE(0, 1),
+     .manual = "Largest absolute error against cos^n over all angles; 1/256 is a step of an 8-bit "
+               "display. Required."},
+    {CLI_SWITCH("affine", "allow lobes whose peak is a little below 1", affine),
+     .manual = "Allows the fit *affine*, whose A and B are both free. A + B is not 1: the peak is "
+               "lower by the error, and the error is smaller by a sixth for the same cost."},
     CLI_FORMAT_FLAG(choose_settings, cli_format_words, "text"),
     CLI_OUTPUT_FLAG(choose_settings, NULL),
 };
 
 static const cli_example examples[] = {
-    {"burnish lobe choose --exponent=100 --epsilon=0.02", "constants for C, and what came near"},
+    {"burnish lobe choose --exponent=100 --epsilon=0.02", "constants for C, and other candidates"},
     {"burnish lobe choose --exponent=20 --epsilon=0.03 --affine", "with a peak below 1"},
     {NULL, NULL},
 };
@@ -54,13 +42,13 @@ static const cli_example examples[] = {
 const cli_command lobe_choose_command = {
     .name = "lobe choose",
     .operand = "",
-    .summary = "the cheapest lobe near enough to the power, as C",
+    .summary = "the cheapest lobe close enough to cos^n, as C",
     .operand_help = "cheapest: fewest functions, then divisions, then other operations",
-    .manual = "Finds the lobe with the least cost whose largest absolute error against the power "
-              "stays within the bound; of equally cheap ones that with the least error. Cost is "
-              "counted from the cosine, constants prepared: first calls of functions, then "
-              "divisions, then multiplications, additions and comparisons together. The other "
-              "candidates follow, the cheapest first.",
+    .manual =
+        "Finds the cheapest lobe whose largest absolute error against cos^n is within the bound; "
+        "among equally cheap lobes, the most accurate. Costs are per cosine with precomputed "
+        "constants, compared by function calls, then divisions, then multiplications, additions "
+        "and comparisons together. The other candidates follow, cheapest first.",
     .operands_max = 0,
     .flags = choose_flags,
     .flag_count = sizeof choose_flags / sizeof *choose_flags,
@@ -81,7 +69,7 @@ enum { CANDIDATES_MAX = 24 };
 typedef struct result {
     const choose_settings *settings;
     candidate best, others[CANDIDATES_MAX];
-    size_t count; /* of others */
+    size_t count; /* number of others */
 } result;
 
 static void add(result *r, const char *word, double exponent) {
@@ -127,8 +115,8 @@ static burnish_status choose(result *r, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-/* A and B of u = max(0, A c + B) with S = u^m, as floats. For a peak of 1 the sum of the rounded
- * ones is 1 as near as floats go. */
+/* A and B of u = max(0, A c + B) with S = u^m, as floats. For a peak of 1, the rounded A and B add up to 1
+ * as closely as floats allow. */
 static void constants_of(const burnish_theory_model *model, double *a, double *b) {
     double root = pow(model->scale, 1.0 / model->lobe.order);
     *a = (float)(model->zeta * root);
@@ -151,7 +139,7 @@ static void print_squarings(FILE *stream, int order) {
     fprintf(stream, "    specular = u * u;\n");
 }
 
-/* The lobe as C, c being the cosine. */
+/* Prints the lobe as C; c is the cosine. */
 static void print_code(FILE *stream, const burnish_theory_model *model) {
     double a, b, n = model->exponent;
     switch (model->lobe.kind) {
@@ -201,7 +189,7 @@ static const cli_column columns[COLUMNS] = {
     {.key = "functions", .heading = "fn"},
 };
 
-/* The chosen lobe's row, then the others. */
+/* Prints the chosen lobe's row, then the others. */
 static void fill_row(const result *r, size_t i, cli_value row[COLUMNS]) {
     const candidate *c = i == 0 ? &r->best : &r->others[i - 1];
     row[0].text = c->name;

@@ -1,4 +1,4 @@
-/* `burnish lobe claims`: what the paper states, computed now, with a verdict. */
+/* `burnish lobe claims`: recomputes the paper's statements and gives verdicts. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,18 +27,16 @@ static const cli_example examples[] = {
 const cli_command lobe_claims_command = {
     .name = "lobe claims",
     .operand = "[ID]",
-    .summary = "what the paper states and what is true",
-    .operand_help = "a claim, such as core-w; without it all of them",
-    .manual =
-        "Computes every number that the paper of the order 2 lobe states, and says whether "
-        "the statement holds, holds in part (for some of the numbers; a note says for which), "
-        "or does not hold. The paper approximates BRDFs by cosine-quadratic functions; its "
-        "references date it after 2005, and no bibliographic record of it was found. A "
-        "statement of somebody else names its source. The paper's W is *taylor:2*, its W1 "
-        "*energy:2*, its W with the index 0.5 *shift7*. Speeds are not "
-        "judged here but measured by *make bench*, operations counted in machine code by "
-        "*make operations*.\n"
-        "A verdict is a result, not a failure: the exit code stays 0.",
+    .summary = "check the paper's statements",
+    .operand_help = "a claim, such as core-w; default: all claims",
+    .manual = "Recomputes every number in the paper on the order 2 lobe and reports whether each "
+              "statement holds, holds in part (a note lists for which numbers), or does not hold. "
+              "The paper approximates BRDFs by cosine-quadratic functions; its "
+              "references date it after 2005, and no bibliographic record of it was found. "
+              "Statements from elsewhere name their source. The paper's W is *taylor:2*, its W1 "
+              "*energy:2*, its W with the index 0.5 *shift7*. *make bench* measures speeds and "
+              "*make operations* counts operations in machine code.\n"
+              "A verdict is a result, not a failure: the exit code stays 0.",
     .operands_max = 1,
     .flags = claims_flags,
     .flag_count = sizeof claims_flags / sizeof *claims_flags,
@@ -63,7 +61,7 @@ static const char *id_at(const void *list, size_t index) {
     return burnish_theory_claim_compute(index, &claim) == BURNISH_STATUS_OK ? claim.id : NULL;
 }
 
-/* Computes all claims, or the one of that id. */
+/* Computes all claims, or the claim with that id. */
 static burnish_status compute(const char *id, claim_list *list, burnish_error *error) {
     size_t count = burnish_theory_claim_count();
     list->items = calloc(count, sizeof *list->items);
@@ -97,8 +95,7 @@ static void format_value(double value, char *text, size_t size) {
     snprintf(text, size, "%.5g", fabs(value) < 1e-13 ? 0.0 : value);
 }
 
-/* The values in columns of one width, as many as a line holds; an asterisk marks those that
- * are not judged. */
+/* Prints the values in columns of equal width. An asterisk marks values without a verdict. */
 static void print_values(FILE *stream, const burnish_theory_claim *claim) {
     int label = 0, number = 0, unjudged = 0;
     char text[32];

@@ -1,4 +1,4 @@
-/* `burnish lobe fit`: the lobe that fits measured samples. */
+/* `burnish lobe fit`: fits lobes to measured samples. */
 #include "lobe/fit.h"
 
 #include <math.h>
@@ -23,28 +23,17 @@ static const cli_word unit_words[] = {{"deg", LOBE_UNIT_DEGREES},
 
 static const cli_flag fit_flags[] = {
     {.group = "Samples",
-     .name = "unit",
-     .value = "NAME",
-     .help = "of the first column",
+     CLI_FLAG("unit", "NAME", "unit of the first column", cli_flag_word, unit),
      .default_text = "deg",
      .words = unit_words,
-     .manual = "What the first column is: an angle in degrees or radians, of either sign, or its "
-               "cosine.",
-     .handler = cli_flag_word,
-     TARGET(unit)},
-    {.name = "offset",
-     .help = "fit a constant too, such as the diffuse light",
-     .manual = "Fits a constant that is added at every angle, as diffuse and stray light are.",
-     .handler = cli_flag_switch,
-     TARGET(offset)},
+     .manual = "Unit of the first column: an angle in degrees or radians, of either sign, or its "
+               "cosine."},
+    {CLI_SWITCH("offset", "also fit a constant, such as diffuse light", offset),
+     .manual = "Also fits a constant offset, such as diffuse and stray light."},
     CLI_FORMAT_FLAG(fit_settings, cli_format_words, "text"),
-    {.name = "residuals",
-     .help = "list every sample beside the best lobe instead",
+    {CLI_SWITCH("residuals", "list samples with the best lobe's values instead", residuals),
      .manual =
-         "Lists the samples with what the best lobe gives there and the difference, instead of "
-         "the lobes.",
-     .handler = cli_flag_switch,
-     TARGET(residuals)},
+         "Lists each sample with the best lobe's value and the difference, instead of the lobes."},
     CLI_OUTPUT_FLAG(fit_settings, NULL),
 };
 
@@ -62,14 +51,13 @@ const cli_command lobe_fit_command = {
     .operand_help = "CSV: angle and intensity per line; # begins a comment; - is standard input",
     .manual =
         "Reads samples of a highlight, an angle from its centre and an intensity per line, between "
-        "commas, semicolons, tabs or blanks; one heading, empty lines and lines that begin with # "
-        "are passed over; there may be a million samples. Finds by least squares the slope, the "
-        "scale and with *--offset* the "
-        "offset of the family's lobe of every order, and the exponent of the comparison lobes, and "
-        "ranks them by what they leave.\n"
-        "A lobe of the family is given by order and slope; which exponent that is depends on the "
-        "fit, so the exponent is given for each. Where no lobe explains half of the variation the "
-        "command fails with exit code 4.",
+        "commas, semicolons, tabs or blanks; one header row, empty lines and lines that begin with "
+        "# are ignored. The limit is a million samples. For each order of the family, least "
+        "squares find the slope, the scale and, with *--offset*, the offset; for the comparison "
+        "lobes, the exponent. The lobes are ranked by their residuals.\n"
+        "Order and slope define a lobe of the family; the equivalent exponent depends on the fit "
+        "and is printed for each fit. If no lobe explains half of the variation, the command fails "
+        "with exit code 4.",
     .operands_max = 1,
     .flags = fit_flags,
     .flag_count = sizeof fit_flags / sizeof *fit_flags,
@@ -78,7 +66,7 @@ const cli_command lobe_fit_command = {
     .work = work,
 };
 
-/* What was found. */
+/* The results. */
 typedef struct findings {
     const fit_settings *settings;
     const char *path;
@@ -87,7 +75,7 @@ typedef struct findings {
     size_t count;
 } findings;
 
-/* The fits that name a slope by an exponent. */
+/* The fits that map an exponent to a slope. */
 static const struct {
     burnish_lobe_fit fit;
     const char *name;
@@ -172,7 +160,7 @@ static void print_sentence(FILE *stream, const findings *found) {
     }
 }
 
-/* The same lobe in the words of the other commands. */
+/* Prints the same lobe as arguments for the other commands. */
 static void print_names(FILE *stream, const lobe_fitted *f) {
     int first = 1;
     if (f->model.lobe.kind != BURNISH_LOBE_FAMILY) {

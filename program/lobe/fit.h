@@ -1,4 +1,4 @@
-/* The fit of lobes to measured samples, and how those are read. */
+/* Reads measured samples and fits lobes to them. */
 #ifndef TOOL_LOBE_FIT_H
 #define TOOL_LOBE_FIT_H
 
@@ -17,9 +17,9 @@ typedef struct lobe_samples {
     size_t count, capacity;
 } lobe_samples;
 
-/* Reads angle and intensity from a file, "-" for standard input: two fields a line between commas,
- * semicolons, tabs or blanks; empty lines, lines that begin with # and one heading are passed over.
- * Errors: READ, FORMAT, LIMIT, MEMORY; with the line's number. */
+/* Reads angle and intensity from a file, "-" for standard input: two fields per line, separated by
+ * commas, semicolons, tabs or blanks. Empty lines, lines that begin with # and one header row are
+ * ignored. Errors: READ, FORMAT, LIMIT, MEMORY; messages contain the line number. */
 burnish_status lobe_read_samples(const char *path, lobe_unit unit, lobe_samples *samples,
                                  burnish_error *error);
 
@@ -34,11 +34,11 @@ typedef struct lobe_fitted {
 
 enum { LOBE_FITTED_MAX = 9 }; /* five orders, power, schlick, gaussian, gx */
 
-/* Fits every kind of lobe by least squares, the best first: scale and offset in closed form for
- * every slope or exponent, which a search finds.
+/* Fits every kind of lobe by least squares and sorts them, best first. A search finds slope or
+ * exponent; scale and offset have a closed form.
  *   with_offset  0: offset is 0
  *   path         for messages
- * Errors: FORMAT for samples that no lobe fits, MEMORY. */
+ * Errors: FORMAT (no lobe fits the samples), MEMORY. */
 burnish_status lobe_fit_samples(const lobe_samples *samples, int with_offset, const char *path,
                                 lobe_fitted fitted[LOBE_FITTED_MAX], size_t *count,
                                 burnish_error *error);
@@ -49,7 +49,7 @@ double lobe_residual(const lobe_fitted *fitted, const lobe_sample *sample);
 /* The share of the samples' variation that the lobe explains, at most 1. */
 double lobe_explained(const lobe_samples *samples, const lobe_fitted *fitted);
 
-/* The exponent for which a fit of that order has this slope; NaN where there is none. */
+/* The exponent for which a fit of that order has this slope; NaN if there is none. */
 double lobe_exponent_of_slope(burnish_lobe_fit fit, int order, double zeta);
 
 #endif

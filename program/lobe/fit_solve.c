@@ -1,7 +1,7 @@
 /* The fit of lobes to measured samples: variable projection (Golub and Pereyra 1973). For a given
- * slope or exponent the best scale and offset are a linear problem in closed form; what is left is
- * a function of one number, searched by NLopt where it is: DIRECT over the whole range, since
- * measured lobes make several minima, then a simplex. */
+ * slope or exponent, the best scale and offset have a closed form, which leaves a function of one
+ * variable. NLopt, if present, minimises it: DIRECT over the whole range, since measured lobes can
+ * have several minima, then a simplex. */
 #include <math.h>
 #if BURNISH_HAS_NLOPT
 #include <nlopt.h>
@@ -13,7 +13,7 @@
 #include "lobe/lobe.h"
 
 enum {
-    COARSE_SAMPLES = 2000, /* the global search looks at so many at most */
+    COARSE_SAMPLES = 2000, /* most samples for the global search */
     COARSE_EVALUATIONS = 300,
     FINE_EVALUATIONS = 120
 };
@@ -21,9 +21,9 @@ enum {
 /* One search. */
 typedef struct problem {
     const lobe_samples *samples;
-    size_t stride; /* every so many samples count */
+    size_t stride; /* only every stride-th sample counts */
     int with_offset;
-    double unit; /* largest intensity, so that squares neither overflow nor vanish */
+    double unit; /* largest intensity; keeps squares from overflow and underflow */
     burnish_lobe_kind kind;
     int order; /* FAMILY */
 } problem;
@@ -45,8 +45,8 @@ static burnish_theory_model model_at(const problem *p, double logarithm) {
     return model;
 }
 
-/* Least squares of intensity = scale * lobe + offset in units of p->unit; returns the mean square
- * that is left. A scale below 0 is no lobe: it counts as 0. */
+/* Least squares of intensity = scale * lobe + offset in units of p->unit; returns the mean
+ * squared residual. Negative scales are clamped to 0. */
 static double project(const problem *p, const burnish_theory_model *model, double *scale,
                       double *offset) {
     double n = 0, s = 0, ss = 0, y = 0, sy = 0;
@@ -63,7 +63,7 @@ static double project(const problem *p, const burnish_theory_model *model, doubl
     double slope = p->with_offset ? sy - s * y / n : sy;
     *scale = determinant > 1e-14 * n && slope > 0 ? slope / determinant : 0;
     *offset = p->with_offset ? (y - *scale * s) / n : 0;
-    /* summed anew: the difference of large sums would lose the digits of a good fit */
+    /* summed again: a difference of large sums would lose digits for good fits */
     double rest = 0;
     for (size_t i = 0; i < p->samples->count; i += p->stride) {
         double value = burnish_theory_value_at_lambda(model, p->samples->items[i].lambda);
@@ -83,7 +83,7 @@ static double objective(unsigned dimensions, const double *x, double *gradient, 
     return project(context, &model, &scale, &offset);
 }
 
-/* Runs one algorithm from *x within [low, high]; what it finds replaces *x. 0 when out of memory.
+/* Runs one algorithm from *x within [low, high]; the result replaces *x. 0: out of memory.
  */
 static int search(problem *p, search_kind kind, int evaluations, double low, double high,
                   double *x) {
@@ -100,7 +100,7 @@ static int search(problem *p, search_kind kind, int evaluations, double low, dou
     nlopt_set_initial_step(opt, &step);
     nlopt_set_xtol_abs1(opt, 1e-12);
     nlopt_set_maxeval(opt, evaluations);
-    /* a result below 0 may only say that rounding stopped the search: the best point still counts
+    /* a negative result can mean that rounding stopped the search; the best point is still valid
      */
     nlopt_result result = nlopt_optimize(opt, &best, &value);
     nlopt_destroy(opt);
@@ -117,7 +117,7 @@ static double rest_at(problem *p, double x) {
     return project(p, &model, &scale, &offset);
 }
 
-/* The same where NLopt is not: steps over the whole range, then the golden section. */
+/* Without NLopt: steps over the whole range, then a golden-section search. */
 static int search(problem *p, search_kind kind, int evaluations, double low, double high,
                   double *x) {
     const double golden = 0.6180339887498949;
@@ -184,7 +184,7 @@ static int fit_kind(problem *p, lobe_fitted *fitted) {
     return 1;
 }
 
-/* Better first. Lobes that fit equally well up to rounding: the cheaper one first. */
+/* Better lobes first; of lobes that fit equally well up to rounding, the cheaper one first. */
 static int compare_fitted(const void *a, const void *b) {
     const lobe_fitted *x = a, *y = b;
     double tiny = 1e-9 * (fabs(x->scale) + fabs(y->scale));
@@ -203,7 +203,7 @@ static burnish_status fail_samples(const char *path, const char *what, burnish_e
     return cli_fail(error, BURNISH_STATUS_FORMAT, "%.200s: %s", path, what);
 }
 
-/* What no fit can mend. */
+/* Rejects samples that no lobe can fit. */
 static burnish_status check_samples(const lobe_samples *samples, int with_offset, const char *path,
                                     double *unit, burnish_error *error) {
     size_t needed = with_offset ? 4 : 3;
@@ -224,7 +224,7 @@ static burnish_status check_samples(const lobe_samples *samples, int with_offset
         return fail_samples(path, "all samples are at one angle; a fit needs several", error);
     }
     if (!(*unit >= 1e-300)) {
-        return fail_samples(path, "every intensity is 0; there is no lobe to fit", error);
+        return fail_samples(path, "every intensity is 0; a fit needs positive ones", error);
     }
     return BURNISH_STATUS_OK;
 }
@@ -251,9 +251,8 @@ burnish_status lobe_fit_samples(const lobe_samples *samples, int with_offset, co
     qsort(fitted, *count, sizeof *fitted, compare_fitted);
     if (*count == 0 || lobe_explained(samples, &fitted[0]) < 0.5) {
         return fail_samples(path,
-                            "no lobe fits: every one leaves more than half of the variation; does "
-                            "the intensity fall with the angle, is --unit right, is there an "
-                            "--offset?",
+                            "no lobe explains half of the variation; check that the intensity "
+                            "falls with the angle, check --unit, or try --offset",
                             error);
     }
     return BURNISH_STATUS_OK;
@@ -284,7 +283,7 @@ double lobe_explained(const lobe_samples *samples, const lobe_fitted *fitted) {
 double lobe_exponent_of_slope(burnish_lobe_fit fit, int order, double zeta) {
     double low = order > 2 ? order : 1, high = 65536, scale, at_low, at_high, at_middle;
     if (fit == BURNISH_FIT_MINIMAX || fit == BURNISH_FIT_PROJECTED) {
-        low = order; /* n >= m there, for order 2 too */
+        low = order; /* n >= m there, also for order 2 */
     }
     if (burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order, .parameter = 0.5}, low,
                            &at_low, &scale) != BURNISH_LOBE_OK ||

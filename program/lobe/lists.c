@@ -1,10 +1,10 @@
-/* What the subcommands of `burnish lobe` share: lists of exponents and lobes, costs in words. */
+/* Shared by the subcommands of `burnish lobe`: lists of exponents and lobes, costs as text. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "lobe/lobe.h"
 
-/* From, to, and how to get from one to the next: a sum or, for by > 1 with multiply, a product. */
+/* A range: each number is the previous one plus `by` or, with multiply, times `by`. */
 typedef struct span {
     double from, to, by;
     int multiply;
@@ -14,7 +14,7 @@ static int read_exponent(const char *text, size_t length, double *value) {
     return cli_read_real(text, length, value) && *value >= 1 && *value <= 65536;
 }
 
-/* "10", "1-1023", "10-100:10", "2-1024x2"; 0 when it is none of these. */
+/* "10", "1-1023", "10-100:10", "2-1024x2"; Returns 0 for anything else. */
 static int read_span(const char *item, size_t length, span *result) {
     const char *end = item + length, *dash = item;
     while (dash < end && (*dash != '-' || dash == item || dash[-1] == 'e' || dash[-1] == 'E')) {
@@ -44,8 +44,8 @@ static int read_span(const char *item, size_t length, span *result) {
     return result->by >= (result->multiply ? 1.001 : 0.001);
 }
 
-/* Adds the numbers of a span, or only counts them where items is NULL. Every number is made from
- * the first one, so that rounding does not pile up; the small excess lets the last one be reached.
+/* Adds the numbers of a span, or counts them if items is NULL. Every number is computed from the
+ * first one, so rounding errors do not accumulate; a small tolerance includes the last one.
  */
 static size_t expand(const span *range, double *items, size_t room) {
     size_t count = 0;
@@ -109,7 +109,7 @@ burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *l
         burnish_error reason;
         if (list->count == LOBE_LOBES_MAX) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: more than %d lobes; ask in several runs", flag, LOBE_LOBES_MAX);
+                            "--%s: more than %d lobes; use several runs", flag, LOBE_LOBES_MAX);
         }
         snprintf(word, sizeof word, "%.*s", length < 60 ? (int)length : 60, item);
         /* every order exists for the largest exponent */

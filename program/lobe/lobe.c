@@ -9,18 +9,18 @@ static const cli_command *const parts[] = {
 static const cli_example examples[] = {
     {"burnish lobe table --lobes=energy:2,schlick --exponents=10,100", "two lobes side by side"},
     {"burnish lobe claims core-w", "a claim of the paper"},
-    {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest lobe that will do"},
+    {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest sufficient lobe"},
     {"burnish lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "a memory for Verilog"},
     {"burnish lobe sample --lobe=energy:2 --exponent=50 -o rays.csv", "directions to trace"},
     {NULL, NULL},
 };
 
 static const cli_term lobe_terms[] = {
-    {"*energy*", "zeta = (n + 1) / (m + 1): the same integral over solid angle as the power."},
+    {"*energy*", "zeta = (n + 1) / (m + 1): the same integral over solid angle as cos^n."},
     {"*taylor*", "zeta = n / m: the same value and slope at the centre."},
-    {"*level*_Q_", "meets the power where it is _Q_, between 0 and 1, as in *level0.5:2*."},
-    {"*projected*", "the same cosine-weighted integral as the power."},
-    {"*minimax*", "the least maximum error against the power."},
+    {"*level*_Q_", "equals cos^n where that is _Q_, between 0 and 1, as in *level0.5:2*."},
+    {"*projected*", "the same cosine-weighted integral as cos^n."},
+    {"*minimax*", "the least maximum error against cos^n."},
     {"*leastsquares*", "the least integral of the squared error over the cosine."},
     {"*affine*", "like minimax with a peak a little below 1: an error lower by a sixth for the "
                  "same cost."},
@@ -37,8 +37,8 @@ static const cli_section sections[] = {
     {.heading = "LOBES",
      .text = "The family max(0, 1 + zeta (c - 1))^m needs no pow and no division: c is the "
              "cosine, m the order, and the fit chooses zeta from the exponent n. _FIT_:_ORDER_ "
-             "names a member, _ORDER_ being 2, 4, 8, 16 or 32, and 2 when left out. Where an "
-             "exponent is too low for the order, a lower order is drawn, with a warning.",
+             "names a member, _ORDER_ being 2, 4, 8, 16 or 32, by default 2. If an exponent is too "
+             "low for the order, a lower order is drawn, with a warning.",
      .terms = lobe_terms},
     {.heading = NULL},
 };
@@ -46,14 +46,14 @@ static const cli_section sections[] = {
 const cli_command lobe_command = {
     .name = "lobe",
     .operand = "COMMAND",
-    .summary = "what is true of a lobe: numbers, claims, fits, figures",
+    .summary = "properties of lobes: numbers, claims, fits, figures",
     .operand_help =
         "burnish lobe COMMAND --help lists the flags; burnish help --man explains them.",
-    .manual = "Numbers about the lobes of *LOBES*, computed when asked for, in double precision. "
-              "Beside the words of *burnish render* these know, for comparison, *nv2x*, "
-              "*kuijk-blake*, *table*_N_ and *table*_N_*:linear*. Errors are those against the "
-              "power with the same exponent. "
-              "Angles are degrees.",
+    .manual =
+        "Computes properties of the lobes of *LOBES* in double precision. In addition to the lobes "
+        "of *burnish render*, these commands accept *nv2x*, *kuijk-blake*, *table*_N_ and "
+        "*table*_N_*:linear* for comparison. Errors are relative to cos^n with the same exponent. "
+        "Angles are degrees.",
     .examples = examples,
     .sections = sections,
     .parts = parts,

@@ -40,28 +40,27 @@ typedef struct lobe_names {
 burnish_status lobe_read_exponents(const char *flag, const char *text, lobe_exponents *list,
                                    burnish_error *error);
 
-/* Words of burnish_theory_model_parse between commas. An order that no exponent below it allows is
- * no error here. */
+/* Words of burnish_theory_model_parse between commas. An order that is too high for
+ * some exponents is not an error here. */
 burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *list,
                                burnish_error *error);
 
-/* "3 mul 1 add 1 max", operations that are not used left out. */
+/* "3 mul 1 add 1 max", without operations that are not used. */
 void lobe_cost_text(const burnish_theory_cost *cost, char *text, size_t size);
 
-/* The flags that most subcommands end with; `type` has members format and output. */
+/* Flags of most subcommands; `type` has members format and output. */
 #define CLI_FORMAT_FLAG(type, list, start)                                                         \
     {                                                                                              \
-        .group = "Output", .name = "format", .value = "NAME", .help = "how it is written",         \
+        .group = "Output", .name = "format", .value = "NAME", .help = "output format",             \
         .default_text = start, .words = list,                                                      \
-        .manual =                                                                                  \
-            "How it is written. Text is rounded for reading; CSV and JSON hold every digit, "      \
-            "CSV an empty field and JSON null where there is no number.",                          \
+        .manual = "Output format. Text is rounded for reading; CSV and JSON have all digits. A "   \
+                  "missing number is an empty field in CSV and null in JSON.",                     \
         .handler = cli_flag_word, .offset = offsetof(type, format)                                 \
     }
 #define CLI_OUTPUT_FLAG(type, heading)                                                             \
     {                                                                                              \
         .group = heading, .name = "output", .letter = 'o', .value = "FILE",                        \
-        .help = "where to; - is standard output", .default_text = "-",                             \
+        .help = "output file; - is standard output", .default_text = "-",                          \
         .manual = "File to write, whole or not at all; *-* is standard output.",                   \
         .handler = cli_flag_text, .offset = offsetof(type, output), .takes_file = 1                \
     }

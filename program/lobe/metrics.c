@@ -1,13 +1,13 @@
-/* The columns of `burnish lobe table`: everything that burnish/theory.h knows about one lobe. */
+/* The columns of `burnish lobe table`: all properties of a lobe in burnish/theory.h. */
 #include "lobe/metrics.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* ---- What is more than one call of theory.h ---- */
+/* ---- Metrics that need more than one call of theory.h ---- */
 
-/* The power with the model's exponent, which is in range. */
+/* cos^n with the model's exponent, which is in range. */
 static burnish_theory_model power_of(const burnish_theory_model *model) {
     burnish_theory_model power;
     (void)burnish_theory_model_create(&power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER},
@@ -91,7 +91,7 @@ static double memory(const burnish_theory_model *model) {
 #define DIFFERENCE(member) .difference_at = offsetof(lobe_facts, difference.member)
 #define COST(member) .count_at = offsetof(lobe_facts, cost.member)
 
-/* A group ends where the next begins; `all` is everything. */
+/* Each group ends at the start of the next; `all` has every metric. */
 static const lobe_metric metrics[] = {
     {"zeta", "zeta", "zeta", "", 4, 0, "slope of the base, of the family and lyon",
      .of_model = zeta},
@@ -115,19 +115,19 @@ static const lobe_metric metrics[] = {
     {"toksvig", "toksvig_exponent", "Toksvig", "", 3, 'l',
      "exponent for averaged normals of that mean length", .at = toksvig},
 
-    {"zero-angle", "zero_angle_deg", "zero", "deg", 3, 0, "angle from which on the lobe is 0",
+    {"zero-angle", "zero_angle_deg", "zero", "deg", 3, 0, "angle at which the lobe becomes 0",
      .of_model = burnish_theory_zero_angle},
     {"cutoff-cosine", "cutoff_cosine", "cutoff", "cosine", 5, 0, "its cosine",
      .of_model = burnish_theory_cutoff_cosine},
     {"curvature-radius", "curvature_radius_rad", "radius", "rad", 5, 0,
      "radius of curvature of the curve where the lobe becomes 0",
      .of_model = burnish_theory_zero_curvature_radius},
-    {"inflection", "inflection_deg", "inflect.", "deg", 3, 0, "where the power has its inflection",
+    {"inflection", "inflection_deg", "inflect.", "deg", 3, 0, "angle of cos^n's inflection",
      .of_exponent = burnish_theory_inflection_angle},
     {"angle", "angle_deg", "angle", "deg", 3, 'q', "angle at which 2^-_BITS_ is reached",
      .at = angle_of},
     {"ratio", "ratio", "R", "", 4, 'q',
-     "R, the power's angle at 2^-_BITS_ by the lobe's; above 1 the lobe ends sooner",
+     "R, ratio of cos^n's angle at 2^-_BITS_ to the lobe's; above 1 the lobe is narrower",
      .at = burnish_theory_width_ratio},
     {"boundary", "boundary_cosine", "boundary", "cosine", 5, 'q',
      "cosine at which 2^-_BITS_ is reached", .at = burnish_theory_boundary_cosine},
@@ -136,23 +136,23 @@ static const lobe_metric metrics[] = {
      .of_model = integral},
     {"cosine-integral", "cosine_integral_sr", "cos int.", "sr", -5, 0,
      "integral over projected solid angle", .of_model = cosine_integral},
-    {"energy", "energy", "energy", "of power", 4, 0, "integral by the power's", .of_model = energy},
+    {"energy", "energy", "energy", "of power", 4, 0, "integral relative to cos^n",
+     .of_model = energy},
     {"cosine-energy", "cosine_energy", "cos en.", "of power", 4, 0,
-     "cosine-weighted integral by the power's", .of_model = cosine_energy},
+     "cosine-weighted integral relative to cos^n", .of_model = cosine_energy},
     {"phong-factor", "phong_factor_per_sr", "Phong f.", "1/sr", -5, 0,
      "factor of a reflection lobe by Phong", .of_model = burnish_theory_phong_factor},
     {"blinn-factor", "blinn_factor_per_sr", "Blinn f.", "1/sr", -5, 0,
      "factor of a reflection lobe by Blinn", .of_model = burnish_theory_blinn_factor},
     {"blinn-factor-common", "blinn_factor_common_per_sr", "(n+8)/8pi", "1/sr", -5, 0,
-     "the usual approximation to that for the power",
-     .of_exponent = burnish_theory_blinn_factor_common},
+     "the usual approximation for cos^n", .of_exponent = burnish_theory_blinn_factor_common},
     {"normal-factor", "normal_factor_per_sr", "normal f.", "1/sr", -5, 0,
      "factor of a distribution of normals", .of_model = burnish_theory_normal_factor},
 
     {"max-error", "max_error", "max err", "", 5, 0, "largest absolute error", DIFFERENCE(absolute)},
     {"max-error-angle", "max_error_angle_deg", "at", "deg", 3, 0, "where",
      DIFFERENCE(absolute_angle)},
-    {"above", "above", "above", "", 5, 0, "largest excess over the power", DIFFERENCE(above)},
+    {"above", "above", "above", "", 5, 0, "largest excess over cos^n", DIFFERENCE(above)},
     {"below", "below", "below", "", 5, 0, "largest shortfall", DIFFERENCE(below)},
     {"max-relative", "max_relative_percent", "max rel", "%", 3, 0,
      "largest relative error in per cent", DIFFERENCE(relative)},
@@ -222,7 +222,7 @@ void lobe_each_metric(cli_take_term *take) {
     }
 }
 
-/* Where the name ends and the argument begins. */
+/* Finds the end of the name and the start of the argument. */
 static size_t name_length(const char *item, size_t length) {
     const char *colon = memchr(item, ':', length);
     return colon ? (size_t)(colon - item) : length;
@@ -242,7 +242,7 @@ static burnish_status add(const char *flag, lobe_metric_list *list, const lobe_m
     return BURNISH_STATUS_OK;
 }
 
-/* Arguments where none is given: 8 bits, 10 degrees, a mean length of .9. */
+/* Default arguments: 8 bits, 10 degrees, a mean length of 0.9. */
 static double default_argument(char takes) {
     return takes == 'q' ? 8 : takes == 'a' ? 10 : 0.9;
 }
@@ -291,7 +291,7 @@ static burnish_status add_item(const char *flag, const char *item, size_t length
                 metric->takes == 'q'   ? "takes bits above 0 and up to 1024, as in angle:8"
                 : metric->takes == 'a' ? "takes degrees from 0 to 90, as in value:10"
                 : metric->takes == 'l' ? "takes a length from 0 to 1, as in toksvig:0.9"
-                                       : "takes no number; leave out what follows the colon");
+                                       : "takes no number; remove the text after the colon");
         }
         return add(flag, list, metric, argument, error);
     }

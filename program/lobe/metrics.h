@@ -1,10 +1,10 @@
-/* The columns of `burnish lobe table`: everything that burnish/theory.h knows about one lobe. */
+/* The columns of `burnish lobe table`: all properties of a lobe in burnish/theory.h. */
 #ifndef TOOL_LOBE_METRICS_H
 #define TOOL_LOBE_METRICS_H
 
 #include "lobe/lobe.h"
 
-/* What metrics are computed from. */
+/* The input of metrics. */
 typedef struct lobe_facts {
     burnish_theory_model model;
     burnish_theory_difference difference; /* filled only where a metric needs it */
@@ -18,7 +18,7 @@ typedef struct lobe_metric {
     int decimals;               /* as cli_column */
     char takes;                 /* 0; 'q': name:BITS; 'a': name:DEGREES; 'l': name:LENGTH */
     const char *what;           /* for the man page */
-    /* where its value comes from, one of these */
+    /* source of the value, one of these */
     double (*of_model)(const burnish_theory_model *model);
     double (*of_exponent)(double exponent);
     double (*at)(const burnish_theory_model *model, double argument);
@@ -46,7 +46,7 @@ void lobe_each_metric(cli_take_term *take);
 burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metric_list *list,
                                  burnish_error *error);
 
-/* In the unit of the metric's column; NaN where there is none. */
+/* The value in the unit of the metric's column; NaN: not defined. */
 double lobe_metric_value(const lobe_metric_choice *choice, const lobe_facts *facts);
 
 /* The column of a metric. */

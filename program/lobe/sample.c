@@ -26,68 +26,34 @@ static const cli_word pattern_words[] = {
 #define TARGET(member) .offset = offsetof(sample_settings, member)
 
 static const cli_flag sample_flags[] = {
-    {.group = "What is sampled",
-     .name = "lobe",
-     .value = "LOBE",
-     .help = "such as energy:2, minimax:4, power",
+    {.group = "Distribution",
+     CLI_FLAG("lobe", "LOBE", "such as energy:2, minimax:4, power", cli_flag_text, lobe),
      .default_text = "energy:2",
-     .manual = "The lobe, in the words of *LOBES* and *LOBE*.",
-     .handler = cli_flag_text,
-     TARGET(lobe)},
-    {.name = "exponent",
-     .value = "N",
-     .help = "from 1 to 65536",
-     .default_text = "100",
-     .low = 1,
-     .high = 65536,
-     .manual = "Exponent of the lobe.",
-     .handler = cli_flag_real,
-     TARGET(exponent)},
-    {.name = "measure",
-     .value = "NAME",
-     .help = "the lobe, or lobe times cosine",
-     .default_text = "solid-angle",
-     .words = measure_words,
+     .manual = "The lobe, in the words of *LOBES* and *LOBE*."},
+    {CLI_FLAG("exponent", "N", "from 1 to 65536", cli_flag_real, exponent), .default_text = "100",
+     CLI_RANGE(1, 65536), .manual = "Exponent of the lobe."},
+    {CLI_FLAG("measure", "NAME", "the lobe, or lobe times cosine", cli_flag_word, measure),
+     .default_text = "solid-angle", .words = measure_words,
      .manual =
          "*solid-angle* draws directions in proportion to the lobe, *cosine* in proportion to "
-         "the lobe times the cosine.",
-     .handler = cli_flag_word,
-     TARGET(measure)},
-    {.group = "How",
-     .name = "count",
-     .value = "N",
-     .help = "at most 1e9",
+         "the lobe times the cosine."},
+    {.group = "Samples",
+     CLI_FLAG("count", "N", "at most 1e9", cli_flag_count, count),
      .default_text = "1000",
-     .low = 1,
-     .high = 1e9,
-     .manual = "How many directions, at most 1e9. They are written as they are made, in no "
-               "more memory for many than for few.",
-     .handler = cli_flag_count,
-     TARGET(count)},
-    {.name = "pattern",
-     .value = "NAME",
-     .help = "how they are drawn",
-     .default_text = "random",
-     .words = pattern_words,
-     .manual =
-         "*random* directions are independent, and the first ones of a longer run are those of "
-         "a shorter one. *stratified* ones have one in each of _N_ equal parts of the lobe, "
-         "from the centre outward, turned by the golden angle: less noise for the same "
-         "number.",
-     .handler = cli_flag_word,
-     TARGET(pattern)},
-    {.name = "seed",
-     .value = "N",
-     .help = "another seed, other directions",
-     .default_text = "1",
-     .low = 0,
-     .high = 1e18,
-     .manual =
-         "Seed of the numbers, which are those of SplitMix64: the k-th number, k from 1, is a "
-         "mix of seed + k 0x9e3779b97f4a7c15, of which the upper 53 bits count. Direction i, "
-         "from 0, takes the numbers 2i+1 and 2i+2. The same seed gives the same directions.",
-     .handler = cli_flag_count,
-     TARGET(seed)},
+     CLI_RANGE(1, 1e9),
+     .manual = "Number of directions, at most 1e9. They are written as they are computed, in "
+               "constant memory."},
+    {CLI_FLAG("pattern", "NAME", "sampling pattern", cli_flag_word, pattern),
+     .default_text = "random", .words = pattern_words,
+     .manual = "*random* directions are independent; a longer run begins with the directions of a "
+               "shorter one. *stratified* has one direction in each of _N_ equal parts of the "
+               "lobe, from the centre outward, turned by the golden angle: less noise for the same "
+               "number."},
+    {CLI_FLAG("seed", "N", "seed of the random numbers", cli_flag_count, seed), .default_text = "1",
+     CLI_RANGE(0, 1e18),
+     .manual = "Seed of the SplitMix64 generator: the k-th number, from k = 1, is the mix of seed "
+               "+ k 0x9e3779b97f4a7c15, of which the upper 53 bits are used. Direction i, from 0, "
+               "uses the numbers 2i+1 and 2i+2. The same seed gives the same directions."},
     CLI_OUTPUT_FLAG(sample_settings, "Output"),
 };
 
@@ -123,7 +89,7 @@ static double uniform(uint64_t seed, uint64_t k) {
 
 #define GOLDEN_TURN 0.38196601125010515 /* (3 - sqrt 5) / 2 */
 
-/* Where the output stands. */
+/* State of the output. */
 typedef struct sampler {
     const sample_settings *settings;
     burnish_theory_model model;
@@ -134,7 +100,7 @@ typedef struct sampler {
 static void draw(const sampler *s, uint64_t i, double direction[3]) {
     double xi[2] = {uniform(s->settings->seed, 2 * i + 1), uniform(s->settings->seed, 2 * i + 2)};
     if (s->settings->pattern == PATTERN_STRATIFIED) {
-        /* large xi lie at the centre */
+        /* large xi are near the centre */
         double turn = (double)i * GOLDEN_TURN + uniform(s->settings->seed, 0);
         xi[0] = 1 - ((double)i + xi[0]) / (double)s->settings->count;
         xi[1] = turn - floor(turn);
@@ -145,7 +111,7 @@ static void draw(const sampler *s, uint64_t i, double direction[3]) {
 
 enum { LINE_MAX_BYTES = 4 * CLI_REAL_SIZE };
 
-/* A burnish_file_source: as many whole lines as fit. */
+/* A burnish_file_source: writes as many whole lines as fit. */
 static size_t produce(void *context, char *buffer, size_t size) {
     sampler *s = context;
     size_t used = 0;

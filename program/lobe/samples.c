@@ -19,7 +19,7 @@ typedef struct reader {
     burnish_error *error;
 } reader;
 
-/* What a read line is. */
+/* Result of reading a line. */
 typedef enum line_result { LINE_READ, LINE_END, LINE_FAILED } line_result;
 
 static line_result fail_line(reader *r, burnish_status status, const char *what) {
@@ -27,7 +27,7 @@ static line_result fail_line(reader *r, burnish_status status, const char *what)
     return LINE_FAILED;
 }
 
-/* The next line without its end (LF, CR LF or CR). */
+/* Reads the next line without its end (LF, CR LF or CR). */
 static line_result next_line(reader *r, char line[LINE_BYTES]) {
     size_t length = 0;
     int c;
@@ -35,12 +35,12 @@ static line_result next_line(reader *r, char line[LINE_BYTES]) {
     while ((c = getc(r->file)) != EOF && c != '\n' && c != '\r') {
         if (c == 0) {
             return fail_line(r, BURNISH_STATUS_FORMAT,
-                             "a zero byte: this is no text; give CSV with angle and intensity");
+                             "a zero byte: not a text file; give CSV with angle and intensity");
         }
         if (length + 1 == LINE_BYTES) {
-            return fail_line(r, BURNISH_STATUS_FORMAT,
-                             "the line is longer than 4095 bytes; give angle and intensity, a pair "
-                             "a line");
+            return fail_line(
+                r, BURNISH_STATUS_FORMAT,
+                "the line is longer than 4095 bytes; give angle and intensity, one pair per line");
         }
         line[length++] = (char)c;
     }
@@ -63,7 +63,7 @@ static line_result next_line(reader *r, char line[LINE_BYTES]) {
                : LINE_READ;
 }
 
-/* A field without the blanks and quotes around it. */
+/* Trims blanks and quotes around a field. */
 typedef struct field {
     const char *text;
     size_t length;
@@ -88,8 +88,8 @@ static field trim(const char *text, size_t length) {
     return (field){text, length};
 }
 
-/* The fields of a line, of which two are kept. The separator is the first of semicolon, comma, tab
- * that the line has, else runs of blanks. */
+/* Splits a line into fields and keeps two. The separator is the first of semicolon, comma and tab
+ * that occurs in the line, else runs of blanks. */
 static size_t split(const char *line, field fields[2]) {
     char separator = strchr(line, ';')    ? ';'
                      : strchr(line, ',')  ? ','
@@ -124,7 +124,7 @@ static burnish_status read_lambda(const reader *r, double x, double *lambda) {
         *lambda = 1 - x;
         return fabs(x) <= 1 ? BURNISH_STATUS_OK
                             : cli_fail(r->error, BURNISH_STATUS_FORMAT,
-                                       "%.200s:%zu: the cosine %g is not from -1 to 1; say "
+                                       "%.200s:%zu: the cosine %g is not from -1 to 1; use "
                                        "--unit=deg or rad for angles",
                                        r->path, r->line, x);
     }
@@ -164,7 +164,8 @@ static burnish_status store(reader *r, lobe_samples *samples, double x, double i
 }
 
 static burnish_status fail_field(const reader *r, field f, const char *what) {
-    const char *advice = memchr(f.text, ',', f.length) ? "; write numbers with a point" : "";
+    const char *advice =
+        memchr(f.text, ',', f.length) ? "; write numbers with a decimal point" : "";
     return cli_fail(r->error, BURNISH_STATUS_FORMAT,
                     "%.200s:%zu: the %s \"%.*s\" is not a number%s", r->path, r->line, what,
                     f.length < 40 ? (int)f.length : 40, f.text, advice);

@@ -16,42 +16,27 @@ static cli_work work;
 #define TARGET(member) .offset = offsetof(table_settings, member)
 
 static const cli_flag table_flags[] = {
-    {.group = "What is shown",
-     .name = "lobes",
-     .value = "LIST",
-     .help = "rows, such as power,energy:2,minimax:4",
+    {.group = "Contents",
+     CLI_FLAG("lobes", "LIST", "rows, such as power,energy:2,minimax:4", cli_flag_text, lobes),
      .default_text = "power,schlick,taylor:2,energy:2,minimax:2,minimax:4,minimax:8",
      .default_label = "a telling set",
-     .manual = "Lobes, between commas, in the words of *LOBES* and *LOBE*. A lobe whose order the "
-               "exponent does not allow has a row without numbers.",
-     .handler = cli_flag_text,
-     TARGET(lobes)},
-    {.name = "exponents",
-     .value = "LIST",
-     .help = "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
+     .manual = "Lobes, between commas, in the words of *LOBES* and *LOBE*. If an exponent is too "
+               "low for a lobe's order, the row has no numbers."},
+    {CLI_FLAG("exponents", "LIST", "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
+              cli_flag_text, exponents),
      .default_text = "10,100",
      .manual = "Exponents from 1 to 65536 between commas, and ranges of them: *1-1023* in steps of "
-               "1, *10-100:10* in steps of 10, *2-1024x2* doubling.",
-     .handler = cli_flag_text,
-     TARGET(exponents)},
-    {.name = "metrics",
-     .value = "LIST",
-     .help = "columns: names, shape, widths, energies, errors, cost, all",
+               "1, *10-100:10* in steps of 10, *2-1024x2* doubling."},
+    {CLI_FLAG("metrics", "LIST", "columns: names, shape, widths, energies, errors, cost, all",
+              cli_flag_text, metrics),
      .default_text = "zeta,max-error,max-error-angle,rms,energy,zero-angle,ratio,multiplications,"
                      "additions,comparisons,divisions,functions",
-     .default_label = "a telling set",
-     .manual = "Columns, between commas; see *METRICS*.",
-     .handler = cli_flag_text,
-     TARGET(metrics)},
-    {.name = "range",
-     .value = "NAME",
-     .help = "of errors: all, inflection, level:L (where the power is L)",
+     .default_label = "a telling set", .manual = "Columns, between commas; see *METRICS*."},
+    {CLI_FLAG("range", "NAME", "range of errors: all, inflection, level:L (down to cos^n = L)",
+              cli_flag_text, range),
      .default_text = "all",
-     .manual = "Angles over which errors against the power are taken, from 0 on: *all* ends at 90 "
-               "degrees, *inflection* where the power has its inflection, *level:*_L_ where the "
-               "power has fallen to _L_.",
-     .handler = cli_flag_text,
-     TARGET(range)},
+     .manual = "Range of angles for errors against cos^n, from 0: *all* ends at 90 degrees, "
+               "*inflection* at the inflection of cos^n, *level:*_L_ where cos^n falls to _L_."},
     CLI_FORMAT_FLAG(table_settings, cli_table_format_words, "text"),
     CLI_OUTPUT_FLAG(table_settings, NULL),
 };
@@ -68,8 +53,8 @@ static const cli_example examples[] = {
 static const cli_section sections[] = {
     {.heading = "METRICS",
      .text = "The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
-             "*errors* and *cost* are runs of them, *all* is everything. _BITS_ (8 when left "
-             "out), _DEG_ (10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.",
+             "*errors* and *cost* are subsets, *all* has every column. _BITS_ (default 8), _DEG_ "
+             "(10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.",
      .each_term = lobe_each_metric},
     {.heading = NULL},
 };
@@ -89,7 +74,7 @@ const cli_command lobe_table_command = {
     .work = work,
 };
 
-/* What the table is made of, after the lists are read. */
+/* The parsed lists of the table. */
 typedef struct plan {
     lobe_names lobes;
     lobe_exponents exponents;
@@ -131,7 +116,7 @@ static burnish_status read_plan(const table_settings *settings, plan *p, burnish
     return status;
 }
 
-/* Where errors end for an exponent. An inflection at 0 (n = 1) leaves no range: NaN. */
+/* The end of the range of errors for an exponent. NaN: an inflection at 0 (n = 1) leaves no range. */
 static double range_end(const plan *p, double exponent) {
     burnish_theory_model power;
     if (p->to_inflection) {
@@ -169,8 +154,8 @@ static burnish_status make_table(const plan *p, cli_table *table, burnish_error 
     table->rows_in_group = p->lobes.count > 1 && p->exponents.count > 1 ? p->lobes.count : 0;
     if (table->row_count > CLI_CELLS_MAX / table->column_count) {
         return cli_fail(error, BURNISH_STATUS_LIMIT,
-                        "lobe table: %zu rows of %zu columns are more than %d cells; ask "
-                        "for fewer lobes, exponents or metrics",
+                        "lobe table: %zu rows of %zu columns are more than %d cells; use fewer "
+                        "lobes, exponents or metrics",
                         table->row_count, table->column_count, CLI_CELLS_MAX);
     }
     cli_column *columns = calloc(table->column_count, sizeof *columns);

@@ -1,4 +1,4 @@
-/* The figure `cost`: a row per lobe, the cheapest first, and the front of what no cheaper one does.
+/* The figure `cost`: a row per lobe, cheapest first, and the Pareto front.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 
 #include "plot/plot.h"
 
-/* What the script takes a series for. */
+/* Kinds of series in the script. */
 enum { COST_FRONT = 1, COST_FAMILY, COST_OTHER, COST_EXACT, COST_HEADING };
 
 typedef struct candidate {
@@ -16,7 +16,7 @@ typedef struct candidate {
     double error;
 } candidate;
 
-/* The dearest kind of operation: what the rows are grouped by. */
+/* Rows are grouped by their most expensive operation. */
 static const char *heading(const burnish_theory_cost *cost) {
     return cost->transcendentals > 0 ? "with pow, exp or acos"
            : cost->divisions > 0     ? "with a division"
@@ -52,7 +52,7 @@ static void add_point(plot_series *series, double x, double y) {
     series->y[series->count++] = y;
 }
 
-/* A row: its name and cost, and the point; the front steps down to it where it is below. */
+/* Adds a row with its name, cost and point. The front steps down to points below it. */
 static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
                               burnish_error *error) {
     plot_series *front = &chart->series[0], *series = plot_add_series(chart, error);
@@ -70,7 +70,7 @@ static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
     add_point(series, row, c->error > 0 ? c->error : NAN);
     double best = front->count > 0 ? front->y[front->count - 1] : INFINITY;
     if (c->error < best) {
-        if (front->count > 0) { /* beside the power stands a text */
+        if (front->count > 0) { /* cos^n has a label next to it */
             add_point(front, c->error > 0 ? row : row - 0.45, best);
         }
         add_point(front, row, c->error > 0 ? c->error : NAN);

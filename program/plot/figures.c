@@ -1,4 +1,4 @@
-/* The figures: what each plots, for which lobes and exponents unless told otherwise. */
+/* The figures: what each plots, with default lobes and exponents. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -146,7 +146,7 @@ plot_series *plot_add_series(plot_chart *chart, burnish_error *error) {
     return &chart->series[chart->series_count++];
 }
 
-/* The lobe's name as text of a figure: the paper's where it has one. */
+/* The lobe's label in a figure; the paper's name if it has one. */
 static void lobe_text(const burnish_theory_model *model, char *text, size_t size) {
     char word[LOBE_NAME];
     burnish_lobe_spec_name(&model->lobe, word, sizeof word);
@@ -174,7 +174,7 @@ static int ramp_ink(size_t i, size_t count) {
     return PLOT_INK_RAMP + (int)(step > last ? last : step);
 }
 
-/* A lobe has the same hue in every figure; labels tell apart the few that share one. */
+/* A lobe has the same hue in every figure; labels distinguish the few that share one. */
 static int lobe_ink(const burnish_theory_model *model) {
     static const int kinds[BURNISH_LOBE_KIND_COUNT] = {
         [BURNISH_LOBE_SCHLICK] = 1, [BURNISH_LOBE_LYON] = 0, [BURNISH_LOBE_GAUSSIAN] = 4,
@@ -194,7 +194,7 @@ static int lobe_ink(const burnish_theory_model *model) {
                                                                     : kinds[model->lobe.kind]);
 }
 
-/* The order shows as dashes. */
+/* Dashes show the order. */
 static int lobe_style(const burnish_theory_model *model) {
     return model->lobe.order <= 2   ? PLOT_LINE
            : model->lobe.order == 4 ? PLOT_DASHED
@@ -235,7 +235,7 @@ static double core_error(const burnish_theory_model *model, double bits) {
     return 100 * difference.relative;
 }
 
-/* The relative error at an angle, in percent; NaN where there is no such angle. */
+/* The relative error at an angle, in percent; NaN: no such angle. */
 static double percent_at(const burnish_theory_model *model, double angle) {
     return isnan(angle) ? NAN : 100 * burnish_theory_relative_error(model, angle);
 }
@@ -270,7 +270,7 @@ static double whole_error(const burnish_theory_model *model, double bits) {
 
 /* ---- Curves -----------------------------------------------------------------------------------*/
 
-/* What one curve is drawn for besides its lobe: number `index` of a list, or no number. */
+/* A curve's lobe and, if list is not NULL, its number `index` of a list. */
 typedef struct curve {
     const char *lobe;
     size_t lobe_index, index;
@@ -278,7 +278,7 @@ typedef struct curve {
     char letter;           /* of the numbers: n or q */
 } curve;
 
-/* Name, ink and dashes. A list of numbers is an ordered set and takes the ramp; lobes have hues. */
+/* Sets name, ink and dashes. A list of numbers is ordered and uses the ramp; lobes have hues. */
 static void dress(const plot_figure *figure, const plot_request *request, const curve *c,
                   const burnish_theory_model *model, plot_series *series) {
     const int many = request->lobes.count > 1;
@@ -317,7 +317,7 @@ static double x_at(const plot_figure *figure, const plot_chart *chart, size_t i)
     return chart->x_low + (chart->x_high - chart->x_low) * share * (figure->is_narrow ? share : 1);
 }
 
-/* The least exponent between the one without (low) and the one with such a lobe (high). */
+/* The least exponent that has such a lobe, between low (which has none) and high (which has one). */
 static double first_exponent(const burnish_theory_model *pattern, double low, double high,
                              burnish_theory_model *model) {
     for (int i = 0; i < 50; ++i) {
@@ -332,7 +332,7 @@ static double first_exponent(const burnish_theory_model *pattern, double low, do
     return high;
 }
 
-/* Values over the exponent; they begin where the lobe begins to exist. */
+/* Values over the exponent, from the least exponent that has the lobe. */
 static void sample_exponents(const burnish_theory_model *pattern, plot_metric *measure, double bits,
                              plot_series *series) {
     burnish_theory_model model;
@@ -350,7 +350,7 @@ static void sample_exponents(const burnish_theory_model *pattern, plot_metric *m
     }
 }
 
-/* Where the lobe is 0 nothing bends: the curve ends at the zero, with the radius there. */
+/* There is no radius where the lobe is 0: the curve ends at the zero, with the radius there. */
 static void end_at_zero(const burnish_theory_model *model, plot_series *series) {
     const double zero = burnish_theory_zero_angle(model) * DEGREES;
     for (size_t i = 0; i < series->count; ++i) {
@@ -394,7 +394,7 @@ static burnish_status add_curve(const plot_figure *figure, const plot_request *r
     return BURNISH_STATUS_OK;
 }
 
-/* For every line points that were found in another way. */
+/* Adds points from an independent method to every line. */
 static burnish_status add_points(const plot_figure *figure, const plot_request *request,
                                  plot_chart *chart, burnish_error *error) {
     for (size_t l = 0; l < request->lobes.count; ++l) {
@@ -427,8 +427,8 @@ void plot_state_exponent(const plot_request *request, plot_chart *chart) {
              request->exponents.items[0]);
 }
 
-/* The axis of x: angles up to where the power has left the screen and the slowest comparison is in
- * sight; exponents; bits. */
+/* Sets the x axis: exponents, bits, or angles up to where cos^n is invisible and the slowest
+ * comparison still visible. */
 static void set_axis(const plot_figure *figure, const plot_request *request, plot_chart *chart) {
     if (figure->axis == PLOT_AXIS_ANGLES) {
         const burnish_theory_model power = power_with(request->exponents.low);

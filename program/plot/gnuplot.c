@@ -1,5 +1,5 @@
-/* Charts as CSV and as gnuplot's scripts, gnuplot as a child process, and its drawing made fit for
- * light and dark pages. */
+/* Writes charts as CSV and gnuplot scripts, runs gnuplot, and adapts its drawing to light and dark
+ * pages. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 
 #include "plot/plot.h"
 
-/* ---- What gnuplot reads ---- */
+/* ---- Input of gnuplot ---- */
 
 static const char *script_text(const char *name) {
     const plot_script *script = plot_scripts;
@@ -32,7 +32,7 @@ static void write_integers(const char *name, const plot_chart *chart, size_t off
     fprintf(file, "]\n");
 }
 
-/* Letters that the text shows, about: without the marks and the names of fonts. */
+/* Approximate number of visible letters, without markup and font names. */
 static size_t visible_letters(const char *text) {
     size_t length = 0;
     for (; *text; ++text) {
@@ -51,7 +51,7 @@ static double end_of(const plot_series *series) {
     return last > 0 ? series->y[last - 1] : 0;
 }
 
-/* The ends of the axes of x, and least and greatest y; greatest > 0. */
+/* The ends of the x axes, and least and greatest y; greatest > 0. */
 static void write_ranges(const plot_chart *chart, FILE *file) {
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < chart->series_count; ++i) {
@@ -61,7 +61,7 @@ static void write_ranges(const plot_chart *chart, FILE *file) {
             high = y > high && isfinite(y) ? y : high;
         }
     }
-    high = high > 1e-12 ? high : 1; /* nothing is drawn, or errors are all rounding noise */
+    high = high > 1e-12 ? high : 1; /* no values, or only rounding errors */
     low = low < high ? low : high;
     fprintf(file, "x_low = %.9g\nx_high = %.9g\ny_low = %.9g\ny_high = %.9g\n", chart->x_low,
             chart->x_high, low, high);
@@ -126,13 +126,13 @@ static const char advice[] =
 static burnish_status fail_run(burnish_error *error, int code) {
     if (code == ENOENT) {
         return cli_fail(error, BURNISH_STATUS_WRITE,
-                        "gnuplot: not found, and it draws the figures; %s", advice);
+                        "gnuplot: not found, but needed to draw figures; %s", advice);
     }
     return cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: can't be started: %s", strerror(code));
 }
 
 #ifdef _WIN32
-/* Not done here: as if it were not installed. */
+/* Not supported here: behaves as if gnuplot were not installed. */
 static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
     (void)streams, (void)child;
     return ENOENT;
@@ -143,8 +143,8 @@ static int wait_for(pid_t child) {
     return -1;
 }
 #else
-/* Starts gnuplot with files as its three standard streams. The environment holds what matters
- * only, so that no locale, start-up file or default of the user changes a byte. */
+/* Starts gnuplot with files as its three standard streams. The environment is minimal:
+ * no locale, start-up file or user default can change the output. */
 static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
     char path[4096] = "PATH=";
     char locale[] = "LC_ALL=C";
@@ -168,7 +168,7 @@ static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
     return code;
 }
 
-/* gnuplot's exit code, or -1. */
+/* Waits for gnuplot. Returns its exit code, or -1. */
 static int wait_for(pid_t child) {
     int status;
     while (waitpid(child, &status, 0) < 0) {
@@ -180,7 +180,7 @@ static int wait_for(pid_t child) {
 }
 #endif
 
-/* Everything in a temporary file, zero-terminated; NULL without memory. */
+/* Reads a whole temporary file, zero-terminated; NULL: out of memory. */
 static char *read_stream(FILE *file, size_t *size) {
     struct stat state;
     if (fstat(fileno(file), &state) != 0) {
@@ -197,7 +197,7 @@ static char *read_stream(FILE *file, size_t *size) {
     return text;
 }
 
-/* gnuplot's complaint: the line that begins with "line N:", else the first that says something. */
+/* Finds gnuplot's error message: the line that begins with "line N:", else the first non-empty one. */
 static burnish_status fail_gnuplot(FILE *complaints, burnish_error *error) {
     size_t size = 0;
     char *text = read_stream(complaints, &size);
@@ -219,7 +219,7 @@ static burnish_status run(FILE *streams[3], char **drawing, size_t *size, burnis
         return fail_run(error, code);
     }
     int exit_code = wait_for(child);
-    if (exit_code == 127) { /* older C libraries start a child before they look for the program */
+    if (exit_code == 127) { /* older C libraries fork before they search for the program */
         return fail_run(error, ENOENT);
     }
     if (exit_code != 0) {
@@ -258,7 +258,7 @@ burnish_status plot_run(const char *script, size_t length, char **drawing, size_
 
 /* ---- Dark pages ---- */
 
-/* The rules that replace an ink, for each of gnuplot's ways to write one that the drawing has. */
+/* Writes rules that replace an ink, for each notation of it in the drawing. */
 static void write_rules(const char *light, const char *dark, const char *svg, FILE *file) {
     unsigned rgb = (unsigned)strtoul(light + 1, NULL, 16);
     unsigned red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
@@ -278,8 +278,8 @@ static void write_rules(const char *light, const char *dark, const char *svg, FI
     }
 }
 
-/* gnuplot raises superscripts by half a letter and lowers subscripts by .3, too far for text of one
- * line: 3/4 of that. The drawing keeps its length. */
+/* gnuplot raises superscripts by 0.5 letters and lowers subscripts by 0.3, too much within a line of
+ * text. Reduces both to 3/4 without changing the length of the drawing. */
 static void settle_scripts(char *svg) {
     static const char *const shifts[][2] = {{"dy=\"-6.50", "dy=\"-4.90"},
                                             {"dy=\"6.50", "dy=\"4.90"},
@@ -322,7 +322,7 @@ burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, bur
         return status;
     }
     FILE *file = output.stream;
-    /* the spaces beside changes of font, which some readers drop, are kept */
+    /* keeps spaces next to font changes, which some viewers drop */
     fprintf(file, "%.*s<svg xml:space=\"preserve\" ", (int)(body - raw), raw);
     body += strlen(root);
     fprintf(file, "%.*s<title>%s</title>\n<style>\n", (int)(title - body), body, chart->title);

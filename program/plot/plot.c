@@ -42,66 +42,41 @@ static cli_work plot;
 #define TARGET(member) .offset = offsetof(plot_settings, member)
 
 static const cli_flag plot_flags[] = {
-    {.group = "What is plotted",
-     .name = "exponents",
-     .value = "LIST",
-     .help = "from 1 to 65536, as 3,10,30; of an axis its ends",
+    {.group = "Contents",
+     CLI_FLAG("exponents", "LIST", "from 1 to 65536, such as 3,10,30; or the ends of the axis",
+              cli_flag_text, exponents),
      .default_label = "the figure's own",
      .manual = "Exponents to plot, between commas, or ranges as in *burnish lobe table*. In "
                "figures whose horizontal axis is the exponent "
-               "the axis runs from the least to the greatest of them.",
-     .handler = cli_flag_text,
-     TARGET(exponents)},
-    {.name = "lobes",
-     .value = "LIST",
-     .help = "such as power,energy:2,schlick",
+               "the axis runs from the least to the greatest of them."},
+    {CLI_FLAG("lobes", "LIST", "such as power,energy:2,schlick", cli_flag_text, lobes),
      .default_label = "the figure's own",
-     .manual = "Lobes to plot, between commas, in the words of *burnish lobe table*. The figure "
-               "*object* knows those of *burnish render*; the first one is what the others are "
-               "compared with.",
-     .handler = cli_flag_text,
-     TARGET(lobes)},
-    {.name = "bits",
-     .value = "LIST",
-     .help = "thresholds q: a lobe ends at 2^-q; ratio, widths",
+     .manual =
+         "Lobes to plot, between commas, in the words of *burnish lobe table*. The figure *object* "
+         "accepts the lobes of *burnish render* and compares the others with the first."},
+    {CLI_FLAG("bits", "LIST", "thresholds q: a lobe ends at 2^-q; ratio, widths", cli_flag_text,
+              bits),
      .default_label = "the figure's own",
      .manual = "Thresholds of the figure *ratio*, from above 0 to 64 bits, between commas; for "
-               "*widths* the range of the axis.",
-     .handler = cli_flag_text,
-     TARGET(bits)},
+               "*widths* the range of the axis."},
 
     {.group = "Output",
-     .name = "output",
+     CLI_FLAG("output", "FILE", "output file; - is standard output", cli_flag_text, output),
      .letter = 'o',
-     .value = "FILE",
-     .help = "where to; - is standard output",
      .default_label = "FIGURE.svg, object.png",
-     .manual = "File to write, whole or not at all; *-* is standard output, which *--format=csv* "
-               "and *--format=gp* write to unless told otherwise. Endings: _.svg_, _.csv_, _.gp_, "
-               "_.png_ and, for *object*, _.png_ and _.csv_.",
-     .handler = cli_flag_text,
-     TARGET(output)},
-    {.name = "size",
-     .value = "W,H",
-     .help = "in pixels; for object of one picture",
-     .low = SIZE_MIN,
-     .high = SIZE_MAX_PX,
-     .default_label = "by figure, most 720,440",
-     .manual = "Width and height in pixels, from 160 to 4096; for the figure *object* those of one "
-               "picture of the sheet.",
-     .handler = cli_flag_size,
-     TARGET(size)},
-    {.name = "format",
-     .value = "WORD",
-     .help = "what is written",
-     .default_label = "by FILE's ending, else the drawing",
-     .manual = "*svg* and *png* are the drawing (*object* has png only; the svg has a light and a "
-               "dark form), "
-               "*csv* the points of the curves, *gp* the gnuplot script with its data. Without it "
-               "FILE's ending decides.",
-     .handler = cli_flag_word,
-     .words = format_words,
-     TARGET(format)},
+     .manual = "File to write, whole or not at all; *-* is standard output, the default for "
+               "*--format=csv* and *--format=gp*. Extensions: _.svg_, _.csv_, _.gp_, "
+               "_.png_ and, for *object*, _.png_ and _.csv_."},
+    {CLI_FLAG("size", "W,H", "in pixels; for object, of one picture", cli_flag_size, size),
+     CLI_RANGE(SIZE_MIN, SIZE_MAX_PX), .default_label = "by figure, most 720,440",
+     .manual = "Width and height in pixels, from 160 to 4096; for the figure *object*, of one "
+               "picture of the sheet."},
+    {CLI_FLAG("format", "WORD", "output format", cli_flag_word, format),
+     .default_label = "by FILE's extension, else the drawing",
+     .manual = "*svg* and *png* write the drawing (*object* only as png; svg has a light and a "
+               "dark theme), *csv* the points of the curves, *gp* the gnuplot script with its "
+               "data. Default: by FILE's extension.",
+     .words = format_words},
 };
 
 static const cli_example plot_examples[] = {
@@ -119,17 +94,17 @@ const cli_command lobe_plot_command = {
         "the paper's error, curves, core, ratio, w1, w1-extreme, object (figures 2 to 7);\n"
         "          cost, energy, orders, widths, radius",
     .manual =
-        "Draws a figure from numbers that are computed now. The paper's figures: *error* (2, "
-        "absolute error of W against the angle), *curves* (3, power, W and Schlick's "
-        "function), *core* (4, largest relative error up to the inflection), *ratio* (5, R "
-        "against the exponent), *w1* and *w1-extreme* (6, W1 beside the power and its "
-        "extreme relative error), *object* (7, a teapot shaded with each lobe, and the "
+        "Computes and draws a figure. The paper's figures: *error* (2, "
+        "absolute error of W against the angle), *curves* (3, cos^n, W and Schlick's function), "
+        "*core* (4, largest relative error up to the inflection), *ratio* (5, R "
+        "against the exponent), *w1* and *w1-extreme* (6, W1 with cos^n, and its extreme relative "
+        "error), *object* (7, a teapot shaded with each lobe, and the "
         "differences).\n"
-        "And more: *cost* (error of every lobe against its cost), *energy* (against the "
+        "Other figures: *cost* (error of every lobe against its cost), *energy* (against the "
         "exponent), *orders* (error of every order), *widths* (R against the threshold), *radius* "
         "(radius of curvature against the angle).\n"
-        "gnuplot draws all but *object*; without it the command ends with exit code 7. The "
-        "same gnuplot gives the same bytes.",
+        "gnuplot draws all figures except *object*; without it the command ends with exit code 7. "
+        "Output is reproducible with the same version of gnuplot.",
     .operands_max = 1,
     .flags = plot_flags,
     .flag_count = sizeof plot_flags / sizeof *plot_flags,
@@ -202,7 +177,8 @@ static burnish_status check_lists(const plot_figure *figure, const plot_request 
     return BURNISH_STATUS_OK;
 }
 
-/* A figure's own lobes are for its own exponents; others may be too small for some orders. */
+/* A figure's default lobes fit its default exponents; other exponents may be too low for some
+ * orders. */
 static void keep_existing_lobes(plot_request *request) {
     lobe_names *lobes = &request->lobes;
     size_t kept = 0;
@@ -256,7 +232,7 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
     return status;
 }
 
-/* Writes the chart as CSV or script, or runs the script and writes the drawing. */
+/* Writes the chart as CSV or as a script, or runs the script and writes the drawing. */
 static burnish_status write_chart(const plot_chart *chart, const plot_figure *figure,
                                   plot_format format, const char *path, burnish_error *error) {
     cli_output output;
@@ -326,7 +302,7 @@ static const plot_figure *find_figure(const char *name, burnish_error *error) {
     return NULL;
 }
 
-/* What the ending of a file's name asks for; FORMAT_NONE for an ending that isn't known. */
+/* The format for a file extension; FORMAT_NONE: unknown. */
 static plot_format format_of_path(const char *path, plot_format drawing) {
     const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
     if (!dot || strcmp(path, "-") == 0) {

@@ -1,5 +1,5 @@
-/* The subcommand `lobe plot`: from a figure's name to numbers, from numbers to CSV, or by gnuplot
- * and the scripts in figures/ to SVG and PNG. */
+/* The subcommand `lobe plot`: computes a figure and writes it as CSV or, with gnuplot and the
+ * scripts in figures/, as SVG and PNG. */
 #ifndef TOOL_PLOT_PLOT_H
 #define TOOL_PLOT_PLOT_H
 
@@ -16,13 +16,13 @@ enum {
     PLOT_TEXT_SIZE = 96
 };
 
-/* Colours, as numbers of the list of inks in figures/style.gp. */
+/* Colours: indices into the list of inks in figures/style.gp. */
 typedef enum plot_ink {
     PLOT_INK_TEXT = 1,
     PLOT_INK_AXIS = 2,
-    PLOT_INK_REFERENCE = 5, /* the power */
+    PLOT_INK_REFERENCE = 5, /* cos^n */
     PLOT_INK_LOBE = 6,      /* the first of seven hues for lobes */
-    PLOT_INK_RAMP = 13,     /* the first of eight steps for numbers */
+    PLOT_INK_RAMP = 13,     /* the first of eight steps for ordered numbers */
     PLOT_RAMP_INKS = 8
 } plot_ink;
 
@@ -40,14 +40,14 @@ typedef struct plot_series {
     char name[PLOT_TEXT_SIZE]; /* for the CSV */
     char text[PLOT_TEXT_SIZE]; /* for the figure, gnuplot's enhanced text; "" for none */
     int ink;
-    int dash; /* plot_dash, or what the figure's script takes it for */
+    int dash; /* plot_dash, or defined by the figure's script */
     size_t count;
     double x[PLOT_POINTS], y[PLOT_POINTS]; /* y NaN: a gap */
 } plot_series;
 
 typedef struct plot_chart {
     const char *name, *title;
-    char condition[PLOT_TEXT_SIZE];  /* what holds for all curves, after the title of y */
+    char condition[PLOT_TEXT_SIZE];  /* appended to the title of y */
     const char *x_column, *y_column; /* headings in the CSV */
     double x_low, x_high;            /* of the axis */
     int width, height;               /* px */
@@ -62,18 +62,18 @@ typedef struct plot_list {
     double low, high; /* the least and the greatest */
 } plot_list;
 
-/* What a figure is drawn for. */
+/* The parameters of a figure. */
 typedef struct plot_request {
     plot_list exponents, bits;
     lobe_names lobes; /* at most PLOT_LIST_MAX */
     int width, height;
-    int lenient; /* 1: lobes or exponents are the figure's own, which need not all fit the others */
+    int lenient; /* 1: defaults of the figure: skip lobes that do not exist for an exponent */
 } plot_request;
 
-/* What a figure plots for one lobe: over the angle x in degrees, or for 2^-x where it has bits. */
+/* The value to plot for a lobe at angle x in degrees or, for figures with bits, at 2^-x. */
 typedef double plot_metric(const burnish_theory_model *model, double x);
 
-/* What the axis is; --exponents and --bits are then curves or the ends of the axis. */
+/* The x axis. Its flag gives the ends; other flags select curves. */
 typedef enum plot_axis {
     PLOT_AXIS_ANGLES,
     PLOT_AXIS_EXPONENTS,
@@ -81,7 +81,7 @@ typedef enum plot_axis {
     PLOT_AXIS_NONE  /* the figures cost and object: one exponent only */
 } plot_axis;
 
-/* One figure. Defaults are lists as the flags read them; NULL: the figure has no use for the flag.
+/* One figure. Defaults have the syntax of the flags; NULL: the figure ignores the flag.
  */
 typedef struct plot_figure {
     const char *name, *title;
@@ -91,14 +91,14 @@ typedef struct plot_figure {
     int width, height; /* px; 0: 720 x 440 */
     const char *y_column;
     plot_metric *measure; /* NULL: see PLOT_AXIS_NONE */
-    plot_metric *points;  /* the same found in another way, drawn as points; or NULL */
+    plot_metric *points;  /* the same by another method, drawn as points; or NULL */
     double least_angle;   /* degrees at the left end of a logarithmic axis of angles; 0: linear */
-    int is_narrow;        /* 1: over the angle, more points where narrow lobes end */
-    int has_paper_names;  /* 1: lobes are called as the paper does */
+    int is_narrow;        /* 1: more points at the ends of narrow lobes */
+    int has_paper_names;  /* 1: use the paper's names of lobes */
     int is_ordered;       /* 1: the lobes are an ordered set */
 } plot_figure;
 
-/* The curves of a figure, into a chart that is zero but for name, title, size and the column of y.
+/* Fills a chart, in which only name, title, size and y_column are set, with the curves of a figure.
  * Errors: ARGUMENT for a lobe that does not exist for an exponent, or too many curves. */
 burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
                          burnish_error *error);
@@ -110,10 +110,10 @@ burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart, bu
 burnish_status plot_make_model(const char *word, double exponent, burnish_theory_model *model,
                                burnish_error *error);
 
-/* One more curve, of zeros; NULL with an error where there are PLOT_SERIES_MAX. */
+/* Adds an empty curve; NULL with an error after PLOT_SERIES_MAX. */
 plot_series *plot_add_series(plot_chart *chart, burnish_error *error);
 
-/* A figure for one exponent says which, after the title of y. */
+/* Appends the exponent of a figure for one exponent to the title of y. */
 void plot_state_exponent(const plot_request *request, plot_chart *chart);
 
 /* All figures; `index` past the end gives NULL. */
@@ -127,7 +127,7 @@ typedef struct plot_script {
 
 extern const plot_script plot_scripts[]; /* a NULL name ends them */
 
-/* Writes the points as CSV, or the script that makes gnuplot draw them on standard output. */
+/* Writes the points as CSV, or the gnuplot script that draws them to standard output. */
 void plot_write_data(const plot_chart *chart, FILE *file);
 void plot_write_script(const plot_chart *chart, const plot_figure *figure, int is_png, FILE *file);
 
@@ -135,11 +135,11 @@ void plot_write_script(const plot_chart *chart, const plot_figure *figure, int i
 burnish_status plot_run(const char *script, size_t length, char **drawing, size_t *size,
                         burnish_error *error);
 
-/* Gives an SVG of gnuplot's its title and a style sheet for dark pages; *svg is replaced. */
+/* Adds a title and a style sheet for dark pages to gnuplot's SVG; replaces *svg. */
 burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, burnish_error *error);
 
-/* The figure `object`: an object shaded with each lobe and how each differs from the first, as PNG,
- * or with data 1 the differences as CSV. */
+/* The figure `object`: an object shaded with each lobe, and the differences from the first, as PNG;
+ * with data 1, the differences as CSV. */
 burnish_status plot_object(const plot_request *request, int data, const char *path,
                            burnish_error *error);
 

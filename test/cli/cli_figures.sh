@@ -143,7 +143,7 @@ with_gnuplot() {
     burnish=$real
     rm -r "$out.tools"
 }
-with_gnuplot "" "not found, and it draws the figures; install it (Debian: gnuplot-nox), or take --format=gp to another machine, or --format=csv"
+with_gnuplot "" "not found, but needed to draw figures; install it (Debian: gnuplot-nox), or take --format=gp to another machine, or --format=csv"
 with_gnuplot 'echo "    line 7: out of luck" >&2; exit 1' "failed: line 7: out of luck; version 5.4 is known to work"
 with_gnuplot 'read -r line' "wrote no drawing; version 5.4 is known to work"
 nothing_left "a gnuplot that fails"

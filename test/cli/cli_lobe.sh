@@ -167,13 +167,13 @@ expect 2 'burnish: --metric: unknown flag; did you mean --metrics?' lobe table -
 expect 2 'burnish: --metrics: "zetta": unknown metric; did you mean zeta?' lobe table --metrics=zetta
 expect 2 'burnish: --metrics: "frobnicate": unknown metric; "burnish help --man" lists them' lobe table --metrics=zeta,frobnicate
 expect 2 'burnish: --metrics: "angle:0": angle takes bits above 0 and up to 1024, as in angle:8' lobe table --metrics=angle:0
-expect 2 'burnish: --metrics: "zeta:2": zeta takes no number; leave out what follows the colon' lobe table --metrics=zeta:2
+expect 2 'burnish: --metrics: "zeta:2": zeta takes no number; remove the text after the colon' lobe table --metrics=zeta:2
 expect 2 'burnish: --exponents: "0" is not an exponent from 1 to 65536, nor a range such as 1-1023, 10-100:10 or 2-1024x2' lobe table --exponents=0
 expect 2 'burnish: --exponents: "9-3" is not an exponent from 1 to 65536, nor a range such as 1-1023, 10-100:10 or 2-1024x2' lobe table --exponents=9-3
 expect 2 'burnish: --exponents: more than 65536 exponents; give fewer or wider steps' lobe table --exponents=1-65536:0.001
 expect 2 'burnish: --range: "level:2" is not all, inflection, nor level:L with L between 0 and 1, such as level:0.5' lobe table --range=level:2
 expect 2 'burnish: --format: "xml" is not one of text, csv, json, markdown' lobe table --format=xml
-expect 5 'burnish: lobe table: 458752 rows of 14 columns are more than 4194304 cells; ask for fewer lobes, exponents or metrics' lobe table --exponents=1-65536
+expect 5 'burnish: lobe table: 458752 rows of 14 columns are more than 4194304 cells; use fewer lobes, exponents or metrics' lobe table --exponents=1-65536
 expect 2 'burnish: lobe claims: "core": unknown claim; did you mean core-w?' lobe claims core
 expect 2 'burnish: lobe claims: "b" is an extra operand; usage: burnish lobe claims [ID] [options]' lobe claims a b
 expect 2 'burnish: lobe choose: --exponent is missing; try "burnish lobe choose --exponent=100 --epsilon=0.02"' lobe choose

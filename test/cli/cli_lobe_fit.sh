@@ -115,26 +115,26 @@ bad 4 ':3: the intensity "x" is not a number' '0,1\n5,0.5\n9,x\n'
 bad 4 ':3: the angle "" is not a number' '0,1\n5,0.5\n,2\n'
 bad 4 ':2: 1 field; give two: angle and intensity' '0,1\n5\n9,2\n'
 bad 4 ':2: 3 fields; give two: angle and intensity' '0,1\n5,2,3\n9,2\n'
-bad 4 ':1: the angle "0,5" is not a number; write numbers with a point' '0,5;1\n'
+bad 4 ':1: the angle "0,5" is not a number; write numbers with a decimal point' '0,5;1\n'
 bad 4 ':2: the angle "nan" is not a number' '0,1\nnan,1\n'
 bad 4 ':2: the intensity "inf" is not a number' '0,1\n1,inf\n'
 bad 4 ':2: the intensity "0x10" is not a number' '0,1\n1,0x10\n'
 bad 4 ':2: the angle "c" is not a number' 'a,b\nc,d\n'
 bad 4 ':1: the angle 200 is not from -180 to 180 degrees; is --unit right?' '200,1\n'
-bad 4 ':1: a zero byte: this is no text; give CSV with angle and intensity' '\000\001'
+bad 4 ':1: a zero byte: not a text file; give CSV with angle and intensity' '\000\001'
 bad 4 ': all samples are at one angle; a fit needs several' '5,1\n5,2\n5,3\n'
-bad 4 ': every intensity is 0; there is no lobe to fit' '1,0\n2,0\n3,0\n'
-hopeless=': no lobe fits: every one leaves more than half of the variation; does the intensity fall with the angle, is --unit right, is there an --offset?'
+bad 4 ': every intensity is 0; a fit needs positive ones' '1,0\n2,0\n3,0\n'
+hopeless=': no lobe explains half of the variation; check that the intensity falls with the angle, check --unit, or try --offset'
 bad 4 "$hopeless" '0,1\n10,1\n20,1\n30,1\n'
 bad 4 "$hopeless" '0,1\n10,2\n20,3\n30,4\n40,9\n'
 bad 4 "$hopeless" '0,-1\n10,-2\n20,-3\n30,-1\n'
 printf '2,1\n' >bad.csv
-expect 4 'burnish: bad.csv:1: the cosine 2 is not from -1 to 1; say --unit=deg or rad for angles' lobe fit bad.csv --unit=cosine
+expect 4 'burnish: bad.csv:1: the cosine 2 is not from -1 to 1; use --unit=deg or rad for angles' lobe fit bad.csv --unit=cosine
 printf '0,1\n5,.5\n9,.1\n' >bad.csv
 expect 4 'burnish: bad.csv: 3 samples; a fit with --offset needs 4 at least' lobe fit bad.csv --offset
 head -c 5000 /dev/zero | tr '\0' 1 >bad.csv
-expect 4 'burnish: bad.csv:1: the line is longer than 4095 bytes; give angle and intensity, a pair a line' lobe fit bad.csv
-expect 4 'burnish: /dev/zero:1: a zero byte: this is no text; give CSV with angle and intensity' lobe fit /dev/zero
+expect 4 'burnish: bad.csv:1: the line is longer than 4095 bytes; give angle and intensity, one pair per line' lobe fit bad.csv
+expect 4 'burnish: /dev/zero:1: a zero byte: not a text file; give CSV with angle and intensity' lobe fit /dev/zero
 awk 'BEGIN { for (i = 0; i <= 1000000; ++i) print "1,1" }' >bad.csv
 expect 5 'burnish: bad.csv:1000001: more than 1000000 samples; give fewer' lobe fit bad.csv
 rm bad.csv
