@@ -426,7 +426,7 @@ burnish_status burnish_mesh_load(const char *path, const burnish_load_options *o
         return status;
     }
     if (!path) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "path: NULL; pass one");
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "path: NULL; pass a path");
     }
     const burnish_environment before = burnish_environment_enter();
     status = *path == ':' ? load_builtin(path, options, mesh, error)
@@ -465,7 +465,7 @@ burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const ch
                                                           ? (burnish_file_loader){0}
                                                           : options->referenced_files};
     if (!bytes && size > 0) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "bytes: NULL; pass some");
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "bytes: NULL; pass the bytes");
     }
     if (size > options->max_input_bytes) {
         return fail_size(error, input.name, options->max_input_bytes);

@@ -91,7 +91,8 @@ static burnish_status check_options(const burnish_load_options *options, burnish
 burnish_status burnish_check_load(const burnish_load_options *options, burnish_mesh **mesh,
                                   burnish_error *error) {
     if (!mesh) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "mesh: NULL; pass where to put it");
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "mesh: NULL; pass the address of a mesh pointer");
     }
     *mesh = NULL;
     if (!options) {

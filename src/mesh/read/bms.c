@@ -223,7 +223,7 @@ static burnish_status read_texture(bms_state *s, size_t number, size_t *damaged)
         return fail(s, head, "a texture of an unknown kind, or with a name of 4096 bytes or more");
     }
     if (padded(name_size) + padded(texture.size) > left(s)) {
-        return fail(s, head, "a texture goes beyond the end of the stream");
+        return fail(s, head, "a texture extends beyond the end of the stream");
     }
     if (texture.kind == BURNISH_BMS_PIXELS &&
         (texture.width < 1 || texture.width > BURNISH_TEXTURE_SIZE_MAX || texture.height < 1 ||
@@ -313,7 +313,7 @@ static burnish_status read_material(bms_state *s, size_t number) {
         if (!read_use(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot, strength,
                       &material->textures[slot])) {
             return fail(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot,
-                        "a material uses a texture that is not there, or in an unknown way");
+                        "a material uses a missing texture, or in an unknown way");
         }
     }
     snprintf(name, sizeof name, "material %zu", number);
@@ -449,7 +449,7 @@ static burnish_status check_rest(const bms_state *s) {
                ? BURNISH_STATUS_OK
                : burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, s->next,
                                      "%zu bytes are left for materials, vertices and triangles, "
-                                     "which have %llu; the stream is damaged",
+                                     "which need %llu; the stream is damaged",
                                      left(s), (unsigned long long)rest);
 }
 

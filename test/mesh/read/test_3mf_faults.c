@@ -9,7 +9,7 @@ static const struct {
 } refused[] = {
     {MODEL("<object id='1'>" MESH "</object>", "<item objectid='2'/>"),
      "no triangles are built; export the model's meshes"},
-    {MODEL_OF("unit='yard'", "", ITEM_1), "3D/a.model:2: unit \"yard\" is none of micron, "
+    {MODEL_OF("unit='yard'", "", ITEM_1), "3D/a.model:2: unit \"yard\" is not one of micron, "
                                           "millimeter, centimeter, inch, foot, meter"},
     {MODEL_OF("xmlns:d='http://x.com/displacement/2022' requiredextensions='p d'", "", ITEM_1),
      "3D/a.model:2: the model can't be drawn without the extension "

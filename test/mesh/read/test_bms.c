@@ -198,7 +198,7 @@ static void test_messages(void) {
          "a: byte 16: the stream states 572 bytes and needs at least 154618822992 for its counts, "
          "but has 572; it is truncated or damaged"},
         {BURNISH_BMS_AT_VERTICES, 3,
-         "a: byte 108: 464 bytes are left for materials, vertices and triangles, which have 428; "
+         "a: byte 108: 464 bytes are left for materials, vertices and triangles, which need 428; "
          "the stream is damaged"},
         {BURNISH_BMS_AT_TRIANGLES, 11,
          "a: byte 28: more than 10 triangles; raise the limit or simplify the mesh"},
@@ -211,7 +211,8 @@ static void test_messages(void) {
          "a: byte 64: a texture of an unknown kind, or with a name of 4096 bytes or more"},
         {s.textures_at + 16, 4096,
          "a: byte 64: a texture of an unknown kind, or with a name of 4096 bytes or more"},
-        {s.textures_at + 20, 0xffffffff, "a: byte 64: a texture goes beyond the end of the stream"},
+        {s.textures_at + 20, 0xffffffff,
+         "a: byte 64: a texture extends beyond the end of the stream"},
         {s.textures_at + 8, 0x40000002,
          "a: byte 64: a texture whose size does not match its pixels"},
         {s.materials_at + 4, 0xbf800000,
@@ -219,9 +220,9 @@ static void test_messages(void) {
         {s.materials_at + BURNISH_BMS_AT_EXPONENT, 0x7fc00000,
          "a: byte 108: material 0: exponent is nan, not in [1, 65536]"},
         {s.materials_at + BURNISH_BMS_AT_SLOTS, 2,
-         "a: byte 184: a material uses a texture that is not there, or in an unknown way"},
+         "a: byte 184: a material uses a missing texture, or in an unknown way"},
         {s.materials_at + BURNISH_BMS_AT_SLOTS + 4, 3,
-         "a: byte 184: a material uses a texture that is not there, or in an unknown way"},
+         "a: byte 184: a material uses a missing texture, or in an unknown way"},
         {s.vertices_at + 16, 0x7f800000,
          "a: byte 412: position 1 is not finite; the stream is damaged"},
         {s.indices_at + 8, 4,

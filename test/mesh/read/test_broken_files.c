@@ -482,7 +482,7 @@ static void test_files(void) {
                "options: not initialised; start from burnish_load_options_default()");
     CHECK1(burnish_mesh_load("x", &options, NULL, NULL) == BURNISH_STATUS_ARGUMENT);
     options = burnish_load_options_default();
-    check_load(NULL, &options, BURNISH_STATUS_ARGUMENT, "path: NULL; pass one");
+    check_load(NULL, &options, BURNISH_STATUS_ARGUMENT, "path: NULL; pass a path");
     remove("empty.stl"), remove("note.txt"), remove("bad.mtl"), remove("bad.obj");
     remove("pipe.mtl"), remove("pipe.obj");
     CHECK1(chdir("/") == 0 && rmdir(folder) == 0);

@@ -166,7 +166,7 @@ static ahead_picture *find_ahead(struct burnish_texture_names *names, const char
 
 static int count_file(burnish_reader *reader, uint64_t key, uint64_t size, burnish_error *why) {
     return burnish_budget_companion(reader, key, size) ||
-           (burnish_fail(why, BURNISH_STATUS_LIMIT, "its file is named too often"), 0);
+           (burnish_fail(why, BURNISH_STATUS_LIMIT, "its file is referenced too often"), 0);
 }
 
 /* Takes the result of decoding ahead. Returns 0 if the picture must be decoded now. */

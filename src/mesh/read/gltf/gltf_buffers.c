@@ -114,7 +114,7 @@ static int load_file(burnish_gltf *gltf, uint32_t uri, const char *name, uint64_
     if (!burnish_budget_companion(gltf->reader, burnish_companion_key(name), size)) {
         return burnish_gltf_is_fine(gltf) &&
                burnish_gltf_fail(gltf, BURNISH_STATUS_LIMIT, uri,
-                                 "names the file %s too often; let buffers share it",
+                                 "refers to the file %s too often; let buffers share it",
                                  burnish_show_name(name).text);
     }
     return 1;

@@ -81,7 +81,7 @@ static void begin_model(model_state *model, burnish_threemf_xml *xml,
     if (!mesh->unit) {
         burnish_threemf_fail(
             xml, BURNISH_STATUS_FORMAT,
-            "unit \"%.40s\" is none of micron, millimeter, centimeter, inch, foot, "
+            "unit \"%.40s\" is not one of micron, millimeter, centimeter, inch, foot, "
             "meter",
             unit);
     }
