@@ -8,24 +8,13 @@
 #include "burnish/core.h"
 
 /* The functions that are used. */
-#define VIEW_SDL_CALLS(X)                                                                          \
-    X(SDL_CreateSystemCursor)                                                                      \
-    X(SDL_CreateWindow)                                                                            \
-    X(SDL_GetCurrentVideoDriver)                                                                   \
-    X(SDL_GetError)                                                                                \
-    X(SDL_GetWindowSurface)                                                                        \
-    X(SDL_Init)                                                                                    \
-    X(SDL_PeepEvents)                                                                              \
-    X(SDL_PollEvent)                                                                               \
-    X(SDL_PumpEvents)                                                                              \
-    X(SDL_SetCursor)                                                                               \
-    X(SDL_SetHint)                                                                                 \
-    X(SDL_SetWindowFullscreen)                                                                     \
-    X(SDL_SetWindowMinimumSize)                                                                    \
-    X(SDL_SetWindowTitle)                                                                          \
-    X(SDL_UpdateWindowSurface)                                                                     \
-    X(SDL_WaitEventTimeout)                                                                        \
-    X(SDL_free)
+/* clang-format off */
+#define VIEW_SDL_CALLS(X) \
+    X(SDL_CreateSystemCursor) X(SDL_CreateWindow) X(SDL_GetCurrentVideoDriver) X(SDL_GetError) \
+    X(SDL_GetWindowSurface) X(SDL_Init) X(SDL_PeepEvents) X(SDL_PollEvent) X(SDL_PumpEvents) \
+    X(SDL_SetCursor) X(SDL_SetHint) X(SDL_SetWindowFullscreen) X(SDL_SetWindowMinimumSize) \
+    X(SDL_SetWindowTitle) X(SDL_UpdateWindowSurface) X(SDL_WaitEventTimeout) X(SDL_free)
+/* clang-format on */
 
 typedef struct view_sdl_calls {
 #define VIEW_SDL_POINTER(name) __typeof__(name) *name;
