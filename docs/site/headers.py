@@ -45,7 +45,7 @@ class Item:
 
 def is_public(name):
     """Macros that spell attributes are private to a header, and so is what it takes from one that it includes."""
-    return not (name.endswith("_INLINE") or name in ("BURNISH_API", "BURNISH_Q15_AVR"))
+    return not (name.endswith("_INLINE") or name in ("BURNISH_API", "BURNISH_THEORY_API", "BURNISH_Q15_AVR"))
 
 
 def items_of(text):
@@ -341,7 +341,7 @@ def take_definitions(lines, names):
 
 def signature(declaration):
     """Without what only compilers read; one parameter a line if it is long."""
-    text = " ".join(re.sub(rf"BURNISH_API |{INLINE} ?", "", declaration).split()).replace("( ", "(")
+    text = " ".join(re.sub(rf"BURNISH_(?:THEORY_)?API |{INLINE} ?", "", declaration).split()).replace("( ", "(")
     parts = re.match(r"(.*?\()(.*)\);$", text) if len(text) > 76 else None
     return f"{parts[1]}\n    " + parts[2].replace(", ", ",\n    ") + ");" if parts else text
 

@@ -67,8 +67,12 @@ typedef struct burnish_lobe_spec {
 BURNISH_API burnish_status burnish_lobe_spec_parse(const char *text, burnish_lobe_spec *lobe,
                                                    burnish_error *error);
 
+/* burnish_lobe_spec_parse, which also accepts the lobes that only theory.h evaluates. */
+BURNISH_API burnish_status burnish_lobe_spec_parse_any(const char *text, burnish_lobe_spec *lobe,
+                                                       burnish_error *error);
+
 /* Writes the words that burnish_lobe_spec_parse (for the lobes of theory.h:
- * burnish_theory_model_parse) reads back as the same lobe, the parameter to 15 digits; "unknown"
+ * burnish_lobe_spec_parse_any) reads back as the same lobe, the parameter to 15 digits; "unknown"
  * for a lobe without words.
  *   lobe  not NULL
  *   text  receives the words, cut to size

@@ -33,25 +33,32 @@
 extern "C" {
 #endif
 
+/* Functions of libburnish_theory, a static library on every system. */
+#if defined(__GNUC__) && !defined(_WIN32)
+#define BURNISH_THEORY_API __attribute__((visibility("default")))
+#else
+#define BURNISH_THEORY_API
+#endif
+
 /* Values of the lobes in double precision, references for the float ones. All take any double for c
  * (<= 0 gives 0 except for the family and the Gaussian, > 1 counts as 1, NaN gives 0), return a
  * value in [0, 1], and give 0 for a NaN parameter. Absolute error below 1e-14, relative error below
  * 1e-12 where the value is at least 1e-6. The power and the Gaussian use the C library. */
 
 /* max(0, 1 - zeta (1 - c))^order; zeta >= 0; an order that does not exist gives 0. */
-BURNISH_API double burnish_theory_family(double zeta, int order, double cosine);
+BURNISH_THEORY_API double burnish_theory_family(double zeta, int order, double cosine);
 
 /* cosine^exponent, exponent >= 0: 0 for c <= 0 even at exponent 0, 1 for c > 0 there. */
-BURNISH_API double burnish_theory_power(double cosine, double exponent);
+BURNISH_THEORY_API double burnish_theory_power(double cosine, double exponent);
 
 /* c / (n - n c + c), exponent >= 1. Source: Schlick 1994. */
-BURNISH_API double burnish_theory_schlick(double cosine, double exponent);
+BURNISH_THEORY_API double burnish_theory_schlick(double cosine, double exponent);
 
 /* exp(-(n + .775) (1 - c)), exponent >= 0: the spherical Gaussian. Source: Lagarde 2012. */
-BURNISH_API double burnish_theory_gaussian(double cosine, double exponent);
+BURNISH_THEORY_API double burnish_theory_gaussian(double cosine, double exponent);
 
 /* c^2 / (n/2 + (1 - n/2) c^2), exponent > 0: the GameCube's lobe. */
-BURNISH_API double burnish_theory_gx(double cosine, double exponent);
+BURNISH_THEORY_API double burnish_theory_gx(double cosine, double exponent);
 
 /* ---- Models ----
  *
@@ -82,9 +89,9 @@ typedef struct burnish_theory_model {
  *   exponent  n: [1, 65536]; for FAMILY and LYON as for burnish_lobe_solve
  * Errors: those of burnish_lobe_solve, ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for
  * a table's number of entries. */
-BURNISH_API burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
-                                                            const burnish_lobe_spec *lobe,
-                                                            double exponent);
+BURNISH_THEORY_API burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
+                                                                   const burnish_lobe_spec *lobe,
+                                                                   double exponent);
 
 /* The same from words: those of burnish_lobe_spec_parse, and nv2x, kuijk-blake, tableN,
  * tableN:nearest, tableN:linear (N entries). burnish_lobe_spec_name writes them.
@@ -93,9 +100,9 @@ BURNISH_API burnish_lobe_status burnish_theory_model_create(burnish_theory_model
  *   model     becomes the lobe; as it was on error; not NULL
  *   error     receives the one line of an error; may be NULL
  * Errors: ARGUMENT. */
-BURNISH_API burnish_status burnish_theory_model_parse(const char *text, double exponent,
-                                                      burnish_theory_model *model,
-                                                      burnish_error *error);
+BURNISH_THEORY_API burnish_status burnish_theory_model_parse(const char *text, double exponent,
+                                                             burnish_theory_model *model,
+                                                             burnish_error *error);
 
 /* ---- Values ----
  *
@@ -104,66 +111,70 @@ BURNISH_API burnish_status burnish_theory_model_parse(const char *text, double e
 
 /* The lobe at 1 - cosine, the form that stays exact for large exponents.
  *   lambda  any number; <= 0 counts as 0, NaN gives 0 */
-BURNISH_API double burnish_theory_value_at_lambda(const burnish_theory_model *model, double lambda);
+BURNISH_THEORY_API double burnish_theory_value_at_lambda(const burnish_theory_model *model,
+                                                         double lambda);
 
 /* The lobe at a cosine; > 1 counts as 1, NaN gives 0. */
-BURNISH_API double burnish_theory_value(const burnish_theory_model *model, double cosine);
+BURNISH_THEORY_API double burnish_theory_value(const burnish_theory_model *model, double cosine);
 
 /* The lobe at an angle in radians, [0, pi]. */
-BURNISH_API double burnish_theory_value_at_angle(const burnish_theory_model *model, double angle);
+BURNISH_THEORY_API double burnish_theory_value_at_angle(const burnish_theory_model *model,
+                                                        double angle);
 
 /* Value, first and second derivative in the angle, for an angle in [0, pi]. Where the lobe has a
  * corner or a step (its zero, table nodes), the values of the side towards the peak. For m = 2:
  * W' = -2 zeta sin(x) u, W'' = 2 zeta^2 sin^2(x) - 2 zeta cos(x) u.
  *   derivatives  receives the three numbers; not NULL */
-BURNISH_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
-                                            double derivatives[3]);
+BURNISH_THEORY_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
+                                                   double derivatives[3]);
 
 /* Radius of curvature of the curve over the angle, the paper's R(x): (1 + S'^2)^(3/2) / abs(S''),
  * S' and S'' being the derivatives above, both axes with the same unit (1 radian, 1 of the value).
  * A small radius is a sharp bend. 1/(m zeta) at the peak of the family, 1/n at the power's.
  * Infinity where S'' is 0: at an inflection, where the lobe is 0, between nodes of a table. angle
  * [0, pi] */
-BURNISH_API double burnish_theory_curvature_radius(const burnish_theory_model *model, double angle);
+BURNISH_THEORY_API double burnish_theory_curvature_radius(const burnish_theory_model *model,
+                                                          double angle);
 
 /* Lyon's approximation of 1/sqrt(s) near 1: 1 + e/2 + 3 e^2/8, e = 1 - s. Source: Lyon 1993. */
-BURNISH_API double burnish_theory_lyon_normalize_factor(double s);
+BURNISH_THEORY_API double burnish_theory_lyon_normalize_factor(double s);
 
 /* Lyon's lobe of two vectors that are nearly of unit length, both scaled by that factor. 0 for an
  * order or exponent without a lobe. */
-BURNISH_API double burnish_theory_lyon_vectors(const double a[3], const double b[3],
-                                               double exponent, int order);
+BURNISH_THEORY_API double burnish_theory_lyon_vectors(const double a[3], const double b[3],
+                                                      double exponent, int order);
 
 /* ---- Widths ---- */
 
 /* The smallest angle at which the lobe is 0 up to rounding: acos(1 - 1/zeta) for the family, pi/2
  * for power, schlick and gx, where a nearest table's lowest entry begins.
  * Returns NaN where there is none: the Gaussian, the family with zeta < 1/2. */
-BURNISH_API double burnish_theory_zero_angle(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_zero_angle(const burnish_theory_model *model);
 
 /* The cosine of that angle, computed directly: 1 - 1/zeta for the family, which is below -1 where
  * there is no zero (zeta < 1/2); NaN for the Gaussian. */
-BURNISH_API double burnish_theory_cutoff_cosine(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_cutoff_cosine(const burnish_theory_model *model);
 
 /* burnish_theory_curvature_radius where the curve reaches zero, seen from the peak, in closed form;
  * m = 2: 1 / (4 zeta - 2). Infinity where S'' is 0 (m >= 4, tables); NaN without a zero. */
-BURNISH_API double burnish_theory_zero_curvature_radius(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_zero_curvature_radius(const burnish_theory_model *model);
 
 /* Where cos^n has its inflection: acos(sqrt((n - 1) / n)). n >= 1, otherwise NaN. */
-BURNISH_API double burnish_theory_inflection_angle(double exponent);
+BURNISH_THEORY_API double burnish_theory_inflection_angle(double exponent);
 
 /* The smallest angle at which the lobe is at most a level, for instance 2^-q:
  * power acos(L^(1/n)); schlick acos(n / (1/L + n - 1)); family acos(1 - (1 - L^(1/m)) / zeta) ...
  *   level  [0, 1); 0 is burnish_theory_zero_angle
  * Returns 0 where the lobe's peak is not above the level, NaN where the lobe stays above it at
  * every angle, and for a level out of range. */
-BURNISH_API double burnish_theory_angle_at(const burnish_theory_model *model, double level);
+BURNISH_THEORY_API double burnish_theory_angle_at(const burnish_theory_model *model, double level);
 
 /* R: the angle at which the power reaches 2^-bits, divided by the angle at which the lobe does.
  * Above 1 the lobe ends sooner.
  *   bits  q > 0, need not be whole
  * NaN where the lobe never falls to that level. */
-BURNISH_API double burnish_theory_width_ratio(const burnish_theory_model *model, double bits);
+BURNISH_THEORY_API double burnish_theory_width_ratio(const burnish_theory_model *model,
+                                                     double bits);
 
 /* ---- Energy and sampling ----
  *
@@ -178,32 +189,33 @@ typedef enum burnish_theory_measure {
  * power, gaussian and tables, adaptive Gauss-Kronrod for the rest; relative error below
  * 1e-11. Family: 2 pi / (zeta (m+1)) and, for zeta >= 1, 2 pi (zeta (m+2) - 1) / (zeta^2
  * (m+1)(m+2)); power: 2 pi / (n+1), 2 pi / (n+2). */
-BURNISH_API double burnish_theory_integral(const burnish_theory_model *model,
-                                           burnish_theory_measure measure);
+BURNISH_THEORY_API double burnish_theory_integral(const burnish_theory_model *model,
+                                                  burnish_theory_measure measure);
 
 /* The part of that integral with cosines from `from` up to 1; from: [0, 1]. */
-BURNISH_API double burnish_theory_partial_integral(const burnish_theory_model *model,
-                                                   burnish_theory_measure measure, double from);
+BURNISH_THEORY_API double burnish_theory_partial_integral(const burnish_theory_model *model,
+                                                          burnish_theory_measure measure,
+                                                          double from);
 
 /* The factor with which a lobe never reflects more light than arrives, and exactly as much at
  * normal incidence: Phong, where c = R.V: 1 / (cosine-weighted integral). */
-BURNISH_API double burnish_theory_phong_factor(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_phong_factor(const burnish_theory_model *model);
 
 /* The same for Blinn, where c = N.H: 1 / (8 pi integral over h in [sqrt(1/2), 1] of
  * S(h) (2 h^2 - 1) h dh). For the power (n+2)(n+4) / (8 pi (2^(-n/2) + n)). */
-BURNISH_API double burnish_theory_blinn_factor(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_blinn_factor(const burnish_theory_model *model);
 
 /* The common approximation to that for the power: (n + 8) / (8 pi). */
-BURNISH_API double burnish_theory_blinn_factor_common(double exponent);
+BURNISH_THEORY_API double burnish_theory_blinn_factor_common(double exponent);
 
 /* The factor that makes the lobe a distribution of normals: 1 / (cosine-weighted integral), so that
  * D(h) (n.h) d omega integrates to 1. Power: (n + 2) / (2 pi). */
-BURNISH_API double burnish_theory_normal_factor(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_normal_factor(const burnish_theory_model *model);
 
 /* Density per steradian of directions drawn in proportion to the lobe, or to lobe times cosine:
  * S(c) / integral or S(c) c / integral; 0 below c = 0 and above 1. */
-BURNISH_API double burnish_theory_pdf(const burnish_theory_model *model,
-                                      burnish_theory_measure measure, double cosine);
+BURNISH_THEORY_API double burnish_theory_pdf(const burnish_theory_model *model,
+                                             burnish_theory_measure measure, double cosine);
 
 /* The cosine of a direction drawn with that density from a uniform number.
  * Exact closed forms for power, Gaussian over solid angle and the family: over solid angle
@@ -213,15 +225,15 @@ BURNISH_API double burnish_theory_pdf(const burnish_theory_model *model,
  *
  *   xi  [0, 1]; clamped
  * Returns a cosine in [0, 1]. */
-BURNISH_API double burnish_theory_sample_cosine(const burnish_theory_model *model,
-                                                burnish_theory_measure measure, double xi);
+BURNISH_THEORY_API double burnish_theory_sample_cosine(const burnish_theory_model *model,
+                                                       burnish_theory_measure measure, double xi);
 
 /* A direction around (0, 0, 1) with that density.
  *   xi         two uniform numbers in [0, 1): cosine, azimuth
  *   direction  receives a unit vector; not NULL */
-BURNISH_API void burnish_theory_sample_direction(const burnish_theory_model *model,
-                                                 burnish_theory_measure measure, const double xi[2],
-                                                 double direction[3]);
+BURNISH_THEORY_API void burnish_theory_sample_direction(const burnish_theory_model *model,
+                                                        burnish_theory_measure measure,
+                                                        const double xi[2], double direction[3]);
 
 /* ---- Errors against the power ---- */
 
@@ -246,55 +258,57 @@ typedef struct burnish_theory_difference {
  *   result  receives the numbers, all NaN for an end out of range; not NULL
  * Guarantees: maxima within 1e-9, angles where the error is within 1e-9 of the maximum; integral
  * and rms within 1e-8 relative where the maximum is above 1e-7. */
-BURNISH_API void burnish_theory_compare(const burnish_theory_model *model, double end,
-                                        burnish_theory_difference *result);
+BURNISH_THEORY_API void burnish_theory_compare(const burnish_theory_model *model, double end,
+                                               burnish_theory_difference *result);
 
 /* Only the largest absolute error, much faster, for a range as above. */
-BURNISH_API double burnish_theory_maximum_error(const burnish_theory_model *model, double end);
+BURNISH_THEORY_API double burnish_theory_maximum_error(const burnish_theory_model *model,
+                                                       double end);
 
 /* lobe / power - 1 at an angle; -1 where the lobe is 0, infinity where only the power is; 0 for the
  * power itself. */
-BURNISH_API double burnish_theory_relative_error(const burnish_theory_model *model, double angle);
+BURNISH_THEORY_API double burnish_theory_relative_error(const burnish_theory_model *model,
+                                                        double angle);
 
 /* Where the family's relative error has its extreme before it falls to -1 at the zero:
  * cos = n (zeta - 1) / (zeta (n - m)). energy, m = 2: tan = sqrt(2n + 1) / n; shift7:
  * tan = 2 sqrt(7n - 15) / (7n - 16). NaN for other lobes and where there is no such
  * angle (zeta <= 1, n <= m, zeta > n/m). */
-BURNISH_API double burnish_theory_extreme_angle(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_extreme_angle(const burnish_theory_model *model);
 
 /* The same angle by a search that does not use the formula: the maximum of lobe / power.
  * NaN where burnish_theory_extreme_angle is. */
-BURNISH_API double burnish_theory_extreme_angle_searched(const burnish_theory_model *model);
+BURNISH_THEORY_API double burnish_theory_extreme_angle_searched(const burnish_theory_model *model);
 
 /* ---- Exponents and roughness ---- */
 
 /* n = 2 / alpha^2 - 2: the power as a distribution of normals for a Beckmann or GGX alpha.
  * alpha: (0, 1]. Source: Walter et al. 2007. */
-BURNISH_API double burnish_theory_exponent_from_alpha(double alpha);
+BURNISH_THEORY_API double burnish_theory_exponent_from_alpha(double alpha);
 
 /* alpha = sqrt(2 / (n + 2)), n >= 0. */
-BURNISH_API double burnish_theory_alpha_from_exponent(double exponent);
+BURNISH_THEORY_API double burnish_theory_alpha_from_exponent(double exponent);
 
 /* With alpha = roughness^2, the perceptual roughness of most engines. */
-BURNISH_API double burnish_theory_exponent_from_roughness(double roughness);
-BURNISH_API double burnish_theory_roughness_from_exponent(double exponent);
+BURNISH_THEORY_API double burnish_theory_exponent_from_roughness(double roughness);
+BURNISH_THEORY_API double burnish_theory_roughness_from_exponent(double exponent);
 
 /* The Phong exponent whose highlight is about as wide as Blinn's: n / 4; and the inverse. */
-BURNISH_API double burnish_theory_phong_from_blinn(double exponent);
-BURNISH_API double burnish_theory_blinn_from_phong(double exponent);
+BURNISH_THEORY_API double burnish_theory_phong_from_blinn(double exponent);
+BURNISH_THEORY_API double burnish_theory_blinn_from_phong(double exponent);
 
 /* Toksvig's exponent for averaged normals: n l / (l + n (1 - l)).
  *   exponent  n >= 0
  *   length    l, the length of the mean of unit normals: [0, 1], clamped
  * Source: Toksvig 2005. */
-BURNISH_API double burnish_theory_toksvig_exponent(double exponent, double length);
+BURNISH_THEORY_API double burnish_theory_toksvig_exponent(double exponent, double length);
 
 /* The mean of unit normals, as in filtering a normal map.
  *   normals  count times three components; not NULL unless count is 0
  *   mean     receives the mean, not normalised; not NULL
  * Returns the mean's length, for burnish_theory_toksvig_exponent; 0 for count 0. */
-BURNISH_API double burnish_theory_mean_normal(const double (*normals)[3], size_t count,
-                                              double mean[3]);
+BURNISH_THEORY_API double burnish_theory_mean_normal(const double (*normals)[3], size_t count,
+                                                     double mean[3]);
 
 /* ---- Cost and choice ---- */
 
@@ -310,12 +324,12 @@ typedef struct burnish_theory_cost {
     long memory;         /* entries of that table */
 } burnish_theory_cost;
 
-BURNISH_API burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model);
+BURNISH_THEORY_API burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model);
 
 /* Which is cheaper: < 0 for a, > 0 for b, 0 for equal. Compares the transcendentals, then the
  * divisions, then the lookups, then multiplications, additions and comparisons together. */
-BURNISH_API int burnish_theory_cost_order(const burnish_theory_cost *a,
-                                          const burnish_theory_cost *b);
+BURNISH_THEORY_API int burnish_theory_cost_order(const burnish_theory_cost *a,
+                                                 const burnish_theory_cost *b);
 
 /* The cheapest lobe whose largest absolute error against the power, c in [0, 1], is at most
  * epsilon; of equally cheap ones the one with the least error. The power itself is a candidate, so
@@ -328,10 +342,10 @@ BURNISH_API int burnish_theory_cost_order(const burnish_theory_cost *a,
  *   maximum   receives its error; may be NULL
  *   error     receives the one line of an error; may be NULL
  * Errors: ARGUMENT. */
-BURNISH_API burnish_status burnish_theory_choose(double exponent, double epsilon, int affine,
-                                                 burnish_theory_model *model,
-                                                 burnish_theory_cost *cost, double *maximum,
-                                                 burnish_error *error);
+BURNISH_THEORY_API burnish_status burnish_theory_choose(double exponent, double epsilon, int affine,
+                                                        burnish_theory_model *model,
+                                                        burnish_theory_cost *cost, double *maximum,
+                                                        burnish_error *error);
 
 /* ---- The memory of boundary cosines ----
  *
@@ -340,10 +354,12 @@ BURNISH_API burnish_status burnish_theory_choose(double exponent, double epsilon
 /* The cosine at which the lobe has fallen to 2^-bits; bits 0: to zero, the cutoff cosine.
  *   bits  q: [0, 1024]
  * Clamped to [0, 1]: 0 where the lobe is brighter than that at every c > 0. NaN for other bits. */
-BURNISH_API double burnish_theory_boundary_cosine(const burnish_theory_model *model, double bits);
+BURNISH_THEORY_API double burnish_theory_boundary_cosine(const burnish_theory_model *model,
+                                                         double bits);
 
 /* 1 minus that cosine, exact for narrow lobes. */
-BURNISH_API double burnish_theory_boundary_lambda(const burnish_theory_model *model, double bits);
+BURNISH_THEORY_API double burnish_theory_boundary_lambda(const burnish_theory_model *model,
+                                                         double bits);
 
 typedef enum burnish_theory_rounding {
     BURNISH_THEORY_NEAREST, /* halves go up */
@@ -360,24 +376,25 @@ typedef struct burnish_theory_format {
 /* Reads "UQ0.15" (unsigned, 0 integer and 15 fraction bits), "Q0.15" (the same and a sign bit),
  * "Q15" or "UQ16" (no integer bits).
  * Errors: ARGUMENT for anything else, no bits, or more than 32 with the sign. */
-BURNISH_API burnish_status burnish_theory_format_parse(const char *text,
-                                                       burnish_theory_format *format,
-                                                       burnish_error *error);
+BURNISH_THEORY_API burnish_status burnish_theory_format_parse(const char *text,
+                                                              burnish_theory_format *format,
+                                                              burnish_error *error);
 
 /* Writes "UQ0.15" or "Q1.14"; size 16 is enough. */
-BURNISH_API void burnish_theory_format_name(const burnish_theory_format *format, char *text,
-                                            size_t size);
+BURNISH_THEORY_API void burnish_theory_format_name(const burnish_theory_format *format, char *text,
+                                                   size_t size);
 
 /* The width of a word in bits, the sign included. */
-BURNISH_API int burnish_theory_format_width(const burnish_theory_format *format);
+BURNISH_THEORY_API int burnish_theory_format_width(const burnish_theory_format *format);
 
 /* A number in that format: x 2^fraction_bits rounded as stated, then limited to the format's range,
  * so that 1 becomes the largest word of UQ0.15. NaN gives 0. */
-BURNISH_API int64_t burnish_theory_format_encode(const burnish_theory_format *format,
-                                                 burnish_theory_rounding rounding, double x);
+BURNISH_THEORY_API int64_t burnish_theory_format_encode(const burnish_theory_format *format,
+                                                        burnish_theory_rounding rounding, double x);
 
 /* The number that a word stands for. */
-BURNISH_API double burnish_theory_format_decode(const burnish_theory_format *format, int64_t word);
+BURNISH_THEORY_API double burnish_theory_format_decode(const burnish_theory_format *format,
+                                                       int64_t word);
 
 /* The contents of a memory. */
 typedef struct burnish_theory_memory {
@@ -394,9 +411,9 @@ typedef struct burnish_theory_memory {
  *   words             receives count words; not NULL unless count is 0
  *   error             receives the one line of an error; may be NULL
  * Errors: ARGUMENT. */
-BURNISH_API burnish_status burnish_theory_memory_fill(const burnish_theory_memory *memory,
-                                                      const double *exponents, size_t count,
-                                                      int64_t *words, burnish_error *error);
+BURNISH_THEORY_API burnish_status burnish_theory_memory_fill(const burnish_theory_memory *memory,
+                                                             const double *exponents, size_t count,
+                                                             int64_t *words, burnish_error *error);
 
 /* ---- The paper's claims ----
  *
@@ -414,7 +431,7 @@ typedef enum burnish_theory_verdict {
 } burnish_theory_verdict;
 
 /* "holds", "holds in part", "does not hold", "measured by benchmark", "counted in machine code". */
-BURNISH_API const char *burnish_theory_verdict_text(burnish_theory_verdict verdict);
+BURNISH_THEORY_API const char *burnish_theory_verdict_text(burnish_theory_verdict verdict);
 
 /* How the verdict follows from values and bound. */
 typedef enum burnish_theory_relation {
@@ -447,13 +464,14 @@ typedef struct burnish_theory_claim {
 } burnish_theory_claim;
 
 /* How many claims there are. */
-BURNISH_API size_t burnish_theory_claim_count(void);
+BURNISH_THEORY_API size_t burnish_theory_claim_count(void);
 
 /* Computes one claim; under a second each.
  *   index  [0, burnish_theory_claim_count())
  *   claim  receives it; its strings are static; not NULL
  * Errors: ARGUMENT for an index out of range. */
-BURNISH_API burnish_status burnish_theory_claim_compute(size_t index, burnish_theory_claim *claim);
+BURNISH_THEORY_API burnish_status burnish_theory_claim_compute(size_t index,
+                                                               burnish_theory_claim *claim);
 
 #ifdef __cplusplus
 }

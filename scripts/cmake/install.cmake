@@ -1,12 +1,13 @@
 # Installs program, libraries, headers, manual page, and the files by which other projects find them. The target
 # burnish_installed builds exactly that.
 include(CMakePackageConfigHelpers)
-add_custom_target(burnish_installed DEPENDS burnish)
+add_custom_target(burnish_installed DEPENDS burnish burnish_theory)
 
 install(DIRECTORY include/burnish DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/burnish/shaders
   PATTERN "*.shade" EXCLUDE)
 install(TARGETS burnish EXPORT burnish-static)
+install(TARGETS burnish_theory EXPORT burnish-theory)
 if(BURNISH_SHARED)
   install(TARGETS burnish_shared EXPORT burnish-shared)
   add_dependencies(burnish_installed burnish_shared)
@@ -15,6 +16,7 @@ endif()
 # For CMake: burnish::static, and burnish::burnish, which is the shared library if there is one.
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)
 install(EXPORT burnish-static NAMESPACE burnish:: DESTINATION ${package})
+install(EXPORT burnish-theory NAMESPACE burnish:: DESTINATION ${package})
 if(BURNISH_SHARED)
   install(EXPORT burnish-shared NAMESPACE burnish:: DESTINATION ${package})
 endif()
@@ -56,7 +58,8 @@ if(BURNISH_SHARED)
   set(BURNISH_PC_PRIVATE ".private")
 endif()
 configure_file(scripts/cmake/burnish.pc.in burnish.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/burnish.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+configure_file(scripts/cmake/burnish-theory.pc.in burnish-theory.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/burnish.pc ${CMAKE_CURRENT_BINARY_DIR}/burnish-theory.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 if(BURNISH_CLI)
   install(TARGETS burnish_cli)

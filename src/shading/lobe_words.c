@@ -178,8 +178,8 @@ burnish_status burnish_lobe_spec_parse(const char *text, burnish_lobe_spec *lobe
     return parse(text, 1, lobe, error);
 }
 
-burnish_status burnish_lobe_words_parse(const char *text, burnish_lobe_spec *lobe,
-                                        burnish_error *error) {
+burnish_status burnish_lobe_spec_parse_any(const char *text, burnish_lobe_spec *lobe,
+                                           burnish_error *error) {
     return parse(text, 0, lobe, error);
 }
 

@@ -4,10 +4,6 @@
 
 #include "burnish/shading.h"
 
-/* burnish_lobe_spec_parse for every lobe of the table. */
-burnish_status burnish_lobe_words_parse(const char *text, burnish_lobe_spec *lobe,
-                                        burnish_error *error);
-
 /* Whether kernels have the lobe. */
 static inline int burnish_lobe_is_drawn(burnish_lobe_kind kind) {
     return (unsigned)kind < BURNISH_LOBE_NV2X;

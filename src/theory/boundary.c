@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/error.h"
 #include "theory/internal.h"
 
 enum { MAX_WIDTH = 32 };
@@ -38,11 +37,12 @@ burnish_status burnish_theory_format_parse(const char *text, burnish_theory_form
     }
     if (malformed || *rest || read.integer_bits + read.fraction_bits == 0 ||
         burnish_theory_format_width(&read) > MAX_WIDTH) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "\"%.20s\" is not a fixed-point format; use UQ0.15 (unsigned, 0 "
-                            "integer and 15 fraction bits), Q0.15 (and a sign bit) or Q15, at most "
-                            "%d bits",
-                            text ? text : "", MAX_WIDTH);
+        return burnish_theory_fail(
+            error,
+            "\"%.20s\" is not a fixed-point format; use UQ0.15 (unsigned, 0 "
+            "integer and 15 fraction bits), Q0.15 (and a sign bit) or Q15, at most "
+            "%d bits",
+            text ? text : "", MAX_WIDTH);
     }
     *format = read;
     return BURNISH_STATUS_OK;
@@ -95,23 +95,23 @@ burnish_status burnish_theory_memory_fill(const burnish_theory_memory *memory,
                                           burnish_error *error) {
     int width = burnish_theory_format_width(&memory->format);
     if (!(memory->bits == 0 || (memory->bits >= 1 && memory->bits <= 1024))) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "boundary: %g threshold bits; use 1 to 1024, or 0 for the lobe's zero",
-                            memory->bits);
+        return burnish_theory_fail(
+            error, "boundary: %g threshold bits; use 1 to 1024, or 0 for the lobe's zero",
+            memory->bits);
     }
     if (memory->format.integer_bits < 0 || memory->format.fraction_bits < 0 || width < 1 ||
         width > MAX_WIDTH || (unsigned)memory->rounding > BURNISH_THEORY_UP) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "boundary: the format has %d bits or an unknown rounding; see "
-                            "burnish_theory_format_parse",
-                            width);
+        return burnish_theory_fail(error,
+                                   "boundary: the format has %d bits or an unknown rounding; see "
+                                   "burnish_theory_format_parse",
+                                   width);
     }
     for (size_t i = 0; i < count; ++i) {
         burnish_theory_model model;
         burnish_lobe_status status = model_for(&memory->lobe, exponents[i], &model);
         if (status != BURNISH_LOBE_OK) {
-            return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "boundary: exponent %g: %s",
-                                exponents[i], burnish_lobe_status_text(status));
+            return burnish_theory_fail(error, "boundary: exponent %g: %s", exponents[i],
+                                       burnish_lobe_status_text(status));
         }
         double x = memory->lambda ? burnish_theory_boundary_lambda(&model, memory->bits)
                                   : burnish_theory_boundary_cosine(&model, memory->bits);

@@ -1,7 +1,6 @@
 /* The cost of lobes, and the cheapest one within an error. */
 #include <math.h>
 
-#include "core/error.h"
 #include "theory/internal.h"
 
 burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model) {
@@ -92,14 +91,14 @@ burnish_status burnish_theory_choose(double exponent, double epsilon, int affine
                                      double *maximum, burnish_error *error) {
     choice best = {epsilon, 0, {.exponent = 0}, {0}};
     if (!model || !(epsilon > 0 && epsilon < 1)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "choose: the error allowed, %g, must be between 0 and 1", epsilon);
+        return burnish_theory_fail(error, "choose: the error allowed, %g, must be between 0 and 1",
+                                   epsilon);
     }
     burnish_lobe_status status = burnish_theory_model_create(
         &best.model, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}, exponent);
     if (status != BURNISH_LOBE_OK) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "choose: exponent %g: %s", exponent,
-                            burnish_lobe_status_text(status));
+        return burnish_theory_fail(error, "choose: exponent %g: %s", exponent,
+                                   burnish_lobe_status_text(status));
     }
     best.cost = burnish_theory_model_cost(&best.model);
     for (int i = 0; i < 10; ++i) { /* lower orders first: more expensive ones stop early */

@@ -6,6 +6,10 @@
 #include "core/arithmetic.h"
 #include "core/numbers.h"
 
+/* Fills *error, which may be NULL, and returns ARGUMENT. */
+__attribute__((format(printf, 2, 3))) burnish_status burnish_theory_fail(burnish_error *error,
+                                                                         const char *format, ...);
+
 /* c^n by lambda = 1 - c, exact to rounding where c is close to 1; 0 from lambda = 1 on. */
 double burnish_theory_power_at_lambda(double lambda, double exponent);
 

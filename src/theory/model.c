@@ -1,9 +1,19 @@
 /* Models: a lobe with its exponent. */
-#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 
-#include "core/error.h"
-#include "shading/lobe_words.h"
 #include "theory/internal.h"
+
+burnish_status burnish_theory_fail(burnish_error *error, const char *format, ...) {
+    if (error) {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(error->text, sizeof error->text, format, arguments);
+        va_end(arguments);
+        error->status = BURNISH_STATUS_ARGUMENT;
+    }
+    return BURNISH_STATUS_ARGUMENT;
+}
 
 static const burnish_theory_model NOTHING = {
     .lobe = {.kind = BURNISH_LOBE_POWER}, .exponent = 1, .scale = 1};
@@ -63,16 +73,16 @@ burnish_status burnish_theory_model_parse(const char *text, double exponent,
     burnish_lobe_spec lobe;
     burnish_theory_model made;
     if (!model) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: NULL; pass a text and a model");
+        return burnish_theory_fail(error, "lobe: NULL; pass a text and a model");
     }
-    burnish_status parsed = burnish_lobe_words_parse(text, &lobe, error);
+    burnish_status parsed = burnish_lobe_spec_parse_any(text, &lobe, error);
     if (parsed != BURNISH_STATUS_OK) {
         return parsed;
     }
     burnish_lobe_status status = burnish_theory_model_create(&made, &lobe, exponent);
     if (status != BURNISH_LOBE_OK) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe \"%.40s\" at exponent %g: %s",
-                            text, exponent, burnish_lobe_status_text(status));
+        return burnish_theory_fail(error, "lobe \"%.40s\" at exponent %g: %s", text, exponent,
+                                   burnish_lobe_status_text(status));
     }
     *model = made;
     return BURNISH_STATUS_OK;

@@ -13,7 +13,7 @@ static const struct layer {
 } LAYERS[] = {
     {"src/core", "burnish/core.h"},
     {"src/simd", "core burnish/core.h"},
-    {"src/theory", "core shading/lobe_words.h burnish/core.h burnish/lobe.h "
+    {"src/theory", "core/arithmetic.h core/numbers.h burnish/core.h burnish/lobe.h "
                    "burnish/shading.h burnish/theory.h"},
     {"src/shading", "core simd burnish/core.h burnish/kernels.h burnish/lobe.h "
                     "burnish/shading.h"},

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Runs the shaders for Metal and OSL as C++. Usage: stand_in.sh ARCHIVE SOURCE_DIR SCRATCH
+# Runs the shaders for Metal and OSL as C++. Usage: stand_in.sh "ARCHIVES" SOURCE_DIR SCRATCH
 set -eu
 command -v g++ >/dev/null || { echo "shaders: g++ is missing; run scripts/install-deps test"; exit 77; }
 mkdir -p "$3"
 for language in METAL OSL; do
     # in both languages a literal without a suffix is a float
     g++ -std=c++17 -O1 -ffp-contract=off -fsingle-precision-constant -Wall -Wextra -Werror -Wno-unused-function -D$language \
-        -I"$2/test/shaders" -I"$2/test/shaders/metal" -I"$2/shaders" -I"$2/include" "$2/test/shaders/stand_in.cc" "$1" -lm \
+        -I"$2/test/shaders" -I"$2/test/shaders/metal" -I"$2/shaders" -I"$2/include" "$2/test/shaders/stand_in.cc" $1 -lm \
         -o "$3/$language"
     "$3/$language" "$2/test/data/lobes.csv"
 done
