@@ -10,7 +10,7 @@ typedef struct image_object {
     Py_ssize_t strides[ARRAY_DIMENSIONS];
     uint64_t hash;
     uint64_t covered_pixels;
-    PyObject *camera, *warnings;
+    PyObject *camera, *planes, *warnings;
 } image_object;
 
 PyObject *image_warnings(const session *s) {
@@ -37,6 +37,38 @@ static PyObject *describe_camera(const burnish_camera *c) {
                          c->orthographic_height);
 }
 
+/* Adds a plane to a dictionary; its memoryview owns the items. */
+static int add_plane(const module_state *state, PyObject *planes, const char *name,
+                     const array_layout *layout) {
+    if (!layout->items) {
+        return 1;
+    }
+    PyObject *view = array_memoryview(state, NULL, layout);
+    const int done = view && PyDict_SetItemString(planes, name, view) == 0;
+    Py_XDECREF(view);
+    return done;
+}
+
+static PyObject *take_planes(const module_state *state, session *s, const burnish_image *image) {
+    const session_planes taken = session_take_planes(s);
+    const Py_ssize_t width = image->width, height = image->height;
+    const array_layout depth = {taken.depth, "f", sizeof(float), 2, {height, width}};
+    const array_layout normals = {taken.normals, "f", sizeof(float), 3, {height, width, 3}};
+    const array_layout triangles = {taken.triangles, "I", sizeof(uint32_t), 2, {height, width}};
+    const array_layout coverage = {taken.coverage, "B", 1, 2, {height, width}};
+    PyObject *planes = PyDict_New();
+    /* each call takes its memory, also after an error of another one */
+    const int done = planes ? add_plane(state, planes, "depth", &depth) &
+                                  add_plane(state, planes, "normal", &normals) &
+                                  add_plane(state, planes, "triangle", &triangles) &
+                                  add_plane(state, planes, "coverage", &coverage)
+                            : 0;
+    if (!done) {
+        Py_CLEAR(planes);
+    }
+    return planes;
+}
+
 PyObject *image_take(const module_state *state, session *s) {
     image_object *self = module_allocate(state->image_type);
     if (!self) {
@@ -54,8 +86,9 @@ PyObject *image_take(const module_state *state, session *s) {
         .shape = {self->image.height, self->image.width, self->image.channels},
     };
     self->camera = describe_camera(&camera);
+    self->planes = take_planes(state, s, &self->image);
     self->warnings = image_warnings(s);
-    if (!self->camera || !self->warnings) {
+    if (!self->camera || !self->planes || !self->warnings) {
         Py_DECREF(self);
         return NULL;
     }
@@ -66,6 +99,7 @@ static void destroy(PyObject *object) {
     image_object *self = (image_object *)object;
     burnish_image_destroy(&self->image);
     Py_XDECREF(self->camera);
+    Py_XDECREF(self->planes);
     Py_XDECREF(self->warnings);
     module_free(object);
 }
@@ -193,6 +227,11 @@ static PyObject *get_camera(PyObject *object, void *unused) {
     return PyDict_Copy(((image_object *)object)->camera);
 }
 
+static PyObject *get_planes(PyObject *object, void *unused) {
+    (void)unused;
+    return PyDict_Copy(((image_object *)object)->planes);
+}
+
 static PyObject *get_warnings(PyObject *object, void *unused) {
     (void)unused;
     return Py_NewRef(((image_object *)object)->warnings);
@@ -227,6 +266,13 @@ static PyGetSetDef properties[] = {
      "orthographic_height (0: perspective).",
      NULL},
     {"warnings", get_warnings, NULL, "Warnings about the mesh and the picture.", NULL},
+    {"planes", get_planes, NULL,
+     "A dictionary of the planes that render() was asked for: memoryviews for numpy.asarray().\n"
+     "depth     (height, width) of float32: distance along the camera's axis, infinity if empty\n"
+     "normal    (height, width, 3) of float32: unit normals in the mesh's axes, 0 if empty\n"
+     "triangle  (height, width) of uint32: indices into mesh.faces, 4294967295 if empty\n"
+     "coverage  (height, width) of uint8: 255 times the part of the pixel that shows something",
+     NULL},
     {"__array_interface__", get_interface, NULL, NULL, NULL},
     {0},
 };

@@ -272,15 +272,17 @@ static PyObject *draw(PyObject *object, PyObject *arguments) {
     mesh_object *self = (mesh_object *)object;
     const module_state *state = module_state_of(Py_TYPE(object));
     option_list options;
+    unsigned planes;
     burnish_error error = {0};
     burnish_status status;
-    if (!PyArg_ParseTuple(arguments, "O&", read_options, &options)) {
+    if (!PyArg_ParseTuple(arguments, "IO&", &planes, read_options, &options)) {
         return NULL;
     }
     if (!enter(self)) {
         release_options(&options);
         return NULL;
     }
+    session_request_planes(self->session, planes);
     Py_BEGIN_ALLOW_THREADS;
     status = session_draw(self->session, options_of(&options), &error);
     Py_END_ALLOW_THREADS;

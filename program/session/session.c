@@ -27,6 +27,8 @@ struct session {
     render_settings settings;
     render_result result;
     render_cell cell;
+    unsigned plane_kinds; /* requested */
+    session_planes planes;
 };
 
 /* ---- Options ---- */
@@ -169,10 +171,19 @@ static void drop_warnings(render_result *result, size_t kept) {
     }
 }
 
+static void release_planes(session_planes *planes) {
+    free(planes->depth);
+    free(planes->normals);
+    free(planes->triangles);
+    free(planes->coverage);
+    *planes = (session_planes){0};
+}
+
 void session_destroy(session *s) {
     if (!s) {
         return;
     }
+    release_planes(&s->planes);
     drop_warnings(&s->result, 0);
     free(s->result.warnings);
     burnish_image_destroy(&s->cell.image);
@@ -301,6 +312,42 @@ static burnish_status set_materials(session *s, burnish_error *error) {
                : status;
 }
 
+void session_request_planes(session *s, unsigned kinds) {
+    s->plane_kinds = kinds;
+}
+
+/* Draws the requested planes, with the options of the picture. */
+static burnish_status draw_planes(session *s, const burnish_render_options *options,
+                                  burnish_error *error) {
+    const size_t width = (size_t)options->width, count = width * (size_t)options->height;
+    const unsigned kinds = s->plane_kinds;
+    session_planes *p = &s->planes;
+    if (!kinds) {
+        return BURNISH_STATUS_OK;
+    }
+    p->depth = kinds & SESSION_DEPTH ? malloc(count * sizeof *p->depth) : NULL;
+    p->normals = kinds & SESSION_NORMAL ? malloc(count * 3 * sizeof *p->normals) : NULL;
+    p->triangles = kinds & SESSION_TRIANGLE ? malloc(count * sizeof *p->triangles) : NULL;
+    p->coverage = kinds & SESSION_COVERAGE ? malloc(count) : NULL;
+    if ((kinds & SESSION_DEPTH && !p->depth) || (kinds & SESSION_NORMAL && !p->normals) ||
+        (kinds & SESSION_TRIANGLE && !p->triangles) || (kinds & SESSION_COVERAGE && !p->coverage)) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY,
+                        "out of memory: the planes; draw a smaller picture");
+    }
+    burnish_target target = burnish_target_default();
+    target.depth = p->depth;
+    target.depth_stride = width * sizeof *p->depth;
+    target.normals = p->normals;
+    target.normal_stride = width * 3 * sizeof *p->normals;
+    target.triangles = p->triangles;
+    target.triangle_stride = width * sizeof *p->triangles;
+    target.coverage = p->coverage;
+    target.coverage_stride = width;
+    target.pixels.width = options->width;
+    target.pixels.height = options->height;
+    return burnish_renderer_draw_into(s->renderer, s->mesh, options, &target, NULL, error);
+}
+
 static burnish_status draw(session *s, burnish_error *error) {
     burnish_render_options options = render_make_options(&s->settings);
     render_room room = {.is_given = 0};
@@ -326,6 +373,9 @@ static burnish_status draw(session *s, burnish_error *error) {
     if (status == BURNISH_STATUS_OK) {
         status = render_draw_cell(&s->result, s->renderer, &options, cell, error);
     }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_planes(s, &options, error);
+    }
     cell->hash = status == BURNISH_STATUS_OK ? burnish_image_hash(&cell->image) : 0;
     return status;
 }
@@ -334,6 +384,7 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     const int up = s->settings.camera.up;
     burnish_image_destroy(&s->cell.image);
     s->cell = (render_cell){.hash = 0};
+    release_planes(&s->planes);
     drop_warnings(&s->result, s->loading_warnings);
     burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
@@ -355,6 +406,12 @@ burnish_image session_take_image(session *s) {
     const burnish_image image = s->cell.image;
     s->cell.image = (burnish_image){0};
     return image;
+}
+
+session_planes session_take_planes(session *s) {
+    const session_planes planes = s->planes;
+    s->planes = (session_planes){0};
+    return planes;
 }
 
 uint64_t session_hash(const session *s) {

@@ -54,6 +54,19 @@ burnish_status session_build(session *s, const burnish_mesh_description *descrip
 /* Checks options of drawing without a mesh. */
 burnish_status session_check(session_options options, burnish_error *error);
 
+/* Planes of numbers in addition to pictures, width * height items each as in burnish_target; NULL
+ * if not requested. */
+typedef struct session_planes {
+    float *depth, *normals;
+    uint32_t *triangles;
+    uint8_t *coverage;
+} session_planes;
+
+enum { SESSION_DEPTH = 1, SESSION_NORMAL = 2, SESSION_TRIANGLE = 4, SESSION_COVERAGE = 8 };
+
+/* Requests planes for the following pictures: a sum of SESSION_DEPTH and so on; default 0. */
+void session_request_planes(session *s, unsigned kinds);
+
 /* Draws the mesh. Can be called again, also after an error. */
 burnish_status session_draw(session *s, session_options options, burnish_error *error);
 
@@ -64,6 +77,9 @@ const burnish_image *session_image(const session *s);
 
 /* The picture, which the caller destroys. The session keeps no image. */
 burnish_image session_take_image(session *s);
+
+/* The requested planes, which the caller frees. The session keeps none. */
+session_planes session_take_planes(session *s);
 
 uint64_t session_hash(const session *s); /* of the last picture; 0 after an error */
 const burnish_render_report *session_report(const session *s);

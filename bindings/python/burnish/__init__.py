@@ -27,6 +27,7 @@ __all__ = [
 __version__ = _burnish.version
 
 _FLAGS = {name.replace("-", "_"): row for name, row in _burnish.flags().items()}
+_PLANES = {"depth": 1, "normal": 2, "triangle": 4, "coverage": 8}  # as in session.h
 _AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1), "-Z": (0, 0, -1)}
 
 
@@ -67,6 +68,15 @@ def _check(function: str, options: Mapping[str, Any], which: int | None, instead
             raise TypeError(f"{function}() got an unexpected keyword argument '{key}'{hint}")
         if which is not None and not _FLAGS[key][which]:
             raise TypeError(f"{function}() does not take '{key}'; {instead} does")
+
+
+def _kinds(planes: Sequence[str]) -> int:
+    kinds = 0
+    for plane in [planes] if isinstance(planes, str) else planes:
+        if plane not in _PLANES:
+            raise ValueError(f"planes: {plane!r}; expected some of {', '.join(_PLANES)}")
+        kinds |= _PLANES[plane]
+    return kinds
 
 
 class Mesh(_burnish.Mesh):
@@ -119,10 +129,13 @@ class Mesh(_burnish.Mesh):
             _AXES.get(up, (0, 1, 0)), _pairs(options),
         )  # fmt: skip
 
-    def render(self, **options: Unpack[Options]) -> Image:
-        """Draws the mesh, with options of drawing."""
+    def render(self, *, planes: Sequence[str] = (), **options: Unpack[Options]) -> Image:
+        """Draws the mesh, with options of drawing.
+
+        planes  of "depth", "normal", "triangle" and "coverage": arrays in the property planes of the image
+        """
         _check("render", options, 1, "load() or Mesh()")
-        return self._draw(_pairs(options))
+        return self._draw(_kinds(planes), _pairs(options))
 
     def _repr_png_(self) -> bytes:
         return self.render(size=480).png()
@@ -181,6 +194,7 @@ def render(
     name: str | None = None,
     files: Mapping[str, Any] | None = None,
     tolerance: float | None = None,
+    planes: Sequence[str] = (),
     **options: Unpack[Options],
 ) -> Image:
     """Draws what load() loads, or a Mesh.
@@ -193,9 +207,10 @@ def render(
     burnish.Error: samples: ...
     """
     if isinstance(source, Mesh):
-        return source.render(**options)
+        return source.render(planes=planes, **options)
     _check("render", options, None)
     loading = {key: value for key, value in options.items() if _FLAGS[key][0]}
+    kinds = _kinds(planes)
     pairs = _pairs({key: value for key, value in options.items() if _FLAGS[key][1]})
     _burnish.check(pairs)
-    return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(pairs)
+    return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(kinds, pairs)

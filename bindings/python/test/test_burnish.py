@@ -171,6 +171,33 @@ class Pictures(unittest.TestCase):
         self.assertEqual(set(_options.Options.__annotations__), flags)
 
 
+class Planes(unittest.TestCase):
+    def test_program(self):
+        """Planes are those of --plane."""
+        files = {"depth": ("f", (48, 64)), "normal": ("f", (48, 64, 3)), "triangle": ("I", (48, 64)), "coverage": ("B", (48, 64))}
+        flags = [flag for name in files for flag in ("--plane", f"{name}:{name}.npy")]
+        subprocess.run([PROGRAM, "render", ":teapot", "--resolution=64,48", *flags, "-o", "planes.png", "--quiet"], check=True)
+        mesh = burnish.load(":teapot")
+        picture = mesh.render(resolution=(64, 48), planes=files)
+        self.assertEqual(picture.hash, mesh.render(resolution=(64, 48)).hash)
+        self.assertEqual(list(picture.planes), list(files))
+        for name, (format_, shape) in files.items():
+            plane = picture.planes[name]
+            self.assertEqual((plane.format, plane.shape), (format_, shape))
+            self.assertEqual(plane.tobytes(), Path(f"{name}.npy").read_bytes()[-plane.nbytes :], name)
+        self.assertEqual(picture.planes["depth"].tolist()[0][0], float("inf"))
+        self.assertLess(min(min(row) for row in picture.planes["triangle"].tolist()), mesh.faces.shape[0])
+
+    def test_choice(self):
+        self.assertEqual(burnish.render(":knot", size=16).planes, {})
+        self.assertEqual(list(burnish.render(":knot", size=16, planes="depth").planes), ["depth"])
+        depth = burnish.render(":knot", size=16, planes=["depth"]).planes["depth"]
+        gc.collect()
+        self.assertEqual(len(depth.tolist()), 16)
+        with self.assertRaisesRegex(ValueError, "planes: 'depths'; expected some of depth, normal, triangle, coverage"):
+            burnish.render(":knot", planes=["depths"])
+
+
 class Images(unittest.TestCase):
     def setUp(self):
         self.picture = burnish.render(":knot", size=40, no_background=True)
@@ -504,6 +531,7 @@ class Process(unittest.TestCase):
         def work():
             mesh = burnish.Mesh(vertices, faces, colors=bytes(16))
             picture = mesh.render(size=256)
+            mesh.render(size=64, planes=["depth", "normal", "triangle", "coverage"]).planes
             memoryview(picture), mesh.vertices, mesh.faces, picture.png(), picture.camera, picture.warnings
             burnish.load(content, name="t.stl", files={"a": content})
             burnish.lobe.values("power", 8, vertices)
