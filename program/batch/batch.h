@@ -140,9 +140,9 @@ typedef struct batch_order {
 /* Sets the batch's drawer. */
 void batch_hash_drawer(batch *b);
 
-/* Both return 0 when the peer is gone; batch_take_order also if its version or flags differ. */
+/* Both return 0 when the peer is gone; batch_receive_order also if its version or flags differ. */
 int batch_send_order(const batch *b, int channel, uint32_t index);
-int batch_take_order(const batch *b, int channel, batch_order *order);
+int batch_receive_order(const batch *b, int channel, batch_order *order);
 void batch_release_order(batch_order *order);
 
 enum { BATCH_FAILED = 1, BATCH_LATE = 2 };

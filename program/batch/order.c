@@ -59,7 +59,7 @@ int batch_send_order(const batch *b, int channel, uint32_t index) {
 }
 
 /* NULL where the other side is gone, and without memory. */
-static char *take_text(int channel, uint32_t size) {
+static char *receive_text(int channel, uint32_t size) {
     char *text = size <= TEXT_MAX ? malloc((size_t)size + 1) : NULL;
     if (text && !channel_read(channel, text, size)) {
         free(text);
@@ -71,7 +71,7 @@ static char *take_text(int channel, uint32_t size) {
     return text;
 }
 
-int batch_take_order(const batch *b, int channel, batch_order *order) {
+int batch_receive_order(const batch *b, int channel, batch_order *order) {
     head h;
     *order = (batch_order){0};
     if (!channel_read(channel, &h, sizeof h)) {
@@ -89,9 +89,9 @@ int batch_take_order(const batch *b, int channel, batch_order *order) {
     order->item.id = h.id;
     order->item.bytes = h.bytes;
     order->item.view = h.view;
-    order->item.input = take_text(channel, h.input_size);
-    order->item.output = order->item.input ? take_text(channel, h.output_size) : NULL;
-    order->past = order->item.output ? take_text(channel, h.past_size) : NULL;
+    order->item.input = receive_text(channel, h.input_size);
+    order->item.output = order->item.input ? receive_text(channel, h.output_size) : NULL;
+    order->past = order->item.output ? receive_text(channel, h.past_size) : NULL;
     if (!order->past) {
         batch_release_order(order);
         return 0;

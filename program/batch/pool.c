@@ -254,7 +254,7 @@ static void lose_runner(pool *p, worker *w) {
     }
 }
 
-static void take_answer(pool *p, worker *w) {
+static void receive_answer(pool *p, worker *w) {
     batch_answer answer;
     char *line = NULL;
     int is_whole = channel_read(w->channel, &answer, sizeof answer) && w->item != NOTHING &&
@@ -328,7 +328,7 @@ static burnish_status work(pool *p, struct pollfd *ready, burnish_error *error) 
         const int count = poll(ready, (nfds_t)p->count, 500);
         for (size_t i = 0; i < p->count && count > 0; ++i) {
             if (ready[i].fd >= 0 && ready[i].revents) {
-                take_answer(p, &p->workers[i]);
+                receive_answer(p, &p->workers[i]);
             }
         }
         show_progress(p);

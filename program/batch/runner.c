@@ -408,7 +408,7 @@ void batch_runner(const batch *b, int channel) {
         b, mmap(NULL, sizeof(facts), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)};
     batch_order order;
     int is_there = 1;
-    while (is_there && r.shared != MAP_FAILED && batch_take_order(b, channel, &order)) {
+    while (is_there && r.shared != MAP_FAILED && batch_receive_order(b, channel, &order)) {
         batch_answer answer;
         char *line = run_item(&r, &order, &answer);
         answer.size = line ? (uint32_t)strlen(line) : 0;

@@ -67,8 +67,8 @@ static void shrink(const burnish_image *from, burnish_image *to) {
 }
 
 /* Receives the next picture as a cell; unreadable pictures become white. */
-static burnish_status take_cell(const sheet *s, burnish_image *cell, char *label, size_t label_size,
-                                burnish_error *error) {
+static burnish_status receive_cell(const sheet *s, burnish_image *cell, char *label,
+                                   size_t label_size, burnish_error *error) {
     uint64_t size = 0;
     burnish_image whole = {0};
     burnish_status status = burnish_image_create(NULL, cell, s->width, s->height, 3, error);
@@ -113,7 +113,7 @@ static burnish_status make_sheet(const sheet *s, picture_file *file, burnish_err
                                 ? BURNISH_STATUS_OK
                                 : cli_fail(error, BURNISH_STATUS_MEMORY, "--sheet: out of memory");
     for (size_t i = 0; i < s->count && status == BURNISH_STATUS_OK; ++i) {
-        status = take_cell(s, &images[i], labels[i], sizeof labels[i], error);
+        status = receive_cell(s, &images[i], labels[i], sizeof labels[i], error);
         shorten(labels[i], s->width);
         cells[i] = (burnish_sheet_cell){.image = &images[i],
                                         .label = s->width >= LABEL_MIN ? labels[i] : NULL};
@@ -202,7 +202,7 @@ static void send_pictures(const sheet *s) {
     }
 }
 
-static burnish_status take_sheet(const sheet *s, const char *path, burnish_error *error) {
+static burnish_status receive_sheet(const sheet *s, const char *path, burnish_error *error) {
     uint64_t answer[2];
     char *bytes = NULL;
     burnish_status status = BURNISH_STATUS_OK;
@@ -291,7 +291,7 @@ burnish_status batch_write_sheet(const batch *b, burnish_error *error) {
     s.channel = ends[0];
     if (worker > 0) {
         send_pictures(&s);
-        status = take_sheet(&s, b->settings->sheet, error);
+        status = receive_sheet(&s, b->settings->sheet, error);
     } else {
         status = cli_fail(error, BURNISH_STATUS_MEMORY, "--sheet: no process: %s", strerror(errno));
     }

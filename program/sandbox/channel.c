@@ -30,8 +30,8 @@ int channel_receive(int channel, message *head) {
     return channel_read(channel, head, sizeof *head);
 }
 
-int channel_take_status(int channel, const message *head, burnish_status *status,
-                        burnish_error *error) {
+int channel_receive_status(int channel, const message *head, burnish_status *status,
+                           burnish_error *error) {
     char text[MESSAGE_TEXT_MAX + 1] = "";
     if (head->size > MESSAGE_TEXT_MAX || !channel_read(channel, text, (size_t)head->size)) {
         return 0;
@@ -42,8 +42,8 @@ int channel_take_status(int channel, const message *head, burnish_status *status
     return 1;
 }
 
-int channel_take_stream(int channel, int (*keep)(void *context, const void *bytes, size_t size),
-                        void *context, burnish_status *status, burnish_error *error) {
+int channel_receive_stream(int channel, int (*keep)(void *context, const void *bytes, size_t size),
+                           void *context, burnish_status *status, burnish_error *error) {
     static char piece[MESSAGE_DATA_MAX];
     message head = {.kind = 0};
     while (channel_receive(channel, &head) && head.kind == MESSAGE_BYTES) {
@@ -52,7 +52,7 @@ int channel_take_stream(int channel, int (*keep)(void *context, const void *byte
         }
         keep(context, piece, (size_t)head.size);
     }
-    return head.kind == MESSAGE_DONE && channel_take_status(channel, &head, status, error);
+    return head.kind == MESSAGE_DONE && channel_receive_status(channel, &head, status, error);
 }
 
 #endif

@@ -37,11 +37,11 @@ int channel_receive(int channel, message *head);
 int channel_read(int channel, void *bytes, size_t size);
 
 /* Receives the body of a MESSAGE_DONE: *status and the error message. */
-int channel_take_status(int channel, const message *head, burnish_status *status,
-                        burnish_error *error);
+int channel_receive_status(int channel, const message *head, burnish_status *status,
+                           burnish_error *error);
 
 /* Receives MESSAGE_BYTES up to MESSAGE_DONE and passes each to `keep`, whose result is ignored. */
-int channel_take_stream(int channel, int (*keep)(void *context, const void *bytes, size_t size),
-                        void *context, burnish_status *status, burnish_error *error);
+int channel_receive_stream(int channel, int (*keep)(void *context, const void *bytes, size_t size),
+                           void *context, burnish_status *status, burnish_error *error);
 
 #endif

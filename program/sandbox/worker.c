@@ -27,7 +27,7 @@ static burnish_status fail_broker(burnish_error *error) {
 
 static burnish_status take_status(const message *head, burnish_error *error) {
     burnish_status status;
-    return channel_take_status(broker, head, &status, error) ? status : fail_broker(error);
+    return channel_receive_status(broker, head, &status, error) ? status : fail_broker(error);
 }
 
 static int send_status(burnish_status status, const burnish_error *error) {
@@ -73,7 +73,7 @@ static burnish_status load_by_broker(void *user_data, const char *name, uint64_t
         return take_status(&head, error);
     }
     import_expect(&stream, head.value);
-    if (!channel_take_stream(broker, import_keep, &stream, &status, error)) {
+    if (!channel_receive_stream(broker, import_keep, &stream, &status, error)) {
         status = fail_broker(error);
     } else if (status == BURNISH_STATUS_OK && stream.is_short) {
         status = folder_fail_memory(name, head.value, error);
@@ -124,8 +124,8 @@ burnish_status sandbox_close(burnish_error *error) {
 /* Receives the importer's stream from the broker. */
 static burnish_status take_stream(import_stream *stream, burnish_error *error) {
     burnish_status status;
-    return channel_take_stream(broker, import_keep, stream, &status, error) ? status
-                                                                            : fail_broker(error);
+    return channel_receive_stream(broker, import_keep, stream, &status, error) ? status
+                                                                               : fail_broker(error);
 }
 
 static burnish_status decode_by_broker(const char *name, const void *bytes, size_t size,

@@ -37,7 +37,7 @@ burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
     memcpy(import.name, input, strlen(input));
     burnish_status status;
     if (!cli_write_all(SERVE_CHANNEL, &import, sizeof import) ||
-        !channel_take_stream(SERVE_CHANNEL, import_keep, &stream, &status, error)) {
+        !channel_receive_stream(SERVE_CHANNEL, import_keep, &stream, &status, error)) {
         status = cli_fail(error, BURNISH_STATUS_READ, "the server's importer has ended");
     }
     if (status == BURNISH_STATUS_OK) {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # burnish lobe plot: the figures of docs/theory.md are what the program draws, their numbers agree with closed
-# forms, runs repeat, errors are one line and leave nothing. Without gnuplot the drawings are passed over.
+# forms, runs repeat, errors are one line and leave nothing. Without gnuplot the drawings are skipped.
 # usage: cli_figures.sh BURNISH SCRATCH
 root=$(cd "$(dirname "$0")/../.." && pwd)
 . "$(dirname "$0")/lib.sh"
@@ -246,4 +246,4 @@ done <"$out.commands"
 rm -f "$out.commands" ./*
 
 finish || exit 1
-[ "$has_gnuplot" = 1 ] || { echo "gnuplot is missing: drawings passed over"; exit 77; }
+[ "$has_gnuplot" = 1 ] || { echo "gnuplot is missing: drawings skipped"; exit 77; }
