@@ -27,7 +27,7 @@ int burnish_layers_next(const burnish_tile *tile, const burnish_raster_view *vie
 /* Call it after the last layer. Prepares the tile for the layers that did not fit. Returns 0 if all
  * did, or if no pass is left. Then draw_deeper_layers collects them, to be handed over from the
  * start.
- *   through  per sample: what passes of the light behind its layers so far
+ *   through  per sample: the share of light that passes through its layers so far
  *   least    samples that let no more through have had all that matters
  *   passes   [1, BURNISH_LAYER_PASSES], the first one included */
 int burnish_layers_deeper(burnish_tile *tile, const float *through, float least, int passes);

@@ -62,7 +62,7 @@ typedef struct map_queue {
     int32_t at[3][2 * LANES], depth[3][2 * LANES]; /* of their vertices; depths as bits */
 } map_queue;
 
-/* LANES small triangles. Vertex 1 and 2 change places where the triangle faces the front, as in
+/* LANES small triangles. Vertices 1 and 2 of a front-facing triangle are swapped, as in
  * burnish_geometry_primitive. For edge functions see setup_simd.h. */
 typedef struct map_triangles {
     int32_t start[3][LANES];  /* E at the centre of the first texel of the bounds */

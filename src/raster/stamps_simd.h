@@ -112,7 +112,7 @@ BURNISH_INLINE void keep_layers(const burnish_tile *tile, vm lanes, vf depth, vi
     if (least == BURNISH_LAYERS_MAX && !vm_any(vm_and(lanes, vf_greater(depth, farthest)))) {
         return;
     }
-    vm moved = vm_and_not(lanes, lanes); /* those behind the new one move on */
+    vm moved = vm_and_not(lanes, lanes); /* layers after the new one move on */
     for (int layer = 0; layer <= most; ++layer) {
         float *depths = layers->depths + first + (size_t)layer * step;
         int32_t *ids = (int32_t *)layers->indices + first + (size_t)layer * step;

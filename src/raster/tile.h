@@ -115,7 +115,7 @@ typedef struct burnish_tile_layers {
     uint8_t *counts;       /* per sample; valid if the tile has some */
     int block_samples;     /* of a block */
     int has_some;          /* 1: the current tile lists a transparent triangle */
-    int pass;              /* 0: the nearest layers are collected; else those behind fronts */
+    int pass;              /* 0: the nearest layers are collected; else the layers after fronts */
     float *fronts;         /* per sample: the last layer of the pass before */
     size_t dropped;        /* since the tile was created, or since it was set to 0 */
     size_t dropped_before; /* the current tile */

@@ -290,7 +290,7 @@ static int has_normal(const float n[3], const double wanted[3]) {
            fabs(n[2] - wanted[2]) < 1e-5;
 }
 
-/* Pixels that show a normal; those that do not have the depth fail. */
+/* Counts pixels that show a normal; fails if their depth is wrong. */
 static int count_cap(const capped_picture *picture, const double normal[3], double depth) {
     int count = 0;
     for (int i = 0; i < SIZE * SIZE; ++i) {
@@ -336,8 +336,8 @@ static void test_discs(int samples) {
     burnish_mesh_destroy(ring);
 }
 
-/* Three caps meet in a corner of a box: each pixel of a cap lies in its plane, in perspective too.
- * Hatching darkens caps; what is no cap is as without. An inside-out box looks the same. */
+/* Three caps meet in a corner of a box. Each pixel of a cap is in the plane of the cap, also in
+ * perspective. Hatching darkens caps and nothing else. An inside-out box looks the same. */
 static void test_corner(int samples, int is_parallel) {
     static capped_picture picture, other;
     static const double normals[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

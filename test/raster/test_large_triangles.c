@@ -76,7 +76,8 @@ static void add_triangle(random_scene *scene, uint32_t a, uint32_t b, uint32_t c
     scene->materials[scene->triangle_count++] = (uint16_t)(test_random32(state) % 3);
 }
 
-/* The other corners of a rod: `length` from corner 0, the third one `width` beside that edge. */
+/* The other corners of a rod: one is `length` from corner 0, the other is `width` away from that
+ * edge. */
 static void complete_rod(screen_point at[3], screen_point direction, double length, double width,
                          uint64_t *state) {
     const double along = test_uniform(state, 0, 1) * length;
@@ -105,7 +106,7 @@ static void random_corners(const burnish_raster_view *view, screen_point at[3], 
             at[2] = random_point(view, state);
         }
         return;
-    case 2: /* a few steps of 1/256 pixel beside the line, or on it */
+    case 2: /* a few steps of 1/256 pixel from the line, or on it */
         at[2].x = at[0].x + along * (at[1].x - at[0].x) + (int)(test_random32(state) % 5) / 256.0;
         at[2].y = at[0].y + along * (at[1].y - at[0].y) - (int)(test_random32(state) % 5) / 256.0;
         return;

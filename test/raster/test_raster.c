@@ -34,7 +34,7 @@ static void add_triangle(test_mesh *mesh, size_t a, size_t b, size_t c) {
 }
 
 /* A plane of GRID x GRID jittered cells reaching beyond the image on all sides; with snap the
- * vertices lie on pixel centres and corners, where the top-left rule decides. */
+ * vertices are on pixel centres and corners, where the top-left rule decides. */
 static void make_plane(test_mesh *mesh, int snap, uint64_t state) {
     double cell = SIZE * 1.3 / GRID;
     mesh->vertex_count = mesh->triangle_count = 0;
@@ -348,8 +348,8 @@ static void check_marks(void) {
     burnish_tile_destroy(&tile);
 }
 
-/* A wall, and triangles behind it that face away, in a tile that sticks out of the image: HiZ hides
- * them there too. */
+/* A wall hides back-facing triangles in a tile that extends beyond the image: HiZ culls them there
+ * too. */
 static void check_hiz_at_the_edge(void) {
     enum { HIDDEN = 600, WIDTH = SIZE + 4 };
     static test_mesh mesh;
@@ -380,8 +380,8 @@ static void check_hiz_at_the_edge(void) {
     burnish_tile_destroy(&tile);
 }
 
-/* Polygons that no triangle should become but for rounding: corners in turn before and behind the
- * near plane, so that each edge is cut. What is behind the array's end stays. */
+/* Polygons that only rounding can make of a triangle: their corners alternate between both sides of
+ * the near plane, so each edge is cut. Memory after the array must not change. */
 static void check_clip_bound(void) {
     burnish_clip_corner corners[2 * BURNISH_CLIP_MAX];
     memset(corners, 0xa5, sizeof corners);

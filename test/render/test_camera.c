@@ -114,8 +114,8 @@ static void check_axis(const double actual[3], double x, double y, double z, con
           "%s: %g %g %g, not %g %g %g", what, actual[0], actual[1], actual[2], x, y, z);
 }
 
-/* Insets and a given height: the object's middle lies in the middle of what is left, its size is
- * the one that fits there, or the given one. */
+/* Insets and a given height: the object is in the middle of the remaining area, at the size that
+ * fits there or at the given one. */
 static void test_insets(void) {
     const double cases[][4] = {{0.1, 0, 0, 0}, {0, 0.2, 0.05, 0.15}, {0.3, 0.3, 0.01, 0}};
     burnish_mesh *mesh = builtin("teapot");
@@ -181,7 +181,7 @@ static void test_exact_fit(void) {
     }
 }
 
-/* A fine sphere's camera stands at r / sin of the angle that is left, on the three-quarter axis. */
+/* The camera of a fine sphere is at r / sin of the remaining angle, on the three-quarter axis. */
 static void test_sphere_distance(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_mesh_data data = {0};
@@ -200,7 +200,7 @@ static void test_sphere_distance(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* What a file has besides triangles stays without a material, too. */
+/* Cameras and lights of a file remain when it has no material. */
 static void test_no_materials(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_mesh_data data = {0};
@@ -363,7 +363,7 @@ static void test_degenerate_shapes(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* Without an up axis of the caller's the picture's up is the mesh's: an STL stands on +Z. */
+/* If the caller gives no up axis, the mesh's is used: +Z for STL. */
 static void test_up_of_format(void) {
     static const char STL[] = "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                               "vertex 0 0 1\nendloop\nendfacet\nendsolid\n";

@@ -1,4 +1,4 @@
-/* Shadows of masked triangles: those of the part that the mask leaves. */
+/* Masked triangles cast the shadow of the part that the mask leaves. */
 #include <math.h>
 
 #include "draw_floats.h"

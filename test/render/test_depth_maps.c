@@ -125,8 +125,8 @@ static int distance(uint16_t a, uint16_t b) {
     return !a != !b ? INT32_MAX : a > b ? a - b : b - a;
 }
 
-/* Along the views small triangles have the same codes, against them those that are left when they
- * are turned over. */
+/* Pairs equal single maps, up to a tolerance for large triangles, and do not depend on threads or
+ * the instruction set. */
 static void check_soup(const soup *from, const burnish_map_view *views, int count,
                        burnish_map_drawer *drawer, uint64_t *state, const char *what) {
     static map_run plain, pairs, run;
@@ -169,7 +169,7 @@ static void test_soups(void) {
     burnish_map_drawer_destroy(&drawer, NULL);
 }
 
-/* What is counted of small and large triangles is the same: the same limit, the same line. */
+/* Small and large triangles are counted alike: the limit and the message are the same. */
 static void test_overdraw(void) {
     static soup made;
     burnish_map_drawer drawer = {0};

@@ -202,7 +202,7 @@ static burnish_image draw_along(const burnish_mesh *mesh, const double direction
     return image;
 }
 
-/* From below, and in parallel projection from the side, there is no ground. */
+/* The ground is not drawn from below, or in parallel projection from the side. */
 static void test_directions(void) {
     static const struct {
         double direction[3];

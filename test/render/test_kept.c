@@ -79,7 +79,7 @@ static burnish_material random_material(int textures) {
     return material;
 }
 
-/* Alpha in spots as large as an eighth of the image, so that masks leave holes that cast. */
+/* Alpha in spots as large as an eighth of the image, so masks leave holes that affect shadows. */
 static void fill_texels(uint8_t *texels, int width, int height) {
     uint8_t spots[8][8];
     for (int i = 0; i < 64; ++i) {
@@ -334,7 +334,7 @@ static const struct {
     {"target", change_target},     {"limit", change_limit},       {"rows", change_rows}};
 enum { CHANGES = sizeof changes / sizeof *changes };
 
-/* What changes may have left that fits no more. */
+/* State that earlier changes may have left and that no longer applies. */
 static void settle(frame *f) {
     burnish_render_options *o = &f->options;
     o->shadow &= o->light_count > 0 && o->lights[0].kind == BURNISH_LIGHT_DIRECTIONAL;

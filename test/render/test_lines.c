@@ -98,7 +98,7 @@ static double distance_to(screen a, screen b, double x, double y) {
     return hypot(x - a.x - t * ex, y - a.y - t * ey);
 }
 
-/* How much of a segment lines lie on, to 1/8 pixel. */
+/* The share of a segment that lines cover, to 1/8 pixel. */
 static double covered(const burnish_lines *lines, screen a, screen b) {
     const double length = hypot(b.x - a.x, b.y - a.y);
     const int steps = (int)(8 * length) + 1;
@@ -299,7 +299,7 @@ static shape *make_grid(int n) {
     return s;
 }
 
-/* Edges of which none is a line, in a renderer that had none: no array exists. */
+/* No edge becomes a line, in a renderer that had no lines before: no array exists. */
 static void test_no_lines(void) {
     static const double position[3] = {0, 0, 10};
     burnish_load_options load = burnish_load_options_default();

@@ -239,8 +239,8 @@ static double column_area(int first, int wrap, int is_nearest, float from, int s
     return drawn_area(&s) / SIZE; /* columns of pixels */
 }
 
-/* Edges that lie at a quarter or three quarters of a pixel, so that all samples or half of them
- * show it: where one decision a pixel gives whole columns. */
+/* Edges at a quarter or three quarters of a pixel, which half of the samples or all of them show;
+ * one decision per pixel would give whole columns. */
 static void test_wraps(void) {
     for (int wrap = BURNISH_WRAP_REPEAT; wrap <= BURNISH_WRAP_CLAMP; ++wrap) {
         for (int nearest = 0; nearest < 2; ++nearest) {

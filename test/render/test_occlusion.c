@@ -51,7 +51,7 @@ static double hidden_by_wall(double x) {
     return sum / (2 * acos(-1) * (0.675 / 2 + 0.325 / 3));
 }
 
-/* Few directions, too, come near the integral: each stands for a cone. */
+/* Few directions also approximate the integral: each represents a cone. */
 static void test_wall(int directions, double tolerance) {
     static const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 1, -1, 1, 1};
     static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4};

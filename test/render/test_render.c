@@ -145,7 +145,7 @@ static void check_highlight_width(burnish_mesh *sphere) {
               (double)LOBES[i].exponent, (right - left) / 2, expected);
         burnish_image_destroy(&image);
     }
-    /* what the formula says of the power: acos(0.5^(1/n)) */
+    /* half width of cos^n: acos(0.5^(1/n)) */
     CHECK(fabs(half_angle(&LOBES[0]) - acos(pow(0.5, 1 / 20.0))) < 1e-9, "half angle of power");
 }
 
@@ -190,7 +190,7 @@ static void check_highlight_everywhere(burnish_mesh *sphere, burnish_specular_mo
                 }
             }
         }
-        /* half a code of sRGB near .75 is .004; the tessellated normals add a little */
+        /* half a code of sRGB near 0.75 is 0.004; the tessellated normals add a little */
         CHECK(worst < 0.008, "%s: largest difference %.4f", LOBES[i].name, worst);
         if (equation == BURNISH_SPECULAR_BLINN) {
             CHECK(weight > 0 && fabs(center[0] / weight - half[0] * radius) < 0.5 &&
@@ -217,7 +217,7 @@ static burnish_mesh *make_scene(const float *positions, const uint8_t *colors, s
 static const uint32_t QUAD[6] = {0, 1, 2, 0, 2, 3};
 
 /* A floor that runs from z = 4 to z = -40, black to white: the colour at a pixel is where its ray
- * meets the floor. The near end lies behind the camera, so clipping has its part too. */
+ * meets the floor. The near end is on the camera's other side, so clipping is tested too. */
 static void check_perspective_colors(void) {
     enum { SIZE = 200 };
     static const float POSITIONS[12] = {-50, -1, 14, 50, -1, 14, 50, -1, -40, -50, -1, -40};

@@ -51,7 +51,7 @@ static void test_cancel(int threads) {
         CHECK(status == (c.questions >= 0 ? BURNISH_STATUS_OK : BURNISH_STATUS_CANCELLED) &&
                   error.status == status,
               "question %ld of %ld: status %d", at, c.asked, (int)status);
-        /* whoever said yes is asked once more at most */
+        /* after cancelling, the callback is called at most once more */
         CHECK(c.asked <= at + 2 && !c.wrong_order, "asked %ld times after the answer",
               c.asked - at - 1);
         cancelled += status == BURNISH_STATUS_CANCELLED;

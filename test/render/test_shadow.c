@@ -117,7 +117,7 @@ static void test_renderer_again(void) {
     burnish_renderer_destroy(kept);
 }
 
-/* The holes of a mask cast no shadow: those of the cutoff at hand, not of the first one. */
+/* The holes of a mask cast no shadow, also after its cutoff changes. */
 static void test_cutoffs_again(void) {
     static const float positions[] = {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0,
                                       -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1};

@@ -58,7 +58,7 @@ static guarded make_guarded(size_t row, size_t padding, int rows) {
     return g;
 }
 
-/* Whether something beside the rows was written. */
+/* Whether anything outside the rows was written. */
 static int is_damaged(const guarded *g) {
     const size_t size = g->stride * (size_t)g->rows + 2 * GUARD;
     for (size_t i = 0; i < size; ++i) {
@@ -91,7 +91,7 @@ static uint64_t hash_rows(uint64_t hash, const guarded *g) {
 
 /* ---- Formats ---- */
 
-/* Whether a pixel of a target is that of an image that burnish_render made. */
+/* Whether a pixel of a target equals the pixel of an image by burnish_render. */
 static int same_pixel(burnish_pixel_format format, const uint8_t *pixel, const uint8_t *expected,
                       int channels) {
     const uint8_t alpha = channels == 4 ? expected[3] : 255;
@@ -481,8 +481,8 @@ static void test_plain_reference(int samples) {
     burnish_mesh_destroy(mesh);
 }
 
-/* Planes do not depend on threads, instruction set, or whether pixels are drawn too; nor pixels on
- * planes. */
+/* Planes do not depend on threads, on the instruction set or on pixels being drawn. Pixels do not
+ * depend on planes. */
 static void test_independence(int samples) {
     burnish_mesh *mesh = load(":knot", 12);
     burnish_render_options options = make_options(mesh, samples);

@@ -204,7 +204,7 @@ static void test_level_texels(void) {
             const double code = next[4 * (i / lw * (lw + 1) + i % lw)];
             CHECK(fabs(sum / 3600 - code) < 2.5, "%d x %d: %g, %g", w, h, sum / 3600, code);
         }
-        for (int y = 0; y < h; ++y) { /* a row's last texel has the first one beside it */
+        for (int y = 0; y < h; ++y) { /* a row's last texel is followed by the first one */
             const uint8_t *row = levels.codes + 4 * y * (w + 1);
             CHECK1(row[0] == texels[4 * y * w] && memcmp(row, row + 4 * w, 4) == 0);
         }
@@ -282,7 +282,7 @@ static void ask_for_texels(void *context, size_t index, int thread) {
     }
 }
 
-/* Level 0 comes where it is asked for, by any number of threads, and nowhere else. */
+/* Level 0 is built on demand by any number of threads, and nowhere else. */
 static void test_bands(void) {
     static uint8_t texels[4 * BAND_WIDTH * BAND_HEIGHT];
     const burnish_texture texture = {NULL, BAND_WIDTH, BAND_HEIGHT, texels, 1};
@@ -374,7 +374,7 @@ static void test_normal_map(void) {
     }
 }
 
-/* White textures change nothing but the way; those of one value are factors. */
+/* White textures change no pixel; textures of one value are factors. */
 static void test_factors(void) {
     const uint8_t texels[] = {255, 255, 255, 255, 255, 128, 51, 255};
     const burnish_texture textures[] = {{NULL, 1, 1, texels, 1}, {NULL, 1, 1, texels + 4, 0}};

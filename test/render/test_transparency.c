@@ -68,7 +68,7 @@ static burnish_mesh *make_squares(const stack *s, uint64_t *state) {
 }
 
 /* Ambient light of 1 and nothing else: every surface has its material's colour. Half of the picture
- * shows squares, whose edges lie on edges of pixels or in their middle. */
+ * shows squares, whose edges are on the edges of pixels or in their middle. */
 static burnish_render_options square_options(int samples, int is_odd) {
     burnish_render_options options = burnish_render_options_default();
     options.max_overdraw = 1e9; /* small pictures with many layers */
@@ -290,7 +290,7 @@ static int compare_layers(const burnish_tile *fast, const expected_layers *expec
     return wrong;
 }
 
-/* Weights of fragments lie in their triangles, and all samples are handed over once. */
+/* Barycentric weights are in [0, 1], and each sample is in one fragment. */
 static void check_fragments(const burnish_tile *fast, const burnish_raster_view *view,
                             const burnish_geometry *geometry) {
     static burnish_fragments fragments;

@@ -165,7 +165,7 @@ static vec load(const float v[3]) {
     return (vec){(double)v[0], (double)v[1], (double)v[2]};
 }
 
-/* The equation of burnish/kernels.h, as it stands there. Returns 0 where a float's rounding shows
+/* The equation of burnish/kernels.h. Returns 0 where a float's rounding shows
  * in the colour: where the light is on the horizon, which switches the highlight off, and where the
  * half vector or a direction is a difference of nearly equal vectors. */
 static int accurate_color(const burnish_kernels_lighting *lighting, const lobe_case *lobe,

@@ -165,7 +165,7 @@ static void check_instruction_sets(void) {
 /* ---- Processors ---- */
 
 /* FNV-1a over what the scalar kernels give for fixed input: the same on every processor, with every
- * compiler. It changes with the kernels' arithmetic only; then pixels change too. */
+ * compiler. Only a change of the kernels' arithmetic changes it, and then pixels change too. */
 #define SCALAR_HASH 0x7c39e9d686512d2u
 
 static uint64_t add_bytes(uint64_t hash, const void *data, size_t size) {

@@ -72,8 +72,8 @@ static int differs(const burnish_raster_view *view, const burnish_geometry *geom
            made.first != batch->first[lane] || made.last != batch->last[lane];
 }
 
-/* Vertices and bounds against the plain ones, those that clipping made included; what clipping
- * makes comes out of the pictures. */
+/* Compares vertices and bounds with the reference, including vertices made by clipping; pictures
+ * test the rest of clipping. */
 static void check_geometry(const random_scene *scene, const burnish_raster_view *view,
                            const burnish_geometry *geometry, int number) {
     int wrong = 0;
@@ -164,7 +164,7 @@ static int compare_places(const void *a, const void *b) {
                                          : first->number - second->number;
 }
 
-/* What the fast renderer makes of a pixel that is one triangle's alone. */
+/* Depth and attributes of a simple pixel by the fast renderer. */
 static int same_whole(const burnish_tile *fast, const burnish_row_light *row,
                       const point *expected) {
     const int i = expected->place % BURNISH_BLOCK_ROW_PIXELS;
@@ -226,7 +226,7 @@ static void shade_reference(const reference_tile *tile, const burnish_geometry *
         for (uint32_t k = 0; k < 3; ++k) {
             own.primitives[i].vertices[k] = first + k;
         }
-        if (is_plane) { /* values stay as they are */
+        if (is_plane) { /* values do not change */
             own.weight1[i] = own.weight2[i] = 0;
         }
     }
@@ -271,7 +271,7 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
             ++got_count;
         }
     }
-    /* the order of a pixel's points matters, that of pixels does not */
+    /* the order of a pixel's fragments matters, the order of pixels does not */
     qsort(got, (size_t)got_count, sizeof *got, compare_places);
     for (int i = 0; i < got_count; ++i, ++at) {
         while (at < count && expected[at].weight == tile->samples) {
@@ -286,7 +286,7 @@ static int compare_points(reference_tile *tile, burnish_tile *fast, const burnis
     return wrong + (at != count);
 }
 
-/* What a scene is shaded with; kept, as a renderer keeps it. */
+/* Shaders and lights of a scene; kept between scenes, as in a renderer. */
 typedef struct scene_shading {
     burnish_attributes attributes;
     burnish_kernels_shader shaders[3];

@@ -1,5 +1,5 @@
-/* Transform of one vertex, and cull and bound of one triangle, kept plain: what src/raster does
- * by vectors must come out as it comes out here, bit for bit. Included by tests. */
+/* Transforms a vertex, and culls and bounds a triangle, in plain C. The SIMD code of src/raster
+ * must give the same bits. Included by tests. */
 #ifndef BURNISH_TEST_REFERENCE_GEOMETRY_H
 #define BURNISH_TEST_REFERENCE_GEOMETRY_H
 
@@ -39,7 +39,8 @@ static burnish_screen_vertex reference_vertex(const burnish_raster_view *view,
     return made;
 }
 
-/* Least and greatest of three numbers, and the pixels along an axis whose samples can lie there. */
+/* Minimum and maximum of three numbers, and the pixels along an axis whose samples can be between
+ * them. */
 static int reference_range(int a, int b, int c, int samples, int size, int *first, int *last) {
     const int low = a < b ? (a < c ? a : c) : (b < c ? b : c);
     const int high = a > b ? (a > c ? a : c) : (b > c ? b : c);

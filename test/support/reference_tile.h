@@ -312,7 +312,7 @@ static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *
 }
 
 /* Triangles that cover a sample of the current tile, (column, row), be it hidden, and are not in
- * its lists. Draws them, so that they show in the tile. */
+ * its lists. Draws them into the tile. */
 static inline int reference_draw_missing(reference_tile *tile, const burnish_geometry *geometry,
                                          const burnish_bins *bins, int column, int row) {
     const size_t primitives = reference_primitive_count(geometry);

@@ -22,7 +22,7 @@ struct burnish_tile_worker {
     int bounds[4];
 };
 
-/* What lets no more light through hides the layers behind it, where they are many. */
+/* A sample that passes less light than this needs no deeper layers. */
 #define UNSEEN 0x1p-12f
 
 /* ---- A tile ---- */

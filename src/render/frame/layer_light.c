@@ -33,7 +33,7 @@ static float opacity_of(const burnish_surface *surface, const burnish_fragments 
     return opacity < 0 ? 0 : opacity > 1 ? 1 : opacity;
 }
 
-/* Lays samples of opacity `opacity` times `cover` (NULL: 1) of fragment i behind what is there;
+/* Lays samples of opacity `opacity` times `cover` (NULL: 1) of fragment i after the layers so far;
  * returns what of its light is seen. */
 static float lay_samples(burnish_layer_light *layers, const burnish_fragments *fragments, int i,
                          float (*cover)[BURNISH_TEXTURE_BATCH], float opacity, int samples) {

@@ -16,7 +16,7 @@ typedef struct burnish_layer_light {
     float light[3][BURNISH_TILE_PIXELS];                         /* sum over a pixel's samples */
     float alpha[BURNISH_TILE_PIXELS];                            /* of stored pixels */
     uint16_t covered[BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS]; /* bit i: pixel i of the block */
-    float through[]; /* per sample: what passes of the light behind its layers */
+    float through[]; /* per sample: the share of light that passes through its layers */
 } burnish_layer_light;
 
 /* NULL if memory runs out. */

@@ -468,7 +468,7 @@ static void gather(const burnish_surface *surface, burnish_fragments *fragments,
     clear_tail(fragments->y, fragments->count);
 }
 
-/* Puts caps in the place of gathered fragments that are seen from inside. */
+/* Replaces gathered fragments that are seen from inside by caps. */
 static void cap_fragments(const burnish_surface *surface, const burnish_tile *tile,
                           burnish_fragments *fragments, burnish_fragment_scratch *scratch) {
     for (int i = 0; i < fragments->count; ++i) {

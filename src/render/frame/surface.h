@@ -101,7 +101,7 @@ typedef struct burnish_row_light {
 /* The planes that shading needs of a tile. */
 int burnish_surface_planes(const burnish_surface *surface);
 
-/* Puts caps in the place of the simple pixels of row `number` that are seen from inside: into the
+/* Replaces the simple pixels of row `number` that are seen from inside by caps: in the
  * tile's planes, before they are shaded. */
 void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
                            burnish_row_light *row);

@@ -83,7 +83,7 @@ static void make_perspective(const camera_frame *frame, double view_angle, int h
     view->pixel = burnish_vec3_length(frame->eye) / pixels;
 }
 
-/* Depth falls from 1 at the camera to 0 behind the scene. */
+/* Depth falls from 1 at the camera to 0 beyond the scene. */
 static void make_orthographic(const camera_frame *frame, double view_height, int height,
                               burnish_view *view) {
     burnish_raster_view *raster = &view->raster;
@@ -257,7 +257,7 @@ static const drawn_lobe *known_lobe(drawn_lobe known[KNOWN_LOBES], const burnish
     return entry;
 }
 
-/* Vertex colours take the place of burnish's grey, and multiply a colour that the file gave. */
+/* Vertex colours replace burnish's grey, and multiply a colour of the file. */
 static burnish_material drawn_material(const burnish_material *material, int has_colors,
                                        float specular_scale) {
     burnish_material drawn = *material;
@@ -339,7 +339,7 @@ static burnish_status make_raster(const burnish_mesh_view *mesh,
     raster->width = options->width;
     raster->height = options->height;
     raster->samples = options->samples;
-    /* caps take the place of what is seen from inside */
+    /* caps replace what is seen from inside */
     raster->cull_back_faces = options->cull_back_faces && mesh->inside == BURNISH_INSIDE_UNKNOWN;
     burnish_space_store(burnish_space_center(mesh), raster->origin);
     if (camera->orthographic_height > 0) {

@@ -15,7 +15,7 @@ enum {
     TEXELS_MOST = 3        /* along a side of the texels that decide for a piece */
 };
 
-/* A corner of a piece: its position and its place in the image. */
+/* A corner of a piece: its position and its texture coordinates. */
 typedef struct corner {
     float p[3];
     double uv[2];

@@ -6,7 +6,8 @@
 #include "raster/raster_ops.h"
 #include "render/space.h"
 
-/* Maps are drawn from this far: behind the unit sphere there is as much of the range as before it.
+/* Distance from which maps are drawn: the range extends as far beyond the unit sphere as in front
+ * of it.
  */
 #define DISTANCE (BURNISH_MAP_RANGE / 2)
 

@@ -7,7 +7,7 @@
 /* Pixels: ends in the same cell or in adjacent cells meet. */
 #define CELL 2.0f
 
-/* The cells of one place with the lines that end there. */
+/* Adjacent cells, and the lines that end there. */
 typedef struct group {
     uint32_t row, column;
     uint32_t line; /* the first one, and ... */

@@ -17,13 +17,11 @@ enum { HIDDEN, INNER, OUTLINE, RIM };
 /* Pixels. */
 #define SURFACE_SLACK 2.0 /* of depth: how far a pixel's surface may be before an edge's sample */
 #define JUST_OUTSIDE 1.5  /* how far outside a silhouette no sample of a pixel shows its surface */
-#define LOOK_OUTSIDE                                                                               \
-    2.0                /* how far outside a silhouette the surface behind it is looked for, ...    \
-                        */
-#define STEP_DEPTH 8.0 /* ... and how much further away it is, at least */
-#define STUB 3.0       /* shorter ends of hidden edges are left out, which corners let show */
-#define SHORTEST 0.01  /* shorter lines are points */
-#define TOLERANCE 0.08 /* how far points that are left out lie from a line, at most */
+#define LOOK_OUTSIDE 2.0  /* how far outside a silhouette the next surface is looked up, ... */
+#define STEP_DEPTH 8.0    /* ... and how much further away it is, at least */
+#define STUB 3.0          /* shorter ends of hidden edges, visible at corners, are dropped */
+#define SHORTEST 0.01     /* shorter lines are points */
+#define TOLERANCE 0.08    /* the maximum distance of dropped points from a line */
 
 /* Distances are floats. */
 #define DISTANCE_PRECISION 0x1p-21

@@ -167,7 +167,7 @@ static burnish_status prepare_levels(burnish_texturing *texturing, const burnish
     return memory->status;
 }
 
-/* Vertex colours take the place of a colour that the file did not give. */
+/* Vertex colours replace a colour that the file lacks. */
 static void make_white(burnish_material *material) {
     for (int k = 0; k < 3; ++k) {
         material->diffuse[k] = material->ambient[k] = 1;

@@ -74,7 +74,7 @@ enum {
 /* ---- A frame ---- */
 
 typedef struct burnish_textured_material {
-    burnish_material material; /* vertex colours take the place of a colour that it has not */
+    burnish_material material; /* vertex colours replace a missing colour */
     int is_special;
     int has_textures; /* 1: coordinates are needed */
     int has_normals;  /* 1: tangents too */
