@@ -7,41 +7,17 @@
 
 #define VECTOR_WORD avx512
 #define VECTOR_HAS_PERMUTE /* vi_permute, vi_compress */
+#define VECTOR_HAS_MASKS   /* vm is not a vector */
 enum { LANES = 16, VECTOR_ISA = BURNISH_ISA_AVX512 };
 typedef __m512 vf;
 typedef __m512i vi;
 typedef __mmask16 vm;
 
-static inline vf vf_set(float x) {
-    return _mm512_set1_ps(x);
-}
-static inline vf vf_load(const float *from) {
-    return _mm512_loadu_ps(from);
-}
-static inline void vf_store(float *to, vf x) {
-    _mm512_storeu_ps(to, x);
-}
-static inline void vf_stream(float *to, vf x) {
-    _mm512_stream_ps(to, x);
-}
-static inline vf vf_add(vf a, vf b) {
-    return _mm512_add_ps(a, b);
-}
-static inline vf vf_sub(vf a, vf b) {
-    return _mm512_sub_ps(a, b);
-}
-static inline vf vf_mul(vf a, vf b) {
-    return _mm512_mul_ps(a, b);
-}
-static inline vf vf_div(vf a, vf b) {
-    return _mm512_div_ps(a, b);
-}
-static inline vf vf_max(vf a, vf b) {
-    return _mm512_max_ps(a, b);
-}
-static inline vf vf_min(vf a, vf b) {
-    return _mm512_min_ps(a, b);
-}
+#define MM(operation) _mm512_##operation
+#define SI(operation) _mm512_##operation##_si512
+#define SI_TO_PS _mm512_castsi512_ps
+#include "simd/vector_x86.h"
+
 static inline vm vf_greater(vf a, vf b) {
     return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ);
 }
@@ -63,45 +39,6 @@ static inline vm vm_not(vm a) {
 static inline int vm_any(vm mask) {
     return mask != 0;
 }
-static inline vi vi_set(int32_t x) {
-    return _mm512_set1_epi32(x);
-}
-static inline vi vf_bits(vf x) {
-    return _mm512_castps_si512(x);
-}
-static inline vf vf_from_bits(vi x) {
-    return _mm512_castsi512_ps(x);
-}
-static inline vi vi_add(vi a, vi b) {
-    return _mm512_add_epi32(a, b);
-}
-static inline vi vi_sub(vi a, vi b) {
-    return _mm512_sub_epi32(a, b);
-}
-static inline vi vi_and(vi a, vi b) {
-    return _mm512_and_si512(a, b);
-}
-static inline vi vi_xor(vi a, vi b) {
-    return _mm512_xor_si512(a, b);
-}
-static inline vi vi_or(vi a, vi b) {
-    return _mm512_or_si512(a, b);
-}
-#define vi_shl(x, bits) _mm512_slli_epi32(x, bits)
-#define vi_shr(x, bits) _mm512_srli_epi32(x, bits)
-#define vi_sar(x, bits) _mm512_srai_epi32(x, bits)
-static inline vi vi_mul(vi a, vi b) {
-    return _mm512_mullo_epi32(a, b);
-}
-static inline vi vi_dot16(vi a, vi b) {
-    return _mm512_madd_epi16(a, b);
-}
-static inline vi vi_max(vi a, vi b) {
-    return _mm512_max_epi32(a, b);
-}
-static inline vi vi_min(vi a, vi b) {
-    return _mm512_min_epi32(a, b);
-}
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm512_i32gather_epi32(index, table, 4);
 }
@@ -113,12 +50,6 @@ static inline vi vi_gather_pair(const uint16_t *table, vi index) {
 }
 static inline vf vf_gather(const float *table, vi index) {
     return _mm512_i32gather_ps(index, table, 4);
-}
-static inline vf vf_from_int(vi x) {
-    return _mm512_cvtepi32_ps(x);
-}
-static inline vi vi_truncate(vf x) {
-    return _mm512_cvttps_epi32(x);
 }
 static inline vi vi_permute(vi x, vi index) {
     return _mm512_permutexvar_epi32(index, x);
@@ -164,14 +95,6 @@ static inline void vf_store_where(vm mask, float *to, vf x) {
 static inline void vi_store_where(vm mask, int32_t *to, vi x) {
     _mm512_mask_storeu_epi32(to, mask, x);
 }
-static inline void vector_transpose(vf a[4]) {
-    __m512 t0 = _mm512_unpacklo_ps(a[0], a[1]), t1 = _mm512_unpackhi_ps(a[0], a[1]);
-    __m512 t2 = _mm512_unpacklo_ps(a[2], a[3]), t3 = _mm512_unpackhi_ps(a[2], a[3]);
-    a[0] = _mm512_shuffle_ps(t0, t2, _MM_SHUFFLE(1, 0, 1, 0));
-    a[1] = _mm512_shuffle_ps(t0, t2, _MM_SHUFFLE(3, 2, 3, 2));
-    a[2] = _mm512_shuffle_ps(t1, t3, _MM_SHUFFLE(1, 0, 1, 0));
-    a[3] = _mm512_shuffle_ps(t1, t3, _MM_SHUFFLE(3, 2, 3, 2));
-}
 static inline void vf_load_aos4(const void *const from[16], vf x[4]) {
     for (int i = 0; i < 4; ++i) {
         __m512 row = _mm512_castps128_ps512(_mm_loadu_ps(from[i]));
@@ -191,14 +114,6 @@ static inline void vf_store_aos4(void *to, vf a, vf b, vf c, vf d) {
         _mm_storeu_ps(out + 32 + 4 * i, _mm512_extractf32x4_ps(x[i], 2));
         _mm_storeu_ps(out + 48 + 4 * i, _mm512_extractf32x4_ps(x[i], 3));
     }
-}
-static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
-    const __m128i order = _mm_setr_epi8(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1);
-    __m128i pixels = _mm_loadu_si128((const __m128i *)(const void *)from);
-    _mm_storeu_si128((__m128i *)(void *)to, _mm_shuffle_epi8(pixels, order));
-}
-static inline void vector_fence(void) {
-    _mm_sfence();
 }
 
 #endif

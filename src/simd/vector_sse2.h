@@ -12,92 +12,19 @@ typedef __m128 vf;
 typedef __m128i vi;
 typedef __m128 vm;
 
-static inline vf vf_set(float x) {
-    return _mm_set1_ps(x);
-}
-static inline vf vf_load(const float *from) {
-    return _mm_loadu_ps(from);
-}
-static inline void vf_store(float *to, vf x) {
-    _mm_storeu_ps(to, x);
-}
-static inline void vf_stream(float *to, vf x) {
-    _mm_stream_ps(to, x);
-}
-static inline vf vf_add(vf a, vf b) {
-    return _mm_add_ps(a, b);
-}
-static inline vf vf_sub(vf a, vf b) {
-    return _mm_sub_ps(a, b);
-}
-static inline vf vf_mul(vf a, vf b) {
-    return _mm_mul_ps(a, b);
-}
-static inline vf vf_div(vf a, vf b) {
-    return _mm_div_ps(a, b);
-}
-static inline vf vf_max(vf a, vf b) {
-    return _mm_max_ps(a, b);
-}
-static inline vf vf_min(vf a, vf b) {
-    return _mm_min_ps(a, b);
-}
+#define MM(operation) _mm_##operation
+#define SI(operation) _mm_##operation##_si128
+#define SI_TO_PS _mm_castsi128_ps
+#include "simd/vector_x86.h"
+
 static inline vm vf_greater(vf a, vf b) {
     return _mm_cmpgt_ps(a, b);
 }
-static inline vf vf_and_mask(vm mask, vf x) {
-    return _mm_and_ps(mask, x);
-}
-static inline vm vm_and(vm a, vm b) {
-    return _mm_and_ps(a, b);
-}
-static inline vm vm_or(vm a, vm b) {
-    return _mm_or_ps(a, b);
-}
-static inline vm vm_and_not(vm a, vm b) {
-    return _mm_andnot_ps(b, a);
-}
-static inline vm vm_not(vm a) {
-    return _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi32(-1)));
-}
-static inline int vm_any(vm mask) {
-    return _mm_movemask_ps(mask) != 0;
-}
-static inline vi vi_set(int32_t x) {
-    return _mm_set1_epi32(x);
-}
-static inline vi vf_bits(vf x) {
-    return _mm_castps_si128(x);
-}
-static inline vf vf_from_bits(vi x) {
-    return _mm_castsi128_ps(x);
-}
-static inline vi vi_add(vi a, vi b) {
-    return _mm_add_epi32(a, b);
-}
-static inline vi vi_sub(vi a, vi b) {
-    return _mm_sub_epi32(a, b);
-}
-static inline vi vi_and(vi a, vi b) {
-    return _mm_and_si128(a, b);
-}
-static inline vi vi_xor(vi a, vi b) {
-    return _mm_xor_si128(a, b);
-}
-static inline vi vi_or(vi a, vi b) {
-    return _mm_or_si128(a, b);
-}
-#define vi_shl(x, bits) _mm_slli_epi32(x, bits)
-#define vi_shr(x, bits) _mm_srli_epi32(x, bits)
-#define vi_sar(x, bits) _mm_srai_epi32(x, bits)
 static inline vi vi_mul(vi a, vi b) {
     vi even = _mm_mul_epu32(a, b);
     vi odd = _mm_mul_epu32(_mm_srli_si128(a, 4), _mm_srli_si128(b, 4));
     return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, _MM_SHUFFLE(0, 0, 2, 0)),
                               _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
-}
-static inline vi vi_dot16(vi a, vi b) {
-    return _mm_madd_epi16(a, b);
 }
 static inline vi vi_max(vi a, vi b) {
     vi greater = _mm_cmpgt_epi32(a, b);
@@ -132,41 +59,14 @@ static inline vf vf_gather(const float *table, vi index) {
     _mm_storeu_si128((__m128i *)(void *)lanes, index);
     return _mm_setr_ps(table[lanes[0]], table[lanes[1]], table[lanes[2]], table[lanes[3]]);
 }
-static inline vf vf_from_int(vi x) {
-    return _mm_cvtepi32_ps(x);
-}
-static inline vi vi_truncate(vf x) {
-    return _mm_cvttps_epi32(x);
-}
 static inline vi vi_ramp(int32_t step) {
     return _mm_set_epi32(3 * step, 2 * step, step, 0);
-}
-static inline vi vi_load(const int32_t *from) {
-    return _mm_loadu_si128((const __m128i *)(const void *)from);
-}
-static inline void vi_store(int32_t *to, vi x) {
-    _mm_storeu_si128((__m128i *)(void *)to, x);
-}
-static inline vm vi_not_negative(vi x) {
-    return _mm_castsi128_ps(_mm_cmpgt_epi32(x, _mm_set1_epi32(-1)));
-}
-static inline vm vi_equal(vi a, vi b) {
-    return _mm_castsi128_ps(_mm_cmpeq_epi32(a, b));
-}
-static inline vm vi_greater(vi a, vi b) {
-    return _mm_castsi128_ps(_mm_cmpgt_epi32(a, b));
 }
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
 }
 static inline vi vi_blend(vm mask, vi a, vi b) {
     return _mm_castps_si128(vf_blend(mask, _mm_castsi128_ps(a), _mm_castsi128_ps(b)));
-}
-static inline void vi_store_le_bytes(uint8_t *to, vi x) {
-    _mm_storeu_si128((__m128i *)(void *)to, x);
-}
-static inline unsigned vm_bits(vm mask) {
-    return (unsigned)_mm_movemask_ps(mask);
 }
 static inline void vf_store_where(vm mask, float *to, vf x) {
     _mm_storeu_ps(to, vf_blend(mask, x, _mm_loadu_ps(to)));
