@@ -5,7 +5,7 @@ import { showClaims } from "./claims.js";
 import { codeOf } from "./code.js";
 import { numberOf, parseCsv } from "./csv.js";
 import { whole } from "./first.js";
-import { FRONT, commandLine, divideByHand, draw, open, paint, turn, turnByHand } from "./picture.js";
+import { FRONT, commandLine, darkScheme, divideByHand, draw, open, paint, turn, turnByHand } from "./picture.js";
 import { ONE_ORDER, WITHOUT_ORDER, addressOfState, at, lobeOf, mostOrder, own, settleOrder, show, state } from "./state.js";
 
 // ---- Curves, cost, code ----
@@ -164,6 +164,10 @@ at("exponent").addEventListener("input", () => {
 });
 at("exponent").addEventListener("blur", settle);
 turnByHand(settle);
+darkScheme.addEventListener("change", () => {
+  settle();
+  draw(false);
+});
 divideByHand((percent) => change("divider", percent));
 watchOverlay(() => {
   settle();

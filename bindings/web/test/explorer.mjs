@@ -265,6 +265,10 @@ try {
     for (const scheme of ["light", "dark"]) {
       await shown.emulateMedia({ colorScheme: scheme, reducedMotion: "reduce" });
       check(`${width} ${scheme}: layout`, await layoutFaults(shown), "");
+      const background = (isDark) => document.getElementById("canvas").getContext("2d").getImageData(0, 0, 1, 1).data[0] < 60 === isDark;
+      const followed = shown.waitForFunction(background, scheme === "dark", { timeout: 10000 }).then(() => true, () => false);
+      check(`${width} ${scheme}: the picture's background follows`, await followed, true);
+      await agrees(shown, `${width} ${scheme}`);
       grounds.push(await shown.evaluate(() => Number(getComputedStyle(document.body).backgroundColor.match(/\d+/)[0])));
       if (SCREENS) {
         await shown.screenshot({ path: join(SCREENS, `${width}-${scheme}.png`), fullPage: true });
