@@ -34,7 +34,33 @@
     return at < 0 ? null : { at, start: false };
   }
 
-  // All words must occur. Titles count more than text, complete titles most.
+  const STOP_WORDS = new Set("a an and are as at be by can do does for from how i in is it of on or the this to what when where which why with you".split(" "));
+
+  // The words of a query, without stop words; misspelled words are corrected, and unknown ones dropped if others remain.
+  function wordsOf(query) {
+    const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+    const kept = words.filter((word) => !STOP_WORDS.has(word));
+    const known = kept.map(corrected).filter(Boolean);
+    return known.length ? known : kept.length ? kept : words;
+  }
+
+  // The word; if no page has it, a word of the pages with one letter more or less, changed or swapped; else undefined.
+  let vocabulary = null;
+  function corrected(word) {
+    if (entries.some(({ low }) => low.title.includes(word) || low.text.includes(word))) return word;
+    vocabulary ??= new Set(entries.flatMap(({ low }) => `${low.title} ${low.text}`.match(/[a-z]{4,}/g) ?? []));
+    return [...vocabulary].find((other) => isNear(word, other));
+  }
+  function isNear(a, b) {
+    if (Math.abs(a.length - b.length) > 1) return false;
+    let i = 0;
+    while (i < a.length && a[i] === b[i]) ++i;
+    const [restA, restB] = [a.slice(i), b.slice(i)];
+    return restA.slice(1) === restB || restA === restB.slice(1) || restA.slice(1) === restB.slice(1) ||
+      (restA[0] === restB[1] && restA[1] === restB[0] && restA.slice(2) === restB.slice(2));
+  }
+
+  // All words must occur. Flags and titles count more than text, complete titles most.
   function score(entry, words) {
     let total = 0;
     for (const word of words) {
@@ -43,8 +69,9 @@
       const page = position(entry.low.page, word);
       if (!title && !text && !page) return 0;
       if (title) total += (title.start ? 60 : 25) + 40 * word.length / entry.title.length;
+      if (entry.low.title.match(/^--([a-z-]+)/)?.[1] === word.replace(/^--/, "")) total += 200;
       if (page) total += entry.address.includes("#") ? 6 : 20;
-      if (text) total += (text.start ? 10 : 3) + 4 / (1 + text.at / 200);
+      if (text) total += (text.start ? 10 : 3) + (entry.address.includes("#") ? 0 : 5) + 4 / (1 + text.at / 200); // a page's summary first
     }
     const whole = words.join(" ");
     if (entry.low.title === whole) total += 120;
@@ -81,8 +108,8 @@
     input.setAttribute("aria-expanded", "false");
   }
   function search() {
-    const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
-    if (!words.length || !entries) return close();
+    if (!input.value.trim() || !entries) return close();
+    const words = wordsOf(input.value);
     const best = entries.map((entry) => ({ entry, score: score(entry, words) })).filter((x) => x.score > 0)
       .sort((a, b) => b.score - a.score).slice(0, 20);
     found.innerHTML = best.map(({ entry }, i) => `<a role="option" tabindex="-1" id="found-${i}" href="${root}${entry.address}">` +
@@ -146,7 +173,19 @@
   const list = document.querySelector(".pages");
   if (here && here.offsetTop > list.clientHeight) list.scrollTop = here.offsetTop - list.clientHeight / 2;
 
-  // ---- Copy buttons ----
+  // ---- Code ----
+
+  // Code and formulas that scroll can be scrolled with the keyboard.
+  const blocks = [...document.querySelectorAll("main pre, main math[display='block'], main p:has(> math)")];
+  function focusScrolling() {
+    for (const [block, scrolls] of blocks.map((block) => [block, block.scrollWidth > block.clientWidth])) {
+      if (scrolls) block.setAttribute("tabindex", "0");
+      else block.removeAttribute("tabindex");
+    }
+  }
+  addEventListener("resize", focusScrolling);
+  focusScrolling();
+
 
   for (const pre of document.querySelectorAll("main pre.sourceCode")) {
     const button = document.createElement("button");
