@@ -57,6 +57,7 @@ check "the page: markup in names" grep -q 'new?line ?&lt;&amp;&quot;.obj' out/in
 check "the page: links" grep -q 'src="sub/new%0Aline%20%FF%3C%26%22.png"' out/index.html
 check "the page: search and order stay in one row" \
     [ "$(tr -d '\n' <out/index.html | grep -c '<div id="tools"><input[^>]*><select.*</select></div>')" = 1 ]
+check "the page: By name sorts by name, also at first" [ "$(grep -cE "names\[a\].localeCompare\(names\[b\],'en',\{numeric:true\}\)|^show\(\);sort\(\);" out/index.html)" = 2 ]
 check "the page asks for nothing else" [ "$(grep -cE 'https?:|url\(|@import' out/index.html)" = 0 ]
 check "the sheet is a PNG" [ "$(head -c 4 sheet.png | tail -c 3)" = PNG ]
 
