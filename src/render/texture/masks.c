@@ -3,12 +3,6 @@
 
 #include <string.h>
 
-static void fill(float *to, int count, float value) {
-    for (int i = 0; i < count; ++i) {
-        to[i] = value;
-    }
-}
-
 void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *samples, int count,
                          burnish_texture_scratch *scratch) {
     const float step = 1.0f / BURNISH_SUBPIXELS;
@@ -32,7 +26,7 @@ void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *sam
         right[i] = up[i] = 0;
     }
     for (int s = 0; s < texturing->smooth_samples; ++s) {
-        fill(scratch->covers[s], count, 1.0f);
+        burnish_texture_fill(scratch->covers[s], count, 1.0f);
     }
 }
 
@@ -109,14 +103,10 @@ static int find_mixed(const burnish_texture_levels *levels, const burnish_textur
     return mixed;
 }
 
-static int padded_count(int count) {
-    return (count + BURNISH_TEXTURE_GROUP - 1) / BURNISH_TEXTURE_GROUP * BURNISH_TEXTURE_GROUP;
-}
-
 /* What the quarters of points need of them, one point after another; the rest of a vector is 0. */
 static void collect_mixed(const float *const *streams, const uint8_t *points, int count,
                           float (*to)[BURNISH_TEXTURE_BATCH]) {
-    const int all = padded_count(count);
+    const int all = burnish_texture_padded(count);
     for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
         if (k < BURNISH_TEXTURE_TANGENT || k >= BURNISH_TEXTURE_SHIFT_X) {
             for (int j = 0; j < count; ++j) {
@@ -171,7 +161,7 @@ static void cover_quarters(const burnish_texture_batch *batch, const burnish_mas
         mask.samples = q.count;
         mask.offsets = q.offsets;
         mask.spread = 0.5f;
-        locate_quarters(&q, scratch->mixed, padded_count(mixed), scratch->at);
+        locate_quarters(&q, scratch->mixed, burnish_texture_padded(mixed), scratch->at);
         ops->find_taps(&single, at, (size_t)mixed, &scratch->taps);
         ops->sample_texture(single.levels, &scratch->taps, ALPHA, (size_t)mixed, out);
         ops->cover_samples(&single, &mask, &scratch->taps, at, (size_t)mixed, scratch->sample[3],
@@ -202,7 +192,7 @@ void burnish_masks_apply(const burnish_texturing *texturing, const burnish_textu
         batch->ops->cover_samples(sampler, &mask, &scratch->taps, batch->streams, (size_t)count,
                                   scratch->opacity, scratch->cover);
         cover_quarters(batch, &mask);
-        fill(scratch->opacity, count, 1.0f);
+        burnish_texture_fill(scratch->opacity, count, 1.0f);
         return;
     }
     for (int i = 0; i < count; ++i) {

@@ -186,4 +186,16 @@ typedef struct burnish_texture_batch {
     burnish_texture_scratch *scratch;
 } burnish_texture_batch;
 
+/* `count` rounded up to whole vectors: lanes after the last point also read from the bands of a
+ * texture. */
+static inline int burnish_texture_padded(int count) {
+    return (count + BURNISH_TEXTURE_GROUP - 1) / BURNISH_TEXTURE_GROUP * BURNISH_TEXTURE_GROUP;
+}
+
+static inline void burnish_texture_fill(float *to, int count, float value) {
+    for (int i = 0; i < count; ++i) {
+        to[i] = value;
+    }
+}
+
 #endif

@@ -5,11 +5,6 @@
 
 #include "render/texture/masks.h"
 
-/* Rounds up to whole vectors: lanes after the last point also read from the bands of a texture. */
-static int padded_count(int count) {
-    return (count + 15) / 16 * 16;
-}
-
 /* Whether both look up the same texels. */
 static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sampler *b) {
     return a->levels->width[0] == b->levels->width[0] &&
@@ -50,12 +45,6 @@ static int sample(const burnish_texture_batch *batch, int slot, unsigned channel
     return sample_into(batch, slot, channels, (float *const[]){to[0], to[1], to[2], to[3]});
 }
 
-static void fill(float *to, int count, float value) {
-    for (int i = 0; i < count; ++i) {
-        to[i] = value;
-    }
-}
-
 /* The colour of points, vertex colours included, in scratch->diffuse; opacity as far as colour and
  * opacity textures say. */
 static void find_color(const burnish_texture_batch *batch, const burnish_kernels_points *points) {
@@ -68,14 +57,14 @@ static void find_color(const burnish_texture_batch *batch, const burnish_kernels
     burnish_masks_color(batch);
     for (int k = 0; k < 3; ++k) {
         if (!has_color) {
-            fill(scratch->diffuse[k], count, 1.0f);
+            burnish_texture_fill(scratch->diffuse[k], count, 1.0f);
         }
         for (int i = 0; points->diffuse[k] && i < count; ++i) {
             scratch->diffuse[k][i] *= points->diffuse[k][i];
         }
     }
     if (!has_color) {
-        fill(scratch->opacity, count, 1.0f);
+        burnish_texture_fill(scratch->opacity, count, 1.0f);
     }
     if (takes_alpha && sample(batch, BURNISH_TEXTURE_OPACITY, RED)) {
         for (int i = 0; i < count; ++i) {
@@ -171,7 +160,7 @@ void burnish_texture_shade(const burnish_texturing *texturing, const burnish_ker
                            const burnish_kernels_points *points, const burnish_texture_batch *given,
                            float *const rgb[3]) {
     burnish_texture_batch batch = *given;
-    batch.count = padded_count(given->count); /* arrays are readable up to there */
+    batch.count = burnish_texture_padded(given->count); /* arrays are readable up to there */
     batch.scratch->taps_of = NULL;
     find_color(&batch, points);
     if (batch.material->material.alpha_mode == BURNISH_ALPHA_MASK) {
