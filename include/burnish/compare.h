@@ -16,30 +16,29 @@
 extern "C" {
 #endif
 
-/* What takes longer than looking at every pixel once. */
-typedef uint32_t burnish_metric_flags; /* a sum of: */
+/* Metrics that take longer than one pass over the pixels: a sum of BURNISH_METRIC_... values. */
+typedef uint32_t burnish_metric_flags;
 enum {
     BURNISH_METRIC_SSIM = 1,
     BURNISH_METRIC_FLIP = 2,
     BURNISH_METRICS_ALL = BURNISH_METRIC_SSIM | BURNISH_METRIC_FLIP
 };
 
-/* How two pictures are compared. Start from burnish_compare_options_default(). */
+/* Options for comparing. Start from burnish_compare_options_default(). */
 typedef struct burnish_compare_options {
     uint32_t cookie;                /* set by burnish_compare_options_default() */
     const burnish_context *context; /* NULL: the default */
-    int threads; /* at most so many, [0, 1024]; 0: one per processor. No digit depends
-                                 on it. */
-    burnish_metric_flags metrics; /* the others' results are NaN */
-    int tolerance;              /* 8-bit codes, [0, 255]: a pixel differs where a channel differs by
-                                 more */
-    uint8_t background[3];      /* sRGB, under transparent pixels */
-    const uint8_t *coverage[2]; /* of each picture, for its silhouette: width * height bytes, how
-                                   much of a pixel the object covers, 0 to 255. NULL: its alpha; of
-                                   a picture without alpha, what differs by more than 4 codes from
-                                   the colour of the corners: then of both pictures a pixel counts
-                                   whole or not at all */
-    float *flip_map; /* receives FLIP of each pixel: width * height floats; NULL: not wanted */
+    int threads; /* the most threads, [0, 1024]; 0: one per processor. The results do
+                                 not depend on it */
+    burnish_metric_flags metrics; /* the results of the others are NaN */
+    int tolerance;                /* [0, 255]: a pixel differs if a channel differs by more */
+    uint8_t background[3];        /* sRGB, under transparent pixels */
+    const uint8_t *coverage[2];   /* the silhouettes: width * height bytes, the coverage of each
+                                   pixel by the object in [0, 255]. NULL: alpha, or, without
+                                   alpha, the pixels that differ by more than 4 from the colour
+                                   of the corners; then pixels of both images count completely or
+                                   not at all */
+    float *flip_map; /* receives the FLIP of each pixel, width * height floats; or NULL */
 } burnish_compare_options;
 
 /* All metrics, tolerance 0, a white background, no coverage, no map. */
@@ -50,32 +49,31 @@ static inline burnish_compare_options burnish_compare_options_default(void) {
     return options;
 }
 
-/* How two pictures differ. Colours are sRGB codes; a transparent pixel's lie over the options'
- * background, c' = (a c + (255 - a) b) / 255, rounded. */
+/* How two images differ. Colours are 8-bit sRGB values, blended with the background b of the
+ * options: c' = (a c + (255 - a) b) / 255, rounded. */
 typedef struct burnish_comparison {
-    uint64_t pixels, different_pixels; /* all; those that differ by more than the tolerance */
-    int bounds[4];             /* x0, y0, x1, y1 (exclusive) of those; all 0 where there is none */
-    int largest[4];            /* largest difference in R, G, B and alpha, codes */
+    uint64_t pixels, different_pixels; /* all; different by more than the tolerance */
+    int bounds[4];             /* x0, y0, x1, y1 (exclusive) of the different pixels; 0 if none */
+    int largest[4];            /* largest difference in R, G, B and alpha */
     double mean[4];            /* mean difference, sum of abs(a - b) / pixels */
     double mean_squared_error; /* over R, G and B */
-    double psnr; /* dB: 10 log10(255^2 / mean_squared_error); infinity where nothing differs */
-    double ssim; /* mean structural similarity, at most 1: of Wang et al. 2004, of luma 0.299 R +
-                    0.587 G + 0.114 B, in windows of 11 x 11 pixels that lie in the picture,
-                    weighted by a Gaussian of deviation 1.5, with K1 = 0.01 and K2 = 0.03. NaN where
-                    a side is below 11 */
-    double flip; /* mean FLIP in [0, 1]: of Andersson et al. 2020, seen with 67 pixels per degree */
-    double silhouette_iou; /* sum of min(a, b) / sum of max(a, b) of the pictures' coverage, [0, 1];
-                              NaN where there is no object or no telling it from the ground */
+    double psnr; /* dB: 10 log10(255^2 / mean_squared_error); infinity for equal images */
+    double ssim; /* mean structural similarity, at most 1 (Wang et al. 2004): luma 0.299 R +
+                    0.587 G + 0.114 B, windows of 11 x 11 pixels inside the image, Gaussian
+                    weights of deviation 1.5, K1 = 0.01, K2 = 0.03. NaN if a side is below 11 */
+    double flip; /* mean FLIP in [0, 1] (Andersson et al. 2020) at 67 pixels per degree */
+    double silhouette_iou; /* sum of min(a, b) / sum of max(a, b) of the coverages, [0, 1]; NaN if
+                              there is no object, or it can not be told from the background */
 } burnish_comparison;
 
-/* Compares two pictures of one size.
- *   a, b        only read; RGB8, RGBA8 or BGRA8, which may differ
- *   options     NULL for the defaults
- *   comparison  receives the result; all 0 on error
- *   error       receives the one line of an error; may be NULL
- * The same digits on every machine, for any number of threads. Memory: 2.4 kB per pixel of a row
- * and thread, and no more threads than 128 MiB are enough for.
- * Errors: ARGUMENT (options, sizes that differ, a view that can't be read), MEMORY, CANCELLED. */
+/* Compares two images of the same size.
+ *   a, b        only read; RGB8, RGBA8 or BGRA8; their formats can differ
+ *   options     NULL: the defaults
+ *   comparison  receives the result, all 0 on error
+ *   error       receives the message; may be NULL
+ * The result is the same on every machine and for any number of threads. It takes 2.4 kB per pixel
+ * of a row and thread; the number of threads is reduced to keep that below 128 MiB.
+ * Errors: ARGUMENT (options, different sizes, an invalid view), MEMORY, CANCELLED. */
 BURNISH_API burnish_status burnish_pixels_compare(const burnish_pixels *a, const burnish_pixels *b,
                                                   const burnish_compare_options *options,
                                                   burnish_comparison *comparison,

@@ -1,12 +1,23 @@
-/* burnish/core.h: what every part of the library shares: version, status and error, context,
- * instruction sets, files.
+/* burnish/core.h: version, status and error, context, instruction sets and files, which all other
+ * headers use.
  *
- * A function that can fail returns a burnish_status and, when the caller passes a burnish_error,
- * writes one clear line there: which file or argument, where in it, what was wrong, what to do.
+ * A function that can fail returns a burnish_status. If the caller passes a burnish_error, the
+ * function writes one line into it: the file or argument, the location in it, what was wrong, and
+ * what would be right.
  *
- * A burnish_context tells the library where to take memory from, where to run work, whom to tell
- * about warnings and progress, and when to stop. NULL stands for the default: malloc and free, one
- * pool of threads per process, silence.
+ * A burnish_context supplies memory and threads, receives warnings and progress, and can cancel a
+ * call. NULL is the default context: malloc and free, one thread pool per process, no output.
+ *
+ * Threads. A renderer, a drawing, a PNG stream or an image being written may be used by one thread
+ * at a time. A mesh may be read and drawn by many threads at once, but not while
+ * burnish_mesh_set_material() or burnish_mesh_clip() changes it. A context may be shared if its
+ * functions allow it. Everything else may be called from any thread at any time.
+ *
+ * These are shared by the whole process, and safe to use from any thread:
+ *   - the thread pool, which starts with the first call that needs it and keeps its threads
+ *   - the list of the temporary files of burnish_file_write() and its variants
+ *   - the counter that numbers meshes (burnish_mesh_view.serial)
+ *   - the instruction sets that the processor was found to have
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -33,21 +44,20 @@ extern "C" {
 #define BURNISH_API
 #endif
 
-/* The version of these headers; burnish_version_number() is that of the library that is linked. */
+/* The version of these headers. burnish_version_number() returns the version of the library. */
 #define BURNISH_VERSION_MAJOR 0
 #define BURNISH_VERSION_MINOR 1
 #define BURNISH_VERSION_PATCH 0
 #define BURNISH_VERSION_NUMBER                                                                     \
     (BURNISH_VERSION_MAJOR * 10000 + BURNISH_VERSION_MINOR * 100 + BURNISH_VERSION_PATCH)
 
-/* The library's version as text, for example "0.1.0", and as major * 10000 + minor * 100 + patch.
- */
+/* The version of the library: "0.1.0", and major * 10000 + minor * 100 + patch. */
 BURNISH_API const char *burnish_version(void);
 BURNISH_API int burnish_version_number(void);
 
 /* ---- Status and error ---- */
 
-/* Every status of the library: X(name, exit code of the command line, text). */
+/* All statuses: X(name, exit code of the program burnish, text). */
 #define BURNISH_STATUS_LIST(X)                                                                     \
     X(OK, 0, "success")                                                                            \
     X(ARGUMENT, 2, "an argument is out of range or not initialised")                               \
@@ -65,16 +75,16 @@ typedef enum burnish_status {
         BURNISH_STATUS_COUNT
 } burnish_status;
 
-/* One line about a failure. The caller owns it; burnish never allocates for an error. */
+/* One line about a failure. The caller owns it, and burnish never allocates memory for it. */
 typedef struct burnish_error {
-    burnish_status status; /* the status that the function returned */
-    char text[480];        /* one line, UTF-8, without a newline, control characters replaced */
+    burnish_status status; /* what the function returned */
+    char text[480];        /* UTF-8 without newline and control characters */
 } burnish_error;
 
-/* The general meaning of a status, "unknown status" for a value outside the list. */
+/* The meaning of a status; "unknown status" for a value outside the list. */
 BURNISH_API const char *burnish_status_text(burnish_status status);
 
-/* The exit code that the command line gives a status: 0 for OK, 1 for a value outside the list. */
+/* The exit code of the program burnish for a status; 1 for a value outside the list. */
 BURNISH_API int burnish_status_exit_code(burnish_status status);
 
 /* ---- Description structs ---- */
@@ -89,50 +99,55 @@ BURNISH_API int burnish_status_exit_code(burnish_status status);
 
 /* ---- Context ---- */
 
-/* Where memory comes from. Both functions are called from any thread that runs burnish's work, also
- * at the same time.
- *   allocate  returns size > 0 bytes, aligned to alignment (a power of two, at most 64), or NULL
- *   release   takes back what allocate returned; never NULL */
+/* Allocates memory. Both functions are called from several threads at once.
+ *   allocate   returns size > 0 bytes aligned to alignment, a power of two up to 64; or NULL
+ *   release    releases memory from allocate; never called with NULL
+ *   user_data  passed to both
+ * The library takes all memory from it, with these exceptions: burnish_file_write() and its
+ * variants use malloc for the name of a temporary file and a buffer of 64 KiB; the thread pool uses
+ * memory of the system; decoders of PNG, JPEG, WebP, XML and compressed data use malloc as their
+ * libraries do. */
 typedef struct burnish_allocator {
     void *(*allocate)(void *user_data, size_t size, size_t alignment);
     void (*release)(void *user_data, void *memory);
     void *user_data;
 } burnish_allocator;
 
-/* Who runs work that can be shared by threads.
- *   thread_count  how many calls of a task may run at the same time, [1, 1024]
- *   run           calls task(data, i) once for each i in [0, count), at the same time where it can,
- *                 in any order and on any thread, and returns when all have returned; count is at
- *                 most thread_count */
+/* Runs tasks in parallel.
+ *   thread_count  the most calls of a task that run at once, [1, 1024]
+ *   run           calls task(data, i) once for each i in [0, count), in any order and on any
+ *                 thread, in parallel if possible, and returns after the last; count <=
+ *                 thread_count
+ *   user_data     passed to run */
 typedef struct burnish_task_runner {
     int thread_count;
     void (*run)(void *user_data, int count, void (*task)(void *data, int index), void *data);
     void *user_data;
 } burnish_task_runner;
 
-/* The steps of a call that progress speaks of. */
+/* The stages that progress reports. */
 typedef enum burnish_stage {
     BURNISH_STAGE_READ,      /* bytes to attributes */
     BURNISH_STAGE_BUILD,     /* welding, normals, order */
-    BURNISH_STAGE_TRANSFORM, /* vertices to the screen, triangles to tiles */
+    BURNISH_STAGE_TRANSFORM, /* projecting vertices, sorting triangles into tiles */
     BURNISH_STAGE_DRAW,      /* tiles to pixels */
     BURNISH_STAGE_ENCODE,    /* pixels to a file's bytes */
     BURNISH_STAGE_COUNT
 } burnish_stage;
 
-/* How a context is made. Start from burnish_context_options_default(). NULL functions mean the
- * default. */
+/* The options of a context. A function that is NULL is not used.
+ *   tasks      run NULL: the thread pool of the process
+ *   log        receives each warning as it occurs: one line of UTF-8 without a newline
+ *   cancelled  called every few milliseconds; any value but 0 ends the call with CANCELLED
+ *   progress   receives the progress of a stage in [0, 1], which never decreases */
 typedef struct burnish_context_options {
     uint32_t cookie;             /* set by burnish_context_options_default() */
     burnish_allocator allocator; /* both functions or neither */
-    burnish_task_runner tasks;   /* run NULL: the process' pool of threads */
-    /* A warning as it is found: one line of UTF-8 without a newline. */
+    burnish_task_runner tasks;
     void (*log)(void *user_data, const char *line);
     void *log_user_data;
-    /* Asked every few milliseconds; anything but 0 ends the call with CANCELLED. */
     int (*cancelled)(void *user_data);
     void *cancelled_user_data;
-    /* How far a stage has come: [0, 1], not falling. */
     void (*progress)(void *user_data, burnish_stage stage, double fraction);
     void *progress_user_data;
 } burnish_context_options;
@@ -144,12 +159,14 @@ static inline burnish_context_options burnish_context_options_default(void) {
     return options;
 }
 
-/* Options that calls share. May be used by several threads at the same time where its functions
- * allow that. log, cancelled and progress are called by the thread that called burnish or, with a
- * task runner of the caller's, by the one that runs index 0. */
+/* A context. Several threads may use it at once if its functions allow it. log, cancelled and
+ * progress are called on the thread that called burnish, or on the thread that runs index 0 if the
+ * context has a task runner. */
 typedef struct burnish_context burnish_context;
 
-/* *context is NULL on error. Destroy it after everything that was made with it.
+/* Creates a context.
+ *   options  copied
+ *   context  receives the context, NULL on error. Destroy it after everything created with it
  * Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_context_create(const burnish_context_options *options,
                                                   burnish_context **context, burnish_error *error);
@@ -157,19 +174,19 @@ BURNISH_API burnish_status burnish_context_create(const burnish_context_options 
 /* NULL is allowed. */
 BURNISH_API void burnish_context_destroy(burnish_context *context);
 
-/* Releases memory that the library handed over.
- *   context  the one that the call had which returned it; NULL for the default
+/* Releases memory that the library returned.
+ *   context  the context of the call that returned the memory
  *   memory   NULL is allowed */
 BURNISH_API void burnish_release(const burnish_context *context, void *memory);
 
-/* Processors that this process may use: those of its affinity mask, fewer where its control group
- * (a container's quota) has less time than that. At least 1. */
+/* The number of processors that this process can use: its affinity mask, limited by the quota of
+ * its control group (a container). At least 1. */
 BURNISH_API int burnish_processor_count(void);
 
 /* ---- Instruction sets ---- */
 
-/* X(name, word, lanes), the one list of them: lanes is the number of floats in a vector. Those of a
- * processor are ordered: a later one is faster. avx512 means F, DQ, BW and VL together. */
+/* All instruction sets: X(name, word, floats per vector). A later one of the same processor family
+ * is faster. avx512 requires F, DQ, BW and VL. */
 #define BURNISH_ISA_LIST(X)                                                                        \
     X(SCALAR, scalar, 1)                                                                           \
     X(SSE2, sse2, 4)                                                                               \
@@ -188,92 +205,96 @@ typedef enum burnish_isa {
 /* A set of instruction sets: the sum of 1 << burnish_isa. */
 typedef uint32_t burnish_isa_flags;
 
-/* The environment variable that burnish_isa_choose reads. */
+/* The environment variable that burnish_isa_choose() reads. */
 #define BURNISH_ISA_VARIABLE "BURNISH_ISA"
 
-/* "avx2"; "unknown" for a value outside the list. */
+/* The word of an instruction set, such as "avx2"; "unknown" for a value outside the list. */
 BURNISH_API const char *burnish_isa_name(burnish_isa isa);
 
-/* Floats in a vector of that instruction set, 0 for a value outside the list. */
+/* The number of floats in a vector; 0 for a value outside the list. */
 BURNISH_API int burnish_isa_lanes(burnish_isa isa);
 
-/* The instruction sets that this build has and this processor runs. SCALAR is always one of them. On x86 one counts only where the operating system saves
- * its registers (CPUID together with XCR0). Asks the processor each time, which takes microseconds
- * under a hypervisor: keep the answer. */
+/* The instruction sets that this build contains and this processor runs; SCALAR is always one. On
+ * x86 the operating system must also save the registers (CPUID and XCR0). */
 BURNISH_API burnish_isa_flags burnish_isa_available(void);
 
-/* The fastest of a set of instruction sets; SCALAR for an empty one. Depends on nothing else. */
+/* The fastest instruction set of a set; SCALAR if the set is empty. */
 BURNISH_API burnish_isa burnish_isa_best(burnish_isa_flags available);
 
 /* Chooses an instruction set by name.
- *   name  its word; NULL or "auto": what the environment variable BURNISH_ISA names, and where
- *         that is unset, empty or "auto" the best available
- *   isa   receives it, SCALAR on error; not NULL
- *   error receives the one line of an error; may be NULL
- * Errors: ARGUMENT for an unknown word, or one that this build or processor lacks. */
+ *   name   its word; NULL or "auto": the value of the environment variable BURNISH_ISA or, if that
+ *          is unset, empty or "auto", the fastest available
+ *   isa    receives the instruction set, SCALAR on error; not NULL
+ *   error  receives the message; may be NULL
+ * Errors: ARGUMENT (an unknown word, or an instruction set that is not available). */
 BURNISH_API burnish_status burnish_isa_choose(const char *name, burnish_isa *isa,
                                               burnish_error *error);
 
 /* ---- Files ---- */
 
-/* Writes bytes to a file. A new or existing regular file is written to a temporary in the same
- * folder, which then takes its name: on any error nothing is left and an existing file is as it
- * was. The same when the process is killed, where the system has files without names (Linux, most
- * file systems); elsewhere see burnish_file_remove_temporaries. Not when power fails: nothing waits
- * for the disk (fsync would cost more than most pictures). Links stay links, one to nothing is
- * refused; an existing file keeps its permissions, a new one gets those of the umask. Something
- * else that exists (a device, a pipe) is written directly.
+/* Writes a file, which appears completely or not at all. The bytes go to a temporary file in
+ * the same folder, which then replaces the file. After an error, no new file exists and an existing
+ * file is unchanged. On Linux this also holds if the process is killed, on most file systems;
+ * elsewhere call burnish_file_remove_temporaries(). It does not hold after a power failure, since
+ * the function does not wait for the disk (fsync).
+ *
+ * Symbolic links are followed; a link to a missing file is refused. An existing file keeps its
+ * permissions; the umask applies to a new file. A device or pipe is written directly.
  *   path   the file; "-" is standard output
- *   bytes  what to write; may be NULL when size is 0
- *   size   how many
- *   error  receives the one line of an error; may be NULL
- * Errors: ARGUMENT (path NULL or empty), MEMORY, WRITE. A closed pipe and the limit of file sizes
- * are errors, provided the program ignores SIGPIPE and SIGXFSZ. */
+ *   bytes  the content; may be NULL if size is 0
+ *   size   in bytes
+ *   error  receives the message; may be NULL
+ * Errors: ARGUMENT (path is NULL or empty), MEMORY, WRITE. If the program ignores SIGPIPE and
+ * SIGXFSZ, a closed pipe and a file above the size limit are also errors. */
 BURNISH_API burnish_status burnish_file_write(const char *path, const void *bytes, size_t size,
                                               burnish_error *error);
 
-/* Called when all bytes of an output are written, before a regular file takes its name.
- *   user_data  as passed to burnish_file_write_checked
- * Returns OK, or an error that gives the output up. */
+/* The last check of an output, called after all bytes are written and before the file appears.
+ *   user_data  from the call of burnish_file_write_checked()
+ *   error      receives the message of a failure
+ * Returns OK, or an error that discards the output. */
 typedef burnish_status burnish_file_check(void *user_data, burnish_error *error);
 
-/* burnish_file_write with a last step that can still fail, such as a report: where it does, no file
- * appears and an existing one is as it was. (What is written directly is written by then.)
- *   check    not NULL
- *   user_data  handed to check
- * Errors: as burnish_file_write, and those of check. */
+/* burnish_file_write() with a last check. If the check fails, no file appears and an existing file
+ * is unchanged; what was written directly, to a pipe or device, can not be taken back.
+ *   path, bytes, size, error  as for burnish_file_write()
+ *   check                     not NULL
+ *   user_data                 passed to check
+ * Errors: as for burnish_file_write(), or the error of check. */
 BURNISH_API burnish_status burnish_file_write_checked(const char *path, const void *bytes,
                                                       size_t size, burnish_file_check *check,
                                                       void *user_data, burnish_error *error);
 
-/* Fills buffer with the next bytes of an output.
- *   user_data  as passed to burnish_file_write_stream
- *   buffer   size bytes to fill
- * Returns how many were filled: at most size; 0 ends the output. */
+/* Supplies the next bytes of an output.
+ *   user_data  from the call of burnish_file_write_stream()
+ *   buffer     to fill
+ *   size       of the buffer in bytes
+ * Returns the number of bytes, at most size; 0 ends the output. */
 typedef size_t burnish_file_source(void *user_data, char *buffer, size_t size);
 
-/* The same for an output that is made while it is written, with no more memory than one buffer.
- *   path     the file; "-" is standard output
- *   source   called until it returns 0; not NULL
- *   user_data  handed to source
- *   error    receives the one line of an error; may be NULL
- * Errors: as burnish_file_write. */
+/* burnish_file_write() for an output that is generated while it is written, through one buffer.
+ *   path       the file; "-" is standard output
+ *   source     called until it returns 0; not NULL
+ *   user_data  passed to source
+ *   error      receives the message; may be NULL
+ * Errors: as for burnish_file_write(). */
 BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
                                                      void *user_data, burnish_error *error);
 
-/* The same with a last step, as burnish_file_write_checked has one. A source that can't go on returns
- * 0 and leaves its error to check, and no file appears.
- *   user_data  handed to source and to check
- *   check    NULL: none
- * Errors: as burnish_file_write, and those of check. */
+/* burnish_file_write_stream() with a last check. A source that fails returns 0, and check returns
+ * its error; then no file appears.
+ *   path, source, error  as for burnish_file_write_stream()
+ *   user_data            passed to source and check
+ *   check                NULL: no check
+ * Errors: as for burnish_file_write(), or the error of check. */
 BURNISH_API burnish_status burnish_file_write_stream_checked(const char *path,
                                                              burnish_file_source *source,
                                                              void *user_data,
                                                              burnish_file_check *check,
                                                              burnish_error *error);
 
-/* Removes the temporaries of calls that are writing at this moment. For a handler of signals that
- * ends the process: async-signal-safe, and those calls fail if they go on. */
+/* Removes the temporary files that are being written at this moment. For a signal handler that ends
+ * the process: async-signal-safe. Calls that are writing will fail. */
 BURNISH_API void burnish_file_remove_temporaries(void);
 
 #ifdef __cplusplus

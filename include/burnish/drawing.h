@@ -19,30 +19,30 @@
 extern "C" {
 #endif
 
-/* Lines and areas in the order in which they cover each other. burnish_renderer_trace of render.h
- * and burnish_annotate_drawing of annotate.h put them there. One thread may use a drawing at a
- * time. After an error of such a call it can only be destroyed. */
+/* Lines and areas, from back to front. One thread at a time may use a drawing. After an error of a
+ * function that adds to a drawing, it can only be destroyed. */
 typedef struct burnish_drawing burnish_drawing;
 
-/* Makes an empty one.
- *   context        whose memory it uses; NULL: the default. Must outlive the drawing
+/* Creates an empty drawing.
+ *   context        supplies memory; NULL: the default. Must outlive the drawing
  *   width, height  in pixels, [1, BURNISH_IMAGE_MAX_SIZE]
- *   drawing        receives it; release it with burnish_drawing_destroy
+ *   drawing        receives the drawing; release it with burnish_drawing_destroy()
  * Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_drawing_create(const burnish_context *context, int width,
                                                   int height, burnish_drawing **drawing,
                                                   burnish_error *error);
 
-/* Writes a drawing as SVG, the same bytes everywhere: paths alone, whose coordinates are pixels
- * with two decimals. Letters are paths too, with their text in aria-label, so no font is needed.
- *   title          UTF-8; NULL: none
- *   background     sRGB; NULL: none
- *   dots_per_inch  [1, 1e6]: width and height are millimetres, 25.4 pixels / dots_per_inch; 0: they
- *                  are pixels
- *   text           receives the file, with a 0 at its end; give it to burnish_release() with the
- *                  drawing's context
- *   size           receives its bytes, without that 0
- * Errors: ARGUMENT, MEMORY; *text is then NULL. */
+/* Encodes a drawing as SVG, with the same bytes on every machine. It contains only paths, whose
+ * coordinates are pixels with two decimals. Letters are paths with an aria-label, so the file needs
+ * no font.
+ *   title          UTF-8; NULL: no title
+ *   background     sRGB; NULL: transparent
+ *   dots_per_inch  [1, 1e6]: the size is in millimetres, 25.4 pixels / dots_per_inch; 0: the size
+ *                  is in pixels
+ *   text           receives the file and a terminating 0, NULL on error; release it with
+ *                  burnish_release() and the context of the drawing
+ *   size           receives the size in bytes, without the 0
+ * Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_drawing_encode_svg(const burnish_drawing *drawing,
                                                       const char *title,
                                                       const uint8_t background[3],

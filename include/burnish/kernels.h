@@ -1,24 +1,22 @@
-/* burnish/kernels.h: lobes and the whole lighting equation over arrays, at the speed of the
- * machine, with the same bits on every instruction set.
+/* burnish/kernels.h: lobes and the lighting equation over arrays, with the instruction sets of the
+ * processor and the same bits on each of them.
  *
- * What it does not do: start threads, keep state or draw triangles; only a shader is allocated.
- * Call it from as many threads as you like, each with its own part of the arrays.
+ * It does not start threads, keep state or draw triangles, and allocates only shaders. Any number
+ * of threads may call it at once, each with its own part of the arrays.
  *
  * How to use it.
  *   1. Once: const burnish_kernels *kernels = burnish_kernels_best();
  *   2. Lobes over arrays of cosines: burnish_kernels_lobe_of_cosines(kernels, &lobe, n, ...).
- *   3. Lighting: fill a burnish_kernels_lighting from burnish_kernels_lighting_default(), make a
- *      shader of it, one per material, with burnish_kernels_shader_create, then call
- *      burnish_kernels_shade_rgba8 or _float for the points.
+ *   3. Lighting: start from burnish_kernels_lighting_default(), create a shader per material with
+ *      burnish_kernels_shader_create(), and call burnish_kernels_shade_rgba8() or _float().
  *
- * Arrays are structures of arrays: one float array for x, one for y, one for z. None needs any
- * alignment beyond a float's, though 64 bytes are fastest; lengths need not be a multiple of
- * anything, and 0 is fine.
+ * Vectors are stored as one float array for x, one for y and one for z. Arrays need the alignment
+ * of a float; 64 bytes are fastest. They can have any length, including 0.
  *
- * What it promises. A result depends on its own point only, not on its index in the array, the
- * array's length, the instruction set, the compiler, the thread or the caller's floating-point
- * environment, which is as before afterwards. No fused multiply-add, no approximate instruction, no
- * libm. NaN and infinity in an input harm no other point.
+ * Guarantees. A result depends only on its own point: not on its index, the length of the array,
+ * the instruction set, the compiler, the thread or the floating-point environment, which is
+ * restored. The kernels use no fused multiply-add, no approximate instruction and no libm. NaN and
+ * infinity in one point do not affect another point.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -40,13 +38,12 @@ extern "C" {
 /* The kernels of one instruction set. Constant, never freed. */
 typedef struct burnish_kernels burnish_kernels;
 
-/* The kernels of the fastest instruction set that runs here, or of the one that the environment
- * variable BURNISH_ISA names; a name that does not run here is passed over. Never NULL. Keep the
- * result: it asks the processor. */
+/* The kernels of the fastest available instruction set, or of the one in the environment variable
+ * BURNISH_ISA if it is available. Never NULL. */
 BURNISH_API const burnish_kernels *burnish_kernels_best(void);
 
-/* The kernels of an instruction set, or NULL if this build or processor lacks it. Every function
- * below takes NULL as burnish_kernels_best(): the results are the same. */
+/* The kernels of an instruction set; NULL if it is not available. The functions below accept NULL
+ * as burnish_kernels_best(), with the same results. */
 BURNISH_API const burnish_kernels *burnish_kernels_for(burnish_isa isa);
 
 /* The instruction set of these kernels. */
@@ -54,33 +51,34 @@ BURNISH_API burnish_isa burnish_kernels_get_isa(const burnish_kernels *kernels);
 
 /* ---- Lobes ---- */
 
-/* Each lobe gives a value in [0, 1] for every float, 0 for NaN.
- *   family       burnish_lobe_at_cosine of burnish/lobe.h, bit for bit, times the scale
- *   schlick, gx  burnish_schlick_at_cosine, burnish_gx_at_cosine, bit for bit
- *   lyon         of a cosine: the family's taylor
- *   power, gaussian  within 1e-7, by polynomials; 0 where they are below 2^-126
- *   whole power  the same as power, by multiplications */
+/* The value of a lobe is in [0, 1] for every float, and 0 for NaN.
+ *   family           burnish_lobe_at_cosine() of lobe.h, bit for bit, times the scale
+ *   schlick, gx      burnish_schlick_at_cosine(), burnish_gx_at_cosine(), bit for bit
+ *   lyon             for a cosine, the family with the fit taylor
+ *   power, gaussian  polynomials with an error below 1e-7; 0 below 2^-126
+ *   integer power    as power, with multiplications */
 
 /* values[i] = lobe(cosines[i]).
- *   kernels   from burnish_kernels_best or burnish_kernels_for; NULL: the best
- *   lobe      any that burnish_lobe_spec_check accepts, and whole power; not NULL. The searched
- *             fits (minimax, leastsquares, affine) are solved in each call: 10 to 100 microseconds
- *   exponent  n: [1, 65536], for the family as burnish_lobe_solve has it; a whole number for whole
+ *   kernels   NULL: burnish_kernels_best()
+ *   lobe      one that burnish_lobe_spec_check() accepts, or integer power; not NULL. The fits
+ *             minimax, leastsquares and affine are solved in each call, which takes 10 to 100
+ *             microseconds
+ *   exponent  n in [1, 65536]; for the family see burnish_lobe_solve(); an integer for integer
  *             power
  *   count     number of cosines
  *   cosines   any floats
- *   values    receives count values; may be cosines itself, must not overlap it otherwise
- *   error     receives the one line of an error; may be NULL
+ *   values    receives count values; the array cosines, or one that does not overlap it
+ *   error     receives the message; may be NULL
  * Arrays of 8 MiB and more are written past the caches.
- * Errors: ARGUMENT for a lobe or exponent out of range; nothing is written. */
+ * Errors: ARGUMENT (a lobe or exponent out of range); nothing is written. */
 BURNISH_API burnish_status burnish_kernels_lobe_of_cosines(const burnish_kernels *kernels,
                                                            const burnish_lobe_spec *lobe,
                                                            float exponent, size_t count,
                                                            const float *cosines, float *values,
                                                            burnish_error *error);
 
-/* values[i] = lobe at 1 - cosine = lambdas[i]: the form that keeps its digits for large exponents
- * (family; the other lobes take the cosine 1 - lambda). Otherwise the same. */
+/* values[i] = lobe at lambdas[i] = 1 - cosine, which keeps its precision for large exponents in the
+ * family; the other lobes use the cosine 1 - lambda. Parameters and errors as above. */
 BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *kernels,
                                                            const burnish_lobe_spec *lobe,
                                                            float exponent, size_t count,
@@ -89,12 +87,12 @@ BURNISH_API burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels
 
 /* ---- Vectors ---- */
 
-/* Scales vectors to unit length, each component within 2e-7 relative, with neither root nor
- * division.
- *   kernels  from burnish_kernels_best or burnish_kernels_for; NULL: the best
- *   in       x, y, z of lengths in [2^-60, 2^60]; (0, 0, 0) stays (0, 0, 0), others give no unit
- *            vector
- *   out      receives x, y, z; may be in's arrays */
+/* Scales vectors to unit length without root or division, each component within 2e-7 relative.
+ *   kernels  NULL: burnish_kernels_best()
+ *   count    number of vectors
+ *   in       x, y, z of lengths in [2^-60, 2^60]; (0, 0, 0) stays (0, 0, 0). Other lengths do not
+ *            give a unit vector
+ *   out      receives x, y, z; can be the arrays of in */
 BURNISH_API void burnish_kernels_normalize(const burnish_kernels *kernels, size_t count,
                                            const float *const in[3], float *const out[3]);
 
@@ -106,30 +104,28 @@ BURNISH_API void burnish_kernels_normalize(const burnish_kernels *kernels, size_
  *   d (Ia ka + sum over lights of kd colour max(0, N.L))
  *     + sum over the lights with N.L > 0 of ks colour lobe(c)
  *
- * with c by the specular model (shading.h). Lights do not
- * fall off with distance: scale their colour. Numbers are linear light.
+ * with c by the specular model (shading.h). Values are linear light. Lights do not fall off with
+ * distance; scale their colour instead.
  *
- * Accuracy: with the family, zeta and the half vector are one constant where both light and viewer
- * are far; then, and with the cosines of point lights, rounding is that of c in float: about
- * zeta 2^-22 in the lobe's base. */
+ * Accuracy: about zeta 2^-22 in the base of a lobe of the family, from rounding c to float. */
 
 /* Material, lights and viewer. Start from burnish_kernels_lighting_default(). */
 typedef struct burnish_kernels_lighting {
     uint32_t cookie;           /* set by burnish_kernels_lighting_default() */
     burnish_material material; /* colours in [0, 1e6]; has_diffuse is not read */
-    burnish_lobe_spec lobe;    /* lyon with Blinn: N has nearly unit length and is scaled by
-                                  burnish_lyon_normalize_factor for the lobe instead of exactly */
+    burnish_lobe_spec lobe;    /* for lyon with Blinn, N must have nearly unit length; the lobe
+                                  scales it by burnish_lyon_normalize_factor() */
     burnish_specular_model specular_model;
     float ambient_light[3]; /* Ia, [0, 1e6] */
-    int local_viewer;       /* 0: V is `viewer` everywhere; 1: the viewer stands at `viewer` */
+    int local_viewer;       /* 0: V is `viewer` everywhere; 1: `viewer` is a position */
     float viewer[3];        /* unit vector toward the viewer, or its position */
     int light_count;        /* [0, BURNISH_LIGHT_MAX] */
-    burnish_light lights[BURNISH_LIGHT_MAX]; /* none follows a camera; directions of length 1;
-                                                rounded to float */
+    burnish_light lights[BURNISH_LIGHT_MAX]; /* without follows_camera; directions have length 1.
+                                                Rounded to float */
 } burnish_kernels_lighting;
 
-/* Ambient .05, diffuse .6, specular .35, exponent 32, energy:2, Blinn, white ambient light, a
- * distant viewer toward +z, one white directional light from (-.48, .6, .64). */
+/* Ambient 0.05, diffuse 0.6, specular 0.35, exponent 32, energy:2, Blinn, white ambient light, a
+ * distant viewer toward +z, one white directional light from (-0.48, 0.6, 0.64). */
 BURNISH_API void burnish_kernels_lighting_init(burnish_kernels_lighting *lighting, uint64_t layout);
 static inline burnish_kernels_lighting burnish_kernels_lighting_default(void) {
     burnish_kernels_lighting lighting;
@@ -137,17 +133,17 @@ static inline burnish_kernels_lighting burnish_kernels_lighting_default(void) {
     return lighting;
 }
 
-/* A lighting, checked and folded into what does not depend on the point. Constant. */
+/* A lighting that was checked and reduced to constants. Any number of threads may use it. */
 typedef struct burnish_kernels_shader burnish_kernels_shader;
 
-/* Makes one. Some tens of operations per light; the searched fits of the family (minimax,
- * leastsquares, affine) take 10 to 100 microseconds.
- *   lighting  not NULL; not kept
- *   context   where its memory comes from; NULL: malloc. Must outlive the shader
- *   shader    receives it, NULL on error; give it to burnish_kernels_shader_destroy; not NULL
- *   error     receives the one line of an error; may be NULL
- * Errors: ARGUMENT for numbers out of range, directions that are not unit vectors (by more than
- * 1e-3), a lighting that does not come from burnish_kernels_lighting_default; MEMORY. */
+/* Creates a shader, with some tens of operations per light. The fits minimax, leastsquares and
+ * affine take 10 to 100 microseconds.
+ *   lighting  not NULL; not used after the call
+ *   context   supplies memory; NULL: malloc. Must outlive the shader
+ *   shader    receives the shader, NULL on error; release it with burnish_kernels_shader_destroy()
+ *   error     receives the message; may be NULL
+ * Errors: ARGUMENT (not initialised, numbers out of range, directions that differ from unit length
+ * by more than 1e-3), MEMORY. */
 BURNISH_API burnish_status burnish_kernels_shader_create(const burnish_kernels_lighting *lighting,
                                                          const burnish_context *context,
                                                          burnish_kernels_shader **shader,
@@ -158,28 +154,29 @@ BURNISH_API void burnish_kernels_shader_destroy(burnish_kernels_shader *shader);
 
 /* The points to shade: arrays of count floats. */
 typedef struct burnish_kernels_points {
-    const float *normal[3];   /* length in [2^-60, 2^60]; (0, 0, 0) gets the ambient term only */
+    const float *normal[3];   /* length in [2^-60, 2^60]; (0, 0, 0) gets only the ambient term */
     const float *diffuse[3];  /* d, >= 0; all NULL: 1 */
-    const float *position[3]; /* times w; read where a light is a point or the viewer local */
-    const float *w;           /* > 0: the point lies at position / w; NULL: 1 */
-    const float *first_light; /* [0, 1]: what of the first light reaches the point; NULL: all */
+    const float *position[3]; /* times w; for point lights or a local viewer */
+    const float *w;           /* > 0: the point is at position / w; NULL: 1 */
+    const float *first_light; /* [0, 1]: share of the first light that arrives; NULL: 1 */
 } burnish_kernels_points;
 
-/* Shades points into pixels: channel = 255 min(1, value), halves to even; alpha 255.
- *   kernels  from burnish_kernels_best or burnish_kernels_for; NULL: the best
- *   shader   from burnish_kernels_shader_create; not NULL
+/* Shades points to pixels: channel = 255 min(1, value), rounded to nearest even; alpha 255.
+ *   kernels  NULL: burnish_kernels_best()
+ *   shader   from burnish_kernels_shader_create(); not NULL
  *   points   no array overlaps the output; differences of positions in [2^-60, 2^60]
  *   count    number of points
- *   rgba     receives 4 count bytes, R first
- *   error    receives the one line of an error; may be NULL
- * Errors: ARGUMENT for a missing shader or array; nothing is written. */
+ *   rgba     receives 4 count bytes, red first
+ *   error    receives the message; may be NULL
+ * Errors: ARGUMENT (a missing shader or array); nothing is written. */
 BURNISH_API burnish_status burnish_kernels_shade_rgba8(const burnish_kernels *kernels,
                                                        const burnish_kernels_shader *shader,
                                                        const burnish_kernels_points *points,
                                                        size_t count, uint8_t *rgba,
                                                        burnish_error *error);
 
-/* The same into linear floats, three arrays of count, not clamped above. */
+/* Shades points to linear floats, in three arrays of count, without an upper limit. Other
+ * parameters and errors as for burnish_kernels_shade_rgba8(). */
 BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *kernels,
                                                        const burnish_kernels_shader *shader,
                                                        const burnish_kernels_points *points,

@@ -17,28 +17,29 @@
 extern "C" {
 #endif
 
-/* Sets of options by name. */
+/* The looks. docs/gallery.md shows them. */
 typedef enum burnish_look {
-    BURNISH_LOOK_PLAIN, /* what burnish_render_options_default() has: the default rig on white */
-    /* The same rig, so weak that a white surface comes out near 0.9 of white and no surface's own
-     * colour is cut off, on a ground a little darker than white, with ambient occlusion. */
+    BURNISH_LOOK_PLAIN, /* the default: key, fill and rim light on white */
+    /* The same lights, dimmed until a white surface reaches about 0.9 of white and no colour
+     * saturates, with ambient occlusion on a light grey background. */
     BURNISH_LOOK_STUDIO,
-    BURNISH_LOOK_CLAY,      /* studio without highlights: every surface one matt warm colour */
-    BURNISH_LOOK_TECHNICAL, /* edges over light, matt surfaces; one light, white ground */
-    BURNISH_LOOK_DRAWING,   /* edges alone: surfaces as white as the ground */
-    BURNISH_LOOK_LOBES,     /* one light on dark surfaces, white ground: highlights stand out */
+    BURNISH_LOOK_CLAY,      /* studio without highlights: all surfaces in one matt, warm colour */
+    BURNISH_LOOK_TECHNICAL, /* edges over light, matt surfaces; one light, white background */
+    BURNISH_LOOK_DRAWING,   /* only edges: surfaces and background are white */
+    BURNISH_LOOK_LOBES,     /* one light on dark surfaces, white background: for highlights */
     BURNISH_LOOK_COUNT
 } burnish_look;
 
-/* Sets the options' lights, ambient light, background, occlusion, edges, edge_width and
- * ignore_colors as the look has them; call it before settings of your own.
- * Errors: ARGUMENT (options not from burnish_render_options_default(), no such look). */
+/* Sets the lights, ambient light, background, occlusion, edges, edge_width and ignore_colors of a
+ * look. Call it before you change options.
+ * Errors: ARGUMENT (options not initialised, unknown look). */
 BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_options *options,
                                                            burnish_look look, burnish_error *error);
 
-/* Gives the look's colours, without a highlight's exponent, to those of a mesh's materials that
- * have none of their own (has_diffuse 0); with CLAY and DRAWING to all, with PLAIN to none. Errors:
- * ARGUMENT (no such look), MEMORY. */
+/* Sets the colours of a look in the materials of a mesh, but not their exponents: CLAY and DRAWING
+ * change all materials, PLAIN none, the others those without colours of their own (has_diffuse 0).
+ * As burnish_mesh_set_material(), it excludes other threads from the mesh.
+ * Errors: ARGUMENT (unknown look), MEMORY. */
 BURNISH_API burnish_status burnish_look_set_materials(burnish_look look, burnish_mesh *mesh,
                                                       burnish_error *error);
 

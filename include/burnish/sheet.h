@@ -19,33 +19,38 @@ extern "C" {
 
 /* ---- Text ---- */
 
-/* Draws one line of text (ASCII 32..126, others as '?') with a stroke font of round pens,
- * antialiased in linear light. x, y: left end of the baseline in pixels from the top left; height:
- * of a capital letter, in pixels, at least 5; color: sRGB 0..255. Parts outside the image are left
- * out. Returns the advance in pixels; with image NULL it only measures. */
+/* Draws one line of text with burnish's stroke font, antialiased in linear light.
+ *   image   receives the text; NULL: only measure. Parts outside the image are skipped
+ *   x, y    left end of the baseline, in pixels from the top left corner
+ *   height  of a capital letter in pixels, at least 5
+ *   color   sRGB
+ *   text    ASCII 32 to 126; other characters become '?'
+ * Returns the advance in pixels. */
 BURNISH_API float burnish_image_draw_text(burnish_image *image, float x, float y, float height,
                                           const uint8_t color[3], const char *text);
 
-/* Steps of an outline: the points that follow the current one. */
+/* The segments of an outline, with the number of points that each one has. */
 typedef enum burnish_outline_verb {
-    BURNISH_OUTLINE_MOVE,  /* 1: begins a contour; the one before is closed */
+    BURNISH_OUTLINE_MOVE,  /* 1: begins a contour; the previous contour is closed */
     BURNISH_OUTLINE_LINE,  /* 1 */
     BURNISH_OUTLINE_CONIC, /* 2: control, end */
     BURNISH_OUTLINE_CUBIC  /* 3: control, control, end */
 } burnish_outline_verb;
 
-/* Takes a step: x, y of each point in 1/256 pixels, y upward. */
+/* Receives a segment.
+ *   user_data  the take_data of burnish_font.set_line
+ *   points     x, y of each point in 1/256 pixels, y upward */
 typedef void burnish_outline_sink(void *user_data, burnish_outline_verb verb,
                                   const int32_t *points);
 
-/* Who sets text that burnish's stroke font has no letters for. Outlines are filled with exact area
- * coverage in integers, so that only the font decides what comes out.
- *   set_line   sets one line of UTF-8 from its left end: hands the outlines to take, unless that is
- *              NULL, and returns the advance in 1/256 pixels
- *     text     length bytes
- *     height   of a capital letter, in pixels
- *     take_data  user_data of take
- *   user_data  of set_line */
+/* A font for text that burnish's stroke font has no letters for. Outlines are filled with exact
+ * area coverage in integers, so the pixels depend only on the font.
+ *   set_line     sets one line of UTF-8 from its left end: passes the outlines to take, unless take
+ *                is NULL, and returns the advance in 1/256 pixels
+ *     text       length bytes of UTF-8
+ *     height     of a capital letter, in pixels
+ *     take_data  passed to take
+ *   user_data    passed to set_line */
 typedef struct burnish_font {
     int32_t (*set_line)(void *user_data, const char *text, size_t length, int height,
                         burnish_outline_sink *take, void *take_data);
@@ -56,35 +61,39 @@ typedef struct burnish_font {
 
 /* One cell of a contact sheet. */
 typedef struct burnish_sheet_cell {
-    const burnish_image *image; /* all cells have the same size and channels */
-    const char *label;          /* one line under the picture; NULL or "" for none */
-    const burnish_font *font;   /* of the label; NULL: burnish's stroke font */
+    const burnish_image *image; /* of the same size and channels in all cells */
+    const char *label;          /* one line under the image; NULL or "": no label */
+    const burnish_font *font;   /* for the label; NULL: burnish's stroke font */
 } burnish_sheet_cell;
 
-/* The size of the sheet that burnish_image_sheet makes, before any picture is drawn: of the cells'
- * images width, height and channels count, pixels may be NULL.
+/* The size of a sheet that burnish_image_sheet() would make. The pixels of the images can be NULL.
+ *   cells          count of them
  *   columns        [1, count]
- *   width, height  of the sheet in pixels; 0 after an error
- * Errors: ARGUMENT (cells that differ, a sheet over BURNISH_IMAGE_MAX_SIZE). */
+ *   width, height  receive the size in pixels, 0 on error
+ * Errors: ARGUMENT (cells differ in size, or the sheet exceeds BURNISH_IMAGE_MAX_SIZE). */
 BURNISH_API burnish_status burnish_image_sheet_size(const burnish_sheet_cell *cells, size_t count,
                                                     int columns, int *width, int *height,
                                                     burnish_error *error);
 
-/* Lays out cells row by row under each other, labels below each cell, in a new image.
- * columns: [1, count]; background and ink: sRGB 0..255 of the margin and the labels.
- * Errors: ARGUMENT (cells that differ, a sheet over BURNISH_IMAGE_MAX_SIZE), MEMORY. */
+/* Arranges images row by row in a new image, with a label below each.
+ *   sheet       receives the image, empty on error. It uses the context of the first image
+ *   cells       count of them
+ *   columns     [1, count]
+ *   background  sRGB of the margins
+ *   ink         sRGB of the labels
+ * Errors: ARGUMENT (cells differ in size, or the sheet exceeds BURNISH_IMAGE_MAX_SIZE), MEMORY. */
 BURNISH_API burnish_status burnish_image_sheet(burnish_image *sheet,
                                                const burnish_sheet_cell *cells, size_t count,
                                                int columns, const uint8_t background[3],
                                                const uint8_t ink[3], burnish_error *error);
 
-/* Lays out drawings as burnish_image_sheet does pictures, to the pixel.
- *   cells     sizes and labels; pixels may be NULL
- *   drawings  one per cell, of the cells' size; they are copied
+/* Arranges drawings in a new drawing, with the layout of burnish_image_sheet().
+ *   cells     their sizes and labels; the pixels can be NULL
+ *   drawings  one per cell, of the size of the cells; copied
  *   columns   [1, count]
  *   ink       sRGB of the labels
- *   sheet     receives it, NULL on error; it has the first drawing's context
- * Errors: as burnish_image_sheet; ARGUMENT also for a drawing of another size. */
+ *   sheet     receives the drawing, NULL on error. It uses the context of the first drawing
+ * Errors: as for burnish_image_sheet(); also ARGUMENT for a drawing of another size. */
 BURNISH_API burnish_status burnish_drawing_sheet(const burnish_sheet_cell *cells,
                                                  burnish_drawing *const *drawings, size_t count,
                                                  int columns, const uint8_t ink[3],

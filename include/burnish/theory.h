@@ -1,5 +1,5 @@
-/* burnish/theory.h: properties of a lobe, in double precision: values, derivatives, widths,
- * energy, sampling, errors against cos^n, cost, and the claims of the paper with their verdicts.
+/* burnish/theory.h: properties of lobes in double precision: values, derivatives, widths, energy,
+ * sampling, errors against cos^n, cost, and the claims of the paper with their verdicts.
  *
  * How to use it.
  *   1. Make a model, from words or from parts:
@@ -9,7 +9,7 @@
  *
  * What it does not do: shade. Pictures use burnish/lobe.h; this is for set-up, tests and figures.
  * Notation: n exponent, m order, c cosine of the lobe angle, lambda = 1 - c, zeta slope of the
- * lobe's base, "the power" is c^n. Angles are radians in [0, pi].
+ * base of the lobe. Angles are radians in [0, pi].
  *
  * What it promises. Every function takes any model that a function here made successfully. No
  * function allocates, prints or keeps state; all may be called from any thread. Results do not
@@ -66,8 +66,8 @@ BURNISH_THEORY_API double burnish_theory_gx(double cosine, double exponent);
 
 /* Made by burnish_theory_model_create; read it freely, change nothing. */
 typedef struct burnish_theory_model {
-    burnish_lobe_spec lobe; /* any kind but WHOLE_POWER */
-    double exponent;        /* n of the power that it stands for: [1, 65536] */
+    burnish_lobe_spec lobe; /* any kind but INTEGER_POWER */
+    double exponent;        /* n of the cos^n that it approximates: [1, 65536] */
     double zeta;            /* FAMILY, LYON: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
     double scale;           /* value at the peak: 1, in (0, 1) with fit AFFINE */
     double k[3];            /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the formula below, 0 */
@@ -76,16 +76,16 @@ typedef struct burnish_theory_model {
 /* Makes the model of a lobe.
  *   family, lyon   burnish_lobe_solve
  *   nv2x           a Moebius function of the cosine, as in NVIDIA's NV1x and NV2x chips. Their
- *                  constants are known only from reverse engineering, to two digits; k0, k1, k2
- *                  here are the best of that form: value 1 at the peak, least maximum error
+ *                  constants are known to two digits, from reverse engineering. k0, k1 and k2 are
+ *                  the best of this form: value 1 at the peak, least maximum error
  *   kuijk-blake    with the angle x: 1 - x^2/(ab) to a, (x - b)^2 / (b (b - a)) from a to b,
- *                  a = (n + 5.6) / (n (.09 n + 5.2)), b = (n + 65) / (5 n + 31.7); a poor fit from
+ *                  a = (n + 5.6) / (n (0.09 n + 5.2)), b = (n + 65) / (5 n + 31.7); a poor fit from
  *                  n = 128 up. Source: Kuijk and Blake 1989
- *   table          of the power, not stored: entry i is (i / (entries - 1))^n, the nearest one
- *                  (halves go up) or linear interpolation
+ *   table          of c^n, not stored: entry i is (i / (entries - 1))^n; the nearest entry
+ *                  (halves round up) or linear interpolation
  *
- *   model     becomes the model, on error that of the power with exponent 1; not NULL
- *   lobe      any but WHOLE_POWER; may be model's own; not NULL
+ *   model     receives the model, on error cos^1; not NULL
+ *   lobe      any but INTEGER_POWER; may be a member of model; not NULL
  *   exponent  n: [1, 65536]; for FAMILY and LYON as for burnish_lobe_solve
  * Errors: those of burnish_lobe_solve, ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for
  * a table's number of entries. */
@@ -93,12 +93,13 @@ BURNISH_THEORY_API burnish_lobe_status burnish_theory_model_create(burnish_theor
                                                                    const burnish_lobe_spec *lobe,
                                                                    double exponent);
 
-/* The same from words: those of burnish_lobe_spec_parse, and nv2x, kuijk-blake, tableN,
- * tableN:nearest, tableN:linear (N entries). burnish_lobe_spec_name writes them.
+/* Makes the model of a lobe from its words: the words of burnish_lobe_spec_parse(), and nv2x,
+ * kuijk-blake, tableN, tableN:nearest, tableN:linear (N entries). burnish_lobe_spec_name() writes
+ * them.
  *   text      the words, zero-terminated; not NULL
  *   exponent  n: [1, 65536]
- *   model     becomes the lobe; as it was on error; not NULL
- *   error     receives the one line of an error; may be NULL
+ *   model     receives the model, unchanged on error; not NULL
+ *   error     receives the message; may be NULL
  * Errors: ARGUMENT. */
 BURNISH_THEORY_API burnish_status burnish_theory_model_parse(const char *text, double exponent,
                                                              burnish_theory_model *model,
@@ -121,26 +122,26 @@ BURNISH_THEORY_API double burnish_theory_value(const burnish_theory_model *model
 BURNISH_THEORY_API double burnish_theory_value_at_angle(const burnish_theory_model *model,
                                                         double angle);
 
-/* Value, first and second derivative in the angle, for an angle in [0, pi]. Where the lobe has a
- * corner or a step (its zero, table nodes), the values of the side towards the peak. For m = 2:
- * W' = -2 zeta sin(x) u, W'' = 2 zeta^2 sin^2(x) - 2 zeta cos(x) u.
+/* Value, first and second derivative in the angle, for an angle in [0, pi]. At a corner or
+ * step of the lobe (its zero, table nodes), these are the values on the side of the peak. For m =
+ * 2: W' = -2 zeta sin(x) u, W'' = 2 zeta^2 sin^2(x) - 2 zeta cos(x) u.
  *   derivatives  receives the three numbers; not NULL */
 BURNISH_THEORY_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
                                                    double derivatives[3]);
 
 /* Radius of curvature of the curve over the angle, the paper's R(x): (1 + S'^2)^(3/2) / abs(S''),
  * S' and S'' being the derivatives above, both axes with the same unit (1 radian, 1 of the value).
- * A small radius is a sharp bend. 1/(m zeta) at the peak of the family, 1/n at the power's.
- * Infinity where S'' is 0: at an inflection, where the lobe is 0, between nodes of a table. angle
- * [0, pi] */
+ * A small radius is a sharp bend. 1/(m zeta) at the peak of the family, 1/n at the peak of
+ * cos^n. Infinity if S'' is 0: at an inflection, beyond the zero, between the nodes of a table.
+ *   angle  [0, pi] */
 BURNISH_THEORY_API double burnish_theory_curvature_radius(const burnish_theory_model *model,
                                                           double angle);
 
 /* Lyon's approximation of 1/sqrt(s) near 1: 1 + e/2 + 3 e^2/8, e = 1 - s. Source: Lyon 1993. */
 BURNISH_THEORY_API double burnish_theory_lyon_normalize_factor(double s);
 
-/* Lyon's lobe of two vectors that are nearly of unit length, both scaled by that factor. 0 for an
- * order or exponent without a lobe. */
+/* Lyon's lobe of two nearly unit vectors, scaled by burnish_theory_lyon_normalize_factor(). 0 for
+ * an order or exponent without a lobe. */
 BURNISH_THEORY_API double burnish_theory_lyon_vectors(const double a[3], const double b[3],
                                                       double exponent, int order);
 
@@ -148,31 +149,31 @@ BURNISH_THEORY_API double burnish_theory_lyon_vectors(const double a[3], const d
 
 /* The smallest angle at which the lobe is 0 up to rounding: acos(1 - 1/zeta) for the family, pi/2
  * for power, schlick and gx, where a nearest table's lowest entry begins.
- * Returns NaN where there is none: the Gaussian, the family with zeta < 1/2. */
+ * Returns NaN if there is no zero: for the Gaussian, and the family with zeta < 1/2. */
 BURNISH_THEORY_API double burnish_theory_zero_angle(const burnish_theory_model *model);
 
-/* The cosine of that angle, computed directly: 1 - 1/zeta for the family, which is below -1 where
- * there is no zero (zeta < 1/2); NaN for the Gaussian. */
+/* The cosine of that angle, computed directly: 1 - 1/zeta for the family, below -1 if there
+ * is no zero (zeta < 1/2); NaN for the Gaussian. */
 BURNISH_THEORY_API double burnish_theory_cutoff_cosine(const burnish_theory_model *model);
 
 /* burnish_theory_curvature_radius where the curve reaches zero, seen from the peak, in closed form;
  * m = 2: 1 / (4 zeta - 2). Infinity where S'' is 0 (m >= 4, tables); NaN without a zero. */
 BURNISH_THEORY_API double burnish_theory_zero_curvature_radius(const burnish_theory_model *model);
 
-/* Where cos^n has its inflection: acos(sqrt((n - 1) / n)). n >= 1, otherwise NaN. */
+/* The inflection of cos^n: acos(sqrt((n - 1) / n)). n >= 1, otherwise NaN. */
 BURNISH_THEORY_API double burnish_theory_inflection_angle(double exponent);
 
 /* The smallest angle at which the lobe is at most a level, for instance 2^-q:
  * power acos(L^(1/n)); schlick acos(n / (1/L + n - 1)); family acos(1 - (1 - L^(1/m)) / zeta) ...
  *   level  [0, 1); 0 is burnish_theory_zero_angle
- * Returns 0 where the lobe's peak is not above the level, NaN where the lobe stays above it at
- * every angle, and for a level out of range. */
+ * Returns 0 if the peak is not above the level; NaN if the lobe is above the level at every angle,
+ * and for a level out of range. */
 BURNISH_THEORY_API double burnish_theory_angle_at(const burnish_theory_model *model, double level);
 
-/* R: the angle at which the power reaches 2^-bits, divided by the angle at which the lobe does.
+/* R: the angle at which cos^n reaches 2^-bits, divided by the angle at which the lobe reaches it.
  * Above 1 the lobe ends sooner.
- *   bits  q > 0, need not be whole
- * NaN where the lobe never falls to that level. */
+ *   bits  q > 0, not necessarily an integer
+ * Returns NaN if the lobe never falls to that level. */
 BURNISH_THEORY_API double burnish_theory_width_ratio(const burnish_theory_model *model,
                                                      double bits);
 
@@ -192,24 +193,25 @@ typedef enum burnish_theory_measure {
 BURNISH_THEORY_API double burnish_theory_integral(const burnish_theory_model *model,
                                                   burnish_theory_measure measure);
 
-/* The part of that integral with cosines from `from` up to 1; from: [0, 1]. */
+/* The part of that integral with cosines in [from, 1].
+ *   from  [0, 1] */
 BURNISH_THEORY_API double burnish_theory_partial_integral(const burnish_theory_model *model,
                                                           burnish_theory_measure measure,
                                                           double from);
 
-/* The factor with which a lobe never reflects more light than arrives, and exactly as much at
- * normal incidence: Phong, where c = R.V: 1 / (cosine-weighted integral). */
+/* The factor for Phong (c = R.V) with which a lobe never reflects more light than arrives, and
+ * exactly as much at normal incidence: 1 / (cosine-weighted integral). */
 BURNISH_THEORY_API double burnish_theory_phong_factor(const burnish_theory_model *model);
 
-/* The same for Blinn, where c = N.H: 1 / (8 pi integral over h in [sqrt(1/2), 1] of
- * S(h) (2 h^2 - 1) h dh). For the power (n+2)(n+4) / (8 pi (2^(-n/2) + n)). */
+/* The same factor for Blinn (c = N.H): 1 / (8 pi integral over h in [sqrt(1/2), 1] of
+ * S(h) (2 h^2 - 1) h dh). For cos^n: (n+2)(n+4) / (8 pi (2^(-n/2) + n)). */
 BURNISH_THEORY_API double burnish_theory_blinn_factor(const burnish_theory_model *model);
 
-/* The common approximation to that for the power: (n + 8) / (8 pi). */
+/* The common approximation of that factor for cos^n: (n + 8) / (8 pi). */
 BURNISH_THEORY_API double burnish_theory_blinn_factor_common(double exponent);
 
 /* The factor that makes the lobe a distribution of normals: 1 / (cosine-weighted integral), so that
- * D(h) (n.h) d omega integrates to 1. Power: (n + 2) / (2 pi). */
+ * D(h) (n.h) d omega integrates to 1. cos^n: (n + 2) / (2 pi). */
 BURNISH_THEORY_API double burnish_theory_normal_factor(const burnish_theory_model *model);
 
 /* Density per steradian of directions drawn in proportion to the lobe, or to lobe times cosine:
@@ -235,54 +237,54 @@ BURNISH_THEORY_API void burnish_theory_sample_direction(const burnish_theory_mod
                                                         burnish_theory_measure measure,
                                                         const double xi[2], double direction[3]);
 
-/* ---- Errors against the power ---- */
+/* ---- Errors against cos^n ---- */
 
-/* How far a lobe is from the power with its exponent, for angles from 0 to `end`. */
+/* How far a lobe is from cos^n, for angles from 0 to `end`. */
 typedef struct burnish_theory_difference {
-    double end;            /* where the range ends, radians */
-    double absolute;       /* largest abs(lobe - power) */
+    double end;            /* end of the range, radians */
+    double absolute;       /* largest abs(lobe - cos^n) */
     double absolute_angle; /* where */
-    double above, below;   /* largest lobe - power and power - lobe, each >= 0 */
-    double relative;       /* largest abs(lobe / power - 1), infinity where the power is 0 */
+    double above, below;   /* largest lobe - cos^n and cos^n - lobe, each >= 0 */
+    double relative;       /* largest abs(lobe / cos^n - 1), infinity if cos^n is 0 */
     double relative_angle; /* where */
-    double integral;       /* integral of abs(lobe - power) over the solid angle, steradians */
-    double rms;            /* root of the mean of (lobe - power)^2 over that solid angle */
+    double integral;       /* integral of abs(lobe - cos^n) over the solid angle, steradians */
+    double rms;            /* root of the mean of (lobe - cos^n)^2 over the solid angle */
 } burnish_theory_difference;
 
-/* Measures all of that. The maxima are certified. The slopes of a lobe and of the power are equal
- * at two points at most (proof: docs/theory.md), found by bisection (family, schlick, gaussian, gx,
- * nv2x; within each cell of a table one point in closed form). For kuijk-blake both curves fall
- * with the angle, so lobe(a) - power(b) bounds the error on [a, b], and intervals are split until
- * no bound exceeds the maximum found by more than 1e-9. end     (0, pi/2]:
- * burnish_theory_inflection_angle, burnish_theory_angle_at of the power, or pi/2 for everything
- *   result  receives the numbers, all NaN for an end out of range; not NULL
- * Guarantees: maxima within 1e-9, angles where the error is within 1e-9 of the maximum; integral
- * and rms within 1e-8 relative where the maximum is above 1e-7. */
+/* Measures the difference. The maxima are certified. The slopes of a lobe and of cos^n are equal at
+ * two points at most (proof: docs/theory.md), which are found by bisection (family, schlick,
+ * gaussian, gx, nv2x; for each cell of a table one point in closed form). For kuijk-blake both
+ * curves fall with the angle, so lobe(a) - cos^n(b) bounds the error on [a, b], and intervals are
+ * split until no bound exceeds the maximum found by more than 1e-9.
+ *   end     (0, pi/2], such as burnish_theory_inflection_angle(), burnish_theory_angle_at() of
+ *           cos^n, or pi/2 for the whole range
+ *   result  receives the numbers, all NaN if end is out of range; not NULL
+ * Guarantees: maxima within 1e-9, angles with an error within 1e-9 of the maximum; integral and rms
+ * within 1e-8 relative if the maximum is above 1e-7. */
 BURNISH_THEORY_API void burnish_theory_compare(const burnish_theory_model *model, double end,
                                                burnish_theory_difference *result);
 
-/* Only the largest absolute error, much faster, for a range as above. */
+/* The largest absolute error alone, which is much faster. */
 BURNISH_THEORY_API double burnish_theory_maximum_error(const burnish_theory_model *model,
                                                        double end);
 
-/* lobe / power - 1 at an angle; -1 where the lobe is 0, infinity where only the power is; 0 for the
- * power itself. */
+/* lobe / cos^n - 1 at an angle; -1 if the lobe is 0, infinity if only cos^n is 0; 0 for cos^n. */
 BURNISH_THEORY_API double burnish_theory_relative_error(const burnish_theory_model *model,
                                                         double angle);
 
 /* Where the family's relative error has its extreme before it falls to -1 at the zero:
  * cos = n (zeta - 1) / (zeta (n - m)). energy, m = 2: tan = sqrt(2n + 1) / n; shift7:
- * tan = 2 sqrt(7n - 15) / (7n - 16). NaN for other lobes and where there is no such
+ * tan = 2 sqrt(7n - 15) / (7n - 16). NaN for other lobes and without such an
  * angle (zeta <= 1, n <= m, zeta > n/m). */
 BURNISH_THEORY_API double burnish_theory_extreme_angle(const burnish_theory_model *model);
 
-/* The same angle by a search that does not use the formula: the maximum of lobe / power.
- * NaN where burnish_theory_extreme_angle is. */
+/* The same angle by a search that does not use the formula: the maximum of lobe / cos^n.
+ * NaN if burnish_theory_extreme_angle() is NaN. */
 BURNISH_THEORY_API double burnish_theory_extreme_angle_searched(const burnish_theory_model *model);
 
 /* ---- Exponents and roughness ---- */
 
-/* n = 2 / alpha^2 - 2: the power as a distribution of normals for a Beckmann or GGX alpha.
+/* n = 2 / alpha^2 - 2: cos^n as a distribution of normals for a Beckmann or GGX alpha.
  * alpha: (0, 1]. Source: Walter et al. 2007. */
 BURNISH_THEORY_API double burnish_theory_exponent_from_alpha(double alpha);
 
@@ -293,7 +295,7 @@ BURNISH_THEORY_API double burnish_theory_alpha_from_exponent(double exponent);
 BURNISH_THEORY_API double burnish_theory_exponent_from_roughness(double roughness);
 BURNISH_THEORY_API double burnish_theory_roughness_from_exponent(double exponent);
 
-/* The Phong exponent whose highlight is about as wide as Blinn's: n / 4; and the inverse. */
+/* The Phong exponent with a highlight about as wide as a Blinn exponent: n / 4; and the inverse. */
 BURNISH_THEORY_API double burnish_theory_phong_from_blinn(double exponent);
 BURNISH_THEORY_API double burnish_theory_blinn_from_phong(double exponent);
 
@@ -326,21 +328,22 @@ typedef struct burnish_theory_cost {
 
 BURNISH_THEORY_API burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model);
 
-/* Which is cheaper: < 0 for a, > 0 for b, 0 for equal. Compares the transcendentals, then the
- * divisions, then the lookups, then multiplications, additions and comparisons together. */
+/* Returns < 0 if a is cheaper, > 0 if b is cheaper, 0 if they are equal. Compares the
+ * transcendentals, then the divisions, then the lookups, then multiplications, additions and
+ * comparisons together. */
 BURNISH_THEORY_API int burnish_theory_cost_order(const burnish_theory_cost *a,
                                                  const burnish_theory_cost *b);
 
-/* The cheapest lobe whose largest absolute error against the power, c in [0, 1], is at most
- * epsilon; of equally cheap ones the one with the least error. The power itself is a candidate, so
- * one always exists; lobes that cannot be drawn (burnish_lobe_spec_check) are not.
+/* Finds the cheapest lobe whose largest absolute error against c^n, c in [0, 1], is at most
+ * epsilon; of equally cheap lobes, the one with the least error. c^n itself is a candidate, so one
+ * always exists. Lobes that can not be drawn (burnish_lobe_spec_check()) are not candidates.
  *   exponent  n: [1, 65536]
  *   epsilon   (0, 1)
  *   affine    1: lobes whose peak is not 1 (fit affine) are candidates too
- *   model     becomes the lobe; not NULL
+ *   model     receives the lobe; not NULL
  *   cost      receives its cost; may be NULL
  *   maximum   receives its error; may be NULL
- *   error     receives the one line of an error; may be NULL
+ *   error     receives the message; may be NULL
  * Errors: ARGUMENT. */
 BURNISH_THEORY_API burnish_status burnish_theory_choose(double exponent, double epsilon, int affine,
                                                         burnish_theory_model *model,
@@ -353,7 +356,7 @@ BURNISH_THEORY_API burnish_status burnish_theory_choose(double exponent, double 
 
 /* The cosine at which the lobe has fallen to 2^-bits; bits 0: to zero, the cutoff cosine.
  *   bits  q: [0, 1024]
- * Clamped to [0, 1]: 0 where the lobe is brighter than that at every c > 0. NaN for other bits. */
+ * Clamped to [0, 1]: 0 if the lobe is brighter at every c > 0. NaN for other bits. */
 BURNISH_THEORY_API double burnish_theory_boundary_cosine(const burnish_theory_model *model,
                                                          double bits);
 
@@ -387,12 +390,12 @@ BURNISH_THEORY_API void burnish_theory_format_name(const burnish_theory_format *
 /* The width of a word in bits, the sign included. */
 BURNISH_THEORY_API int burnish_theory_format_width(const burnish_theory_format *format);
 
-/* A number in that format: x 2^fraction_bits rounded as stated, then limited to the format's range,
- * so that 1 becomes the largest word of UQ0.15. NaN gives 0. */
+/* A number in that format: x 2^fraction_bits rounded as stated, then limited to the range of the
+ * format: 1 becomes the largest word of UQ0.15. NaN gives 0. */
 BURNISH_THEORY_API int64_t burnish_theory_format_encode(const burnish_theory_format *format,
                                                         burnish_theory_rounding rounding, double x);
 
-/* The number that a word stands for. */
+/* The value of a word. */
 BURNISH_THEORY_API double burnish_theory_format_decode(const burnish_theory_format *format,
                                                        int64_t word);
 
@@ -405,11 +408,11 @@ typedef struct burnish_theory_memory {
     burnish_theory_rounding rounding;
 } burnish_theory_memory;
 
-/* Fills a memory: words[i] is the boundary for exponents[i]. An exponent below the order gets the
- * highest order that it allows.
+/* Fills a memory: words[i] is the boundary for exponents[i]. For an exponent below the order,
+ * the highest possible order is used.
  *   exponents, count  each n: [1, 65536]
  *   words             receives count words; not NULL unless count is 0
- *   error             receives the one line of an error; may be NULL
+ *   error             receives the message; may be NULL
  * Errors: ARGUMENT. */
 BURNISH_THEORY_API burnish_status burnish_theory_memory_fill(const burnish_theory_memory *memory,
                                                              const double *exponents, size_t count,
@@ -433,7 +436,7 @@ typedef enum burnish_theory_verdict {
 /* "holds", "holds in part", "does not hold", "measured by benchmark", "counted in machine code". */
 BURNISH_THEORY_API const char *burnish_theory_verdict_text(burnish_theory_verdict verdict);
 
-/* How the verdict follows from values and bound. */
+/* The relation between values and bound that decides the verdict. */
 typedef enum burnish_theory_relation {
     BURNISH_THEORY_AT_MOST,  /* every value <= bound */
     BURNISH_THEORY_AT_LEAST, /* every value >= bound */
@@ -458,8 +461,7 @@ typedef struct burnish_theory_claim {
     } values[BURNISH_THEORY_CLAIM_VALUES];
     burnish_theory_relation relation;
     double bound; /* what the values are judged against */
-    double
-        unit; /* one unit of the last digit stated, 0 for an exact statement; widens ABOUT only */
+    double unit;  /* of the last stated digit, for ABOUT; 0 for an exact statement */
     burnish_theory_verdict verdict;
 } burnish_theory_claim;
 
