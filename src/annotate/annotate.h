@@ -43,8 +43,8 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
                                             const burnish_camera *camera, int width, int height,
                                             burnish_annotation_view *view, burnish_error *error);
 
-/* Where a point is on the screen, and its distance along the camera's axis, which in perspective
- * must be above 0. */
+/* The position of a point on the screen, and its distance along the camera's axis, which in
+ * perspective must be above 0. */
 burnish_point burnish_annotation_project(const burnish_annotation_view *view, burnish_vec3 p,
                                          double *distance);
 

@@ -1,6 +1,6 @@
-/* Dimensions: the lengths of the bounding box, as drawings have them. A dimension line lies beside
+/* Dimensions: the lengths of the bounding box, as drawings have them. A dimension line is next to
  * an edge of the box that bounds it on the screen, away from it; extension lines lead there from
- * the edge's ends; the number stands upright in a gap of the line, or beside a line that is too
+ * the edge's ends; the number stands upright in a gap of the line, or next to a line that is too
  * short.
  */
 #include "annotate/annotate.h"
@@ -103,8 +103,8 @@ static void push_arrow(const burnish_annotation_view *view, dimension *made, bur
     }
 }
 
-/* The dimension `offset` from its edge. place 0: the number in or beside the middle, 1 and 2:
- * beyond an end, 3: beside the middle. */
+/* The dimension `offset` from its edge. place 0: the number in or next to the middle, 1 and 2:
+ * beyond an end, 3: next to the middle. */
 static void make_dimension(const burnish_annotation_view *view, const edge *e, double offset,
                            int place, dimension *made) {
     const double text = view->text, arrow = ARROW_LENGTH * text, clear = CLEAR * text;
@@ -186,7 +186,7 @@ static void take(burnish_annotation_list *list, const dimension *made) {
     list->labels[list->label_count++] = made->label;
 }
 
-/* The first that has room of all ways to draw the dimension beside an edge. */
+/* The first that has room of all ways to draw the dimension next to an edge. */
 static int place(const burnish_annotation_view *view, const edge *e,
                  burnish_annotation_list *list) {
     char number[BURNISH_LABEL_SIZE];
@@ -212,7 +212,7 @@ static int place(const burnish_annotation_view *view, const edge *e,
     return 0;
 }
 
-/* The edges along an axis that a dimension may stand beside, the best first. */
+/* The edges along an axis that a dimension can be next to, the best first. */
 static int list_edges(const burnish_annotation_view *view, int axis, edge edges[4]) {
     int count = 0;
     for (int i = 0; i < 8; ++i) {

@@ -149,7 +149,7 @@ static int is_taken(const mark *made, const burnish_annotation_label *label) {
 }
 
 /* The letter of an axis: beyond its end, or where that is taken turned a little or further out. An
- * axis that points at the viewer, or away, has its letter beside the origin. */
+ * axis that points at the viewer, or away, has its letter next to the origin. */
 static void push_letter(const burnish_annotation_view *view, int axis, burnish_point end,
                         mark *made) {
     static const double turns[][2] = {{1, 0},  {0.71, 0.71},  {0.71, -0.71},  {0, 1},

@@ -1,4 +1,4 @@
-/* What lies in the scene: the edges of the bounding box and the ground's grid, hidden by what is in
+/* Lines in the scene: the edges of the bounding box and the ground's grid, hidden by what is in
  * front of them. */
 #include "annotate/annotate.h"
 

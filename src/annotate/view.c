@@ -80,7 +80,7 @@ static double snap(double value) {
     return (double)(int64_t)(value * 64 + (value < 0 ? -0.5 : 0.5)) / 64;
 }
 
-/* Andrew's monotone chain; the hull's inside lies where cross is positive. */
+/* Andrew's monotone chain; cross is positive inside the hull. */
 static void make_hull(burnish_annotation_view *view) {
     burnish_point sorted[8], chain[17];
     int count = 0;
@@ -126,7 +126,7 @@ static void choose_up(const burnish_mesh_view *mesh, const double wanted[3],
     }
 }
 
-/* Text and lines grow with the picture; both are whole pixels, so that they are sharp. */
+/* Text and lines grow with the picture; both are whole pixels, to be sharp. */
 static void choose_sizes(const burnish_annotate_options *annotations,
                          burnish_annotation_view *view) {
     const double smaller = view->width < view->height ? view->width : view->height;

@@ -1,7 +1,7 @@
 /* Memory through checked arithmetic and the context's allocator.
  *
- * Functions return the pointer. What goes wrong stays in the burnish_memory: after a failure every
- * further allocation fails too, so that a function may ask for all it needs and look once:
+ * Functions return the pointer. The burnish_memory keeps the first failure, after which all further
+ * allocations fail, so a function can allocate all it needs and check once:
  *
  *     burnish_memory memory = burnish_memory_of(context, error);
  *     float *depths = burnish_allocate(&memory, count, sizeof *depths, "depths");
@@ -17,7 +17,7 @@
 
 #include "core/error.h"
 
-/* What new arrays are aligned to: enough for any vector type. */
+/* The alignment of new arrays: enough for any vector type. */
 #define BURNISH_ALIGNMENT 64
 
 /* a * b in *product; returns 0 when it does not fit. */
@@ -25,10 +25,10 @@ static inline int burnish_size_multiply(size_t a, size_t b, size_t *product) {
     return !__builtin_mul_overflow(a, b, product);
 }
 
-/* Who is asked for memory, and whether that has failed. One thread at a time may use it. */
+/* A source of memory, and its first failure. One thread at a time may use it. */
 typedef struct burnish_memory {
     const burnish_context *context; /* NULL: malloc and free */
-    burnish_status status;          /* OK, or that of the first failure: MEMORY or LIMIT */
+    burnish_status status;          /* OK, or the status of the first failure: MEMORY or LIMIT */
     burnish_error *error;           /* gets the line of the first failure; may be NULL */
 } burnish_memory;
 
@@ -37,7 +37,7 @@ static inline burnish_memory burnish_memory_of(const burnish_context *context,
     return (burnish_memory){context, BURNISH_STATUS_OK, error};
 }
 
-/* Takes over the failure of a thread's own memory, where it has one and this has none. */
+/* Copies a failure of a thread's own memory, unless this has failed before. */
 static inline void burnish_memory_join(burnish_memory *memory, const burnish_memory *thread) {
     if (memory->status == BURNISH_STATUS_OK && thread->status != BURNISH_STATUS_OK) {
         memory->status = thread->status;
@@ -47,8 +47,8 @@ static inline void burnish_memory_join(burnish_memory *memory, const burnish_mem
     }
 }
 
-/* The context if it has an allocator, else NULL. What stores this instead of the context can outlive
- * a context without an allocator. */
+/* The context if it has an allocator, else NULL. An object that stores this instead of the context
+ * can outlive a context without an allocator. */
 const burnish_context *burnish_memory_owner(const burnish_context *context);
 
 /* count elements of size bytes, not cleared, aligned to BURNISH_ALIGNMENT. NULL on failure and for
@@ -59,12 +59,12 @@ void *burnish_allocate(burnish_memory *memory, size_t count, size_t size, const 
 void *burnish_allocate_zeroed(burnish_memory *memory, size_t count, size_t size, const char *what);
 
 /* items with room for at least `needed` elements, contents kept: doubles *capacity as often as it
- * must. Returns where they are now, aligned as malloc aligns; on failure items as they were. */
+ * must. Returns their new address, aligned as malloc aligns; on failure items, unchanged. */
 void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, size_t needed,
                       size_t size, const char *what);
 
-/* Gives back what is beyond the first `count` elements, at least 1. Returns where they are now,
- * aligned as malloc aligns; items, and *capacity, as they were where that fails. */
+/* Gives back what is beyond the first `count` elements, at least 1. Returns their new address,
+ * aligned as malloc aligns; on failure items, with *capacity unchanged. */
 void *burnish_shrink(const burnish_context *context, void *items, size_t *capacity, size_t count,
                      size_t size);
 

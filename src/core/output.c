@@ -21,7 +21,7 @@
 enum {
     TEMPORARY_ATTEMPTS = 1000,
     TEMPORARY_NAME_SIZE = 64, /* "/.burnish-", 16 + 8 hexadecimal digits, ".tmp" and room */
-    PIECE = 1 << 16,          /* bytes that a source is asked for at a time */
+    PIECE = 1 << 16,          /* bytes that a source supplies per call, at most */
     WRITE_STEP = 1 << 30,     /* the kernel takes at most 2^31 - 4096 bytes at a time */
     TEMPORARIES = 64          /* that a handler of signals can remove; more are not remembered */
 };
@@ -64,7 +64,7 @@ static burnish_status fail_folder(burnish_error *error, const char *path, int co
                         burnish_show_name(path).text, burnish_errno_reason(code).text);
 }
 
-/* What is written: bytes as they are, or what a source gives in pieces. */
+/* What is written: bytes, or the output of a source. */
 typedef struct content {
     const void *bytes;
     size_t size;
@@ -267,7 +267,7 @@ static int open_temporary(temporary *t) {
     return t->file >= 0 ? 0 : name_temporary(t);
 }
 
-/* rename, which replaces on Windows too; returns 0 or an errno. */
+/* rename that replaces, also on Windows; returns 0 or an errno. */
 static int replace(const char *name, const char *target) {
 #ifdef _WIN32
     return MoveFileExA(name, target, MOVEFILE_REPLACE_EXISTING) ? 0 : EACCES;

@@ -134,7 +134,7 @@ static void open_job(burnish_pool_work *work, void *data, int max_joined) {
     pthread_mutex_unlock(&pool.mutex);
 }
 
-/* Nobody joins any more; waits for those that are in a piece. */
+/* Closes the job to new threads and waits for the threads that work on a piece. */
 static void close_job(void) {
     const int spins = atomic_load(&pool.spins);
     pthread_mutex_lock(&pool.mutex);

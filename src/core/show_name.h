@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The whole name, or "..." and its end, so that the message fits. */
+/* The whole name, or "..." and its end, to keep the message short. */
 typedef struct burnish_shown_name {
     char text[164];
 } burnish_shown_name;

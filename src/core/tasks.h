@@ -12,7 +12,7 @@
 
 #include "burnish/core.h"
 
-/* No more threads than this, whatever is asked for. */
+/* The most threads of a call. */
 #define BURNISH_THREADS_MAX 1024
 
 /* One call's share of the threads, on its stack. */

@@ -28,7 +28,7 @@ typedef struct band_sums {
     double ssim, flip;
 } band_sums;
 
-/* The colour that stands for "no object" where coverage is not given. */
+/* The colour that means "no object" if there is no coverage. */
 typedef struct silhouette {
     const uint8_t *coverage;
     int by_alpha, known;

@@ -12,7 +12,7 @@ typedef struct burnish_picture_pair {
 } burnish_picture_pair;
 
 /* Rows [first, end) of the pictures: what one task does. Sums are taken per band and added in the
- * order of the bands, so that no digit depends on threads. */
+ * order of the bands, so no digit depends on threads. */
 typedef struct burnish_band {
     int first, end;
 } burnish_band;
@@ -21,7 +21,7 @@ typedef struct burnish_band {
  * transparent; rgb: 3 * width bytes. */
 void burnish_pair_row(const burnish_picture_pair *pair, int which, int y, uint8_t *rgb);
 
-/* Alpha of a pixel, 255 where the format has none. */
+/* Alpha of a pixel, 255 for formats without alpha. */
 static inline int burnish_pixels_alpha(const burnish_pixels *pixels, int x, int y) {
     return pixels->format == BURNISH_PIXELS_RGB8
                ? 255
@@ -65,7 +65,7 @@ typedef enum burnish_flip_filter {
 typedef struct burnish_flip {
     float filters[BURNISH_FLIP_FILTERS][BURNISH_FLIP_TAPS];
     double blue_shares[2]; /* of the two Gaussians of Cz; their sum is 1 */
-    double largest_color;  /* the difference of green and blue, to the power 0.7 */
+    double largest_color;  /* the difference of green and blue, raised to 0.7 */
 } burnish_flip;
 
 burnish_flip burnish_flip_make(void);

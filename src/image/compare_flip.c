@@ -302,10 +302,10 @@ static double color_error(const burnish_flip *flip, const double a[3], const dou
 }
 
 static double length(float x, float y) {
-    return burnish_sqrt((double)x * x + (double)y * y) / 116; /* Y of white less that of black */
+    return burnish_sqrt((double)x * x + (double)y * y) / 116; /* Y of white minus Y of black */
 }
 
-/* The larger of the differences of edges and of points, to the power 1/2. */
+/* The larger of the differences of edges and of points, raised to 1/2. */
 static double feature_error(const rows *r, int x) {
     double largest = 0;
     for (int kind = 0; kind < 4; kind += 2) {

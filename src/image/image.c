@@ -25,7 +25,7 @@ burnish_status burnish_image_create(const burnish_context *context, burnish_imag
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "image: %d channels; use 3 (RGB) or 4 (RGBA)", channels);
     }
-    /* The largest product is 2^30, so it fits a 32-bit size_t too. */
+    /* The largest product is 2^30, which fits a 32-bit size_t. */
     burnish_image made = {.width = width,
                           .height = height,
                           .channels = channels,
@@ -67,7 +67,7 @@ burnish_status burnish_pixels_check(const burnish_pixels *pixels, const char *wh
     if ((unsigned)pixels->format >= BURNISH_PIXELS_COUNT ||
         pixels->format == BURNISH_PIXELS_RGBA_FLOAT) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "%s: %d is no pixel format; expected RGB8, RGBA8, BGRA8, GRAY16 or "
+                            "%s: %d is not a pixel format; expected RGB8, RGBA8, BGRA8, GRAY16 or "
                             "RGB16",
                             what, (int)pixels->format);
     }

@@ -1,6 +1,6 @@
 /* PNG (ISO/IEC 15948), compressed in bands of rows.
  *
- * A band knows nothing of the others and ends at a byte boundary, so that bands are made in any
+ * A band does not depend on the others and ends at a byte boundary, so bands can be made in any
  * order and the stream is their concatenation. The file does not depend on the number of threads;
  * its compressed bytes depend on the library that compresses, its pixels never. */
 #include <string.h>
@@ -190,7 +190,7 @@ static uint32_t join_adler(uint32_t first, uint32_t second, uint64_t size) {
     return (uint32_t)(b << 16 | a);
 }
 
-/* Bands depend on the picture's size only, so that the file does not depend on the threads. */
+/* Bands depend only on the size of the image, so the file does not depend on the threads. */
 static void divide(encoder *e) {
     const int height = e->image.height;
     size_t all = row_size(&e->image) * (size_t)height;

@@ -194,7 +194,7 @@ static void test_bad_views(void) {
                   "PNG: a size of 1 x 16385 pixels; width and height must be 1 to 16384"},
                  {1, 1, BURNISH_PIXELS_RGBA8, 3, "PNG: a stride of 3 bytes; a row has 4"},
                  {1, 1, BURNISH_PIXELS_RGBA_FLOAT, 4,
-                  "PNG: 3 is no pixel format; expected RGB8, RGBA8, BGRA8, GRAY16 or RGB16"}};
+                  "PNG: 3 is not a pixel format; expected RGB8, RGBA8, BGRA8, GRAY16 or RGB16"}};
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; ++i) {
         const burnish_pixels view = {CASES[i].width, CASES[i].height, CASES[i].format,
                                      CASES[i].stride, pixel};

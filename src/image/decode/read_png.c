@@ -14,7 +14,7 @@ enum {
     LARGEST_RATIO = 1032        /* deflate's: what a byte can at most become */
 };
 
-/* What libpng's functions are handed. */
+/* The argument of libpng's callbacks. */
 typedef struct decoder {
     png_structp png;
     png_infop info;
@@ -66,7 +66,7 @@ static int ask_for_codes(decoder *d, int channels) {
     return png_get_channels(d->png, d->info);
 }
 
-/* Rows are never more than the file can hold, so that a small file can't ask for much memory. */
+/* Rows are never more than the file can hold, so a small file can't use much memory. */
 static burnish_status make_image(const burnish_encoded *from, decoder *d, burnish_memory *memory,
                                  burnish_image *image) {
     const uint64_t width = png_get_image_width(d->png, d->info);

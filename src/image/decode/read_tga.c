@@ -27,7 +27,7 @@ typedef struct tga {
     const uint8_t *next, *end;
 } tga;
 
-/* Returns 0 where these are no bytes of a TGA. */
+/* Returns 0 if the bytes are not a TGA file. */
 static int read_header(const uint8_t *bytes, size_t size, tga *t) {
     if (size < HEADER) {
         return 0;

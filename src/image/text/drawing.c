@@ -1,4 +1,4 @@
-/* Drawings: SVG, as text without libc's numbers, so that no locale changes it. */
+/* Drawings: SVG. Numbers are written without libc, which would use the locale. */
 #include "image/text/drawing.h"
 
 #include <stdio.h>
@@ -23,7 +23,7 @@ static void put_text(burnish_drawing *w, const char *text) {
     put(w, text, strlen(text));
 }
 
-/* value / 10^digits as a decimal, as short as it is exact: -1205 of 2 digits is "-12.05", 50 is
+/* value / 10^digits as a decimal, the shortest exact form: -1205 of 2 digits is "-12.05", 50 is
  * ".5". A blank goes before it where the number before could run into it. */
 static void put_decimal(burnish_drawing *w, int64_t value, int digits, int needs_blank) {
     char text[32];
@@ -60,7 +60,7 @@ static int32_t to_hundredths(float value) {
     return (int32_t)(kept < 0 ? kept - 0.5 : kept + 0.5);
 }
 
-/* XML's special characters, and those that it has none for. */
+/* Replaces XML's special characters, and characters that XML does not allow. */
 static void put_escaped(burnish_drawing *w, const char *text) {
     for (; *text; ++text) {
         const unsigned char c = (unsigned char)*text;

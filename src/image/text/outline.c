@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* 1/256 pixels; beyond it points are moved to it, so that products fit 64 bits. */
+/* 1/256 pixels; beyond it points are moved to it, so products fit 64 bits. */
 #define FARTHEST (1 << 26)
 
 enum { ONE = 256, FULL = 2 * ONE * ONE, CURVE_STEPS = 12 };

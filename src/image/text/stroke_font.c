@@ -108,7 +108,7 @@ static const burnish_glyph glyphs[127 - 32] = {
 /* A dot is a little wider than the pen, or it would look lighter than a stem. */
 static const float dot_factor = 1.22F;
 
-/* Control points of a quarter ellipse lie this far along its sides: .5523 is the circle; a little
+/* Control points of a quarter ellipse are this far along its sides: 0.5523 is the circle; a little
  * more gives the fuller curve of technical lettering. */
 static const float quarter_factor = 0.575F;
 
@@ -116,7 +116,7 @@ typedef struct point {
     float x, y;
 } point;
 
-/* How one direction's units become pixels: knots that lie on whole pixels, and lines between. */
+/* How one direction's units become pixels: knots on whole pixels, and lines between. */
 typedef struct axis {
     float units[5], pixels[5];
     int count;

@@ -26,7 +26,7 @@ typedef struct burnish_glyph {
 } burnish_glyph;
 
 /* How glyph units become pixels. Baseline, capitals, descenders, the outermost stems, and inner
- * stems and bars keep whole pixels between them, so that they are equally sharp. */
+ * stems and bars keep whole pixels between them, which makes them equally sharp. */
 typedef struct burnish_glyph_scale {
     float x, y;   /* pixels of the origin: the middle of the pen at (0, 0) units; y downward */
     float unit;   /* pixels a unit */

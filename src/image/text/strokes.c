@@ -13,7 +13,7 @@ enum {
 };
 
 static const float most_radius = 1024;
-static const float far_away = 32768; /* beyond it strokes are cut, so that floats stay exact */
+static const float far_away = 32768; /* beyond it strokes are cut, so floats stay exact */
 static const float too_far = 1e9F;   /* beyond it doubles could not cut them well */
 
 /* ---- Coverage ---- */
@@ -156,8 +156,8 @@ static int is_within(const burnish_stroke *stroke, float limit) {
            stroke->y1 >= -limit && stroke->y1 <= limit;
 }
 
-/* The stroke as it is drawn: what lies far outside is cut off, beyond what its ends can touch.
- * Returns 0 where no pixel is touched. */
+/* The stroke as it is drawn: parts far outside are cut off, beyond what its ends can touch.
+ * Returns 0 if no pixel is touched. */
 static int prepare(const burnish_stroke *stroke, int width, int height, burnish_stroke *prepared) {
     *prepared = *stroke;
     if (is_within(stroke, far_away)) {
