@@ -35,4 +35,10 @@ static inline void burnish_space_store(burnish_vec3 v, float out[3]) {
     out[2] = (float)v.z;
 }
 
+/* From a depth of the raster to the distance along the view axis, in the mesh's units:
+ * (constant + (1 - depth) slope) / q, q as burnish_rays has it. */
+typedef struct burnish_view_distance {
+    float constant, slope;
+} burnish_view_distance;
+
 #endif

@@ -41,7 +41,7 @@ static const struct layer {
                          "image/text/drawing.h burnish/core.h burnish/drawing.h burnish/look.h "
                          "burnish/mesh.h burnish/render.h"},
     {"src/render/light", "core simd raster render render/texture burnish/mesh.h burnish/render.h"},
-    {"src/render/lines", "core mesh/edges.h image/text/strokes.h render/frame burnish/render.h"},
+    {"src/render/lines", "core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
     {"program/batch", "cli import picture render render/output sandbox burnish"},
     {"program/cli", "burnish"},

@@ -356,8 +356,9 @@ static burnish_status draw_tiles(drawing *d) {
 /* Lines from the target's depths and triangles. */
 static burnish_status find_lines(drawing *d) {
     burnish_renderer *renderer = d->renderer;
-    return burnish_line_art_update(&renderer->line_art, d->mesh.view, &d->view, d->options,
-                                   &d->target, &renderer->tasks, &d->memory);
+    const burnish_line_view view = {&d->view.raster, d->view.distance};
+    return burnish_line_art_update(&renderer->line_art, d->mesh.view, &view, d->options, &d->target,
+                                   &renderer->tasks, &d->memory);
 }
 
 /* The lines of all rows, where some are drawn: which show depends on what lies along them. */

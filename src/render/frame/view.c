@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/numbers.h"
 #include "core/vector.h"
-#include "render/space.h"
 
 /* Distance of the near plane in units of the scene's size; a power of two, so 1/w can be computed
  * from the depth exactly. */

@@ -9,12 +9,7 @@
 #include "render/light/ground.h"
 #include "render/light/occlusion.h"
 #include "render/light/shadow.h"
-
-/* From a depth of the raster to the distance along the view axis, in the mesh's units:
- * (constant + (1 - depth) slope) / q, q as burnish_rays has it. */
-typedef struct burnish_view_distance {
-    float constant, slope;
-} burnish_view_distance;
+#include "render/space.h"
 
 typedef struct burnish_view {
     burnish_raster_view raster;

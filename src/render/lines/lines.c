@@ -50,16 +50,16 @@ typedef struct clip_point {
     double x, y, z, w;
 } clip_point;
 
-static projection make_projection(const burnish_view *view, const burnish_render_options *options) {
+static projection make_projection(const burnish_line_view *view, const burnish_render_options *options) {
     const burnish_camera *camera = &options->camera;
-    projection p = {.origin = burnish_vec3_loadf(view->raster.origin),
+    projection p = {.origin = burnish_vec3_loadf(view->raster->origin),
                     .middle = {options->width * 0.5, options->height * 0.5},
                     .size = {options->width, options->height},
                     .distance = view->distance,
                     .is_parallel = camera->orthographic_height > 0,
                     .viewer = burnish_vec3_load(camera->position)};
     for (int i = 0; i < 16; ++i) {
-        p.rows[i / 4][i % 4] = (double)view->raster.rows[i / 4][i % 4];
+        p.rows[i / 4][i % 4] = (double)view->raster->rows[i / 4][i % 4];
     }
     if (p.is_parallel) {
         p.viewer = burnish_vec3_normalize(
@@ -404,10 +404,10 @@ static double mean_length(const burnish_line_art *art) {
 }
 
 static burnish_line_scene make_scene(const burnish_line_art *art, const burnish_mesh_view *mesh,
-                                     const burnish_view *view,
+                                     const burnish_line_view *view,
                                      const burnish_render_options *options,
                                      const burnish_target *target) {
-    const float *right = view->raster.rows[0], *forward = view->raster.rows[3];
+    const float *right = view->raster->rows[0], *forward = view->raster->rows[3];
     const double pixels = burnish_vec3_length(burnish_vec3_loadf(right));
     const double units = burnish_vec3_length(burnish_vec3_loadf(forward));
     burnish_line_scene scene = {.target = target,
@@ -461,7 +461,7 @@ static void describe_lines(burnish_line_art *art, const burnish_render_options *
 }
 
 burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh_view *mesh,
-                                       const burnish_view *view,
+                                       const burnish_line_view *view,
                                        const burnish_render_options *options,
                                        const burnish_target *target, burnish_tasks *tasks,
                                        burnish_memory *memory) {

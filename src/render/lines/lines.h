@@ -11,8 +11,14 @@
 #include "core/memory.h"
 #include "core/tasks.h"
 #include "mesh/edges.h"
-#include "render/frame/options.h"
-#include "render/frame/view.h"
+#include "raster/view.h"
+#include "render/space.h"
+
+/* The view of the frame whose lines are drawn. */
+typedef struct burnish_line_view {
+    const burnish_raster_view *raster;
+    burnish_view_distance distance;
+} burnish_line_view;
 
 /* A segment on the screen, cut to the picture. */
 typedef struct burnish_line_segment {
@@ -66,7 +72,7 @@ void burnish_line_art_drop_planes(burnish_line_art *art, const burnish_context *
 /* Finds the lines of a frame that was drawn into the target's planes. Errors: MEMORY, LIMIT,
  * CANCELLED; there are then no lines. */
 burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh_view *mesh,
-                                       const burnish_view *view,
+                                       const burnish_line_view *view,
                                        const burnish_render_options *options,
                                        const burnish_target *target, burnish_tasks *tasks,
                                        burnish_memory *memory);
