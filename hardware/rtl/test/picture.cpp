@@ -122,7 +122,7 @@ int main(int argc, char **argv) {
     const size_t wrong = shade(&top, shader, prepared, points);
     burnish_image image;
     burnish_error error;
-    if (burnish_image_create(&image, width, height, 3, &error) != BURNISH_STATUS_OK) {
+    if (burnish_image_create(NULL, &image, width, height, 3, &error) != BURNISH_STATUS_OK) {
         fprintf(stderr, "picture: no image of %d by %d\n", width, height);
         return 2;
     }
