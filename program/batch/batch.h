@@ -19,7 +19,7 @@
 #include <stdio.h>
 
 #include "cli/output.h"
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* Part `index` of `count`, counted from 1; 0 of 0 means all. */
 typedef struct batch_part {

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_CAMERA_H
 #define TOOL_RENDER_CAMERA_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* The room around the object, and its scale. */
 typedef struct render_room {

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_CHECK_H
 #define TOOL_RENDER_CHECK_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* Checks flags that exclude each other, and chooses the instruction set. Errors: ARGUMENT. */
 burnish_status render_check(render_settings *settings, burnish_error *error);

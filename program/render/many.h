@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_MANY_H
 #define TOOL_RENDER_MANY_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* Draws each operand of the call with these settings, as `burnish batch` does, to files in
  * --output-dir or named by the template of --output. Sets call->exit_code if some inputs fail.

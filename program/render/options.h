@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_OPTIONS_H
 #define TOOL_RENDER_OPTIONS_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* The options of loading, and a mesh loaded by them. */
 burnish_load_options render_load_options(const render_input_settings *input, int threads);

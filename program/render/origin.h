@@ -2,7 +2,7 @@
 #ifndef BURNISH_RENDER_ORIGIN_H
 #define BURNISH_RENDER_ORIGIN_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* Subtracts an origin from the camera, the planes and the options' lights. */
 void render_subtract_origin(render_camera_settings *camera, render_clip *clip,

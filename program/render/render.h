@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_RENDER_H
 #define TOOL_RENDER_RENDER_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* Draws, writes and reports. Sets *exit_code if success is not 0. */
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error);

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_VALUES_H
 #define TOOL_RENDER_VALUES_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* A material by name. */
 typedef struct render_preset {

@@ -11,7 +11,7 @@
 #ifndef TOOL_SERVE_SERVE_H
 #define TOOL_SERVE_SERVE_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 typedef struct serve_settings {
     render_settings render; /* first: the server accepts its flags, as defaults for every request */

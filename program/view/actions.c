@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "cli/values.h"
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 const view_action_row view_actions[] = {
     {"front", VIEW_ACTION_VIEW, VIEW_FRONT, 'f', 0, NULL, NULL},

@@ -4,7 +4,7 @@
 #define TOOL_VIEW_SCENE_H
 
 #include "render/camera.h"
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* The quality of a picture: of still pictures, and of moving ones, depending on the available time.
  * */

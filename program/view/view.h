@@ -2,7 +2,7 @@
 #ifndef TOOL_VIEW_VIEW_H
 #define TOOL_VIEW_VIEW_H
 
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 typedef struct view_settings {
     render_settings render; /* first: its flags are shared */

@@ -43,9 +43,9 @@ static const struct layer {
     {"src/render/light", "core simd raster render render/texture burnish/mesh.h burnish/render.h"},
     {"src/render/lines", "core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
-    {"program/batch", "cli import picture render render/output sandbox burnish"},
+    {"program/batch", "cli import picture render render/output render/settings sandbox burnish"},
     {"program/cli", "burnish"},
-    {"program/compare", "cli import render render/output picture burnish"},
+    {"program/compare", "cli import render render/output render/settings picture burnish"},
     {"program/font", "cli burnish"},
     {"program/import", "cli core/beneath.h core/show_name.h burnish"},
     {"program/info", "cli import burnish"},
@@ -53,12 +53,13 @@ static const struct layer {
     {"program/picture", "cli burnish"},
     {"program/plot", "cli lobe picture burnish"},
     {"program/mpi", "burnish"},
-    {"program/render", "cli font picture render/output sandbox burnish"},
-    {"program/render/output", "cli font import picture render sandbox burnish"},
+    {"program/render", "cli font picture render/output render/settings sandbox burnish"},
+    {"program/render/output", "cli font import picture render render/settings sandbox burnish"},
+    {"program/render/settings", "cli picture render/output burnish"},
     {"program/sandbox", "cli core/beneath.h core/show_name.h import burnish"},
-    {"program/serve", "cli import render sandbox burnish"},
-    {"program/view", "cli picture render burnish"},
-    {"program/session", "cli render render/output burnish"},
+    {"program/serve", "cli import render render/settings sandbox burnish"},
+    {"program/view", "cli picture render render/settings burnish"},
+    {"program/session", "cli render render/output render/settings burnish"},
     {"importers", "mesh/read/bms.h mesh/read/io/unpack.h mesh/read/io/zip.h core/bytes.h "
                   "core/numbers.h core/srgb.h sandbox/lock.h"},
     {"importers/assimp", "core/numbers.h importers"},
@@ -162,10 +163,13 @@ static int is_source(const char *name) {
            (strcmp(ending, ".c") == 0 || strcmp(ending, ".h") == 0 || strcmp(ending, ".cpp") == 0);
 }
 
+/* The most files that a folder may have. */
+enum { FILES_MAX = 30 };
+
 /* Checks the sources of a folder and of all below it; returns how many includes it saw. */
 static int check_folder(const char *folder) {
     char path[1024];
-    int includes = 0;
+    int includes = 0, files = 0;
     snprintf(path, sizeof path, "%s/%s", TEST_SOURCE_DIR, folder);
     DIR *directory = opendir(path);
     if (!CHECK(directory, "no folder %s", path)) {
@@ -182,13 +186,18 @@ static int check_folder(const char *folder) {
             char below[512];
             snprintf(below, sizeof below, "%s/%s", folder, entry->d_name);
             includes += check_folder(below);
-        } else if (is_source(entry->d_name) &&
-                   CHECK(layer, "%s: the folder %s is not in the table of layers", entry->d_name,
-                         folder)) {
+            continue;
+        }
+        ++files;
+        if (is_source(entry->d_name) &&
+            CHECK(layer, "%s: the folder %s is not in the table of layers", entry->d_name,
+                  folder)) {
             includes += check_file(layer, path);
         }
     }
     closedir(directory);
+    CHECK(files <= FILES_MAX, "%s has %d files; split it, at most %d are easy to take in", folder,
+          files, FILES_MAX);
     return includes;
 }
 

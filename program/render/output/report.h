@@ -6,7 +6,7 @@
 #include "font/font.h"
 #include "picture/verdict.h"
 #include "render/output/tones.h"
-#include "render/settings.h"
+#include "render/settings/settings.h"
 
 /* The only picture, or a cell of a sheet. */
 typedef struct render_cell {

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/sanitize.h"
+#include "image/decode/sanitize.h"
 
 typedef burnish_status decode_function(const burnish_encoded *from, burnish_memory *memory,
                                        burnish_image *picture);

@@ -10,7 +10,7 @@
 
 #include <jerror.h>
 
-#include "core/sanitize.h"
+#include "image/decode/sanitize.h"
 
 enum {
     MOST_MEMORY = 256 << 20, /* of the library's own, for progressive files */

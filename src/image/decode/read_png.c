@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/sanitize.h"
+#include "image/decode/sanitize.h"
 
 enum {
     MOST_CHUNK_BYTES = 8 << 20, /* of a chunk that libpng unpacks: a colour profile */

@@ -4,7 +4,7 @@
 #if BURNISH_HAS_WEBP
 #include <webp/decode.h>
 
-#include "core/sanitize.h"
+#include "image/decode/sanitize.h"
 
 burnish_status burnish_decode_webp(const burnish_encoded *from, burnish_memory *memory,
                                    burnish_image *picture) {

@@ -1,6 +1,6 @@
 /* For the memory sanitizer, which sees no writes of libraries that are not built with it. */
-#ifndef BURNISH_CORE_SANITIZE_H
-#define BURNISH_CORE_SANITIZE_H
+#ifndef BURNISH_IMAGE_DECODE_SANITIZE_H
+#define BURNISH_IMAGE_DECODE_SANITIZE_H
 
 #include <stddef.h>
 

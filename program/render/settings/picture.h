@@ -3,7 +3,7 @@
 #define TOOL_RENDER_SETTINGS_PICTURE_H
 
 #include "burnish/annotate.h"
-#include "render/settings_shading.h"
+#include "render/settings/shading.h"
 
 typedef enum render_view {
     VIEW_FREE, /* as the camera flags say */

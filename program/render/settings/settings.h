@@ -4,12 +4,12 @@
 #ifndef TOOL_RENDER_SETTINGS_H
 #define TOOL_RENDER_SETTINGS_H
 
-#include "render/settings_camera.h"
-#include "render/settings_input.h"
-#include "render/settings_job.h"
-#include "render/settings_output.h"
-#include "render/settings_picture.h"
-#include "render/settings_shading.h"
+#include "render/settings/camera.h"
+#include "render/settings/input.h"
+#include "render/settings/job.h"
+#include "render/settings/output.h"
+#include "render/settings/picture.h"
+#include "render/settings/shading.h"
 
 typedef struct render_settings {
     render_input_settings input;
