@@ -58,6 +58,7 @@ burnish_status burnish_renderer_create(const burnish_context *context, burnish_r
     *renderer = burnish_allocate_zeroed(&memory, 1, sizeof **renderer, "a renderer");
     if (*renderer) {
         (*renderer)->context = context;
+        (*renderer)->best = burnish_kernels_best();
         burnish_srgb_encoder_make(&(*renderer)->encoder);
     }
     return memory.status;
@@ -405,20 +406,12 @@ static burnish_status draw_edged(drawing *d) {
     return status;
 }
 
-static const burnish_kernels *choose_kernels(burnish_renderer *renderer,
-                                             const burnish_render_options *options) {
-    if (!options->kernels && !renderer->best) {
-        renderer->best = burnish_kernels_best();
-    }
-    return options->kernels ? options->kernels : renderer->best;
-}
-
 /* Everything after the checks. */
 static burnish_status draw(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const double start = burnish_seconds_now();
     burnish_tasks_begin(&renderer->tasks, renderer->context, d->options->threads);
-    d->view.shading.kernels = choose_kernels(renderer, d->options);
+    d->view.shading.kernels = d->options->kernels ? d->options->kernels : renderer->best;
     d->report.isa = d->view.shading.kernels->isa;
     d->view.shading.ops = burnish_render_ops_for(d->report.isa);
     d->raster = burnish_raster_ops_for(d->report.isa);

@@ -50,7 +50,8 @@ typedef struct clip_point {
     double x, y, z, w;
 } clip_point;
 
-static projection make_projection(const burnish_line_view *view, const burnish_render_options *options) {
+static projection make_projection(const burnish_line_view *view,
+                                  const burnish_render_options *options) {
     const burnish_camera *camera = &options->camera;
     projection p = {.origin = burnish_vec3_loadf(view->raster->origin),
                     .middle = {options->width * 0.5, options->height * 0.5},
