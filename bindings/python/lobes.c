@@ -6,9 +6,11 @@
 
 #include "burnish/kernels.h"
 #include "burnish/theory.h"
-#include "lobe/fit.h"
+#include "lobe/fit_solve.h"
+#include "lobe/lists.h"
 #include "lobe/lobe.h"
 #include "lobe/metrics.h"
+#include "lobe/samples.h"
 #include "module.h"
 
 /* ---- Values ---- */

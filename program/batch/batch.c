@@ -1,5 +1,14 @@
 /* `burnish batch`: flags and main steps. */
 #include "batch/batch.h"
+#include "batch/cost.h"
+#include "batch/index.h"
+#include "batch/inputs.h"
+#include "batch/names.h"
+#include "batch/order.h"
+#include "batch/pool.h"
+#include "batch/report.h"
+#include "batch/runner.h"
+#include "batch/sheet.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,13 +19,13 @@
 #include <unistd.h>
 
 #include "cli/clock.h"
-#include "cli/commands.h"
+#include "cli/main.h"
 #include "cli/output.h"
 #include "cli/platform.h"
-#include "cli/run.h"
+#include "picture/formats.h"
 #include "render/check.h"
 #include "render/flags.h"
-#include "sandbox/sandbox.h"
+#include "sandbox/lock.h"
 
 static cli_work work;
 static cli_handler flag_part;

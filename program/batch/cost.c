@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "batch/batch.h"
+#include "batch/cost.h"
 
 typedef struct sized {
     uint64_t bytes;

@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "batch/batch.h"
+#include "batch/index.h"
+#include "batch/names.h"
 #include "cli/file.h"
 #include "cli/output.h"
 #include "cli/platform.h"

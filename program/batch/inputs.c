@@ -1,6 +1,10 @@
 /* Finds the input files. */
+#include "batch/inputs.h"
 #include "batch/batch.h"
-#include "import/import.h"
+#include "batch/names.h"
+#include "import/importers.h"
+#include "import/recognise.h"
+#include "import/run.h"
 
 #ifndef _WIN32
 

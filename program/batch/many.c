@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "batch/batch.h"
-#include "sandbox/sandbox.h"
+#include "picture/formats.h"
 
 #ifdef _WIN32
 

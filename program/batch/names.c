@@ -6,6 +6,7 @@
 #include <xxhash.h>
 
 #include "batch/batch.h"
+#include "batch/names.h"
 #include "render/camera.h"
 
 const char *batch_base_name(const char *path) {

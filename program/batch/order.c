@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "batch/batch.h"
+#include "batch/order.h"
+#include "batch/report.h"
 
 #ifndef _WIN32
 

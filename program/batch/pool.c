@@ -7,6 +7,11 @@
 #include <string.h>
 
 #include "batch/batch.h"
+#include "batch/cost.h"
+#include "batch/order.h"
+#include "batch/pool.h"
+#include "batch/report.h"
+#include "batch/runner.h"
 
 #ifndef _WIN32
 

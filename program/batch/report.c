@@ -9,6 +9,8 @@
 #endif
 
 #include "batch/batch.h"
+#include "batch/names.h"
+#include "batch/report.h"
 #include "cli/file.h"
 #include "cli/output.h"
 #include "cli/platform.h"

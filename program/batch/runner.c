@@ -4,6 +4,10 @@
 #include <string.h>
 
 #include "batch/batch.h"
+#include "batch/names.h"
+#include "batch/order.h"
+#include "batch/report.h"
+#include "batch/runner.h"
 
 #ifndef _WIN32
 
@@ -27,12 +31,12 @@
 #include "cli/limits.h"
 #include "cli/output.h"
 #include "cli/write.h"
-#include "import/import.h"
+#include "import/importers.h"
 #include "render/check.h"
 #include "render/output/report.h"
 #include "render/render.h"
 #include "sandbox/channel.h"
-#include "sandbox/sandbox.h"
+#include "sandbox/process.h"
 
 enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64 };
 

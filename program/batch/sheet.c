@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "batch/batch.h"
+#include "batch/names.h"
+#include "batch/sheet.h"
 #include "burnish/sheet.h"
 
 #ifndef _WIN32
@@ -17,7 +19,7 @@
 #include "cli/file.h"
 #include "cli/limits.h"
 #include "cli/write.h"
-#include "picture/picture.h"
+#include "picture/formats.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"
 

@@ -2,8 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/commands.h"
-#include "cli/run.h"
+#include "cli/complete.h"
+#include "cli/help.h"
+#include "cli/main.h"
 #include "cli/values.h"
 
 /* Called for every command that has a work function; path is "render" or "lobe table". */

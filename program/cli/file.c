@@ -34,11 +34,12 @@ static burnish_status finish_bytes(void *context, burnish_error *error) {
 
 burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
                               burnish_error *error) {
-    return cli_file_write_then(path, bytes, size, NULL, NULL, error);
+    return cli_file_write_checked(path, bytes, size, NULL, NULL, error);
 }
 
-burnish_status cli_file_write_then(const char *path, const void *bytes, size_t size,
-                                   burnish_file_check *ready, void *context, burnish_error *error) {
+burnish_status cli_file_write_checked(const char *path, const void *bytes, size_t size,
+                                      burnish_file_check *ready, void *context,
+                                      burnish_error *error) {
     if (!chosen) {
         return ready ? burnish_file_write_checked(path, bytes, size, ready, context, error)
                      : burnish_file_write(path, bytes, size, error);
@@ -47,9 +48,9 @@ burnish_status cli_file_write_then(const char *path, const void *bytes, size_t s
     return chosen(path, take_bytes, &source, finish_bytes, error);
 }
 
-burnish_status cli_file_write_stream_then(const char *path, burnish_file_source *source,
-                                          void *context, burnish_file_check *ready,
-                                          burnish_error *error) {
+burnish_status cli_file_write_stream_checked(const char *path, burnish_file_source *source,
+                                             void *context, burnish_file_check *ready,
+                                             burnish_error *error) {
     return (chosen ? chosen : burnish_file_write_stream_checked)(path, source, context, ready,
                                                                  error);
 }

@@ -14,10 +14,11 @@ void cli_file_set_writer(cli_file_writer *writer);
 /* As burnish_file_write, burnish_file_write_checked and burnish_file_write_stream_checked. */
 burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
                               burnish_error *error);
-burnish_status cli_file_write_then(const char *path, const void *bytes, size_t size,
-                                   burnish_file_check *ready, void *context, burnish_error *error);
-burnish_status cli_file_write_stream_then(const char *path, burnish_file_source *source,
-                                          void *context, burnish_file_check *ready,
-                                          burnish_error *error);
+burnish_status cli_file_write_checked(const char *path, const void *bytes, size_t size,
+                                      burnish_file_check *ready, void *context,
+                                      burnish_error *error);
+burnish_status cli_file_write_stream_checked(const char *path, burnish_file_source *source,
+                                             void *context, burnish_file_check *ready,
+                                             burnish_error *error);
 
 #endif

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cli/help.h"
 #include "cli/output.h"
-#include "cli/run.h"
 #include "cli/values.h"
 
 enum { ROW_MAX = 240, NAME_WIDTH = 16 };

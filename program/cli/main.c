@@ -2,7 +2,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/commands.h"
+#include "cli/complete.h"
+#include "cli/help.h"
+#include "cli/main.h"
+#include "cli/man.h"
 #include "cli/run.h"
 #include "cli/values.h"
 

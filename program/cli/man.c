@@ -3,8 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/commands.h"
-#include "cli/run.h"
+#include "cli/help.h"
+#include "cli/main.h"
+#include "cli/man.h"
 #include "cli/values.h"
 
 /* Date of the last change to the text below, for the page's header. */

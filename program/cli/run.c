@@ -1,5 +1,6 @@
 /* Running a command. */
 #include "cli/run.h"
+#include "cli/help.h"
 
 #include <errno.h>
 #include <signal.h>

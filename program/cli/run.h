@@ -1,4 +1,4 @@
-/* Running a command, and the help screens that are made from its table of flags. */
+/* Runs a command. */
 #ifndef TOOL_CLI_RUN_H
 #define TOOL_CLI_RUN_H
 
@@ -23,30 +23,5 @@ burnish_status cli_finish_output(burnish_error *error);
 
 /* The exit code of a status; prints the message if it is not OK. */
 int cli_exit_code(burnish_status status, const burnish_error *error);
-
-/* For commands that draw: makes memory cheap to allocate. Call it before the first large
- * allocation, with one thread. */
-void cli_prepare_memory(void);
-
-/* The name without the parent command. */
-const char *cli_short_name(const cli_command *command);
-
-/* Text of a flag's default, "" for none. */
-const char *cli_default_label(const cli_flag *flag);
-
-/* Topic number `index` of --help=TOPIC, NULL past the last. */
-const char *cli_topic_at(const cli_command *command, size_t index);
-
-/* The text of an exit code, NULL for an unused one. Codes are below CLI_EXIT_END. */
-const char *cli_exit_text(int code);
-enum { CLI_EXIT_END = 16 };
-
-/* Prints "  COMMAND  what" rows: examples, subcommands. */
-void cli_print_examples(const cli_example *examples);
-void cli_print_parts(const cli_command *const *parts);
-
-/* Prints the screen: the common flags, or the flags of a topic, or all flags for "all". Errors:
- * ARGUMENT. */
-burnish_status cli_print_help(const cli_command *command, const char *topic, burnish_error *error);
 
 #endif

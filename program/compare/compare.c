@@ -1,15 +1,17 @@
 /* `burnish compare`: two pictures, two meshes under one camera, or two lobes on one mesh. */
 #include "burnish/compare.h"
-#include "compare/compare.h"
+#include "compare/report.h"
+#include "compare/sides.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/commands.h"
+#include "cli/main.h"
+#include "cli/memory.h"
 #include "cli/output.h"
 #include "cli/platform.h"
-#include "cli/run.h"
+#include "picture/formats.h"
 #include "picture/panels.h"
 #include "render/check.h"
 

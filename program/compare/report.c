@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "cli/output.h"
-#include "compare/compare.h"
+#include "compare/report.h"
+#include "compare/sides.h"
 #include "render/camera.h"
 #include "render/output/report.h"
 

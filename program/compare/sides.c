@@ -4,12 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/compare.h"
-#include "import/import.h"
+#include "compare/sides.h"
+#include "import/run.h"
 #include "picture/read_png.h"
 #include "render/camera.h"
 #include "render/options.h"
 #include "render/origin.h"
+#include "render/output/cells.h"
+#include "render/output/report.h"
 #include "render/up.h"
 
 /* ---- Reading ---- */

@@ -10,7 +10,9 @@
 
 #include "cli/options.h"
 #include "cli/write.h"
-#include "import/import.h"
+#include "import/decode.h"
+#include "import/importers.h"
+#include "import/run.h"
 
 #ifndef _WIN32
 

@@ -4,7 +4,7 @@
 #define TOOL_IMPORT_FOLDER_H
 
 #include "burnish/mesh.h"
-#include "import/import.h"
+#include "import/run.h"
 
 /* A descriptor of the input's folder; -1: no folder, or it can't be opened. */
 int folder_open(const char *input);

@@ -6,7 +6,7 @@
 #include "cli/input.h"
 #include "cli/options.h"
 #include "import/folder.h"
-#include "import/import.h"
+#include "import/importers.h"
 
 #define ENDING(word) "." #word " "
 static const char otherwise[] = "convert the file to glTF, OBJ, PLY or STL";

@@ -1,5 +1,6 @@
 /* Inputs of importers: descriptors of files. */
-#include "import/import.h"
+#include "import/open.h"
+#include "import/decode.h"
 
 #ifndef _WIN32
 

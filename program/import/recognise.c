@@ -2,7 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "import/import.h"
+#include "import/importers.h"
+#include "import/recognise.h"
 
 enum { LOOKED_AT = 512 };
 

@@ -1,5 +1,5 @@
 /* Runs an importer. */
-#include "import/import.h"
+#include "import/run.h"
 
 #include "cli/input.h"
 #include "cli/options.h"
@@ -24,7 +24,11 @@
 
 #include "cli/clock.h"
 #include "cli/limits.h"
+#include "import/decode.h"
 #include "import/folder.h"
+#include "import/importers.h"
+#include "import/open.h"
+#include "import/recognise.h"
 
 enum {
     SECONDS = 300, /* that an importer may take at least */

@@ -2,11 +2,12 @@
 #include <float.h>
 #include <math.h>
 
-#include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/main.h"
 #include "cli/origin.h"
 #include "cli/output.h"
-#include "import/import.h"
+#include "import/importers.h"
+#include "import/run.h"
 
 typedef struct info_settings {
     cli_input load;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lobe/lists.h"
 #include "lobe/lobe.h"
 
 typedef enum boundary_form { FORM_C, FORM_PROGMEM, FORM_MEM, FORM_CSV } boundary_form;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lobe/lists.h"
 #include "lobe/lobe.h"
 
 typedef struct choose_settings {

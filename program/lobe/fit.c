@@ -1,5 +1,7 @@
 /* `burnish lobe fit`: fits lobes to measured samples. */
-#include "lobe/fit.h"
+#include "lobe/fit_solve.h"
+#include "lobe/lists.h"
+#include "lobe/samples.h"
 
 #include <math.h>
 #include <stdlib.h>

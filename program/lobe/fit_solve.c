@@ -9,8 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/fit.h"
-#include "lobe/lobe.h"
+#include "cli/options.h"
+#include "lobe/fit_solve.h"
+#include "lobe/samples.h"
 
 enum {
     COARSE_SAMPLES = 2000, /* most samples for the global search */

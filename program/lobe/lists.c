@@ -1,8 +1,10 @@
 /* Shared by the subcommands of `burnish lobe`: lists of exponents and lobes, costs as text. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/lobe.h"
+#include "cli/values.h"
+#include "lobe/lists.h"
 
 /* A range: each number is the previous one plus `by` or, with multiply, times `by`. */
 typedef struct span {

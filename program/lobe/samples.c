@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/fit.h"
 #include "lobe/lobe.h"
+#include "lobe/samples.h"
 
 enum { LINE_BYTES = 4096, SAMPLES_MAX = 1000000, INPUT_BYTES_MAX = 1 << 28 };
 

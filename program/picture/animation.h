@@ -2,8 +2,8 @@
 #ifndef TOOL_PICTURE_ANIMATION_H
 #define TOOL_PICTURE_ANIMATION_H
 
+#include "picture/formats.h"
 #include "picture/palette.h"
-#include "picture/picture.h"
 
 typedef struct picture_animation_options {
     picture_format format; /* GIF, PNG, WEBP or Y4M */

@@ -1,5 +1,7 @@
 /* OpenEXR by its C core: scan lines in ZIP blocks of 16, without loss. */
-#include "picture/picture.h"
+#include "picture/exr.h"
+#include "picture/formats.h"
+#include "picture/npy.h"
 
 #if BURNISH_HAS_EXR
 #include <openexr.h>

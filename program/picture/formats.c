@@ -4,7 +4,9 @@
 #include <string.h>
 #include <strings.h>
 
-#include "picture/picture.h"
+#include "picture/formats.h"
+#include "picture/jpeg.h"
+#include "picture/webp.h"
 
 typedef struct format_row {
     const char *name, *ending, *other_ending;

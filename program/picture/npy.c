@@ -3,7 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "picture/picture.h"
+#include "picture/formats.h"
+#include "picture/npy.h"
 
 static const struct {
     const char *word; /* NumPy's */

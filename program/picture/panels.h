@@ -3,7 +3,7 @@
 #define TOOL_PICTURE_PANELS_H
 
 #include "burnish/compare.h"
-#include "picture/picture.h"
+#include "picture/formats.h"
 
 typedef struct picture_panels {
     const burnish_image *pictures[2]; /* of one size */

@@ -1,4 +1,5 @@
 /* WebP by libwebp: lossless, or lossy with a given quality. */
+#include "picture/webp.h"
 #include "picture/animation.h"
 
 #if BURNISH_HAS_WEBP

@@ -1,10 +1,13 @@
 /* The figure `cost`: a row per lobe, cheapest first, and the Pareto front.
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "plot/plot.h"
+#include "lobe/lists.h"
+#include "plot/cost.h"
+#include "plot/figures.h"
 
 /* Kinds of series in the script. */
 enum { COST_FRONT = 1, COST_FAMILY, COST_OTHER, COST_EXACT, COST_HEADING };

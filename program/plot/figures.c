@@ -1,10 +1,13 @@
 /* The figures: what each plots, with default lobes and exponents. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/values.h"
-#include "plot/plot.h"
+#include "lobe/lists.h"
+#include "plot/cost.h"
+#include "plot/figures.h"
 
 static const double DEGREES = 1 / CLI_DEGREE;
 

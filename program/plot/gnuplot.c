@@ -11,7 +11,9 @@
 #include <sys/wait.h>
 #endif
 
-#include "plot/plot.h"
+#include "cli/output.h"
+#include "plot/figures.h"
+#include "plot/gnuplot.h"
 
 /* ---- Input of gnuplot ---- */
 

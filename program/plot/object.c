@@ -1,5 +1,6 @@
 /* The figure `object`: the teapot shaded with several lobes, and how each differs from the first.
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +8,8 @@
 #include "burnish/render.h"
 #include "burnish/sheet.h"
 #include "picture/difference.h"
-#include "plot/plot.h"
+#include "plot/figures.h"
+#include "plot/object.h"
 
 enum { LOBES_MAX = 6, NAME_SIZE = 40, LABEL_SIZE = 128 };
 

@@ -4,8 +4,11 @@
 #include <string.h>
 
 #include "burnish/core.h"
+#include "lobe/lists.h"
 #include "lobe/lobe.h"
-#include "plot/plot.h"
+#include "plot/figures.h"
+#include "plot/gnuplot.h"
+#include "plot/object.h"
 
 typedef struct plot_settings {
     const char *exponents, *lobes, *bits, *output;

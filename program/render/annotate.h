@@ -3,6 +3,7 @@
 #define TOOL_RENDER_ANNOTATE_H
 
 #include "burnish/sheet.h"
+#include "picture/formats.h"
 #include "render/output/report.h"
 
 /* Draws the mesh. *depth receives the distances for render_annotate, or NULL if it needs none; free

@@ -1,8 +1,9 @@
 /* The flags of `burnish render`, for the parser, the help screens and the man page. */
 #include <stdio.h>
 
-#include "cli/commands.h"
+#include "cli/main.h"
 #include "cli/output.h"
+#include "picture/formats.h"
 #include "render/flags.h"
 #include "render/manual.h"
 #include "render/render.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "render/values.h"
-#include "sandbox/sandbox.h"
+#include "sandbox/worker.h"
 
 burnish_load_options render_load_options(const render_input_settings *input, int threads) {
     burnish_load_options options = cli_load_options(&input->load);

@@ -13,21 +13,25 @@
 #include "cli/clock.h"
 #include "cli/file.h"
 #include "cli/limits.h"
-#include "cli/run.h"
+#include "cli/memory.h"
+#include "picture/formats.h"
 #include "render/annotate.h"
 #include "render/camera.h"
 #include "render/check.h"
+#include "render/cut.h"
 #include "render/many.h"
 #include "render/options.h"
 #include "render/origin.h"
 #include "render/output/bands.h"
+#include "render/output/cells.h"
 #include "render/output/report.h"
 #include "render/output/turntable.h"
 #include "render/reference.h"
 #include "render/render.h"
 #include "render/sheet.h"
 #include "render/up.h"
-#include "sandbox/sandbox.h"
+#include "sandbox/process.h"
+#include "sandbox/worker.h"
 
 /* Processor time so far: of the dynamic loader and of start-up, for which there is no wall time. */
 static double processor_seconds(void) {
@@ -201,8 +205,8 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
         result->encoded = cli_seconds_now();
         result->seconds.encode = result->encoded - start;
         result->written = 1;
-        status = cli_file_write_then(render_output_path(&result->settings->output), file.bytes,
-                                     file.size, report, result, error);
+        status = cli_file_write_checked(render_output_path(&result->settings->output), file.bytes,
+                                        file.size, report, result, error);
     }
     picture_release(&file);
     return status;

@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-#include "cli/commands.h"
+#include "cli/main.h"
+#include "picture/formats.h"
 #include "render/options.h"
 
 static int is_given(const render_settings *settings, const char *flag) {

@@ -8,9 +8,12 @@
 #include "cli/options.h"
 #include "cli/write.h"
 #include "core/beneath.h"
+#include "import/decode.h"
 #include "import/folder.h"
-#include "import/import.h"
+#include "import/importers.h"
+#include "import/run.h"
 #include "sandbox/channel.h"
+#include "sandbox/process.h"
 
 #define DECODE_MAX ((uint64_t)4 << 30) /* most bytes of a stream to decode */
 

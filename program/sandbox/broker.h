@@ -2,7 +2,7 @@
 #ifndef TOOL_SANDBOX_BROKER_H
 #define TOOL_SANDBOX_BROKER_H
 
-#include "sandbox/sandbox.h"
+#include "sandbox/process.h"
 
 typedef enum broker_state {
     BROKER_SERVES,

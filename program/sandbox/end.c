@@ -1,5 +1,5 @@
 /* Describes how a process ended. */
-#include "sandbox/sandbox.h"
+#include "sandbox/end.h"
 
 #ifndef _WIN32
 

@@ -1,5 +1,5 @@
 /* The two processes of a sandbox. */
-#include "sandbox/sandbox.h"
+#include "sandbox/process.h"
 
 #include "cli/options.h"
 
@@ -20,6 +20,8 @@
 #include "core/show_name.h"
 #include "import/folder.h"
 #include "sandbox/broker.h"
+#include "sandbox/end.h"
+#include "sandbox/lock.h"
 #include "sandbox/worker.h"
 
 /* Returns the exit code of a worker that has ended, and reports a worker that was killed. */

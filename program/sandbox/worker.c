@@ -1,8 +1,8 @@
 #include "sandbox/worker.h"
 
-#include "sandbox/sandbox.h"
-
-#include "import/import.h"
+#include "import/decode.h"
+#include "import/importers.h"
+#include "import/run.h"
 
 #if BURNISH_HAS_SECCOMP
 
@@ -16,6 +16,7 @@
 #include "cli/options.h"
 #include "import/folder.h"
 #include "sandbox/channel.h"
+#include "sandbox/lock.h"
 
 static int broker = -1, input_file = -1;
 

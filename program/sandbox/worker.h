@@ -2,9 +2,22 @@
 #ifndef TOOL_SANDBOX_WORKER_H
 #define TOOL_SANDBOX_WORKER_H
 
+#include "burnish/mesh.h"
+
 /* Makes this process the worker. Affects the whole process, like the sandbox.
  *   channel  to the broker
  *   input    the open input, or -1 */
 void sandbox_become_worker(int channel, int input);
+
+/* Whether this process is a worker. */
+int sandbox_is_worker(void);
+
+/* Sandboxes a worker; does nothing in other processes. */
+burnish_status sandbox_close(burnish_error *error);
+
+/* As import_load. A worker uses the descriptor that the broker has opened, and the broker opens
+ * referenced files and runs the importer. */
+burnish_status sandbox_load(const char *input, const burnish_load_options *options,
+                            burnish_mesh **mesh, burnish_error *error);
 
 #endif

@@ -1,7 +1,9 @@
 /* Importers for requests. A worker can't start processes: it sends a request to the server,
  * which forks a process that runs the importer and passes the stream to the worker. Only the
  * importer parses the mesh, and only the worker parses the stream. */
+#include "serve/import.h"
 #include "serve/serve.h"
+#include "serve/worker.h"
 
 #ifndef _WIN32
 
@@ -16,7 +18,9 @@
 
 #include "cli/limits.h"
 #include "cli/write.h"
-#include "import/import.h"
+#include "import/decode.h"
+#include "import/importers.h"
+#include "import/run.h"
 #include "sandbox/channel.h"
 
 /* ---- The worker ---- */

@@ -2,12 +2,13 @@
 #include "serve/serve.h"
 #include "render/check.h"
 #include "render/flags.h"
+#include "serve/server.h"
 
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/commands.h"
-#include "sandbox/sandbox.h"
+#include "cli/main.h"
+#include "sandbox/lock.h"
 
 static cli_work work;
 

@@ -1,6 +1,9 @@
 /* Frames and processes. One thread, which blocks only in poll: it reads requests while a worker is
  * free and writes replies as fast as the client reads them. */
+#include "serve/server.h"
+#include "serve/import.h"
 #include "serve/serve.h"
+#include "serve/worker.h"
 
 #ifndef _WIN32
 
@@ -23,9 +26,9 @@
 
 #include "cli/clock.h"
 #include "cli/write.h"
-#include "import/import.h"
+#include "import/decode.h"
 #include "sandbox/channel.h"
-#include "sandbox/sandbox.h"
+#include "sandbox/end.h"
 
 enum {
     BUFFER = 1 << 16,

@@ -7,7 +7,9 @@
 #include "cli/output.h"
 #include "render/check.h"
 #include "render/render.h"
+#include "serve/import.h"
 #include "serve/serve.h"
+#include "serve/worker.h"
 
 char *serve_failed_line(int code, const char *message, const char *report) {
     cJSON *object = cJSON_CreateObject();
@@ -30,11 +32,11 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 
 #include "cli/file.h"
 #include "cli/limits.h"
-#include "cli/run.h"
+#include "cli/memory.h"
 #include "cli/write.h"
-#include "import/import.h"
+#include "import/importers.h"
 #include "sandbox/channel.h"
-#include "sandbox/sandbox.h"
+#include "sandbox/lock.h"
 
 enum { FILES_MAX = 256, FLAGS_MAX = 256, PIECE = 1 << 16, WARM_BYTES = 8 << 20, PAGE_BYTES = 4096 };
 

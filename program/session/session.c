@@ -6,11 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/commands.h"
+#include "cli/main.h"
 #include "render/camera.h"
 #include "render/check.h"
+#include "render/cut.h"
 #include "render/options.h"
 #include "render/origin.h"
+#include "render/output/cells.h"
 #include "render/output/report.h"
 #include "render/up.h"
 

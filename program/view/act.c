@@ -1,8 +1,9 @@
 /* The effects of keys, --do and files. */
 #if BURNISH_HAS_VIEW
 
+#include "view/act.h"
 #include "render/flags.h"
-#include "view/viewer.h"
+#include "view/show.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Pictures and overlays. */
 #if BURNISH_HAS_VIEW
 
-#include "view/viewer.h"
+#include "view/show.h"
 
 #include <math.h>
 #include <stdio.h>

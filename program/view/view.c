@@ -4,9 +4,10 @@
 
 #include <string.h>
 
-#include "cli/commands.h"
-#include "cli/run.h"
+#include "cli/main.h"
+#include "cli/memory.h"
 #include "view/actions.h"
+#include "view/window.h"
 
 static cli_work work;
 static cli_handler read_actions;

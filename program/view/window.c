@@ -1,9 +1,10 @@
 /* The window, its events and its loop. */
-#include "view/view.h"
+#include "view/window.h"
 
 #if BURNISH_HAS_VIEW
 
-#include "view/viewer.h"
+#include "view/act.h"
+#include "view/show.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-# Writes OUTPUT, a C file with the files of the list SCRIPTS as strings: plot_scripts of program/plot/plot.h.
+# Writes OUTPUT, a C file with the files of the list SCRIPTS as strings: plot_scripts of program/plot/gnuplot.h.
 set(texts "")
 set(rows "")
 foreach(script IN LISTS SCRIPTS)
@@ -9,5 +9,5 @@ foreach(script IN LISTS SCRIPTS)
   string(APPEND texts "static const char ${text}[] = {${bytes}0};\n")
   string(APPEND rows "    {\"${name}\", ${text}},\n")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"plot/plot.h\"\n${texts}"
+file(WRITE ${OUTPUT} "#include \"plot/gnuplot.h\"\n${texts}"
   "const plot_script plot_scripts[] = {\n${rows}    {NULL, NULL},\n};\n")

@@ -3,7 +3,9 @@
 #include "burnish/image.h"
 #include "burnish/mesh.h"
 #include "gltf_input.h"
-#include "picture/picture.h"
+#include "picture/formats.h"
+#include "picture/jpeg.h"
+#include "picture/webp.h"
 #include "support.h"
 
 enum { SIDE = 24 };

@@ -3,7 +3,9 @@
  * that of all libraries. */
 #include "burnish/image.h"
 #include "burnish/mesh.h"
-#include "picture/picture.h"
+#include "picture/formats.h"
+#include "picture/jpeg.h"
+#include "picture/webp.h"
 #include "support.h"
 
 #ifdef __GLIBC__

@@ -4,7 +4,8 @@
 #include <signal.h>
 
 #include "lying_worker.h"
-#include "sandbox/sandbox.h"
+#include "sandbox/lock.h"
+#include "sandbox/process.h"
 #include "support.h"
 
 /* Messages that are sent together. */

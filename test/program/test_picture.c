@@ -1,7 +1,7 @@
 /* Image files are read back by the decoders of their formats. */
 #include <math.h>
 
-#include "picture/picture.h"
+#include "picture/formats.h"
 #include "support.h"
 
 /* A small drawing: a flat background, a coloured edge, a smooth gradient, some alpha. */

@@ -1,6 +1,7 @@
 #include "render/output/bands.h"
 
 #include "cli/clock.h"
+#include "render/output/cells.h"
 #include "render/output/pieces.h"
 #include "render/output/stream.h"
 

@@ -1,8 +1,10 @@
 /* Drawing a cell whose camera is set, and warnings about it. */
 #include <stdlib.h>
 
+#include "picture/formats.h"
 #include "render/annotate.h"
 #include "render/camera.h"
+#include "render/output/cells.h"
 #include "render/output/report.h"
 
 void render_warn_about_cell(render_result *result, const render_cell *cell) {

@@ -3,7 +3,7 @@
 #define TOOL_RENDER_PLANES_H
 
 #include "burnish/render.h"
-#include "picture/picture.h"
+#include "picture/formats.h"
 
 typedef enum render_plane_kind {
     PLANE_COLOR,

@@ -11,8 +11,7 @@
 
 #include "cli/origin.h"
 #include "cli/output.h"
-#include "cli/run.h"
-#include "import/import.h"
+#include "import/importers.h"
 #include "render/camera.h"
 #include "render/flags.h"
 #include "render/origin.h"

@@ -52,33 +52,12 @@ typedef struct render_result {
     size_t warning_count;
 } render_result;
 
-/* Draws a cell whose view, lobe and camera are set, and warns about it. */
-burnish_status render_draw_cell(render_result *result, burnish_renderer *renderer,
-                                burnish_render_options *options, render_cell *cell,
-                                burnish_error *error);
-
-/* Draws only its pixels, without annotations; *depth as in render_draw. */
-burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
-                                  burnish_render_options *options, render_cell *cell, float **depth,
-                                  burnish_error *error);
-
-/* Gives options the cell's camera and lobe. */
-void render_aim_options(const render_result *result, burnish_render_options *options,
-                        const render_cell *cell);
-
-/* Warns about the facts of a drawn cell's report. */
-void render_warn_about_cell(render_result *result, const render_cell *cell);
-
 /* 1: the object is not in the picture, or looks like the background. */
 int render_is_blank(const render_cell *cell);
 
 /* Adds a line to the result. If printed is 1, and without --quiet, prints it on standard error. */
 __attribute__((format(printf, 3, 4))) void render_result_warn(render_result *result, int printed,
                                                               const char *format, ...);
-
-/* Applies --clip to the mesh, and warns about cuts without an effect or a filling. Errors: see
- * burnish_mesh_clip. */
-burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_error *error);
 
 /* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 if a part
  * of it is missing. */

@@ -60,8 +60,8 @@ static burnish_status finish(void *context, burnish_error *error) {
 burnish_status render_stream_write(const render_stream *stream, burnish_error *error) {
     const render_settings *settings = stream->result->settings;
     writer w = {.stream = stream, .progress = !settings->job.quiet && isatty(STDERR_FILENO)};
-    const burnish_status status = cli_file_write_stream_then(render_output_path(&settings->output),
-                                                             take_bytes, &w, finish, error);
+    const burnish_status status = cli_file_write_stream_checked(
+        render_output_path(&settings->output), take_bytes, &w, finish, error);
     if (w.progress) {
         fprintf(stderr, "\r\033[K");
     }

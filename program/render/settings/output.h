@@ -3,7 +3,6 @@
 #define TOOL_RENDER_SETTINGS_OUTPUT_H
 
 #include "cli/values.h"
-#include "picture/picture.h"
 #include "render/output/planes.h"
 
 typedef struct render_output_settings {

@@ -10,11 +10,10 @@
  *
  * The worker holds the input's descriptor, the socket and the standard streams. The broker parses
  * nothing from the input; it checks lengths and names, and that outputs were on the command line. */
-#ifndef TOOL_SANDBOX_SANDBOX_H
-#define TOOL_SANDBOX_SANDBOX_H
+#ifndef TOOL_SANDBOX_PROCESS_H
+#define TOOL_SANDBOX_PROCESS_H
 
 #include "burnish/mesh.h"
-#include "sandbox/lock.h"
 
 enum { SANDBOX_OUTPUTS_MAX = 32 };
 
@@ -37,19 +36,5 @@ typedef struct sandbox_plan {
  * open. In the broker, the worker has ended and *code is the exit code.
  * Errors: ARGUMENT, READ (the input), MEMORY. */
 burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error);
-
-/* The exit code for a wait status; if the process was killed, the message and its exit code. */
-int sandbox_describe_end(int state, burnish_error *line);
-
-/* Whether this process is a worker. */
-int sandbox_is_worker(void);
-
-/* Sandboxes a worker; does nothing in other processes. */
-burnish_status sandbox_close(burnish_error *error);
-
-/* As import_load. A worker uses the descriptor that the broker has opened, and the broker opens
- * referenced files and runs the importer. */
-burnish_status sandbox_load(const char *input, const burnish_load_options *options,
-                            burnish_mesh **mesh, burnish_error *error);
 
 #endif

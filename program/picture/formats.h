@@ -1,7 +1,7 @@
 /* File formats of pictures, planes and animations, and their encoders. They are not in libburnish,
  * so its users do not need libjpeg. */
-#ifndef TOOL_PICTURE_PICTURE_H
-#define TOOL_PICTURE_PICTURE_H
+#ifndef TOOL_PICTURE_FORMATS_H
+#define TOOL_PICTURE_FORMATS_H
 
 #include "burnish/image.h"
 #include "cli/values.h"
@@ -73,46 +73,5 @@ void picture_release(picture_file *file);
 burnish_status picture_encode(picture_format format, const burnish_pixels *pixels,
                               const picture_options *options, picture_file *file,
                               burnish_error *error);
-
-/* The encoders of single formats. They always fail if the build lacks their library. */
-burnish_status picture_encode_jpeg(const burnish_pixels *pixels, const picture_options *options,
-                                   picture_file *file, burnish_error *error);
-burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
-                                   picture_file *file, burnish_error *error);
-
-/* ---- Numbers ---- */
-
-typedef enum picture_kind { PICTURE_FLOAT, PICTURE_INT, PICTURE_BYTE } picture_kind;
-
-/* Contiguous rows of items with `channels` numbers each. With one channel the array has two axes,
- * else three. */
-typedef struct picture_array {
-    picture_kind kind;
-    int width, height, channels;
-    const void *values;
-} picture_array;
-
-/* Errors: MEMORY. */
-burnish_status picture_encode_npy(const picture_array *array, picture_file *file,
-                                  burnish_error *error);
-
-/* A channel of an OpenEXR file: FLOAT, or INT, which is written without its sign. */
-typedef struct picture_channel {
-    const char *name;
-    picture_kind kind;
-    const void *values;
-    size_t step; /* bytes from one pixel to the next; rows follow each other */
-} picture_channel;
-
-enum { PICTURE_CHANNELS_MAX = 16 };
-
-typedef struct picture_channels {
-    int width, height, count;
-    picture_channel items[PICTURE_CHANNELS_MAX]; /* all names differ */
-} picture_channels;
-
-/* Errors: MEMORY; ARGUMENT in a build without OpenEXR. */
-burnish_status picture_encode_exr(const picture_channels *channels, picture_file *file,
-                                  burnish_error *error);
 
 #endif

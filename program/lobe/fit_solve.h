@@ -1,27 +1,8 @@
-/* Reads measured samples and fits lobes to them. */
-#ifndef TOOL_LOBE_FIT_H
-#define TOOL_LOBE_FIT_H
+/* Fits lobes to samples. */
+#ifndef TOOL_LOBE_FIT_SOLVE_H
+#define TOOL_LOBE_FIT_SOLVE_H
 
-#include "burnish/theory.h"
-
-typedef enum lobe_unit { LOBE_UNIT_DEGREES, LOBE_UNIT_RADIANS, LOBE_UNIT_COSINE } lobe_unit;
-
-typedef struct lobe_sample {
-    double x;         /* as in the file */
-    double lambda;    /* 1 - cosine */
-    double intensity; /* as in the file */
-} lobe_sample;
-
-typedef struct lobe_samples {
-    lobe_sample *items; /* release with free */
-    size_t count, capacity;
-} lobe_samples;
-
-/* Reads angle and intensity from a file, "-" for standard input: two fields per line, separated by
- * commas, semicolons, tabs or blanks. Empty lines, lines that begin with # and one header row are
- * ignored. Errors: READ, FORMAT, LIMIT, MEMORY; messages contain the line number. */
-burnish_status lobe_read_samples(const char *path, lobe_unit unit, lobe_samples *samples,
-                                 burnish_error *error);
+#include "lobe/samples.h"
 
 /* One lobe fitted to all samples: intensity = scale * lobe + offset. */
 typedef struct lobe_fitted {

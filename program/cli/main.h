@@ -1,6 +1,6 @@
 /* All commands: a subcommand is one file and one row here, or in the table of its command. */
-#ifndef TOOL_CLI_COMMANDS_H
-#define TOOL_CLI_COMMANDS_H
+#ifndef TOOL_CLI_MAIN_H
+#define TOOL_CLI_MAIN_H
 
 #include "cli/options.h"
 
@@ -24,10 +24,5 @@ extern const cli_command *const cli_commands[];
 
 /* Examples of the first screen and the man page; the last has a NULL command. */
 extern const cli_example cli_examples[];
-
-/* The man page in roff, and the completions of a shell ("bash", "zsh" or "fish"), on standard
- * output. */
-void cli_print_man(void);
-void cli_print_completion(const char *shell);
 
 #endif

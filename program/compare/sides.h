@@ -1,8 +1,7 @@
-/* The settings and results of `burnish compare`. */
-#ifndef TOOL_COMPARE_COMPARE_H
-#define TOOL_COMPARE_COMPARE_H
+/* The two sides of a comparison. */
+#ifndef TOOL_COMPARE_SIDES_H
+#define TOOL_COMPARE_SIDES_H
 
-#include "picture/picture.h"
 #include "picture/verdict.h"
 #include "render/output/report.h"
 
@@ -50,8 +49,5 @@ static inline int compare_is_mesh(const compare_side *side) {
 /* Reads both inputs and draws meshes, with one camera that frames all of them. */
 burnish_status compare_draw_sides(comparison *c, burnish_error *error);
 void compare_release_sides(comparison *c);
-
-/* Writes text, or JSON to the file of --json. */
-burnish_status compare_write_report(const comparison *c, burnish_error *error);
 
 #endif

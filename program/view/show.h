@@ -1,6 +1,6 @@
 /* The state of the window, shared by drawing, actions and events. */
-#ifndef TOOL_VIEW_VIEWER_H
-#define TOOL_VIEW_VIEWER_H
+#ifndef TOOL_VIEW_SHOW_H
+#define TOOL_VIEW_SHOW_H
 
 #include "view/actions.h"
 #include "view/paint.h"
@@ -62,8 +62,6 @@ void viewer_show_message(viewer *v, const char *text);
 /* The picture changes. at_once: not by a continuing movement. */
 void viewer_touch(viewer *v, int at_once);
 
-/* ---- show.c ---- */
-
 /* Draws one or both lobes, and their difference if it is shown. Errors: as for drawing. */
 burnish_status viewer_draw(viewer *v, view_quality quality, burnish_error *error);
 
@@ -77,17 +75,5 @@ void viewer_set_title(viewer *v);
 
 /* The name without its folders. */
 const char *viewer_base_name(const char *path);
-
-/* ---- act.c ---- */
-
-/* Performs an action. */
-void viewer_act(viewer *v, const view_action_row *row);
-
-/* Reloads a changed file when it stops changing. */
-void viewer_look_at_file(viewer *v);
-void viewer_mark_file(viewer *v);
-
-/* Shows another file; takes ownership of the name, which SDL_free releases. */
-void viewer_open(viewer *v, char *name);
 
 #endif

@@ -1,13 +1,10 @@
-/* The subcommand `lobe plot`: computes a figure and writes it as CSV or, with gnuplot and the
- * scripts in figures/, as SVG and PNG. */
-#ifndef TOOL_PLOT_PLOT_H
-#define TOOL_PLOT_PLOT_H
-
-#include <stdio.h>
+/* Figures, and the charts that they fill. */
+#ifndef TOOL_PLOT_FIGURES_H
+#define TOOL_PLOT_FIGURES_H
 
 #include "burnish/theory.h"
 #include "cli/options.h"
-#include "lobe/lobe.h"
+#include "lobe/lists.h"
 
 enum {
     PLOT_LIST_MAX = 32,   /* items of --exponents, --lobes, --bits */
@@ -103,9 +100,6 @@ typedef struct plot_figure {
 burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
                          burnish_error *error);
 
-/* The same for the figure `cost`. */
-burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart, burnish_error *error);
-
 /* The model of a lobe of --lobes. Errors: ARGUMENT. */
 burnish_status plot_make_model(const char *word, double exponent, burnish_theory_model *model,
                                burnish_error *error);
@@ -118,29 +112,5 @@ void plot_state_exponent(const plot_request *request, plot_chart *chart);
 
 /* All figures; `index` past the end gives NULL. */
 const plot_figure *plot_figure_at(size_t index);
-
-/* The files of figures/, in the program. */
-typedef struct plot_script {
-    const char *name; /* "style" */
-    const char *text;
-} plot_script;
-
-extern const plot_script plot_scripts[]; /* a NULL name ends them */
-
-/* Writes the points as CSV, or the gnuplot script that draws them to standard output. */
-void plot_write_data(const plot_chart *chart, FILE *file);
-void plot_write_script(const plot_chart *chart, const plot_figure *figure, int is_png, FILE *file);
-
-/* Runs gnuplot on a script; *drawing is allocated. */
-burnish_status plot_run(const char *script, size_t length, char **drawing, size_t *size,
-                        burnish_error *error);
-
-/* Adds a title and a style sheet for dark pages to gnuplot's SVG; replaces *svg. */
-burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, burnish_error *error);
-
-/* The figure `object`: an object shaded with each lobe, and the differences from the first, as PNG;
- * with data 1, the differences as CSV. */
-burnish_status plot_object(const plot_request *request, int data, const char *path,
-                           burnish_error *error);
 
 #endif

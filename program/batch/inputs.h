@@ -1,0 +1,10 @@
+/* Operands, folders and lists of names become items. */
+#ifndef TOOL_BATCH_INPUTS_H
+#define TOOL_BATCH_INPUTS_H
+
+#include "batch/batch.h"
+
+/* Adds the inputs from operands and --files-from. Errors: ARGUMENT, READ, MEMORY. */
+burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *error);
+
+#endif

@@ -1,0 +1,62 @@
+/* Importers: separate programs that read formats unknown to burnish and write a mesh stream
+ * (docs/importers.md). This header lists and finds them.
+ *
+ * An importer gets the open input as standard input, the file extension as its only argument, and a
+ * pipe as standard output. Neither the importer nor its output is trusted. */
+#ifndef TOOL_IMPORT_IMPORTERS_H
+#define TOOL_IMPORT_IMPORTERS_H
+
+#include "burnish/mesh.h"
+
+typedef struct import_program {
+    const char *name; /* "burnish-import-assimp" */
+    const char *from; /* how to get it, for a message */
+    const char *
+        endings; /* lower-case extensions with a blank before and after each: " .fbx .dae "; "": none */
+    const char *argument;  /* its argument; NULL: the input's extension */
+    const char *otherwise; /* an alternative, for a message */
+} import_program;
+
+/* The extension of a name in lower case, without the dot and without a following ".gz": "fbx"; "":
+ * none, or too long. */
+enum { IMPORT_ENDING_SIZE = 12 };
+void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]);
+
+/* The importer for a name's extension; NULL: burnish reads it itself, or it is unknown. */
+const import_program *import_find(const char *name);
+
+/* The importer for an input, by the format of --input-format (cli_foreign in cli/input.h) or, if
+ * that is auto, by file extension. NULL: none. ending receives the importer's argument. */
+const import_program *import_choose(const char *input, int format, char ending[IMPORT_ENDING_SIZE]);
+
+/* The name of a mesh's format; for an imported file its extension, not the stream's format.
+ *   requested  the value of --input-format */
+const char *import_format_word(const char *name, int requested, burnish_format format,
+                               char ending[IMPORT_ENDING_SIZE]);
+
+/* An import_taker that keeps all bytes. Start from zeros; free(bytes) at the end. */
+typedef struct import_stream {
+    unsigned char *bytes;
+    size_t size, capacity;
+    int is_short; /* 1: out of memory */
+} import_stream;
+int import_keep(void *stream, const void *bytes, size_t size);
+
+/* Reserves room for `size` bytes. Returns 0 if there is no memory. */
+int import_expect(import_stream *stream, uint64_t size);
+
+/* Builds the mesh of a stream.
+ *   companions  loads referenced textures */
+burnish_status import_build(const import_program *importer, const char *name,
+                            const import_stream *stream, const burnish_load_options *options,
+                            burnish_file_loader companions, burnish_mesh **mesh,
+                            burnish_error *error);
+
+/* An input's name for messages. */
+const char *import_shown(const char *path);
+
+/* Whether burnish's own readers should try a file that an importer rejected. Extensions can be
+ * wrong, but --input-format decides. */
+int import_may_be_other(burnish_status status, int format);
+
+#endif

@@ -1,0 +1,41 @@
+/* Runs importers. */
+#ifndef TOOL_IMPORT_RUN_H
+#define TOOL_IMPORT_RUN_H
+
+#include "import/importers.h"
+
+/* Whether the importer's program is installed. */
+int import_is_installed(const import_program *importer);
+
+/* Receives bytes in pieces; take returns 0 to end the importer. */
+typedef int import_taker(void *context, const void *bytes, size_t size);
+typedef struct import_sink {
+    import_taker *take;
+    void *context;
+} import_sink;
+
+/* Runs an importer on an open input.
+ *   name   of the input, for messages
+ *   ending the argument, unless the importer has a fixed one
+ *   input  a descriptor, read from its start if it is seekable; it stays open
+ *   max_bytes  a larger file is refused
+ *   sink   receives the stream
+ * On success the stream is complete, but not validated. It can have at most 64 MiB plus 256 times
+ * the input's size. Limits of the importer: --max-memory (default: 4 GiB plus 64 times the input's
+ * size) and --max-seconds, at least 300.
+ * Errors: FORMAT (no such program, it crashed), LIMIT (time, bytes), MEMORY, READ. */
+burnish_status import_run(const import_program *importer, const char *name, const char *ending,
+                          int input, uint64_t max_bytes, import_sink sink, burnish_error *error);
+
+/* Runs import_run on `path`, or on its open descriptor `held`; -1: none. Standard input is not read
+ * if the importer is not installed. */
+burnish_status import_run_over(const import_program *importer, const char *ending, const char *path,
+                               int held, uint64_t max_bytes, import_sink sink,
+                               burnish_error *error);
+
+/* As burnish_mesh_load, through the importer that import_choose returns for the path and
+ * options->format, if any. */
+burnish_status import_load(const char *path, const burnish_load_options *options,
+                           burnish_mesh **mesh, burnish_error *error);
+
+#endif

@@ -1,0 +1,37 @@
+/* Lists of exponents and of lobes, as flags contain them. */
+#ifndef TOOL_LOBE_LISTS_H
+#define TOOL_LOBE_LISTS_H
+
+#include "burnish/theory.h"
+
+enum {
+    LOBE_EXPONENTS_MAX = 65536, /* in one list */
+    LOBE_LOBES_MAX = 64,        /* in one list */
+    LOBE_NAME = 32
+};
+
+/* A list of exponents; release with free(items). */
+typedef struct lobe_exponents {
+    double *items;
+    size_t count;
+} lobe_exponents;
+
+typedef struct lobe_names {
+    char items[LOBE_LOBES_MAX][LOBE_NAME];
+    size_t count;
+} lobe_names;
+
+/* Numbers and ranges between commas: 10, 1-1023, 10-100:10 (steps), 2-1024x2 (factors), each from 1
+ * to 65536. Errors: ARGUMENT, MEMORY. */
+burnish_status lobe_read_exponents(const char *flag, const char *text, lobe_exponents *list,
+                                   burnish_error *error);
+
+/* Words of burnish_theory_model_parse between commas. An order that is too high for
+ * some exponents is not an error here. */
+burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *list,
+                               burnish_error *error);
+
+/* "3 mul 1 add 1 max", without operations that are not used. */
+void lobe_cost_text(const burnish_theory_cost *cost, char *text, size_t size);
+
+#endif
