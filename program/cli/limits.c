@@ -22,13 +22,13 @@ uint64_t cli_child_memory(void) {
 burnish_status cli_limit_seconds(double seconds, burnish_error *error) {
     return seconds == 0 ? BURNISH_STATUS_OK
                         : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                   "--max-seconds: not on this system; leave it out");
+                                   "--max-seconds: not supported on this system; omit it");
 }
 
 burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error) {
     return bytes == 0 ? BURNISH_STATUS_OK
                       : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                 "--max-memory: not on this system; leave it out");
+                                 "--max-memory: not supported on this system; omit it");
 }
 
 void cli_limit_child(long process) {

@@ -6,7 +6,8 @@ burnish_status render_pieces_create(const render_pieces_plan *plan, render_piece
                                     burnish_error *error) {
     (void)plan;
     *pieces = NULL;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not available on this system");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--runners: not supported on this system; omit it");
 }
 
 void render_pieces_destroy(render_pieces *pieces) {
@@ -15,12 +16,14 @@ void render_pieces_destroy(render_pieces *pieces) {
 
 burnish_status render_pieces_take(render_pieces *pieces, int piece, burnish_error *error) {
     (void)pieces, (void)piece;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runners: not available on this system");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--runners: not supported on this system; omit it");
 }
 
 burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error *error) {
     (void)plan;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--runner: not available on this system");
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "--runner: not supported on this system; omit it");
 }
 
 #else
