@@ -54,7 +54,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     lying_remove_outputs();
     const broker_state state =
         lying_run(&box, (void *)(uintptr_t)(data + (size > 0)), size - (size > 0), -1);
-    require(state == BROKER_GONE || state == BROKER_LIED, "it has not ended");
+    require(state == BROKER_GONE || state == BROKER_VIOLATION, "it has not ended");
     require(!lying_has_secret(&box), "the secret is told");
     require(lying_count_files(&box) == LYING_FILES, "another file is there, or one is missing");
     require(next_descriptor() == before, "a descriptor is open");
