@@ -1,5 +1,5 @@
-/* burnish/arrays_q15.h: the lobes of lobe_q15.h and the pixels of shade_q15.h over arrays, by the
- * integer vectors of the processor.
+/* burnish/arrays_q15.h: the lobes of lobe_q15.h and the pixels of shade_q15.h over arrays, with
+ * the processor's integer SIMD.
  *
  * What it is. For every index, bit for bit,
  *
@@ -13,7 +13,7 @@
  *   2. Make lobes, lights and shaders with the last two.
  *   3. burnish_lobe_q15_fast_array(&lobe, count, cosines, values);
  *      burnish_q15_pixels_rgba8(&shader, lights, 2, count, normals, rgba);
- *   4. Compile for the processor that you have: the compiler's own macros choose the vectors.
+ *   4. Compile for the processor that you have: the compiler's macros select the instructions.
  *
  *        lanes   processor                             compiler's option
  *          32    x86 with AVX-512BW                    -mavx512bw
@@ -22,14 +22,14 @@
  *           8    Arm with Neon, little-endian          none on AArch64; -mfpu=neon on Armv7-A
  *           8    WebAssembly with SIMD                 -msimd128
  *           2    Arm with the DSP extension: Cortex-M4, M7, M33   -mcpu=cortex-m4
- *           1    any other, and where BURNISH_Q15_PLAIN_C is defined: the functions of the two
+ *           1    any other, or if BURNISH_Q15_PLAIN_C is defined: the functions of the two
  *                headers, one at a time
  *
- *      Nothing is asked of the processor at run time.
+ *      The processor is not checked at run time.
  *
- * Arrays. Structures of arrays: one array each for x, y and z. None needs an alignment beyond its
- * element's; lengths need not be a multiple of anything, and 0 is fine. An output may be the input
- * of the same type; otherwise arrays must not overlap.
+ * Arrays. Structures of arrays: one array each for x, y and z. They need only the alignment of
+ * their elements. Any length is valid, 0 included. An output may be the input of the same type;
+ * otherwise arrays must not overlap.
  *
  * What it promises. The results of the two headers, bit for bit, for every input and any lobe,
  * light and shader made by them; test_arrays_q15 compares all 65,536 cosines, and normals of every
@@ -85,14 +85,14 @@ BURNISH_Q15_INLINE burnish_q15v burnish_q15v_power(burnish_q15v a, uint8_t squar
         while (--squarings) {
             x = burnish_q15v_high(x, x);
         }
-        h = burnish_q15v_right(x, 8); /* y = x >> 7 = h + g, as burnish_q15_square8 has it */
+        h = burnish_q15v_right(x, 8); /* y = x >> 7 = h + g, as in burnish_q15_square8 */
         g = burnish_q15v_right(burnish_q15v_add(burnish_q15v_right(x, 7), burnish_q15v_set(1)), 1);
         x = burnish_q15v_add(burnish_q15v_low(h, g),
                              burnish_q15v_right(burnish_q15v_add(g, burnish_q15v_set(255)), 1));
         return burnish_q15v_right(x, 8);
     }
     if (form == BURNISH_Q15_FORM_NEAR) {
-        /* t t + t is even, so that the mean of its lower half and t is exact */
+        /* t t + t is even, so the mean of its lower half and t is exact */
         const burnish_q15v half = burnish_q15v_mean(burnish_q15v_low(x, x), x);
         x = burnish_q15v_add(
             burnish_q15v_high(x, x),
@@ -110,7 +110,7 @@ BURNISH_Q15_INLINE burnish_q15v burnish_q15v_power(burnish_q15v a, uint8_t squar
     return x;
 }
 
-/* The lobe at a cosine. Lanes beyond reach hold anything until the end. */
+/* The lobe at a cosine. Lanes beyond reach hold arbitrary values until the end. */
 BURNISH_Q15_INLINE burnish_q15v burnish_q15v_at_cosine(const burnish_q15v_lobe *lobe,
                                                        burnish_q15v cosine, int form) {
     const burnish_q15v lambda = burnish_q15v_subs(burnish_q15v_set(BURNISH_Q15_ONE), cosine);

@@ -1,7 +1,7 @@
 /* burnish/lobe.h: a family of specular lobes that needs no pow, no division and no libm.
  *
  * What it is. A specular highlight of the Phong and Blinn models is cos(angle)^n. This header
- * offers in its place
+ * replaces it with
  *
  *     S(c) = u^m,   u = min(1, max(0, 1 - zeta (1 - c))),   m = 2, 4, 8, 16 or 32,
  *
@@ -10,18 +10,18 @@
  * The lobe is 1 at c = 1 and exactly 0 from the cutoff cosine 1 - 1/zeta downward.
  *
  * How to use it.
- *   1. Copy this file; it includes nothing. Compile with -ffp-contract=off where bits matter.
+ *   1. Copy this file; it includes nothing. Compile with -ffp-contract=off if exact bits matter.
  *   2. Once per material (a status other than BURNISH_LOBE_OK leaves a lobe that is 0 everywhere):
  *          burnish_lobe lobe;
  *          status = burnish_lobe_create(&lobe, BURNISH_FIT_ENERGY, 2, shininess);
- *   3. Once per light and pixel, where N.L > 0:
+ *   3. Once per light and pixel with N.L > 0:
  *          specular = burnish_lobe_at_cosine(lobe, n_dot_h);
  *      or, for large exponents, from the vectors themselves, which keep more bits than a cosine:
  *          specular = burnish_lobe_at_lambda(lobe, burnish_lobe_chord(n, h));
  *
- * What it does not do. It does not normalise vectors (Lyon's lobe below does), reflect, test N.L,
- * or light anything; fits that need roots or a search (level, projected, minimax, leastsquares,
- * affine) are in burnish/shading.h, the reference lobes that need libm in burnish/theory.h.
+ * What it does not do. It does not normalise vectors (Lyon's lobe below does), reflect, test N.L or
+ * compute lighting. Fits that need roots or a search (level, projected, minimax, leastsquares,
+ * affine) are in burnish/shading.h. Reference lobes that need libm are in burnish/theory.h.
  *
  * What it promises.
  * - Every evaluation returns a finite value in [0, 1] for every float: NaN gives 0,
@@ -30,11 +30,11 @@
  *   set-up of a lobe uses double. With -ffp-contract=off the bits are the same everywhere.
  * - The family's lobes never decrease as c grows, not even by a rounding error.
  *
- * Accuracy at every float cosine in [-1, 1], against the formula in exact arithmetic with the
- * lobe's own zeta or exponent. absolute: largest error in units of 2^-24. relative: largest error
- * in units in the last place of the exact value, where that is at least 2^-10. Bounds, and in
- * parentheses the largest errors found in 240 million random cases per line; the tests hold the
- * bounds (test/support/sweep.h) and fail above them.
+ * Accuracy at every float cosine in [-1, 1], compared with the formula in exact arithmetic with the
+ * lobe's own zeta or exponent. Absolute errors are in units of 2^-24. Relative errors are in units
+ * in the last place of the exact value, for values of at least 2^-10. Each entry is a bound,
+ * followed in parentheses by the largest error found in 240 million random cases. The tests fail if
+ * an error exceeds its bound (test/support/sweep.h).
  *
  *     lobe     order  exponents    absolute      relative
  *     family       2  [1, 65536]   2.25  (1.98)  70   (64.2)
@@ -52,11 +52,11 @@
  * Sources. Order 2 and its fits W, W1 and W_Q: a paper that approximates BRDFs by cosine-quadratic
  * functions. Its references date it after 2005; no bibliographic record of it was found.
  * Phong, Illumination for Computer Generated Pictures, CACM 1975; Blinn, Models of Light
- * Reflection, SIGGRAPH 1977. The form of the lobe is not new: Lyon, Phong Shading Reformulation for
- * Hardware Renderer Simplification, Apple TR 43, 1993 (general m, chord form, zeta = n/m); Beaudoin
- * and Guardado, A Non-Integer Power Function on the Pixel Shader, 2002 (fitted constants); Doom 3
- * shipped zeta = 4, m = 2, Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast
- * Alternative to Phong's Specular Model, Graphics Gems IV, 1994.
+ * Reflection, SIGGRAPH 1977. The form of the lobe is not new. Lyon, Phong Shading Reformulation for
+ * Hardware Renderer Simplification, Apple TR 43, 1993: general m, chord form, zeta = n/m. Beaudoin
+ * and Guardado, A Non-Integer Power Function on the Pixel Shader, 2002: fitted constants. Doom 3
+ * shipped zeta = 4, m = 2; Unreal's mobile shader zeta = 6.645, m = 2. Schlick, A Fast Alternative
+ * to Phong's Specular Model, Graphics Gems IV, 1994.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -106,11 +106,11 @@ static inline const char *burnish_lobe_status_text(burnish_lobe_status status) {
 }
 
 /* How zeta follows from the exponent n and the order m. "Paper" is the work that burnish
- * implements, where these are the lobes W, W1, W_Q and W_0.5 at m = 2. */
+ * implements; it has order 2 only. */
 typedef enum burnish_lobe_fit {
     BURNISH_FIT_TAYLOR,    /* n/m: the same curvature at the peak; never above cos^n (paper's W) */
     BURNISH_FIT_ENERGY,    /* (n+1)/(m+1): the same integral over solid angle (paper's W1) */
-    BURNISH_FIT_LEVEL,     /* meets cos^n where that is Q (paper's W_Q) */
+    BURNISH_FIT_LEVEL,     /* meets cos^n at the value Q (paper's W_Q) */
     BURNISH_FIT_SHIFT7,    /* 7n/16, m = 2: integers (paper's W_0.5; its Q tends to 0.58) */
     BURNISH_FIT_SHIFT3,    /* 3n/8, m = 2: as cheap, lower largest absolute error for n >= 6 */
     BURNISH_FIT_PROJECTED, /* the same cosine-weighted integral */
@@ -121,8 +121,8 @@ typedef enum burnish_lobe_fit {
     BURNISH_FIT_COUNT
 } burnish_lobe_fit;
 
-/* One lobe. A small value to copy and pass; make it with burnish_lobe_create or a sibling and leave
- * it as it is. All zero it is the dark lobe, which is 0 everywhere, c = 1 included. */
+/* One lobe, passed by value. Make it with burnish_lobe_create or burnish_lobe_from_zeta and do not
+ * change its members. If all are 0, it is the dark lobe, which is 0 everywhere, c = 1 included. */
 typedef struct burnish_lobe {
     float zeta; /* slope of the base: (0, 65536], 0 in the dark lobe */
     int order;  /* 2, 4, 8, 16 or 32; 0 in the dark lobe */
@@ -133,9 +133,9 @@ static inline int burnish_lobe_order_is_valid(int order) {
     return order == 2 || order == 4 || order == 8 || order == 16 || order == 32;
 }
 
-/* Whether lobes of an order and exponent exist, whatever the fit. Order 2 does for every exponent,
- * a higher one from exponent = order on: below that zeta would be less than 1 and the lobe
- * above 0 at c = 0.
+/* Checks whether an order and exponent have a lobe, whatever the fit. Order 2 is valid for every
+ * exponent. A higher order needs exponent >= order: below that, zeta would be less than 1 and the
+ * lobe above 0 at c = 0.
  * Returns OK, ERROR_ORDER, ERROR_EXPONENT or ERROR_ORDER_FOR_EXPONENT. */
 static inline burnish_lobe_status burnish_lobe_check(int order, double exponent) {
     if (!burnish_lobe_order_is_valid(order)) {
@@ -163,8 +163,8 @@ static inline int burnish_lobe_highest_order(int order, float exponent) {
 }
 
 /* Makes the lobe with a given slope, for fits of your own. Minimax slopes for m = 2 by Beaudoin and
- * Guardado (2002): n = 4 1.683, 6 2.385, 10 3.802, 18 6.645; for large n about .7118 n/m. For every
- * n: burnish_lobe_solve of burnish/shading.h.
+ * Guardado (2002): n = 4 1.683, 6 2.385, 10 3.802, 18 6.645; for large n about 0.7118 n/m. For
+ * every n: burnish_lobe_solve of burnish/shading.h.
  *   lobe   becomes the lobe, on error the dark one; not NULL
  *   zeta   (0, 65536]
  *   order  2, 4, 8, 16 or 32
@@ -184,12 +184,12 @@ static inline burnish_lobe_status burnish_lobe_from_zeta(burnish_lobe *lobe, flo
     return BURNISH_LOBE_OK;
 }
 
-/* Makes the lobe that stands for cos^exponent. zeta is the fit's formula evaluated in double
+/* Makes the lobe that approximates cos^exponent. zeta is the fit's formula evaluated in double
  * precision and rounded to float.
  *   lobe      becomes the lobe, on error the dark one; not NULL
  *   fit       TAYLOR, ENERGY, SHIFT7 or SHIFT3; for the others see burnish_lobe_solve
- *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; SHIFT7 and SHIFT3: 2
- *   exponent  [1, 65536], need not be whole
+ *   order     2, 4, 8, 16 or 32; above 2 at most the exponent; SHIFT7 and SHIFT3: 2
+ *   exponent  [1, 65536], not necessarily an integer
  * Errors: ERROR_FIT, ERROR_FIT_NEEDS_SOLVE, ERROR_ORDER, ERROR_EXPONENT (NaN included),
  * ERROR_ORDER_FOR_EXPONENT (burnish_lobe_highest_order finds the order to fall back to). */
 static inline burnish_lobe_status burnish_lobe_create(burnish_lobe *lobe, burnish_lobe_fit fit,
@@ -249,7 +249,7 @@ static inline float burnish_lobe_at_cosine(burnish_lobe lobe, float cosine) {
 
 /* lambda from two unit vectors: |a - b|^2 / 2, which is 1 - a.b without the cancellation near 1.
  *   a, b  three components each, of unit length; may be the same array
- * Returns a value >= 0, NaN when a component is NaN; any result suits burnish_lobe_at_lambda.
+ * Returns a value >= 0, NaN if a component is NaN; burnish_lobe_at_lambda accepts both.
  * Source: Lyon 1993. */
 static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
     const float x = a[0] - b[0];
@@ -258,18 +258,17 @@ static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
     return 0.5f * ((x * x + y * y) + z * z);
 }
 
-/* The cosine from which downward the lobe is 0: 1 - 1/zeta, rounded to float, so at this cosine
- * itself the lobe may be a rounding error above 0.
- * Returns a value below -1 where the lobe never reaches 0 (zeta < 1/2); 1 for the dark lobe. */
+/* The cosine below which the lobe is 0: 1 - 1/zeta. It is rounded to float, so the lobe at this
+ * cosine itself can be above 0 by a rounding error.
+ * Returns a value below -1 if the lobe never reaches 0 (zeta < 1/2); 1 for the dark lobe. */
 static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
     return lobe.order >= 2 ? 1.0f - 1.0f / lobe.zeta : 1.0f;
 }
 
 /* ---- Lobes to compare with ----------------------------------------------------------------------
  *
- * Known alternatives that need no libm; those that do (cos^n itself, the Gaussian) are in
- * burnish/theory.h. They take the exponent at each call; one outside [1, 65536] is clamped into it,
- * and a NaN exponent gives 0. */
+ * Known alternatives without libm. Lobes that need it (cos^n itself, the Gaussian) are in
+ * burnish/theory.h. Each call takes the exponent, clamped to [1, 65536]; a NaN exponent gives 0. */
 
 /* The exponent clamped to [1, 65536]; NaN stays NaN. */
 static inline float burnish_lobe_clamp_exponent(float exponent) {
@@ -299,7 +298,7 @@ static inline float burnish_gx_at_cosine(float cosine, float exponent) {
 }
 
 /* Lyon's approximation of 1/sqrt(s) near s = 1: 1 + e/2 + 3 e^2/8 with e = 1 - s, the first three
- * terms of the series. Relative error below .0004 for s in [.9, 1.1], .05 in [.5, 1.5].
+ * terms of the series. Relative error below 0.0004 for s in [0.9, 1.1], 0.05 in [0.5, 1.5].
  *   s  the squared length of a vector that is nearly a unit vector
  * Returns 5/6 or more. Source: Lyon 1993. */
 static inline float burnish_lyon_normalize_factor(float s) {
@@ -307,11 +306,11 @@ static inline float burnish_lyon_normalize_factor(float s) {
     return 1.0f + e * (0.5f + 0.375f * e);
 }
 
-/* Lyon's lobe from the chord of two vectors as they are: (1 - beta r^2/2)^order with r = |a - b|
- * and beta = exponent/order; the family's taylor fit in chord form.
+/* Lyon's lobe from the chord of two vectors, which it does not normalise: (1 - beta r^2/2)^order
+ * with r = |a - b| and beta = exponent/order. This is the family's taylor fit in chord form.
  *   a, b      three components each; unit vectors, or nearly so
  *   exponent  clamped to [1, 65536]; NaN gives 0
- *   order     2, 4, 8, 16 or 32, from 4 on at most the exponent; otherwise the result is 0
+ *   order     2, 4, 8, 16 or 32; above 2 at most the exponent; otherwise the result is 0
  * Returns a value in [0, 1]. Source: Lyon 1993. */
 static inline float burnish_lyon_at_chord(const float a[3], const float b[3], float exponent,
                                           int order) {
@@ -321,8 +320,8 @@ static inline float burnish_lyon_at_chord(const float a[3], const float b[3], fl
     return burnish_lobe_at_lambda(lobe, burnish_lobe_chord(a, b));
 }
 
-/* Lyon's lobe from vectors of nearly unit length, such as interpolated ones: both
- * are scaled by burnish_lyon_normalize_factor, then burnish_lyon_at_chord. No root, no division.
+/* Lyon's lobe from vectors of nearly unit length, such as interpolated normals. Scales both by
+ * burnish_lyon_normalize_factor, then calls burnish_lyon_at_chord. No square root, no division.
  *   n, h             three components each, squared lengths near 1
  *   exponent, order  as for burnish_lyon_at_chord
  * Returns a value in [0, 1]. Source: Lyon 1993. */

@@ -5,9 +5,9 @@
  *
  *     S(c) = t^m,   t = max(0, 1 - zeta (1 - c)),   m = 2, 4, 8 or 16,
  *
- * from a cosine c in 16 bits (or 1 - c in 24) with two multiplications of 16 bits by 16, a shift
- * and a complement; each further order is one more multiplication. No table, no 64-bit
- * arithmetic; one or two divisions when a lobe is made.
+ * from a 16-bit cosine c (or a 24-bit 1 - c) with two multiplications of 16 bits by 16, a shift and
+ * a complement. Each doubling of the order takes one more multiplication. It needs neither tables
+ * nor 64-bit arithmetic; making a lobe takes one or two divisions.
  *
  * How to use it.
  *   1. Copy this file; it includes <stdint.h> and nothing else.
@@ -21,8 +21,8 @@
  * Formats.
  *     cosine   UQ1.15  0x8000 is 1; larger values count as 1. A negative cosine is 0.
  *     lambda   UQ0.24  1 - cosine, for narrow lobes; at most 0xFFFFFF
- *     result   UQ0.16  v stands for v / 65536; 1 is limited to 0xFFFF
- *     result8  UQ0.8   v stands for v / 256; 1 is limited to 0xFF
+ *     result   UQ0.16  v means v / 65536; 1 is limited to 0xFFFF
+ *     result8  UQ0.8   v means v / 256; 1 is limited to 0xFF
  *     slope    2 zeta = slope / 2^shift
  *
  * What is computed, in integers; >> is the floor of a division by a power of two:
@@ -30,14 +30,14 @@
  *     u = 0x8000 - min(cosine, 0x8000)                                   UQ1.15, exact
  *     w = slope u                     of a cosine,                       below 2^31
  *     w = floor(slope lambda / 2^9)   of a lambda,                       below 2^32
- *     a = w >> shift                  zeta (1 - c) in 2^-16; the result is 0 where a > 0xFFFF
+ *     a = w >> shift                  zeta (1 - c) in 2^-16; the result is 0 if a > 0xFFFF
  *     t = 0xFFFF - a                  the complement of a's 16 bits
  *
  *     fast    x = (t t) >> 16, then again x = (x x) >> 16 for each further order
  *     near    x = (t t + t + 0x8000) >> 16, then x = (x x + 0x8000) >> 16
  *     fast8   fast up to order m/2 (order 2: t itself), then of its top 9 bits y = x >> 7:
  *             (y (y + 1) + 511) >> 10
- *     exact   T = 1 - zeta (1 - c) in UQ0.32, exact for a cosine, and for a lambda where
+ *     exact   T = 1 - zeta (1 - c) in UQ0.32, exact for a cosine, and for a lambda if
  *             shift <= 7, else rounded up; x = floor(T T / 2^32) for each squaring;
  *             finally rounded to 16 bits, halves up
  *     exact8  the same, rounded to 8 bits
@@ -46,22 +46,21 @@
  * own zeta are rounded to 16 significant bits.
  *
  * What it promises. Every result is defined bit by bit for every input; a result never decreases as
- * the cosine grows. Errors against the exact real lobe in units of the result's last place, over
- * all cosines, all lambdas and n = 1 .. 1023, saturation at 1 not counted (`make prove-q15`
- * proves them; docs/firmware.md has more digits):
+ * the cosine grows. The table has bounds of the error against the exact real lobe, in units of the
+ * result's last place, for all cosines, all lambdas and n = 1 .. 1023. Saturation at 1 is not
+ * counted. `make prove-q15` proves the bounds; docs/firmware.md has more digits.
  *
  *                        fast            near              exact        fast8         exact8
  *     order              2  4  8  16    2   4   8    16    all          2 .. 8  16    all
- *     exact slopes       3  7  15 29    1.5 3.4 6.9  13.3  .5003        1       1.04  .50001
- *     energy             3  7  15 29    1.6 3.5 6.9  13.3  .86          1       1.04  .502
+ *     exact slopes       3  7  15 29    1.5 3.4 6.9  13.3  0.5003       1       1.04  0.50001
+ *     energy             3  7  15 29    1.6 3.5 6.9  13.3  0.86         1       1.04  0.502
  *
- * What it does not do. It does not shade: see shade_q15.h. It does not compute cos^n: for the
- * distance of the family from it see docs/theory.md. The rounding of a cosine to 15 bits costs a
- * narrow lobe n/256 steps of an 8-bit result: from n = 128 on prefer the functions that take
- * lambda.
+ * What it does not do. It does not shade: see shade_q15.h. It does not compute cos^n;
+ * docs/theory.md has the difference. Rounding a cosine to 15 bits costs a narrow lobe n/256 steps
+ * of an 8-bit result, so from n = 128 on prefer the functions that take lambda.
  *
- * Sources. See lobe.h; the shift by 7/16 and the boundary memory are those of the paper that
- * burnish implements (docs/theory.md).
+ * Sources. See lobe.h; the shift by 7/16 and the boundary memory come from the paper that burnish
+ * implements (docs/theory.md).
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -75,8 +74,8 @@
 extern "C" {
 #endif
 
-/* Steps that are hardly larger than a call of them. At -Os, with which Arduino compiles, GCC would
- * call them, which makes lobes on AVR up to 2.9 times as slow, and most of them larger. */
+/* For steps that are hardly larger than a call. At -Os, which Arduino uses, GCC would not inline
+ * them. On AVR this makes lobes up to 2.9 times as slow, and most of them larger. */
 #ifdef __GNUC__
 #define BURNISH_Q15_INLINE static inline __attribute__((always_inline))
 #else
@@ -108,8 +107,9 @@ typedef enum burnish_q15_fit {
     BURNISH_Q15_SHIFT3  /* 3n/8, m = 2 */
 } burnish_q15_fit;
 
-/* One lobe, ready to be evaluated; make it with burnish_lobe_q15_create or a sibling. reach is the
- * boundary memory's word: beyond it nothing is computed. All zero is the dark lobe, which is 0. */
+/* One lobe; make it with a function below, such as burnish_lobe_q15_create. reach is the word of
+ * the boundary memory: beyond it nothing is computed. If all members are 0, it is the dark lobe,
+ * which is 0. */
 typedef struct burnish_lobe_q15 {
     uint16_t slope;    /* 2 zeta 2^shift */
     uint16_t reach;    /* UQ1.15: the largest 1 - cosine at which the lobe is above 0 */
@@ -123,7 +123,7 @@ typedef struct burnish_lobe_q15 {
 
 /* 1 - cosine in UQ1.15.  cosine  any; above 0x8000 counts as 1 */
 BURNISH_Q15_INLINE uint16_t burnish_q15_lambda(uint16_t cosine) {
-#ifdef __AVR__ /* two cycles where the comparison takes six */
+#ifdef __AVR__ /* two cycles; the comparison takes six */
     uint16_t lambda = (uint16_t)(BURNISH_Q15_ONE - cosine);
     if (lambda & 0x8000u) {
         lambda = cosine == 0 ? lambda : 0;
@@ -225,7 +225,7 @@ BURNISH_Q15_INLINE uint16_t burnish_q15_square_rounded(uint16_t x) {
     return (uint16_t)((burnish_q15_multiply(x, x) + 0x8000u) >> 16);
 }
 
-/* (x + 1/2)^2 of x in UQ0.16, rounded: x stands for the middle of the interval truncated to it. */
+/* (x + 1/2)^2 of x in UQ0.16, rounded: x means the middle of the interval truncated to it. */
 BURNISH_Q15_INLINE uint16_t burnish_q15_square_middle(uint16_t x) {
     return (uint16_t)((burnish_q15_multiply(x, x) + x + 0x8000u) >> 16);
 }
@@ -278,7 +278,7 @@ BURNISH_Q15_INLINE uint8_t burnish_q15_round8(uint32_t x) {
 /* The lobe from a, zeta (1 - c) in 2^-16 and below 1, truncated to 16 bits at every step: at
  * most 2m - 1 steps below the lobe.
  *   a          0 .. 0xFFFF
- *   squarings  1 .. 4; 0, the dark lobe's, gives 0 */
+ *   squarings  1 .. 4; 0 (the dark lobe) gives 0 */
 BURNISH_Q15_INLINE uint16_t burnish_q15_fast_at(uint_fast16_t a, uint8_t squarings) {
     uint16_t x = burnish_q15_square(0xFFFFu - a);
     while (--squarings) {
@@ -305,8 +305,9 @@ static inline uint8_t burnish_q15_fast8_at(uint_fast16_t a, uint8_t squarings) {
     return burnish_q15_square8(x);
 }
 
-/* zeta lambda below 1 as a fraction in UQ0.32: exact where shift <= 7, else its floor. Modulo 1:
- * test w first.  lambda  UQ0.24 */
+/* zeta lambda below 1 as a fraction in UQ0.32: exact if shift <= 7, otherwise its floor. The result
+ * is modulo 1, so test w first.
+ *   lambda  UQ0.24 */
 static inline uint32_t burnish_q15_fraction(uint16_t slope, uint8_t shift, uint32_t lambda) {
     const uint32_t high = burnish_q15_multiply(slope, (uint16_t)(lambda >> 16));
     const uint32_t low = burnish_q15_multiply(slope, (uint16_t)lambda);
@@ -328,13 +329,13 @@ static inline uint32_t burnish_q15_wide_of(uint32_t fraction, uint8_t squarings)
 
 /* ---- Lobes with nothing to set up --------------------------------------------------------------
  *
- * Order 2, the zero found from the top bits of the product. Form fast.
+ * Order 2, form fast. The top bits of the product show where the lobe is 0.
  *   exponent  n: 0 .. 1023 (8191 where 7n and 3n must fit); 0 gives 0xFFFE everywhere
  *   cosine    UQ1.15
  * Returns UQ0.16, at most 0xFFFE. */
 
 /* Form fast, order 2, of any slope. For a cosine above 1 the difference wraps, w exceeds 2^31, and
- * the test for the cutoff finds that too. */
+ * the test for the cutoff also detects that. */
 BURNISH_Q15_INLINE uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uint16_t cosine) {
 #ifdef __AVR__ /* 16 bits are cheaper there, but do not show the wrap */
     const uint32_t a = burnish_q15_product(slope, burnish_q15_lambda(cosine)) >> shift;
@@ -348,7 +349,7 @@ BURNISH_Q15_INLINE uint16_t burnish_slope_q15(uint16_t slope, uint8_t shift, uin
 #endif
 }
 
-/* zeta = n/2, the paper's W: p = n u is zeta (1 - c) in 2^-16 as it is. */
+/* zeta = n/2, the paper's W: p = n u is zeta (1 - c) in 2^-16. */
 static inline uint16_t burnish_taylor_q15(uint16_t exponent, uint16_t cosine) {
     return burnish_slope_q15(exponent, 0, cosine);
 }
@@ -421,10 +422,10 @@ static inline uint16_t burnish_q15_reach(uint16_t slope, uint8_t shift) {
     return largest >= BURNISH_Q15_ONE ? (uint16_t)BURNISH_Q15_ONE : (uint16_t)largest;
 }
 
-/* Takes a word of the boundary memory, as `burnish lobe boundary --format-word=UQ0.15` writes it:
- * cosines up to the word give 0. With --bits=0 of the same lobe no result changes; with a
- * threshold, values below it become 0 and less is computed. A word below the lobe's own cutoff
- * changes nothing.
+/* Sets the boundary from a word that `burnish lobe boundary --format-word=UQ0.15` prints: cosines
+ * up to the word give 0. A word for --bits=0 of the same lobe changes no result. With a threshold,
+ * values below it become 0 and less is computed. A word below the lobe's own cutoff changes
+ * nothing.
  *   lobe  not NULL
  *   word  UQ0.15; 0 means no boundary */
 static inline void burnish_lobe_q15_set_boundary(burnish_lobe_q15 *lobe, uint16_t word) {
@@ -494,7 +495,7 @@ static inline uint16_t burnish_q15_energy_slope(uint16_t exponent, uint16_t orde
     return (uint16_t)((scaled + whole / 2u) / whole);
 }
 
-/* Makes the lobe that stands for cos^exponent.
+/* Makes the lobe that approximates cos^exponent.
  *   lobe      becomes the lobe, on error the dark one; not NULL
  *   fit       see burnish_q15_fit
  *   order     2, 4, 8 or 16, above 2 at most the exponent; SHIFT7 and SHIFT3: 2
@@ -539,9 +540,9 @@ static inline burnish_q15_status burnish_lobe_q15_create(burnish_lobe_q15 *lobe,
     return burnish_lobe_q15_from_slope(lobe, slope, shift, order);
 }
 
-/* Rewrites a lobe's slope in UQ8.8, rounded, so that the shift is a whole byte, which is fast on
- * 8-bit processors. zeta changes by at most 2^-10.
- *   lobe  not NULL, zeta below 127.99; its boundary becomes its own cutoff again
+/* Rounds a lobe's slope to UQ8.8. The shift is then a whole byte, which is fast on 8-bit
+ * processors. zeta changes by at most 2^-10.
+ *   lobe  not NULL, zeta below 127.99; its boundary is reset to its own cutoff
  * Errors: ERROR_ZETA for a larger zeta or one that rounds to 0; the lobe is then unchanged. */
 static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) {
     uint32_t slope = lobe->slope;
@@ -562,7 +563,7 @@ static inline burnish_q15_status burnish_lobe_q15_align(burnish_lobe_q15 *lobe) 
 /* ---- Lobes at a cosine -------------------------------------------------------------------------
  *
  *   lobe    not NULL
- *   cosine  UQ1.15; where 1 - cosine is beyond lobe->reach the result is 0 at once
+ *   cosine  UQ1.15; if 1 - cosine is above lobe->reach, the result is 0 at once
  * Forms and errors: see the top of this file. */
 
 /* Whether the lobe is above 0. For a cosine above 1, 1 - cosine wraps and is beyond every reach.
@@ -580,7 +581,7 @@ BURNISH_Q15_INLINE uint8_t burnish_lobe_q15_is_lit(const burnish_lobe_q15 *lobe,
     return 1;
 }
 
-/* a at such a 1 - cosine: below 1, since reach is at most the lobe's own. */
+/* a at a 1 - cosine within reach: below 1, since reach is at most the lobe's cutoff. */
 BURNISH_Q15_INLINE uint_fast16_t burnish_lobe_q15_a(const burnish_lobe_q15 *lobe,
                                                     uint_fast16_t lambda) {
     return (uint_fast16_t)burnish_q15_shift(burnish_q15_product(lobe->slope, lambda), lobe->shift);
@@ -641,7 +642,7 @@ static inline uint32_t burnish_q15_limit_lambda(uint32_t lambda) {
     return lambda > BURNISH_Q15_LAMBDA_MAX ? (uint32_t)BURNISH_Q15_LAMBDA_MAX : lambda;
 }
 
-/* a at a 1 - cosine, 0x10000 or more where the lobe is 0. */
+/* a at a 1 - cosine, 0x10000 or more if the lobe is 0. */
 static inline uint32_t burnish_lobe_q15_a_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
     return burnish_q15_shift(
         burnish_q15_product_lambda(lobe->slope, burnish_q15_limit_lambda(lambda)), lobe->shift);
@@ -662,7 +663,7 @@ static inline uint8_t burnish_lobe_q15_fast8_lambda(const burnish_lobe_q15 *lobe
     return a > 0xFFFFu ? (uint8_t)0 : burnish_q15_fast8_at((uint_fast16_t)a, lobe->squarings);
 }
 
-/* The lobe in UQ0.32; error as burnish_lobe_q15_wide, and 1 to m more where shift > 7. */
+/* The lobe in UQ0.32; error as burnish_lobe_q15_wide, and 1 to m more if shift > 7. */
 static inline uint32_t burnish_lobe_q15_wide_lambda(const burnish_lobe_q15 *lobe, uint32_t lambda) {
     if (burnish_lobe_q15_a_lambda(lobe, lambda) > 0xFFFFu) {
         return 0;

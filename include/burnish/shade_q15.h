@@ -25,12 +25,14 @@
  *     color    UQ1.15: 0x8000 is full intensity, up to 0xFFFF (almost 2) while lights are summed
  *     cosine, lambda, lobes: as in lobe_q15.h
  *
- * What it does not do. No gamma: codes are linear in intensity, as most small displays expect.
- * Light and viewer are distant; for near ones set the light's direction and half vector per pixel.
+ * What it does not do. It does not apply gamma: pixel values are linear in intensity, as most small
+ * displays expect. Light and viewer are distant; if they are near, set the light's direction and
+ * half vector per pixel.
  *
- * What it promises. Results are defined bit by bit. >> of a negative number is the floor of a
- * division by a power of two, and a conversion to int32_t keeps the low 32 bits, as every compiler
- * for these processors does. Error bounds: at each function; test_shade_q15 proves them.
+ * What it promises. Results are defined bit by bit. The code relies on two properties of every
+ * compiler for these processors: >> of a negative number is the floor of a division by a power of
+ * two, and a conversion to int32_t keeps the low 32 bits. Each function states its error bounds;
+ * test_shade_q15 proves them.
  *
  * Sources. Phong, CACM 1975; Blinn, SIGGRAPH 1977; Lyon, Apple TR 43, 1993 (three terms of 1/sqrt,
  * chord form).
@@ -104,8 +106,8 @@ static inline uint16_t burnish_q15_cosine(int32_t dot) {
                               : burnish_q15_shift15((uint32_t)dot + 0x4000u);
 }
 
-/* 1 - a.b of two unit vectors as |a - b|^2 / 2: the form for narrow lobes, since unlike a dot
- * product it hardly depends on the rounding of the vectors' lengths.
+/* 1 - a.b of two unit vectors as |a - b|^2 / 2. Use it for narrow lobes: unlike a dot product it
+ * hardly depends on the rounding of the vectors' lengths.
  * Returns UQ0.24, at most 0xFFFFFF; the squares are truncated to 2^-28, their sum is rounded to
  * 2^-24. Source: Lyon 1993. */
 static inline uint32_t burnish_q15_chord(const int16_t a[3], const int16_t b[3]) {
@@ -119,11 +121,11 @@ static inline uint32_t burnish_q15_chord(const int16_t a[3], const int16_t b[3])
     return burnish_q15_limit_lambda(sum >> 5);
 }
 
-/* The cosine of Phong's lobe, R.V = 2 (N.L)(N.V) - L.V with R = 2 (N.L) N - L, from three dot
- * products.
- *   n_dot_l, n_dot_v  UQ1.15, at most 0x8000; where one is 0 the surface is dark
+/* The cosine of Phong's lobe from three dot products:
+ * R.V = 2 (N.L)(N.V) - L.V with R = 2 (N.L) N - L.
+ *   n_dot_l, n_dot_v  UQ1.15, at most 0x8000; if one is 0, the surface is dark
  *   l_dot_v           Q30: in [-1, 1]
- * Returns UQ1.15, rounded; 0 where it is negative. */
+ * Returns UQ1.15, rounded; 0 if negative. */
 static inline uint16_t burnish_q15_reflect_cosine(uint16_t n_dot_l, uint16_t n_dot_v,
                                                   int32_t l_dot_v) {
     const uint32_t both = burnish_q15_multiply(n_dot_l, n_dot_v); /* UQ2.30, at most 2^30 */
@@ -135,12 +137,13 @@ static inline uint16_t burnish_q15_reflect_cosine(uint16_t n_dot_l, uint16_t n_d
                                : (uint16_t)(((uint32_t)half + 0x2000u) >> 14);
 }
 
-/* A nearly unit vector to unit length by v (1 + e/2 + 3 e^2/8), e = 1 - v.v: three terms of the
- * series of 1/sqrt, no root, no division, one step. For normals interpolated between vertices.
+/* Scales a nearly unit vector to unit length by v (1 + e/2 + 3 e^2/8), e = 1 - v.v: three terms of
+ * the series of 1/sqrt, without a root or a division. Use it for normals interpolated between
+ * vertices.
  *   v     Q15, |v|^2 in [1/2, 3/2]; outside, the length is wrong but does not overflow
  *   unit  receives Q15; may be v
- * Length of the result: 1 within 2 units of 2^-15 for |v| in [.98, 1.02], 12 for [.95, 1.05] and 95
- * for [.9, 1.1]; components err by no more.
+ * Length of the result: 1 within 2 units of 2^-15 for |v| in [0.98, 1.02], 12 for [0.95, 1.05] and
+ * 95 for [0.9, 1.1]. The errors of the components are not larger.
  * Source: Lyon 1993. */
 static inline void burnish_q15_normalize_near(const int16_t v[3], int16_t unit[3]) {
     const int32_t wide = (int32_t)(0x40002000ul - (uint32_t)burnish_q15_dot(v, v)); /* e, Q30 */
@@ -159,7 +162,7 @@ static inline void burnish_q15_normalize_near(const int16_t v[3], int16_t unit[3
 }
 
 /* 1/sqrt(x) of x in UQ0.32, [1/4, 1): UQ1.15, within 1 unit, 2 limited to 0xFFFF. A parabola of the
- * top 8 bits is good to .029, four terms of the series of 1/sqrt take it to 16 bits. */
+ * top 8 bits is accurate to 0.029; four terms of the series of 1/sqrt refine it to 16 bits. */
 static inline uint16_t burnish_q15_inverse_root(uint32_t x) {
     const uint8_t top = (uint8_t)(x >> 24);
     const uint16_t bend = (uint16_t)(414u - ((uint16_t)(top * 206u) >> 8));
@@ -169,7 +172,7 @@ static inline uint16_t burnish_q15_inverse_root(uint32_t x) {
     const uint32_t product = burnish_q15_multiply((uint16_t)(x >> 16), square) +
                              (burnish_q15_multiply((uint16_t)x, square) >> 16); /* UQ2.30 */
     const int16_t e =
-        (int16_t)(((int32_t)0x40000000l - (int32_t)product) >> 11); /* Q19, |e| < .06 */
+        (int16_t)(((int32_t)0x40000000l - (int32_t)product) >> 11); /* Q19, |e| < 0.06 */
     const int16_t third = (int16_t)(12288 + (burnish_q15_multiply_signed(e, 5) >> 8)); /* Q15 */
     const int16_t second = (int16_t)(16384 + (burnish_q15_multiply_signed(e, third) >> 19));
     const int16_t gain = (int16_t)(burnish_q15_multiply_signed(e, second) >> 15); /* Q19 */
@@ -177,10 +180,10 @@ static inline uint16_t burnish_q15_inverse_root(uint32_t x) {
     return (uint16_t)(root > 0xFFFFl ? 0xFFFFl : root);
 }
 
-/* Any vector to unit length.
+/* Scales any vector to unit length.
  *   v     three numbers in any common unit
  *   unit  receives Q15
- * Each component within 1.6 units of 2^-15, the length within 1.5.
+ * Each component is within 1.6 units of 2^-15, the length within 1.5.
  * Returns 1, or 0 for the zero vector, whose result is the zero vector. */
 static inline uint8_t burnish_q15_normalize(const int32_t v[3], int16_t unit[3]) {
     uint32_t magnitude[3], all = 0, sum = 0;
@@ -264,7 +267,7 @@ BURNISH_Q15_INLINE uint16_t burnish_q15_weight(uint16_t cosine) {
     return cosine >= BURNISH_Q15_ONE ? (uint16_t)0xFFFFu : (uint16_t)(2u * cosine);
 }
 
-/* An intensity in UQ1.15 to a code of 0 .. largest, rounded, halves up, limited.
+/* Converts an intensity in UQ1.15 to 0 .. largest, rounded, halves up, limited.
  *   largest  255, 63, 31 ... */
 static inline uint8_t burnish_q15_code(uint16_t intensity, uint8_t largest) {
     if (intensity >= BURNISH_Q15_ONE) {
@@ -303,8 +306,8 @@ typedef struct burnish_q15_light {
     uint16_t specular[3];
 } burnish_q15_light;
 
-/* From this exponent on a highlight is computed from the chord: the rounding of normal and half
- * vector to 15 bits costs their dot product n/74 steps of an 8-bit result, the chord .05. */
+/* From this exponent on, a highlight is computed from the chord. Rounding normal and half vector to
+ * 15 bits costs n/74 steps of an 8-bit result with their dot product, but 0.05 with the chord. */
 #define BURNISH_Q15_NARROW 32
 
 /* Common to all lights. */
@@ -340,7 +343,7 @@ static inline uint8_t burnish_q15_light_create(burnish_q15_light *light, const i
  *   shader                becomes the shader; on error its lobe is dark; not NULL
  *   fit, order, exponent  as for burnish_lobe_q15_create
  *   ambient_light         UQ1.15
- * Errors: those of burnish_lobe_q15_create. */
+ * Errors: as for burnish_lobe_q15_create. */
 static inline burnish_q15_status burnish_q15_shader_create(burnish_q15_shader *shader,
                                                            burnish_q15_fit fit, uint16_t order,
                                                            uint16_t exponent,

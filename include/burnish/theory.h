@@ -5,16 +5,16 @@
  *   1. Make a model, from words or from parts:
  *          burnish_theory_model model;
  *          status = burnish_theory_model_parse("energy:2", 100, &model, &error);
- *   2. Ask: burnish_theory_value, burnish_theory_angle_at, burnish_theory_compare ...
+ *   2. Call burnish_theory_value, burnish_theory_angle_at, burnish_theory_compare ...
  *
- * What it does not do: shade. Pictures use burnish/lobe.h; this is for set-up, tests and figures.
- * Notation: n exponent, m order, c cosine of the lobe angle, lambda = 1 - c, zeta slope of the
- * base of the lobe. Angles are radians in [0, pi].
+ * It does not shade: images use burnish/lobe.h. This header is for set-up, tests and figures.
+ * Notation: n exponent, m order, c cosine of the lobe angle, lambda = 1 - c, zeta slope of the base
+ * of the lobe. Angles are radians in [0, pi].
  *
  * What it promises. Every function takes any model that a function here made successfully. No
- * function allocates, prints or keeps state; all may be called from any thread. Results do not
+ * function allocates, prints or keeps state; all can be called from any thread. Results do not
  * depend on the locale. Slopes (burnish_lobe_solve) have the same bits on every machine; the rest
- * uses the C library and may differ in the last digits.
+ * uses the C library and can differ in the last digits.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -40,10 +40,10 @@ extern "C" {
 #define BURNISH_THEORY_API
 #endif
 
-/* Values of the lobes in double precision, references for the float ones. All take any double for c
- * (<= 0 gives 0 except for the family and the Gaussian, > 1 counts as 1, NaN gives 0), return a
- * value in [0, 1], and give 0 for a NaN parameter. Absolute error below 1e-14, relative error below
- * 1e-12 where the value is at least 1e-6. The power and the Gaussian use the C library. */
+/* Values of the lobes in double precision, references for the float ones. c can be any double: > 1
+ * counts as 1, NaN gives 0, and <= 0 gives 0 except for the family and the Gaussian. A NaN
+ * parameter gives 0. Results are in [0, 1], with an absolute error below 1e-14 and a relative error
+ * below 1e-12 for values of at least 1e-6. cos^n and the Gaussian use the C library. */
 
 /* max(0, 1 - zeta (1 - c))^order; zeta >= 0; an order that does not exist gives 0. */
 BURNISH_THEORY_API double burnish_theory_family(double zeta, int order, double cosine);
@@ -54,7 +54,7 @@ BURNISH_THEORY_API double burnish_theory_power(double cosine, double exponent);
 /* c / (n - n c + c), exponent >= 1. Source: Schlick 1994. */
 BURNISH_THEORY_API double burnish_theory_schlick(double cosine, double exponent);
 
-/* exp(-(n + .775) (1 - c)), exponent >= 0: the spherical Gaussian. Source: Lagarde 2012. */
+/* exp(-(n + 0.775) (1 - c)), exponent >= 0: the spherical Gaussian. Source: Lagarde 2012. */
 BURNISH_THEORY_API double burnish_theory_gaussian(double cosine, double exponent);
 
 /* c^2 / (n/2 + (1 - n/2) c^2), exponent > 0: the GameCube's lobe. */
@@ -64,7 +64,7 @@ BURNISH_THEORY_API double burnish_theory_gx(double cosine, double exponent);
  *
  * One lobe at one exponent, with all that its evaluation needs. */
 
-/* Made by burnish_theory_model_create; read it freely, change nothing. */
+/* Made by burnish_theory_model_create; read its members, but do not change them. */
 typedef struct burnish_theory_model {
     burnish_lobe_spec lobe; /* any kind but INTEGER_POWER */
     double exponent;        /* n of the cos^n that it approximates: [1, 65536] */
@@ -87,8 +87,8 @@ typedef struct burnish_theory_model {
  *   model     receives the model, on error cos^1; not NULL
  *   lobe      any but INTEGER_POWER; may be a member of model; not NULL
  *   exponent  n: [1, 65536]; for FAMILY and LYON as for burnish_lobe_solve
- * Errors: those of burnish_lobe_solve, ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for
- * a table's number of entries. */
+ * Errors: as for burnish_lobe_solve; ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for a
+ * table's number of entries. */
 BURNISH_THEORY_API burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
                                                                    const burnish_lobe_spec *lobe,
                                                                    double exponent);
@@ -129,10 +129,10 @@ BURNISH_THEORY_API double burnish_theory_value_at_angle(const burnish_theory_mod
 BURNISH_THEORY_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
                                                    double derivatives[3]);
 
-/* Radius of curvature of the curve over the angle, the paper's R(x): (1 + S'^2)^(3/2) / abs(S''),
- * S' and S'' being the derivatives above, both axes with the same unit (1 radian, 1 of the value).
- * A small radius is a sharp bend. 1/(m zeta) at the peak of the family, 1/n at the peak of
- * cos^n. Infinity if S'' is 0: at an inflection, beyond the zero, between the nodes of a table.
+/* Radius of curvature of the curve over the angle, the paper's R(x): (1 + S'^2)^(3/2) / abs(S'')
+ * with the derivatives above. Both axes have the same unit (1 radian, 1 of the value). A small
+ * radius is a sharp bend. It is 1/(m zeta) at the peak of the family, 1/n at the peak of cos^n.
+ * Infinity if S'' is 0: at an inflection, beyond the zero, between the nodes of a table.
  *   angle  [0, pi] */
 BURNISH_THEORY_API double burnish_theory_curvature_radius(const burnish_theory_model *model,
                                                           double angle);
@@ -147,17 +147,17 @@ BURNISH_THEORY_API double burnish_theory_lyon_vectors(const double a[3], const d
 
 /* ---- Widths ---- */
 
-/* The smallest angle at which the lobe is 0 up to rounding: acos(1 - 1/zeta) for the family, pi/2
- * for power, schlick and gx, where a nearest table's lowest entry begins.
- * Returns NaN if there is no zero: for the Gaussian, and the family with zeta < 1/2. */
+/* The smallest angle at which the lobe is 0 up to rounding. It is acos(1 - 1/zeta) for the family
+ * and pi/2 for power, schlick and gx. For a nearest table, the lowest entry begins there.
+ * Returns NaN for a lobe without a zero: the Gaussian, and the family with zeta < 1/2. */
 BURNISH_THEORY_API double burnish_theory_zero_angle(const burnish_theory_model *model);
 
-/* The cosine of that angle, computed directly: 1 - 1/zeta for the family, below -1 if there
- * is no zero (zeta < 1/2); NaN for the Gaussian. */
+/* The cosine of that angle, computed directly: 1 - 1/zeta for the family, below -1 without a zero
+ * (zeta < 1/2); NaN for the Gaussian. */
 BURNISH_THEORY_API double burnish_theory_cutoff_cosine(const burnish_theory_model *model);
 
-/* burnish_theory_curvature_radius where the curve reaches zero, seen from the peak, in closed form;
- * m = 2: 1 / (4 zeta - 2). Infinity where S'' is 0 (m >= 4, tables); NaN without a zero. */
+/* burnish_theory_curvature_radius at the zero, on the side of the peak, in closed form. m = 2:
+ * 1 / (4 zeta - 2). Infinity if S'' is 0 (m >= 4, tables); NaN without a zero. */
 BURNISH_THEORY_API double burnish_theory_zero_curvature_radius(const burnish_theory_model *model);
 
 /* The inflection of cos^n: acos(sqrt((n - 1) / n)). n >= 1, otherwise NaN. */
@@ -186,10 +186,10 @@ typedef enum burnish_theory_measure {
     BURNISH_THEORY_COSINE_WEIGHTED /* c d omega: projected solid angle */
 } burnish_theory_measure;
 
-/* The integral of the lobe, in steradians. Closed form for family (cut by c = 0 where zeta < 1),
- * power, gaussian and tables, adaptive Gauss-Kronrod for the rest; relative error below
- * 1e-11. Family: 2 pi / (zeta (m+1)) and, for zeta >= 1, 2 pi (zeta (m+2) - 1) / (zeta^2
- * (m+1)(m+2)); power: 2 pi / (n+1), 2 pi / (n+2). */
+/* The integral of the lobe, in steradians. Closed forms for family (cut off at c = 0 if zeta < 1),
+ * power, gaussian and tables, adaptive Gauss-Kronrod for the others. Relative error below 1e-11.
+ * Family: 2 pi / (zeta (m+1)) and, for zeta >= 1, 2 pi (zeta (m+2) - 1) / (zeta^2 (m+1)(m+2));
+ * power: 2 pi / (n+1), 2 pi / (n+2). */
 BURNISH_THEORY_API double burnish_theory_integral(const burnish_theory_model *model,
                                                   burnish_theory_measure measure);
 
@@ -210,8 +210,8 @@ BURNISH_THEORY_API double burnish_theory_blinn_factor(const burnish_theory_model
 /* The common approximation of that factor for cos^n: (n + 8) / (8 pi). */
 BURNISH_THEORY_API double burnish_theory_blinn_factor_common(double exponent);
 
-/* The factor that makes the lobe a distribution of normals: 1 / (cosine-weighted integral), so that
- * D(h) (n.h) d omega integrates to 1. cos^n: (n + 2) / (2 pi). */
+/* The factor that makes the lobe a distribution of normals: 1 / (cosine-weighted integral). D(h)
+ * (n.h) d omega then integrates to 1. cos^n: (n + 2) / (2 pi). */
 BURNISH_THEORY_API double burnish_theory_normal_factor(const burnish_theory_model *model);
 
 /* Density per steradian of directions drawn in proportion to the lobe, or to lobe times cosine:
@@ -220,10 +220,10 @@ BURNISH_THEORY_API double burnish_theory_pdf(const burnish_theory_model *model,
                                              burnish_theory_measure measure, double cosine);
 
 /* The cosine of a direction drawn with that density from a uniform number.
- * Exact closed forms for power, Gaussian over solid angle and the family: over solid angle
- * 1 - (1 - xi^(1/(m+1))) / zeta, cosine-weighted it is a mixture of two power densities in u (zeta
- * >= 1). The others invert their integral numerically to 1e-12, which is about 100 times slower.
- * Except for that mixture the cosine never decreases with xi.
+ * Power, the Gaussian over solid angle and the family have exact closed forms. For the family it is
+ * 1 - (1 - xi^(1/(m+1))) / zeta over solid angle and, cosine-weighted, a mixture of two power
+ * densities in u (zeta >= 1). The others invert their integral numerically to 1e-12, which is about
+ * 100 times slower. Except for that mixture the cosine never decreases with xi.
  *
  *   xi  [0, 1]; clamped
  * Returns a cosine in [0, 1]. */
@@ -243,10 +243,10 @@ BURNISH_THEORY_API void burnish_theory_sample_direction(const burnish_theory_mod
 typedef struct burnish_theory_difference {
     double end;            /* end of the range, radians */
     double absolute;       /* largest abs(lobe - cos^n) */
-    double absolute_angle; /* where */
+    double absolute_angle; /* its angle */
     double above, below;   /* largest lobe - cos^n and cos^n - lobe, each >= 0 */
     double relative;       /* largest abs(lobe / cos^n - 1), infinity if cos^n is 0 */
-    double relative_angle; /* where */
+    double relative_angle; /* its angle */
     double integral;       /* integral of abs(lobe - cos^n) over the solid angle, steradians */
     double rms;            /* root of the mean of (lobe - cos^n)^2 over the solid angle */
 } burnish_theory_difference;
@@ -272,10 +272,10 @@ BURNISH_THEORY_API double burnish_theory_maximum_error(const burnish_theory_mode
 BURNISH_THEORY_API double burnish_theory_relative_error(const burnish_theory_model *model,
                                                         double angle);
 
-/* Where the family's relative error has its extreme before it falls to -1 at the zero:
- * cos = n (zeta - 1) / (zeta (n - m)). energy, m = 2: tan = sqrt(2n + 1) / n; shift7:
- * tan = 2 sqrt(7n - 15) / (7n - 16). NaN for other lobes and without such an
- * angle (zeta <= 1, n <= m, zeta > n/m). */
+/* The angle at which the family's relative error has its extreme, before it falls to -1 at the
+ * zero: cos = n (zeta - 1) / (zeta (n - m)). For energy, m = 2, tan = sqrt(2n + 1) / n; for shift7,
+ * tan = 2 sqrt(7n - 15) / (7n - 16). NaN for other lobes and without such an angle (zeta <= 1, n <=
+ * m, zeta > n/m). */
 BURNISH_THEORY_API double burnish_theory_extreme_angle(const burnish_theory_model *model);
 
 /* The same angle by a search that does not use the formula: the maximum of lobe / cos^n.
@@ -318,8 +318,8 @@ BURNISH_THEORY_API double burnish_theory_mean_normal(const double (*normals)[3],
  * constants computed per material. The family: u = max(0, A c + B), then log2(m) squarings. */
 typedef struct burnish_theory_cost {
     int multiplications;
-    int additions;   /* subtractions too */
-    int comparisons; /* max, min and selections too */
+    int additions;   /* and subtractions */
+    int comparisons; /* and max, min and selections */
     int divisions;
     int transcendentals; /* pow, exp, acos: one each */
     int lookups;         /* reads of a table */
@@ -335,11 +335,12 @@ BURNISH_THEORY_API int burnish_theory_cost_order(const burnish_theory_cost *a,
                                                  const burnish_theory_cost *b);
 
 /* Finds the cheapest lobe whose largest absolute error against c^n, c in [0, 1], is at most
- * epsilon; of equally cheap lobes, the one with the least error. c^n itself is a candidate, so one
- * always exists. Lobes that can not be drawn (burnish_lobe_spec_check()) are not candidates.
+ * epsilon; of equally cheap lobes, the one with the least error. c^n itself is a candidate, so
+ * there is always a result. Lobes that can not be drawn (burnish_lobe_spec_check()) are not
+ * candidates.
  *   exponent  n: [1, 65536]
  *   epsilon   (0, 1)
- *   affine    1: lobes whose peak is not 1 (fit affine) are candidates too
+ *   affine    1: lobes whose peak is not 1 (fit affine) are also candidates
  *   model     receives the lobe; not NULL
  *   cost      receives its cost; may be NULL
  *   maximum   receives its error; may be NULL
@@ -365,7 +366,7 @@ BURNISH_THEORY_API double burnish_theory_boundary_lambda(const burnish_theory_mo
                                                          double bits);
 
 typedef enum burnish_theory_rounding {
-    BURNISH_THEORY_NEAREST, /* halves go up */
+    BURNISH_THEORY_NEAREST, /* halves round up */
     BURNISH_THEORY_DOWN,    /* for cosines: cuts nothing visible */
     BURNISH_THEORY_UP       /* the same for 1 - cosine */
 } burnish_theory_rounding;

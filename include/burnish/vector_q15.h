@@ -1,18 +1,18 @@
 /* burnish/vector_q15.h: the processor's 16-bit lanes, for arrays_q15.h.
  *
  * What it is. One vector type and the operations that the integer lobes and pixels need, in the
- * instructions of SSE2, AVX2, AVX-512BW, Neon, WebAssembly SIMD or Arm's DSP extension, chosen by
- * the compiler's own macros. arrays_q15.h says how to use and compile it; nothing here is stable
- * between versions.
+ * instructions of SSE2, AVX2, AVX-512BW, Neon, WebAssembly SIMD or Arm's DSP extension. The
+ * compiler's macros select one of them. arrays_q15.h shows how to use and compile it; nothing here
+ * is stable between versions.
  *
- *     BURNISH_Q15_LANES   16-bit lanes of a vector: 32, 16, 8, 2; 1 where there are none
- *     burnish_q15v        a vector, whose lanes are signed or unsigned as the operation says
+ *     BURNISH_Q15_LANES   16-bit lanes of a vector: 32, 16, 8, 2; 1 without SIMD
+ *     burnish_q15v        a vector; the operation decides whether its lanes are signed
  *     burnish_q15w        32-bit results for each lane, in the order that suits the processor
  *     burnish_q15v_axis   three numbers that are the same for all lanes
  *
  *     load, store         any address that is a multiple of 2
  *     set                 the same number in every lane
- *     add, sub            modulo 2^16; adds, subs saturate, unsigned unless their name says signed
+ *     add, sub            modulo 2^16; adds, subs saturate, unsigned unless their name has signed
  *     mean                (a + b + 1) >> 1, unsigned
  *     low, high           lower and upper half of the product
  *     left, right         by 0 .. 16 bits, unsigned
@@ -22,9 +22,9 @@
  *     dot, square_length  Q30, modulo 2^32, as burnish_q15_dot
  *     cosine              burnish_q15_cosine of a dot product
  *     shortfall           floor((1 + 2^-17 - dot) 2^16), limited to a signed lane
- *     chord               lambda of burnish_q15_chord: top, its upper 16 bits; low, whose upper
- *                         half is lambda's lower 8 bits and whose lower half is anything. A
- *                         lambda from BURNISH_Q15V_FAR on gives any lambda from there on
+ *     chord               lambda of burnish_q15_chord: top, its upper 16 bits; low, with
+ *                         lambda's lower 8 bits in its upper half and an arbitrary lower half. A
+ *                         lambda of BURNISH_Q15V_FAR or more gives any such lambda
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -101,7 +101,7 @@ typedef __m128i burnish_q15v;
 #define BURNISH_Q15V_BITS(name) _mm_##name##_si128
 #endif
 
-/* of the lower and upper half of each 128 bits, as unpack and pack have it */
+/* of the lower and upper half of each 128 bits, as in unpack and pack */
 typedef struct burnish_q15w {
     burnish_q15v low, high;
 } burnish_q15w;
@@ -491,7 +491,7 @@ BURNISH_Q15_INLINE void burnish_q15v_chord(const burnish_q15v a[3], const burnis
 
 #elif defined(BURNISH_Q15_DSP)
 
-/* two lanes of a register; 32-bit results are those of the lower and the upper lane */
+/* two lanes of a register; 32-bit results belong to the lower and the upper lane */
 typedef uint32_t burnish_q15v;
 typedef struct burnish_q15w {
     uint32_t low, high;

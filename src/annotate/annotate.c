@@ -1,5 +1,5 @@
-/* The doors: what to draw is laid out, then drawn layer by layer into pixels or a drawing; or laid
- * out to see how much room it needs. */
+/* The public functions. Annotations are laid out, then drawn layer by layer into pixels or a
+ * drawing. Framing only lays them out, to measure the room that they need. */
 #include "annotate/annotate.h"
 #include "burnish/drawing.h"
 
@@ -14,7 +14,7 @@
 
 #define COOKIE BURNISH_COOKIE(0x414e4e31, burnish_annotate_options)
 
-/* Of the space that margins leave, at most so much is taken on one side. */
+/* The largest share of the space between the margins that is taken on one side. */
 #define LARGEST_INSET 0.3
 
 enum { FITTING_STEPS = 12 };
@@ -75,7 +75,7 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
 
 /* ---- Room ---- */
 
-/* Pixels by which what is laid out leaves the picture: left, right, bottom, top. */
+/* Pixels by which the layout exceeds the image: left, right, bottom, top. */
 static void measure_overflow(const burnish_annotation_view *view,
                              const burnish_annotation_list *list, double overflow[4]) {
     const double border = 0.5 * view->text;
@@ -103,7 +103,7 @@ static void measure_overflow(const burnish_annotation_view *view,
     overflow[3] = border - all.top;
 }
 
-/* Insets on their way to what is needed. */
+/* Insets, which the steps improve. */
 typedef struct fitting {
     double inset[4], limit[4];
     double floor;  /* of the bottom, where corners were crowded */
@@ -111,8 +111,8 @@ typedef struct fitting {
     int for_marks; /* 1: the bottom is widened for them */
 } fitting;
 
-/* Adds what is missing and, until the last steps, takes off what is left over: a smaller object
- * needs less. Returns 0 where nothing changes. */
+/* Widens insets that are too small and, until the last steps, reduces insets that are too large: a
+ * smaller object needs less. Returns 0 if nothing changes. */
 static int adjust(const burnish_annotation_view *view, const burnish_annotation_list *list,
                   int step, fitting *fit) {
     const double smaller = view->width < view->height ? view->width : view->height;
@@ -137,7 +137,7 @@ static int adjust(const burnish_annotation_view *view, const burnish_annotation_
     return changed;
 }
 
-/* One step: frames with the insets so far and looks what leaves the picture. */
+/* One step: frames with the current insets and measures what exceeds the image. */
 static burnish_status try_inset(const burnish_mesh *mesh,
                                 const burnish_annotate_options *annotations,
                                 const burnish_framing *framing, const int size[2], int step,
@@ -164,7 +164,7 @@ static burnish_status try_inset(const burnish_mesh *mesh,
     return status;
 }
 
-/* Where the bottom can't be widened so far that marks find a corner, it is not widened for them. */
+/* If no width of the bottom inset frees a corner for the marks, it is not widened for them. */
 static burnish_status find_inset(const burnish_mesh *mesh,
                                  const burnish_annotate_options *annotations,
                                  const burnish_framing *framing, int width, int height,
@@ -218,7 +218,7 @@ typedef struct palette {
     float rim_opacity;
 } palette;
 
-/* Relative luminance as WCAG 2.2 has it. */
+/* Relative luminance of WCAG 2.2. */
 static double luminance(const uint8_t srgb[3]) {
     return 0.2126 * (double)burnish_srgb_to_linear[srgb[0]] +
            0.7152 * (double)burnish_srgb_to_linear[srgb[1]] +
@@ -319,7 +319,7 @@ typedef struct canvas {
     int width, height;
 } canvas;
 
-/* A drawing's layer: its lines, then each label as a path that says what it writes. */
+/* A layer of a drawing: its lines, then each label as a path with its text as attribute. */
 static void add_layer(const burnish_annotation_view *view, const burnish_annotation_list *list,
                       int first, int last, float rim, strokes *figure, burnish_drawing *drawing) {
     burnish_annotation_list part = *list;

@@ -96,7 +96,7 @@ typedef struct burnish_annotation_list {
     size_t label_count;
     burnish_area marks[3]; /* what corners hold */
     size_t mark_count;
-    int bounded;     /* 1: nothing may leave the picture; 0: framing asks how much room is needed */
+    int bounded;     /* 1: nothing may exceed the image; 0: framing measures the room needed */
     size_t left_out; /* labels without room */
     size_t crowded;  /* marks that found no corner free of the object */
     burnish_memory *memory;
@@ -152,8 +152,8 @@ typedef struct burnish_round_number {
 burnish_round_number burnish_round_number_below(double limit);
 burnish_round_number burnish_round_number_above(double limit);
 
-/* A length >= 0 with four significant digits, more where it is a larger integer, no trailing
- * zeros: "0.125", "12.5", "123456", "1.235e+09". The locale has no say. */
+/* A length >= 0 with four significant digits, more for larger integers, without trailing zeros:
+ * "0.125", "12.5", "123456", "1.235e+09". The locale has no influence. */
 void burnish_number_text(double value, char text[BURNISH_LABEL_SIZE]);
 
 /* Lines of the ground's grid: spacing, and the first and last of each of its two axes in spacings
@@ -169,7 +169,7 @@ typedef struct burnish_annotation_grid {
 
 burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view *view);
 
-/* Everything that kinds ask for, in one list, to be released with burnish_release. */
+/* Lays out all requested kinds in one list; release it with burnish_release. */
 burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
                                           burnish_annotation_flags kinds,
                                           const burnish_annotation_depth *depth, int bounded,

@@ -178,7 +178,7 @@ static void add_axes(const burnish_annotation_view *view, burnish_annotation_lis
     mark made = {.line_count = 0};
     burnish_point ends[3];
     int order[3] = {0, 1, 2};
-    for (int i = 1; i < 3; ++i) { /* those that point away first: nearer ones cover them */
+    for (int i = 1; i < 3; ++i) { /* axes that point away first: nearer ones cover them */
         for (int k = i; k > 0 && burnish_axis(view->forward, order[k - 1]) <
                                      burnish_axis(view->forward, order[k]);
              --k) {

@@ -46,7 +46,7 @@ burnish_round_number burnish_round_number_above(double limit) {
                             : make(below.digit == 1 ? 2 : 5, below.exponent);
 }
 
-/* Digits and sign only: what stands between them depends on the locale. */
+/* Digits and sign only: the decimal separator depends on the locale. */
 static int decimal_digits(double value, int count, char *digits) {
     char text[64];
     const char *exponent;
@@ -62,7 +62,7 @@ static int decimal_digits(double value, int count, char *digits) {
     return (int)strtol(exponent + 1, NULL, 10);
 }
 
-/* digits * 10^(exponent + 1 - count), trailing zeros after the point left out. */
+/* digits * 10^(exponent + 1 - count), without trailing zeros after the point. */
 static void write_fixed(const char *digits, int count, int exponent, char *text) {
     while (count > 1 && count > exponent + 1 && digits[count - 1] == '0') {
         --count;

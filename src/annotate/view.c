@@ -25,7 +25,7 @@ int burnish_areas_touch(const burnish_area *a, const burnish_area *b) {
     return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
 }
 
-/* Cuts [*from, *to] of p + t d to where it is in [low, high]. */
+/* Clips [*from, *to] to the t with p + t d in [low, high]. */
 static int cut(double p, double d, double low, double high, double *from, double *to) {
     if (d == 0) {
         return p > low && p < high;
@@ -46,7 +46,7 @@ static double cross(burnish_point o, burnish_point a, burnish_point b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-/* Both convex: apart where an edge of one has all of the other on its outer side. */
+/* Both are convex: they are apart if all of one is outside an edge of the other. */
 int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burnish_area *area) {
     const burnish_point box[4] = {{area->left, area->top},
                                   {area->right, area->top},
@@ -73,7 +73,7 @@ int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burn
 
 /* ---- Making it ---- */
 
-/* To 1/64 pixel: corners that a view along an axis lets coincide are then equal. */
+/* Rounds to 1/64 pixel: corners that coincide in a view along an axis are then equal. */
 static double snap(double value) {
     value = value > -1e12 ? value : -1e12;
     value = value < 1e12 ? value : 1e12;

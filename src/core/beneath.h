@@ -1,5 +1,5 @@
-/* Opening a file of a folder or below it. All is in the header: the library and the program, which
- * links another copy of the library, open the same files. */
+/* Opens a file in a folder or below it. This is a header because the program links another copy of
+ * the library, and both must open the same files. */
 #ifndef BURNISH_CORE_BENEATH_H
 #define BURNISH_CORE_BENEATH_H
 
@@ -22,9 +22,8 @@
 /* A pipe is opened without waiting for its writer; callers refuse what is not a regular file. */
 enum { BURNISH_BENEATH_FLAGS = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK };
 
-/* One step down: opens `name`, a single part of a path. If there is no such file, one whose name
- * differs only in the case of its letters is opened, the first in byte order: many files come from
- * systems that ignore case. */
+/* One step down: opens `name`, a single part of a path. Without such a file, it opens the first one
+ * in byte order whose name differs only in case: many files come from systems that ignore case. */
 static inline int burnish_open_part(int at, const char *name, int flags) {
     enum { ENTRIES_MAX = 100000 };
     int descriptor = openat(at, name, flags | O_NOFOLLOW);
@@ -51,9 +50,9 @@ static inline int burnish_open_part(int at, const char *name, int flags) {
     return *best ? openat(at, best, flags | O_NOFOLLOW) : -1;
 }
 
-/* Why `name` can't be a file of a folder or below it: EXDEV for an absolute name and for "..",
- * ENAMETOOLONG, ENOENT for an empty name, EISDIR for one that ends as only a folder's does; 0: it
- * can be. Empty parts and "." elsewhere lead nowhere ("./a.bin"), and are allowed. */
+/* Returns 0 if `name` can be a file in a folder or below it. Otherwise EXDEV for an absolute name
+ * and for "..", ENAMETOOLONG, ENOENT for an empty name, or EISDIR for a name that only a folder can
+ * have, with "/" or "." at its end. Other empty parts and "." ("./a.bin") are allowed. */
 static inline int burnish_check_beneath(const char *name) {
     enum { PATH_SIZE = 4096 }; /* on all systems */
     if (!*name || *name == '/') {

@@ -8,7 +8,7 @@ struct burnish_context {
     burnish_context_options options;
 };
 
-/* Tells the context's log about a warning; context may be NULL. */
+/* Sends a warning to the context's log; context may be NULL. */
 static inline void burnish_log(const burnish_context *context, const char *line) {
     if (context && context->options.log) {
         context->options.log(context->options.log_user_data, line);

@@ -1,6 +1,6 @@
 /* Elementary functions by argument reduction and Taylor series. The constants are the leading bits
  * of pi/2, ln 2 and atan(k/8); the forms that keep the rounding errors small (two-part arguments,
- * f - (f*f/2 - ...)) are those of the classic libm literature (Cody and Waite 1980; Ng 1992). */
+ * f - (f*f/2 - ...)) are from the classic libm literature (Cody and Waite 1980; Ng 1992). */
 #include "core/elementary.h"
 
 #include <stdint.h>
@@ -204,7 +204,7 @@ double burnish_acos(double x) {
 }
 
 double burnish_log(double x) {
-    /* 2/3, 2/5, ...: log((1 + s)/(1 - s)) = 2s + (2/3) s^3 + (2/5) s^5 + ..., abs(s) <= .1716. */
+    /* 2/3, 2/5, ...: log((1 + s)/(1 - s)) = 2s + (2/3) s^3 + (2/5) s^5 + ..., abs(s) <= 0.1716. */
     static const double c[] = {2 / 3.0,  2 / 5.0,  2 / 7.0,  2 / 9.0,  2 / 11.0,
                                2 / 13.0, 2 / 15.0, 2 / 17.0, 2 / 19.0, 2 / 21.0};
     int exponent = 0;

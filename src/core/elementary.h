@@ -18,8 +18,7 @@ float burnish_sqrtf(float x);
 void burnish_sincos(double x, double *sine, double *cosine);
 
 /* Angle of the point (x, y) in (-pi, pi], within 1.5 ulp (measured 1.38); (0, 0) gives 0, whatever
- * the signs of the zeros, and y = -0 counts as 0. Two infinities stand for equal lengths; NaN gives
- * NaN. */
+ * the signs of the zeros, and y = -0 counts as 0. Two infinities count as equal; NaN gives NaN. */
 double burnish_atan2(double y, double x);
 
 /* The same bits for arrays of finite numbers, several times faster.
@@ -38,7 +37,7 @@ double burnish_acos(double x);
  * infinity, negative or NaN gives NaN. */
 double burnish_log(double x);
 
-/* exp(x) - 1 without cancellation near 0, within 1.5 ulp (measured 1.28); infinity where the result
+/* exp(x) - 1 without cancellation near 0, within 1.5 ulp (measured 1.28); infinity if the result
  * exceeds the largest double (x above 709.78), NaN gives NaN. */
 double burnish_expm1(double x);
 

@@ -88,7 +88,8 @@ static void describe(int code, burnish_reason *reason) {
     strerror_s(reason->text, sizeof reason->text, code);
 }
 #else
-/* strerror_r returns a text in its GNU form, which may stand elsewhere, and a number in POSIX'. */
+/* GNU strerror_r returns a string, which can be in another buffer; POSIX strerror_r returns a
+ * number. */
 static inline void take_text(const char *text, burnish_reason *reason) {
     if (text != reason->text) {
         snprintf(reason->text, sizeof reason->text, "%s", text);

@@ -19,7 +19,7 @@ burnish_fail(burnish_error *error, burnish_status status, const char *format, ..
 /* A failed allocation of `bytes` for `what`, which may be a file's name. */
 burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes);
 
-/* What an errno means. Unlike strerror's, the text is the caller's own. */
+/* The meaning of an errno. Unlike strerror's, the string is in the caller's buffer. */
 typedef struct burnish_reason {
     char text[96];
 } burnish_reason;

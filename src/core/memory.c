@@ -31,9 +31,9 @@ static void default_release(void *items) {
 }
 #else
 #ifdef __GLIBC__
-/* Large arrays take whole pages with what glibc puts before them, 16 bytes: so they follow one
- * another without gaps, and what is given back grows together. Its aligned_alloc() cuts off what
- * then lies between arrays, keeps it for small requests and so keeps free neighbours apart. */
+/* Large arrays take whole pages including glibc's header of 16 bytes. They are then adjacent
+ * without gaps, and released neighbours merge. glibc's aligned_alloc() keeps the gaps between
+ * arrays for small requests, which prevents merging. */
 enum { LARGE = 1 << 16, PAGE = 1 << 12, HEADER = 16 };
 
 static size_t round_size(size_t bytes) {
@@ -61,7 +61,7 @@ static void *default_allocate(size_t bytes) {
 }
 #endif
 
-/* Moves large arrays without copying them, and need not keep their alignment. */
+/* Moves large arrays without copying them, but might not keep their alignment. */
 static void *default_reallocate(void *items, size_t bytes) {
     return realloc(items, round_size(bytes));
 }

@@ -20,7 +20,7 @@
 /* The alignment of new arrays: enough for any vector type. */
 #define BURNISH_ALIGNMENT 64
 
-/* a * b in *product; returns 0 when it does not fit. */
+/* a * b in *product; returns 0 if it does not fit. */
 static inline int burnish_size_multiply(size_t a, size_t b, size_t *product) {
     return !__builtin_mul_overflow(a, b, product);
 }
@@ -29,7 +29,7 @@ static inline int burnish_size_multiply(size_t a, size_t b, size_t *product) {
 typedef struct burnish_memory {
     const burnish_context *context; /* NULL: malloc and free */
     burnish_status status;          /* OK, or the status of the first failure: MEMORY or LIMIT */
-    burnish_error *error;           /* gets the line of the first failure; may be NULL */
+    burnish_error *error;           /* receives the message of the first failure; may be NULL */
 } burnish_memory;
 
 static inline burnish_memory burnish_memory_of(const burnish_context *context,
@@ -58,18 +58,18 @@ void *burnish_allocate(burnish_memory *memory, size_t count, size_t size, const 
 /* The same, all bytes 0. */
 void *burnish_allocate_zeroed(burnish_memory *memory, size_t count, size_t size, const char *what);
 
-/* items with room for at least `needed` elements, contents kept: doubles *capacity as often as it
- * must. Returns their new address, aligned as malloc aligns; on failure items, unchanged. */
+/* items with room for at least `needed` elements, contents kept: doubles *capacity as often as
+ * needed. Returns their new address, aligned as malloc aligns; on failure items, unchanged. */
 void *burnish_reserve(burnish_memory *memory, void *items, size_t *capacity, size_t needed,
                       size_t size, const char *what);
 
-/* Gives back what is beyond the first `count` elements, at least 1. Returns their new address,
+/* Releases the memory beyond the first `count` elements, at least 1. Returns their new address,
  * aligned as malloc aligns; on failure items, with *capacity unchanged. */
 void *burnish_shrink(const burnish_context *context, void *items, size_t *capacity, size_t count,
                      size_t size);
 
-/* Room for at least `count` elements whose old contents are of no interest; *capacity counts
- * elements of one size. NULL and *capacity 0 on failure. */
+/* Room for at least `count` elements, without keeping old contents; *capacity counts elements of
+ * one size. NULL and *capacity 0 on failure. */
 void *burnish_reserve_discard(burnish_memory *memory, void *items, size_t *capacity, size_t count,
                               size_t size, const char *what);
 

@@ -23,7 +23,7 @@ enum {
     TEMPORARY_NAME_SIZE = 64, /* "/.burnish-", 16 + 8 hexadecimal digits, ".tmp" and room */
     PIECE = 1 << 16,          /* bytes that a source supplies per call, at most */
     WRITE_STEP = 1 << 30,     /* the kernel takes at most 2^31 - 4096 bytes at a time */
-    TEMPORARIES = 64          /* that a handler of signals can remove; more are not remembered */
+    TEMPORARIES = 64          /* that a signal handler can remove; further ones are not recorded */
 };
 
 static const char *advice_for(int code) {
@@ -75,7 +75,7 @@ typedef struct content {
     void *check_data;
 } content;
 
-/* The last step, when the bytes are written. */
+/* The last step, after the bytes are written. */
 static burnish_status run_check(const content *what, burnish_error *error) {
     return what->check ? what->check(what->check_data, error) : BURNISH_STATUS_OK;
 }
@@ -151,9 +151,9 @@ static burnish_status write_standard_output(const content *what, burnish_error *
 /* ---- Temporaries ---- */
 
 /* Names of temporaries that exist or are about to; NULL in free slots. Process-wide, because a
- * handler of signals knows nothing else. */
+ * signal handler has no argument. */
 static _Atomic(const char *) temporaries[TEMPORARIES];
-static atomic_int handlers; /* that look at them */
+static atomic_int handlers; /* that are reading them */
 
 static void remember(const char *name) {
     for (int i = 0; i < TEMPORARIES; ++i) {
@@ -164,7 +164,7 @@ static void remember(const char *name) {
     }
 }
 
-/* Returns 0 when a handler may have the name at this moment: then it must stay in memory. */
+/* Returns 0 if a handler might be using the name: then it must stay in memory. */
 static int forget(const char *name) {
     for (int i = 0; i < TEMPORARIES; ++i) {
         const char *expected = name;
@@ -254,8 +254,8 @@ static int name_temporary(temporary *t) {
     return code;
 }
 
-/* Opens a file that has no name yet, so that nothing is left of a process that is killed, or where
- * the file system has no such files one with a name; returns 0 or an errno. */
+/* Opens a file without a name, which vanishes if the process is killed. On file systems without
+ * such files, opens one with a name. Returns 0 or an errno. */
 static int open_temporary(temporary *t) {
     t->file = -1;
 #if BURNISH_HAS_NAMELESS_FILES
@@ -285,7 +285,7 @@ static burnish_status finish_temporary(temporary *t, const char *path, int is_ne
         status = run_check(what, error);
     }
     if (code == 0 && status == BURNISH_STATUS_OK && !t->is_named) {
-        /* straight to a name that is free: then there is no moment with another one */
+        /* a free name is linked directly, so the file never has another one */
         code = is_new ? link_file(t, t->target) : EEXIST;
         code = code == EEXIST ? name_temporary(t) : code;
     }
@@ -341,8 +341,8 @@ static char *resolve(const char *path) {
 #endif
 }
 
-/* Whether the program may write to an existing file: a rename needs no permission of the file
- * itself, so a protected one is asked for it. */
+/* Whether the program may write to an existing file. A rename does not need permission for the file
+ * itself, so this checks it. */
 static int may_write(const char *path) {
 #ifdef _WIN32
     return access(path, W_OK) == 0;

@@ -1,4 +1,4 @@
-/* What systems call differently in files: flags that one of them lacks do nothing there. */
+/* File functions and flags that differ between systems; a missing flag does nothing. */
 #ifndef BURNISH_CORE_PLATFORM_H
 #define BURNISH_CORE_PLATFORM_H
 
@@ -24,7 +24,7 @@
 #define O_NONBLOCK 0
 #endif
 
-/* Line ends of standard input or output stay as they are. */
+/* Turns off the conversion of line ends in standard input or output. */
 static inline void burnish_set_binary(int file) {
 #ifdef _WIN32
     _setmode(file, O_BINARY);

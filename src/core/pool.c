@@ -8,23 +8,23 @@
 #include "burnish/core.h"
 #include "core/environment.h"
 
-/* How often a thread looks before it sleeps: ten to a hundred microseconds, about what it takes to
- * wake one and more than there are between two pieces of work of a frame. None where threads
- * outnumber processors: there spinning takes the time of one that works. */
+/* How often a thread checks for work before it sleeps: 10 to 100 microseconds. This is about the
+ * time to wake a thread, and longer than the gap between two pieces of work of a frame. If threads
+ * outnumber processors, they do not spin, since that would take time from working threads. */
 enum { SPINS = 2000 };
 
 /* The process' threads: the only state that calls share. */
 static struct {
-    atomic_flag busy;          /* works for somebody */
+    atomic_flag busy;          /* a caller is using the pool */
     atomic_uint generation;    /* counts jobs */
     atomic_int active;         /* threads in the job besides the caller */
     atomic_int spins;          /* SPINS or 0 */
-    pthread_mutex_t mutex;     /* over all below */
+    pthread_mutex_t mutex;     /* protects the members below */
     pthread_cond_t wake, done; /* a job has come; the last thread has left it */
     burnish_pool_work *work;   /* of the job, with its data */
     void *data;
     int started, sleeping;        /* threads */
-    int open, joined, max_joined; /* takes more threads, so many have come, and may come */
+    int open, joined, max_joined; /* accepts workers; workers that joined; most workers allowed */
 } pool = {.busy = ATOMIC_FLAG_INIT,
           .mutex = PTHREAD_MUTEX_INITIALIZER,
           .wake = PTHREAD_COND_INITIALIZER,
@@ -38,7 +38,7 @@ static inline void cpu_relax(void) {
 #endif
 }
 
-/* Takes part in the open job, if there is one that takes more. The mutex is held. */
+/* Joins the open job if it accepts workers. The mutex is held. */
 static void join_job(void) {
     if (!pool.open || pool.joined >= pool.max_joined) {
         return;
@@ -101,8 +101,8 @@ static void create_threads(int wanted) {
     }
 }
 
-/* Starts what is missing to `wanted` threads besides the caller, as many as the system allows.
- * Signals are the host program's business: no thread of the pool takes any. */
+/* Starts threads until there are `wanted` besides the caller, or as many as the system allows.
+ * Signals belong to the host program: threads of the pool block them. */
 static void start_threads(int wanted) {
     if (pool.started >= wanted) {
         return;

@@ -1,5 +1,5 @@
-/* A file's name as messages show it. All is in the header: the library and the program, which links
- * another copy of the library, print the same. */
+/* A file name as messages show it. This is a header because the program links another copy of the
+ * library, and both must print the same. */
 #ifndef BURNISH_CORE_SHOW_NAME_H
 #define BURNISH_CORE_SHOW_NAME_H
 

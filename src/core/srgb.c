@@ -38,7 +38,7 @@ void burnish_srgb_encoder_make(burnish_srgb_encoder *encoder) {
     for (int i = 0; i < SRGB_BUCKETS; ++i) {
         uint32_t bits, first = SRGB_FIRST_BITS + ((uint32_t)i << SRGB_BUCKET_SHIFT);
         memcpy(&bits, &next_threshold[bucket_code[i]], sizeof bits);
-        uint32_t threshold = bits - first; /* beyond the bucket where it has none */
+        uint32_t threshold = bits - first; /* beyond a bucket without a threshold */
         threshold = threshold < 1u << SRGB_BUCKET_SHIFT ? threshold : 1u << SRGB_BUCKET_SHIFT;
         encoder->entries[i] = (int32_t)((uint32_t)bucket_code[i] << 17 | threshold);
     }

@@ -1,9 +1,9 @@
-/* Work that threads share. Results never depend on how many there are.
+/* Work shared by threads. Results never depend on their number.
  *
- * The threads are one pool per process, started when they are first needed, or the context's task
- * runner. The caller works too and takes whatever no other thread has taken: a thread that does not
- * get a processor in time is not waited for, only one that is in the midst of a piece. While the
- * pool works for one caller, others work alone. */
+ * The threads are one pool per process, started at the first use, or the context's task runner. The
+ * caller also works and takes what no other thread has taken, so it waits only for threads in the
+ * middle of a piece, not for threads without a processor. While the pool works for one caller,
+ * others work alone. */
 #ifndef BURNISH_CORE_TASKS_H
 #define BURNISH_CORE_TASKS_H
 
@@ -18,8 +18,8 @@
 /* One call's share of the threads, on its stack. */
 typedef struct burnish_tasks {
     const burnish_context *context; /* may be NULL */
-    int threads;                    /* [1, BURNISH_THREADS_MAX]: at most so many at a time */
-    atomic_int cancelled;           /* 1 once the context said so */
+    int threads;                    /* most threads at a time, [1, BURNISH_THREADS_MAX] */
+    atomic_int cancelled;           /* 1 once the context has cancelled */
 } burnish_tasks;
 
 /* threads: at most so many; 0 for one per processor, or the task runner's thread_count. */
@@ -42,8 +42,8 @@ typedef void burnish_range_task(void *context, size_t first, size_t end);
 void burnish_tasks_ranges(burnish_tasks *tasks, size_t count, size_t size, burnish_range_task *task,
                           void *context);
 
-/* The same by the caller alone, one after the other from the first on: long loops that are serial
- * ask the context meanwhile. */
+/* The same in the caller alone, in order. For long serial loops, which then check for
+ * cancelling. */
 void burnish_tasks_in_order(burnish_tasks *tasks, size_t count, size_t size,
                             burnish_range_task *task, void *context);
 
@@ -55,17 +55,17 @@ static inline void burnish_lower_to(atomic_size_t *least, size_t value) {
     }
 }
 
-/* Whether the context wants the call to end; asks it. Everybody who ran tasks looks afterwards. */
+/* Checks whether the context cancels the call. Callers check this after running tasks. */
 int burnish_tasks_cancelled(burnish_tasks *tasks);
 
-/* Whether a task that takes long is to return: asked by it from time to time, for its thread.
- * Thread 0, the caller's own, asks the context. */
+/* Whether a task must return early; long tasks check this from time to time. In thread 0, the
+ * caller, it calls the context. */
 int burnish_tasks_should_end(burnish_tasks *tasks, int thread);
 
-/* CANCELLED with its line where the context wants the call to end, else OK. */
+/* CANCELLED with its message if the context cancels the call, else OK. */
 burnish_status burnish_tasks_check(burnish_tasks *tasks, burnish_error *error);
 
-/* Tells the context how far a stage has come. */
+/* Reports the progress of a stage to the context. */
 void burnish_tasks_progress(const burnish_tasks *tasks, burnish_stage stage, double fraction);
 
 #endif

@@ -28,7 +28,7 @@ typedef struct band_sums {
     double ssim, flip;
 } band_sums;
 
-/* The colour that means "no object" if there is no coverage. */
+/* The colour that means "no object" in an image without coverage. */
 typedef struct silhouette {
     const uint8_t *coverage;
     int by_alpha, known;

@@ -42,7 +42,7 @@ burnish_ssim burnish_ssim_make(void);
 /* Bytes that a band needs. */
 size_t burnish_ssim_scratch(int width);
 
-/* The sum of SSIM over the windows whose middle lies in the band and that lie in the picture. */
+/* The sum of SSIM over the windows inside the image whose centre is in the band. */
 double burnish_ssim_band(const burnish_ssim *ssim, const burnish_picture_pair *pair,
                          burnish_band band, void *scratch);
 

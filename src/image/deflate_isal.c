@@ -9,8 +9,8 @@
 enum {
     LEVEL = 1, /* level 2 takes 3 % longer and saves nothing, level 0 adds a fifth */
     SEARCH_SIZE = ISAL_DEF_LVL1_DEFAULT,
-    BLOCK_FRAME = 1024, /* room for what is added to bytes that nothing shortens */
-    PLAIN = 16,         /* bytes of a band's start that are stored as they are */
+    BLOCK_FRAME = 1024, /* room for the overhead of incompressible bytes */
+    PLAIN = 16,         /* bytes at the start of a band that are stored, not compressed */
     PLAIN_FRAME = 5
 };
 
@@ -40,10 +40,10 @@ static uint8_t *put_stored(uint8_t *to, const uint8_t *bytes, size_t size, int l
     return to + PLAIN_FRAME + size;
 }
 
-/* ISA-L 2.30 takes the hash of the stream's address for that of the second byte where nothing comes
- * before a band (write_first_byte of igzip_icf_body_h1_gr_bt.asm), so that one process of a
- * thousand would pack otherwise. What has a dictionary does not go there: a band's first bytes are
- * stored, and are the dictionary of the rest. */
+/* If nothing precedes a band, ISA-L 2.30 uses the hash of the stream's address instead of the hash
+ * of the second byte (write_first_byte of igzip_icf_body_h1_gr_bt.asm). One process in a thousand
+ * would then write other bytes. A dictionary avoids this: the first bytes of a band are stored, and
+ * are the dictionary for the rest. */
 size_t burnish_deflate_band(burnish_deflate *deflate, const uint8_t *bytes, size_t size, int last,
                             uint8_t *packed, size_t room) {
     struct isal_zstream *stream = &deflate->stream;

@@ -51,7 +51,7 @@ static uint8_t *put_u32(uint8_t *to, uint32_t value) {
     return to + 4;
 }
 
-/* Writes length, type and CRC around `size` bytes that stand at to + 8 already; returns the end. */
+/* Writes length, type and CRC around the `size` bytes at to + 8; returns the end. */
 static uint8_t *put_chunk_frame(uint8_t *to, const char type[4], size_t size) {
     put_u32(to, (uint32_t)size);
     memcpy(to + 4, type, 4);

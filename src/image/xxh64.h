@@ -1,5 +1,5 @@
 /* XXH64 with seed 0 (doc/xxhash_spec.md of xxHash), over pieces of any size. The library has its
- * own, so that it builds without other libraries. */
+ * own to build without other libraries. */
 #ifndef BURNISH_IMAGE_XXH64_H
 #define BURNISH_IMAGE_XXH64_H
 

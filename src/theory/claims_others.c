@@ -81,7 +81,7 @@ static void relative_rivals(burnish_theory_claim *claim) {
     }
 }
 
-/* What a circuit needs in addition to multipliers and adders. */
+/* The parts of a circuit other than multipliers and adders. */
 static double costly(const burnish_theory_model *model) {
     burnish_theory_cost cost = burnish_theory_model_cost(model);
     return cost.divisions + cost.transcendentals + cost.lookups;

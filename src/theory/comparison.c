@@ -1,4 +1,4 @@
-/* Exact values of the lobes in double precision. Uses libm, so no picture may depend on it.
+/* Exact values of the lobes in double precision. Uses libm, so no image may depend on it.
  */
 #include "burnish/theory.h"
 #include "core/arithmetic.h"

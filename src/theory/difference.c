@@ -206,7 +206,7 @@ static double equator_limit(const burnish_theory_model *model) {
     case BURNISH_LOBE_TABLE:
         return !model->lobe.linear ? -1 : n > 1 ? HUGE_VAL : 0;
     case BURNISH_LOBE_FAMILY:
-    case BURNISH_LOBE_LYON: /* zero at c = 0 exactly where zeta is 1: u = c */
+    case BURNISH_LOBE_LYON: /* zero at c = 0 only if zeta is 1: u = c */
         return model->zeta < 1         ? HUGE_VAL
                : model->zeta > 1       ? -1
                : n > model->lobe.order ? HUGE_VAL

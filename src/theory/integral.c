@@ -60,7 +60,7 @@ static double lobe_integrand(double s, const void *context) {
            2 * s;
 }
 
-/* From lambda = 0 on, in closed form; NaN where there is none. */
+/* From lambda = 0 on, in closed form; NaN without one. */
 static double closed_integral(const burnish_theory_model *model, int weighted, double end) {
     switch (model->lobe.kind) {
     case BURNISH_LOBE_FAMILY:

@@ -37,9 +37,9 @@ double burnish_theory_integral_between(const burnish_theory_model *model,
                                        burnish_theory_measure measure, double lambda0,
                                        double lambda1);
 
-/* How a smooth lobe meets cos^n. With v = lambda (GX: 1 - c^2) the logarithm of the ratio of their
+/* How a smooth lobe meets cos^n. With v = lambda (GX: 1 - c^2), the logarithm of the ratio of
  * slopes is
- *     g(v) = log_slope + e log(1 + s v) - k v - log(p + 1) - p log(1 - v),
+ *     g(v) = log_slope + e log(1 + s v) - k v - log(p + 1) - p log(1 - v).
  * Its derivative has at most one zero, so lobe - cos^n has at most two stationary points. */
 typedef struct burnish_theory_shape {
     double log_slope, e, s, k, p;

@@ -29,7 +29,7 @@ static double panel(burnish_theory_integrand f, const void *context, double low,
         size += KRONROD[i] * (fabs(left) + fabs(right));
         gauss += i & 1 ? GAUSS[i / 2] * (left + right) : 0;
     }
-    /* Where the two rules agree to d, the longer one is far better than d. Below NOISE of the
+    /* If the two rules agree to d, the longer one is far better than d. Below NOISE of the
      * integrand's size rounding errors keep them apart. */
     double d = half * fabs(kronrod - gauss);
     if (!(d > tolerance && d > NOISE * half * size) || depth == MAX_DEPTH) {

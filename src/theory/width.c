@@ -102,8 +102,8 @@ double burnish_theory_zero_angle(const burnish_theory_model *model) {
     return burnish_theory_angle_at(model, 0);
 }
 
-/* Slope and second derivative in the angle at the zero, both in closed form: a computed zero lies
- * to one side of the corner by a rounding error. */
+/* Slope and second derivative in the angle at the zero, both in closed form: a rounding error would
+ * put a computed zero on one side of the corner. */
 static void slopes_at_zero(const burnish_theory_model *model, double slope[2]) {
     double n = model->exponent, a = model->zeta;
     slope[0] = slope[1] = 0;
@@ -154,7 +154,7 @@ double burnish_theory_boundary_lambda(const burnish_theory_model *model, double 
         return NAN;
     }
     double lambda = burnish_theory_lambda_at(model, bits > 0 ? exp2(-bits) : 0);
-    return lambda < 1 ? lambda : 1; /* false for NaN too: the lobe stays above the level */
+    return lambda < 1 ? lambda : 1; /* false also for NaN: the lobe stays above the level */
 }
 
 double burnish_theory_boundary_cosine(const burnish_theory_model *model, double bits) {

@@ -1,5 +1,5 @@
-/* Gzip files (RFC 1952) and plain deflate (RFC 1951) unpacked, by ISA-L or, where that is not built
- * in, zlib. */
+/* Decompresses gzip files (RFC 1952) and raw deflate (RFC 1951) with ISA-L or, if the build lacks
+ * it, zlib. */
 #ifndef BURNISH_IMAGE_DECODE_GUNZIP_H
 #define BURNISH_IMAGE_DECODE_GUNZIP_H
 
@@ -8,10 +8,10 @@
 
 #include "core/memory.h"
 
-/* Unpacks a file, of which there may be several one after the other.
+/* Decompresses a file; it can have several gzip members.
  *   name       for messages
- *   max_bytes  more are refused with LIMIT
- *   budget     so are these, with a line that says to unpack the file first
+ *   max_bytes  a larger result is rejected with LIMIT
+ *   budget     the same, with a message that suggests to decompress the file first
  *   unpacked   receives *unpacked_size bytes, from `memory`; NULL on error
  * Errors: FORMAT (damaged, truncated), LIMIT, MEMORY. */
 burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *name,
@@ -26,25 +26,25 @@ static inline int burnish_is_gzip(const uint8_t *bytes, size_t size) {
 
 /* What a step did. */
 typedef enum burnish_inflate_result {
-    BURNISH_INFLATE_MORE, /* it wants input, or room */
-    BURNISH_INFLATE_END,  /* of one file; of gzip, whose checksum is right */
+    BURNISH_INFLATE_MORE, /* it needs input or room */
+    BURNISH_INFLATE_END,  /* of one member; for gzip, its checksum is right */
     BURNISH_INFLATE_DAMAGED,
-    BURNISH_INFLATE_MEMORY /* is out, which its error says */
+    BURNISH_INFLATE_MEMORY /* out of memory; the error is set */
 } burnish_inflate_result;
 
 typedef struct burnish_inflate burnish_inflate;
 
-/* is_raw: 1: deflate without gzip's frame. NULL on failure, which memory knows. */
+/* is_raw: 1: deflate without gzip's frame. NULL on failure, which is recorded in memory. */
 burnish_inflate *burnish_inflate_create(burnish_memory *memory, int is_raw);
 void burnish_inflate_destroy(const burnish_context *context, burnish_inflate *inflate);
 
-/* Unpacks from *from, of which *left bytes are left, into room: both are moved on. Returns how many
- * bytes were written through *written. After END the next file may follow. */
+/* Decompresses from *from, which has *left bytes left, and advances both. *written receives the
+ * number of bytes written. After END, another member can follow. */
 burnish_inflate_result burnish_inflate_step(burnish_inflate *inflate, const uint8_t **from,
                                             size_t *left, uint8_t *to, size_t room,
                                             size_t *written);
 
-/* gzip's and ZIP's checksum of what `crc` is of, 0 for nothing, and further bytes. */
+/* Extends the CRC-32 of gzip and ZIP by further bytes; start with crc 0. */
 uint32_t burnish_inflate_crc32(uint32_t crc, const uint8_t *bytes, size_t size);
 
 #endif

@@ -1,6 +1,6 @@
-/* BMP (Microsoft, "Bitmap Storage"), which textures of older files are in: palettes of 1, 4 and 8
- * bits, colours of 16, 24 and 32, with masks too. Runs and embedded JPEG, which textures are never
- * in, are refused. Like TGA it needs no library. */
+/* Reads BMP (Microsoft, "Bitmap Storage"), the format of textures in older files: palettes of 1, 4
+ * and 8 bits, and colours of 16, 24 and 32 bits, also with masks. Run-length encoding and embedded
+ * JPEG are rejected; textures do not use them. Like TGA it needs no library. */
 #include <string.h>
 
 #include "core/bytes.h"
@@ -8,7 +8,7 @@
 
 enum {
     FILE_HEADER = 14,
-    CORE = 12, /* sizes of what follows, by which versions are told */
+    CORE = 12, /* sizes of the second header, which identify its version */
     INFO = 40,
     WITH_ALPHA = 56,
     PLAIN = 0, /* compressions */
@@ -26,7 +26,7 @@ typedef struct bmp {
     size_t entries, entry_size;
 } bmp;
 
-/* What a pixel's bits are, where no palette says it. */
+/* Finds the bits of each channel in a pixel without a palette. */
 static void find_masks(bmp *b, size_t header) {
     static const uint32_t of_16[3] = {0x7C00, 0x03E0, 0x001F},
                           of_32[3] = {0xFF0000, 0x00FF00, 0x0000FF};

@@ -23,8 +23,8 @@ static void put_text(burnish_drawing *w, const char *text) {
     put(w, text, strlen(text));
 }
 
-/* value / 10^digits as a decimal, the shortest exact form: -1205 of 2 digits is "-12.05", 50 is
- * ".5". A blank goes before it where the number before could run into it. */
+/* value / 10^digits as a decimal, in the shortest exact form, without a 0 before the point: -1205
+ * with 2 digits is "-12.05". A blank separates it from a preceding number if necessary. */
 static void put_decimal(burnish_drawing *w, int64_t value, int digits, int needs_blank) {
     char text[32];
     uint64_t rest = value < 0 ? 0u - (uint64_t)value : (uint64_t)value;
@@ -92,7 +92,8 @@ static void put_number(burnish_drawing *w, const char *before, int32_t hundredth
 
 /* ---- Lines ---- */
 
-/* A line as a move to its first point and relative steps; points that rounding joins are left out.
+/* A line as a move to its first point and relative steps; points that rounding makes equal are
+ * skipped.
  */
 static void put_line(burnish_drawing *w, const float *p, size_t count) {
     int32_t x = to_hundredths(p[0]), y = to_hundredths(p[1]);
@@ -153,8 +154,8 @@ void burnish_drawing_close(burnish_drawing *drawing) {
     put_text(drawing, "</g>\n");
 }
 
-/* 1: the value is not among the known ones, and now it is. Frames have two widths, annotations a
- * few; what is beyond the array is not drawn. */
+/* Adds a value to the known ones; returns 1 if it is new. Frames have two widths, annotations a
+ * few; values beyond the array are not drawn. */
 typedef struct widths {
     float known[16];
     size_t count;
@@ -278,7 +279,7 @@ void burnish_drawing_outline(burnish_drawing *drawing, const burnish_outline *ou
         const burnish_outline_edge *e = &outline->edges[i];
         const float x = (float)e->x0 / 256, y = (float)e->y0 / 256;
         const size_t n = drawing->point_count;
-        /* edges along a row are left out of outlines: what continues in one row is one line */
+        /* outlines have no edges along a row: edges that continue in a row are one line */
         if (n > 0 && drawing->points[2 * n - 1] != y) {
             flush_line(drawing);
         }

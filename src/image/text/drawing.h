@@ -1,8 +1,8 @@
 /* Drawings within the library: what the public functions put into one.
  *
- * A drawing is the text of an SVG's body, written as it comes: what is added later covers what was
- * added before. Coordinates are pixels from the top left corner, rounded to hundredths; they are
- * written without libc's numbers, which a locale could change. */
+ * A drawing is the text of an SVG's body, in the order of the calls: later parts cover earlier
+ * ones. Coordinates are pixels from the top left corner, rounded to hundredths; libc does not
+ * format them, since a locale could change its output. */
 #ifndef BURNISH_IMAGE_TEXT_DRAWING_H
 #define BURNISH_IMAGE_TEXT_DRAWING_H
 
@@ -16,12 +16,12 @@
 struct burnish_drawing {
     const burnish_context *context;
     int width, height;
-    burnish_memory memory; /* of the call at hand */
+    burnish_memory memory; /* of the current call */
     char *text;
     size_t size, capacity;
-    int has_point; /* 1: the path at hand has a point, from which the next one counts */
+    int has_point; /* 1: the current path has a point; the next one is relative to it */
     int32_t x, y;  /* that point, hundredths */
-    float *points; /* of the line at hand: x, y */
+    float *points; /* of the current line: x, y */
     size_t point_count, point_capacity;
 };
 
@@ -41,7 +41,7 @@ void burnish_drawing_lines(burnish_drawing *drawing, const uint32_t *starts, con
                            const float *widths, size_t count);
 
 /* One path for all strokes of one radius; strokes that continue each other are one line.
- *   name  what the strokes write, which the first path says; NULL: nothing */
+ *   name  the text that the strokes show, an attribute of the first path; NULL: none */
 void burnish_drawing_strokes(burnish_drawing *drawing, const burnish_stroke *strokes, size_t count,
                              const char *name);
 

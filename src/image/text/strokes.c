@@ -9,7 +9,7 @@
 enum {
     BAND = 16,              /* rows that are covered before they are blended */
     ENTRIES_MAX = 1 << 20,  /* of strokes in bands at a time, unless a single band has more */
-    STROKES_GRAIN = 1 << 16 /* strokes between two questions whether to go on */
+    STROKES_GRAIN = 1 << 16 /* strokes between two checks for cancelling */
 };
 
 static const float most_radius = 1024;
@@ -62,8 +62,8 @@ static float clamp_to_one(float value) {
     return value > 0 ? (value < 1 ? value : 1) : 0;
 }
 
-/* The columns of one row that a stroke can touch: those near the part of the segment that is within
- * reach of the row. A slanting line's rows would otherwise take its whole width each. */
+/* The columns of one row that a stroke can touch: only near the part of the segment within reach of
+ * the row. Otherwise each row of a slanting line would take the whole width of the line. */
 static void row_columns(const burnish_stroke *stroke, int row, int width, int *first, int *end) {
     const float reach = stroke->radius + 0.5F, slack = 1; /* pixels: more than all rounding */
     const float rise = stroke->y1 - stroke->y0, run = stroke->x1 - stroke->x0;
@@ -138,7 +138,7 @@ void burnish_ink_blend(const burnish_pixels *pixels, int row, int first, int cou
 
 /* ---- Strokes far outside ---- */
 
-/* Cuts [*from, *to] of p + t d to where it is in [low, high]. Returns 0 where nothing is left. */
+/* Cuts [*from, *to] of p + t d to where it is in [low, high]. Returns 0 if nothing is left. */
 static int cut(double p, double d, double low, double high, double *from, double *to) {
     if (d == 0) {
         return p >= low && p <= high;
@@ -156,7 +156,8 @@ static int is_within(const burnish_stroke *stroke, float limit) {
            stroke->y1 >= -limit && stroke->y1 <= limit;
 }
 
-/* The stroke as it is drawn: parts far outside are cut off, beyond what its ends can touch.
+/* Cuts off the parts of a stroke that are far outside the image, beyond what its round ends can
+ * touch.
  * Returns 0 if no pixel is touched. */
 static int prepare(const burnish_stroke *stroke, int width, int height, burnish_stroke *prepared) {
     *prepared = *stroke;
@@ -187,7 +188,7 @@ typedef struct figure {
     size_t count;
     const burnish_ink *ink;
     int bands;         /* of the picture, down to the last one that is drawn */
-    int first_band;    /* of those that entries hold */
+    int first_band;    /* the first one in entries */
     size_t *ends;      /* one past each band's entries; before they are filled, their starts */
     uint32_t *entries; /* strokes of each band */
     float *coverage;   /* BAND rows for each thread */

@@ -25,24 +25,24 @@ typedef struct burnish_ink {
 
 burnish_ink burnish_ink_of(const uint8_t srgb[3], float opacity);
 
-/* Draws any number of strokes as one figure. A pixel's coverage is the largest that one of the
- * strokes gives it, so that joints and crossings are no darker than lines:
- *   clamp(1/2 + radius - distance from the pixel's centre to the segment, 0, min(1, 2 radius)),
- * which integrates to the line's width across it, however thin it is. Strokes may reach beyond the
- * picture; those with an end further than 1e9 pixels away, or not a number, are left out. The same
- * bits everywhere.
+/* Draws any number of strokes as one figure. A pixel has the coverage of the stroke that covers
+ * most of it. Joints and crossings are therefore not darker than lines:
+ *   clamp(1/2 + radius - distance from the pixel's centre to the segment, 0, min(1, 2 radius)).
+ * The integral across a line is its width, however thin it is. Strokes may reach beyond the image;
+ * strokes with an end further than 1e9 pixels away, or not a number, are skipped. The bits are the
+ * same on every machine.
  *   pixels   any format; with a fourth channel alpha grows where there is ink
  *   strokes  count of them
  *   tasks    NULL: the caller alone
  * Memory: 64 bytes per pixel of a row for each thread; 4 per stroke and band of 16 rows that it
  * reaches, at most 4 MiB or 4 per stroke.
- * Errors: ARGUMENT (pixels that are none, a radius out of range), MEMORY, LIMIT, CANCELLED. */
+ * Errors: ARGUMENT (invalid pixels, a radius out of range), MEMORY, LIMIT, CANCELLED. */
 burnish_status burnish_strokes_draw(const burnish_pixels *pixels, const burnish_stroke *strokes,
                                     size_t count, const burnish_ink *ink, burnish_tasks *tasks,
                                     burnish_memory *memory);
 
-/* The same where pixels hold rows of a picture `height` rows high, from first_row on: they get the
- * bits that they have in the whole picture. */
+/* The same for pixels that hold only rows of an image `height` rows high, from first_row on. The
+ * bits are the same as in the whole image. */
 burnish_status burnish_strokes_draw_rows(const burnish_pixels *pixels, int first_row, int height,
                                          const burnish_stroke *strokes, size_t count,
                                          const burnish_ink *ink, burnish_tasks *tasks,

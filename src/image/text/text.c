@@ -32,7 +32,7 @@ static void draw_span(const burnish_pixels *pixels, const burnish_stroke *stroke
     burnish_ink_blend(pixels, row, first, last - first, coverage, ink);
 }
 
-/* Where glyphs are drawn. */
+/* The target of drawn glyphs. */
 typedef struct page {
     burnish_pixels pixels;
     burnish_ink ink;
@@ -72,7 +72,7 @@ static float snap(float value) {
 
 /* The pen for capitals of the given height, its seat (the whole pixels that its width takes in the
  * layout) and the unit. A pen a little narrower than its seat is widened to fill it: two grey rows
- * look thinner than a black one beside a faint one. */
+ * look thinner than a black row next to a faint one. */
 static burnish_glyph_scale make_scale(float height, float *seat) {
     height = height > least_height ? height : least_height; /* also for NaN */
     height = height < most_height ? height : most_height;
@@ -91,8 +91,9 @@ static float gap_pixels(const burnish_glyph_scale *scale, const burnish_glyph *b
     return pixels > 0 || units == 0 ? pixels : 1;
 }
 
-/* Positions and advances are whole pixels: every stem of a line is then equally sharp, and the same
- * letters are spaced alike wherever they stand. take NULL: the line is only measured. */
+/* Positions and advances are whole pixels: every stem of a line is then equally sharp, and the
+ * spacing of letters does not depend on their position. If take is NULL, the line is only
+ * measured. */
 static float set_line(float x, float y, float height, const char *text, size_t length,
                       burnish_take_strokes *take, void *context) {
     float seat;
