@@ -12,14 +12,14 @@
 #define CLEAR 0.55          /* white around a number */
 #define EXTENSION_GAP 0.35  /* white between the edge and an extension line */
 #define EXTENSION_OVER 0.45 /* of an extension line beyond the dimension line */
-#define TIER 1.8            /* from one try to the next further out */
+#define TIER 1.8            /* distance between attempts, outwards */
 
 /* An axis seen at less than this sine of its angle to the view is not measured. */
 #define LEAST_SINE 0.12
 
 enum { TIERS = 3, PLACES = 4, LINES_MAX = 24 };
 
-/* An edge of the box that bounds it on the screen. */
+/* An edge on the outline of the box on the screen. */
 typedef struct edge {
     burnish_point p, q;   /* its ends */
     burnish_point d;      /* from p to q, unit length */
@@ -28,7 +28,7 @@ typedef struct edge {
     double preference;
 } edge;
 
-/* A dimension before it is known to have room. */
+/* A dimension before the check for room. */
 typedef struct dimension {
     burnish_annotation_label label;
     struct {
@@ -46,7 +46,7 @@ static double magnitude(double value) {
     return value < 0 ? -value : value;
 }
 
-/* 1 where all corners are on one side of the line through corners i and j. */
+/* 1 if all corners are on one side of the line through corners i and j. */
 static int make_edge(const burnish_annotation_view *view, int i, int j, edge *made) {
     const burnish_point p = view->corners[i], q = view->corners[j];
     const double dx = q.x - p.x, dy = q.y - p.y, length = burnish_sqrt(dx * dx + dy * dy);
@@ -186,7 +186,7 @@ static void take(burnish_annotation_list *list, const dimension *made) {
     list->labels[list->label_count++] = made->label;
 }
 
-/* The first that has room of all ways to draw the dimension next to an edge. */
+/* Of the ways to draw the dimension next to an edge, the first with enough room. */
 static int place(const burnish_annotation_view *view, const edge *e,
                  burnish_annotation_list *list) {
     char number[BURNISH_LABEL_SIZE];

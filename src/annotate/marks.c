@@ -1,4 +1,4 @@
-/* Marks: axes, scale bar and the grid's spacing, in corners of the picture that are free. */
+/* Marks: axes, scale bar and the grid's spacing, in free corners of the image. */
 #include <stdio.h>
 #include <string.h>
 
@@ -110,8 +110,8 @@ static void take(burnish_annotation_list *list, const mark *made, burnish_point 
     list->marks[list->mark_count++] = shifted(made->area, by);
 }
 
-/* Into the first corner, from `preferred` on, that is free also of the object, or else of all but
- * the object. */
+/* Moves a mark into the first free corner, from `preferred` on. If there is none, the mark can
+ * overlap the object. */
 static void settle(const burnish_annotation_view *view, const mark *made, int preferred,
                    burnish_annotation_list *list) {
     for (int beside_object = 1; beside_object >= 0; --beside_object) {
@@ -148,8 +148,8 @@ static int is_taken(const mark *made, const burnish_annotation_label *label) {
     return 0;
 }
 
-/* The letter of an axis: beyond its end, or where that is taken turned a little or further out. An
- * axis that points at the viewer, or away, has its letter next to the origin. */
+/* The letter of an axis is beyond its end or, if that is not free, a little to the side or further
+ * out. The letter of an axis that points to the viewer, or away, is next to the origin. */
 static void push_letter(const burnish_annotation_view *view, int axis, burnish_point end,
                         mark *made) {
     static const double turns[][2] = {{1, 0},  {0.71, 0.71},  {0.71, -0.71},  {0, 1},
@@ -201,7 +201,8 @@ static void add_axes(const burnish_annotation_view *view, burnish_annotation_lis
     settle(view, &made, 0, list);
 }
 
-/* Its ticks are exactly as far apart as the camera shows the number of units. */
+/* The distance of its ticks is exactly the length at which the camera shows that number of
+ * units. */
 static void add_scale(const burnish_annotation_view *view, burnish_annotation_list *list) {
     mark made = {.line_count = 0};
     char text[BURNISH_LABEL_SIZE];

@@ -19,13 +19,13 @@
 /* Spacings from the origin; beyond it lines could not be told apart. */
 #define FARTHEST 1e12
 
-/* A line on its way to the screen. */
+/* A line that is being projected to the screen. */
 typedef struct scene_line {
     burnish_point a, b;
     double near_a, near_b; /* distances; in perspective their inverses, which are linear */
 } scene_line;
 
-/* Cuts the line where it passes the camera. Returns 0 where all of it is behind. */
+/* Clips the line at the plane of the camera. Returns 0 if all of it is behind. */
 static int project_line(const burnish_annotation_view *view, burnish_vec3 a, burnish_vec3 b,
                         scene_line *line) {
     double da, db;
@@ -68,7 +68,7 @@ static burnish_point point_at(const scene_line *line, double t) {
                            line->a.y + (line->b.y - line->a.y) * t};
 }
 
-/* Keeps what is in the picture, and a little more. */
+/* Clips to the image and a small margin. */
 static int clip(const burnish_annotation_view *view, scene_line *line) {
     double from = 0, to = 1;
     const scene_line whole = *line;
@@ -83,8 +83,8 @@ static int clip(const burnish_annotation_view *view, scene_line *line) {
     return 1;
 }
 
-/* Whether one of the pixels around a point shows nothing in front of it: lines on the outline of
- * the object stay whole. */
+/* Whether one of the pixels around a point shows nothing in front of it. This keeps lines on the
+ * outline of the object whole. */
 static int is_seen(const burnish_annotation_view *view, const burnish_annotation_depth *depth,
                    burnish_point p, double distance) {
     const int width = (int)view->width, height = (int)view->height;
@@ -121,7 +121,7 @@ static void add_dashes(const burnish_annotation_view *view, const scene_line *li
     }
 }
 
-/* What is seen of a line in its layer; what is hidden dashed or, of the grid, not at all. */
+/* Draws the visible part of a line in its layer. Hidden parts are dashed, in the grid omitted. */
 static void add_scene_line(const burnish_annotation_view *view,
                            const burnish_annotation_depth *depth, burnish_vec3 from,
                            burnish_vec3 to, burnish_annotation_layer layer,
@@ -133,7 +133,7 @@ static void add_scene_line(const burnish_annotation_view *view,
     const double dx = line.b.x - line.a.x, dy = line.b.y - line.a.y;
     const double length = burnish_sqrt(dx * dx + dy * dy);
     if (!(length < 1e6)) {
-        return; /* coordinates beyond what the screen's numbers can hold */
+        return; /* coordinates beyond the range of screen coordinates */
     }
     const int steps = (int)length + 1;
     int run = 0, seen = 0;
@@ -173,7 +173,7 @@ void burnish_annotate_box(const burnish_annotation_view *view,
 
 /* ---- The ground's grid ---- */
 
-/* floor and ceil, within what a double has whole numbers for. */
+/* floor and ceil, in the range in which a double holds every integer. */
 static double round_down(double value) {
     const double whole = (double)(int64_t)value;
     return whole > value ? whole - 1 : whole;
@@ -198,7 +198,7 @@ burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view
         if (!(low > -FARTHEST && high < FARTHEST)) {
             return grid;
         }
-        /* within a hair's breadth of a line, the line is enough */
+        /* very close to a line, the line is enough */
         grid.first[k] = round_down(low + 1e-6);
         grid.last[k] = -round_down(-(high - 1e-6));
         if (grid.last[k] <= grid.first[k]) {

@@ -1,4 +1,4 @@
-/* Comparing two pictures: differences of codes, silhouettes, and the bands that threads share. */
+/* Compares two images: differences of 8-bit values, silhouettes, and bands shared by threads. */
 #include "burnish/compare.h"
 #include "image/compare.h"
 
@@ -15,11 +15,11 @@
 
 enum {
     BAND_ROWS = 64,
-    MOST_SCRATCH = 128 << 20, /* bytes: fewer threads take part where more would need more */
-    OBJECT_DIFFERENCE = 4     /* codes: what differs more from the background is of the object */
+    MOST_SCRATCH = 128 << 20, /* bytes, which limits the number of threads */
+    OBJECT_DIFFERENCE = 4     /* 8-bit steps: pixels that differ more show the object */
 };
 
-/* What a band adds to the whole. */
+/* The sums of a band. */
 typedef struct band_sums {
     int largest[4], bounds[4]; /* bounds: x0, y0, x1, y1; x1 0: empty */
     uint64_t sums[4], squares; /* squares: of R, G, B */
@@ -74,7 +74,7 @@ void burnish_pair_row(const burnish_picture_pair *pair, int which, int y, uint8_
     }
 }
 
-/* ---- Codes ---- */
+/* ---- 8-bit values ---- */
 
 /* Adds the difference of one channel; returns its size. */
 static int add_channel(band_sums *sums, int channel, int a, int b) {
@@ -113,7 +113,7 @@ static void add_codes(const comparer *c, int y, const uint8_t *a, const uint8_t 
 
 /* ---- Silhouettes ---- */
 
-/* Colours tell only whether a pixel shows any of the object. */
+/* From colours only: whether a pixel shows any of the object. */
 static int is_soft(const silhouette *s) {
     return s->coverage || s->by_alpha;
 }
@@ -144,7 +144,7 @@ static void add_silhouettes(const comparer *c, int y, const uint8_t *a, const ui
     }
 }
 
-/* Coverage as given, else alpha, else what differs from the colour of all four corners. */
+/* Coverage if given, else alpha, else the difference from the colour of all four corners. */
 static silhouette find_silhouette(const comparer *c, int which) {
     const burnish_pixels *picture = c->pair.pictures[which];
     silhouette found = {.coverage = c->options->coverage[which]};

@@ -1,10 +1,10 @@
-/* What the parts of a comparison share: pictures as rows, bands of rows, sums. */
+/* Shared by the parts of a comparison: images as rows, bands of rows, sums. */
 #ifndef BURNISH_IMAGE_COMPARE_H
 #define BURNISH_IMAGE_COMPARE_H
 
 #include "image/pixels.h"
 
-/* Two pictures of one size as all metrics see them. */
+/* Two images of equal size, the input of all metrics. */
 typedef struct burnish_picture_pair {
     const burnish_pixels *pictures[2];
     int width, height;
@@ -17,8 +17,8 @@ typedef struct burnish_band {
     int first, end;
 } burnish_band;
 
-/* Row y of one of the pictures as sRGB codes, 3 per pixel, over the background where it is
- * transparent; rgb: 3 * width bytes. */
+/* Row y of one of the images as 8-bit sRGB, 3 bytes per pixel. Transparent pixels are blended over
+ * the background. rgb: 3 * width bytes. */
 void burnish_pair_row(const burnish_picture_pair *pair, int which, int y, uint8_t *rgb);
 
 /* Alpha of a pixel, 255 for formats without alpha. */
@@ -71,8 +71,8 @@ typedef struct burnish_flip {
 burnish_flip burnish_flip_make(void);
 size_t burnish_flip_scratch(int width);
 
-/* The sum of the error over the band's pixels. map: width floats per row of the whole picture, of
- * which the band's are written; or NULL. */
+/* The sum of the error over the band's pixels. map: width floats per row of the whole image, of
+ * which the rows of the band are written; or NULL. */
 double burnish_flip_band(const burnish_flip *flip, const burnish_picture_pair *pair,
                          burnish_band band, void *scratch, float *map);
 

@@ -1,5 +1,4 @@
-/* Deflate (RFC 1951) in bands that know nothing of each other, by ISA-L or, where that is not
- * built in, zlib. */
+/* Deflate (RFC 1951) in independent bands, with ISA-L or, if the build lacks it, zlib. */
 #ifndef BURNISH_IMAGE_DEFLATE_H
 #define BURNISH_IMAGE_DEFLATE_H
 
@@ -11,7 +10,7 @@
 /* A compressor; one thread at a time may use it. */
 typedef struct burnish_deflate burnish_deflate;
 
-/* NULL on failure, which memory knows. */
+/* NULL on failure, which is recorded in memory. */
 burnish_deflate *burnish_deflate_create(burnish_memory *memory);
 
 /* NULL is allowed. */
@@ -21,8 +20,8 @@ void burnish_deflate_destroy(const burnish_context *context, burnish_deflate *de
 size_t burnish_deflate_bound(size_t bytes);
 
 /* Compresses size > 0 bytes up to a byte boundary, the last band with deflate's end; room: at least
- * burnish_deflate_bound(size). Returns how many bytes that takes, 0 when the library did not keep
- * to its bounds. */
+ * burnish_deflate_bound(size). Returns the number of bytes written, or 0 if the library exceeds its
+ * bounds. */
 size_t burnish_deflate_band(burnish_deflate *deflate, const uint8_t *bytes, size_t size, int last,
                             uint8_t *packed, size_t room);
 

@@ -1,4 +1,4 @@
-/* Deflate by ISA-L: twice as fast as zlib's fastest level. x86-64 without SSE4.2 searches by
+/* Deflate by ISA-L: twice as fast as zlib's fastest level. x86-64 without SSE4.2 searches with
  * another hash: 3 % longer. */
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>

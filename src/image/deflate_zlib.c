@@ -1,4 +1,4 @@
-/* Deflate by zlib, for systems and processors that ISA-L does not serve. */
+/* Deflate by zlib, for systems and processors that ISA-L does not support. */
 #include "image/deflate.h"
 #include "image/zlib_stream.h"
 
@@ -10,7 +10,7 @@ struct burnish_deflate {
 
 burnish_deflate *burnish_deflate_create(burnish_memory *memory) {
     burnish_zlib *made = burnish_zlib_create(memory, "the PNG's compressor");
-    if (made) { /* negative: without zlib's own head and end */
+    if (made) { /* negative: without zlib's header and trailer */
         const int code = deflateInit2(&made->stream, LEVEL, Z_DEFLATED, -WINDOW_BITS, MEMORY_LEVEL,
                                       Z_DEFAULT_STRATEGY);
         made = burnish_zlib_begun(made, code, memory);

@@ -18,7 +18,7 @@ static inline size_t burnish_pixels_row(const burnish_pixels *pixels) {
     return (size_t)pixels->width * burnish_pixel_size(pixels->format);
 }
 
-/* ARGUMENT, with what is wrong in a line that begins with `what`, unless the view can be read. */
+/* Checks a view. Errors: ARGUMENT, with a message that begins with `what`. */
 burnish_status burnish_pixels_check(const burnish_pixels *pixels, const char *what,
                                     burnish_error *error);
 

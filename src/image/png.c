@@ -11,7 +11,7 @@
 #include "image/deflate.h"
 #include "image/pixels.h"
 
-/* What the file says of its maker: keyword, zero, text. */
+/* The chunk that names the software: keyword, zero, text. */
 #define SOFTWARE "Software\0burnish"
 
 enum {
@@ -26,7 +26,7 @@ enum {
     FILTER_UP = 2,
     ZLIB_HEAD_SIZE = 2,
     ADLER_SIZE = 4,
-    BAND_SIZE = 1 << 17 /* filtered bytes: a smaller band loses bytes to its codes */
+    BAND_SIZE = 1 << 17 /* filtered bytes: smaller bands compress less well */
 };
 #define COOKIE BURNISH_COOKIE(0x706e6731, burnish_png_options)
 
@@ -138,15 +138,15 @@ typedef struct band_maker {
     uint8_t *packed;
 } band_maker;
 
-/* A file on its way: a picture's rows come in one piece or in several. */
+/* A file that is being encoded; the rows of the image come in one piece or in several. */
 struct burnish_png_stream {
     burnish_tasks tasks;
     const burnish_context *context;
     burnish_pixels image; /* the whole picture; without pixels */
     burnish_png_options options;
-    burnish_pixels piece; /* the rows at hand, ... */
+    burnish_pixels piece; /* the current rows, ... */
     int piece_row;        /* ... the first of them, ... */
-    uint8_t *kept;        /* ... and those before them that are needed yet, nothing between them */
+    uint8_t *kept;        /* ... and earlier rows that are still needed, without gaps */
     int kept_row;
     int rows; /* per band */
     int band_count, bands_made;
@@ -162,8 +162,8 @@ static const uint8_t *row_at(const encoder *e, int y) {
                              : e->kept + burnish_pixels_row(&e->image) * (size_t)(y - e->kept_row);
 }
 
-/* Every row as its difference to the row above: of the filters, the one with the best ratio of size
- * to time for rendered pictures. */
+/* Every row as its difference from the row above. This filter has the best ratio of size to time
+ * for rendered images. */
 static void filter_rows(const encoder *e, int first, int end, uint8_t *restrict filtered) {
     const burnish_pixels *image = &e->image;
     const size_t size = burnish_pixels_row(image);

@@ -1,5 +1,5 @@
-/* Contact sheets: equal pictures in rows, a centred label under each. One layout for pixels and for
- * drawings. */
+/* Contact sheets: images of equal size in rows, with a centred label under each. Pixels and
+ * drawings have the same layout. */
 #include <string.h>
 
 #include "burnish/drawing.h"
@@ -141,7 +141,7 @@ static size_t cut_length(const burnish_font *font, const char *text, size_t leng
     return whole_characters(text, fits);
 }
 
-/* Where labels go, and their colour. */
+/* The target of labels, and their colour. */
 typedef struct page {
     burnish_image *image;     /* NULL: into the drawing */
     burnish_drawing *drawing; /* NULL: into the image */
@@ -187,7 +187,7 @@ static burnish_status fill_cut_label(const page *to, int x, int baseline,
     return status;
 }
 
-/* Strokes of a line on their way to a drawing. */
+/* Strokes of a line for a drawing. */
 typedef struct line_strokes {
     burnish_stroke *items;
     size_t count, capacity;
@@ -204,8 +204,8 @@ static void push_strokes(void *context, const burnish_stroke *strokes, size_t co
     }
 }
 
-/* The first `kept` of the label's bytes in burnish's own letters, and an ellipsis where some are
- * left out. */
+/* The first `kept` bytes of the label in burnish's stroke font, with an ellipsis if the label is
+ * longer. */
 static burnish_status draw_own_label(const page *to, float left, float baseline, const char *label,
                                      size_t kept) {
     const float height = (float)to->made->label;
@@ -283,7 +283,7 @@ burnish_status burnish_image_sheet_size(const burnish_sheet_cell *cells, size_t 
     return status;
 }
 
-/* Where a cell's picture is. */
+/* The position of a cell's image. */
 static void cell_corner(const layout *made, size_t cell, int *x, int *y) {
     *x = made->gap + (made->width + made->gap) * (int)(cell % (size_t)made->columns);
     *y = made->gap + (made->height + made->below + made->gap) * (int)(cell / (size_t)made->columns);

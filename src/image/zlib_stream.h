@@ -21,7 +21,7 @@ static inline void burnish_zlib_give_back(void *zlib, void *items) {
     burnish_release(((burnish_zlib *)zlib)->memory.context, items);
 }
 
-/* Before zlib's own beginning; NULL when memory is out. */
+/* Call before zlib's init function; NULL without memory. */
 static inline burnish_zlib *burnish_zlib_create(burnish_memory *memory, const char *what) {
     burnish_zlib *made = burnish_allocate_zeroed(memory, 1, sizeof *made, what);
     if (made) {
@@ -34,7 +34,7 @@ static inline burnish_zlib *burnish_zlib_create(burnish_memory *memory, const ch
     return made;
 }
 
-/* After zlib's own beginning: the stream, or where that failed NULL, with memory->status set. */
+/* Call after zlib's init function: the stream, or NULL with memory->status set if it failed. */
 static inline burnish_zlib *burnish_zlib_begun(burnish_zlib *made, int code,
                                                burnish_memory *memory) {
     if (code == Z_OK) {

@@ -7,7 +7,7 @@
 typedef burnish_status decode_function(const burnish_encoded *from, burnish_memory *memory,
                                        burnish_image *picture);
 
-/* What bytes begin with: at an offset, so many of them. */
+/* Signatures: bytes at an offset. */
 static const struct {
     size_t offset, size;
     uint8_t bytes[8];
@@ -60,7 +60,7 @@ burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t widt
     return memory->status;
 }
 
-/* NULL: of no format that is read. */
+/* NULL: not a supported format. */
 static decode_function *find_decoder(const uint8_t *bytes, size_t size) {
     for (size_t i = 0; i < sizeof formats / sizeof *formats; ++i) {
         const size_t end = formats[i].offset + formats[i].size;

@@ -1,4 +1,4 @@
-/* Gzip files to bytes: memory grows with what is unpacked, up to what the caller allows. */
+/* Decompresses gzip files. Memory grows with the output, up to the caller's limit. */
 #include "image/decode/gunzip.h"
 
 #include "core/error.h"
@@ -17,8 +17,8 @@ static burnish_status fail_limit(burnish_memory *memory, const char *name, size_
                               shown.text, (unsigned long long)most);
 }
 
-/* One file after the other into *items; *count bytes of them. Bytes after the last one that begin
- * no further file are padding. */
+/* Decompresses all members into *items, *count bytes. Bytes after the last member that do not begin
+ * another one are padding. */
 static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, size_t size,
                              const char *name, uint64_t most, uint64_t budget,
                              burnish_memory *memory, uint8_t **items, size_t *count) {

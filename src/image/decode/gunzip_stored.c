@@ -1,4 +1,4 @@
-/* Builds without ISA-L and zlib unpack nothing, and report that. */
+/* Builds without ISA-L and zlib can not decompress, and report that. */
 #include "core/error.h"
 #include "image/decode/gunzip.h"
 

@@ -23,7 +23,7 @@ enum {
     SCANNED_PIXELS = 1 << 26
 };
 
-/* The library ends the process where it meets an error, unless this returns elsewhere. */
+/* On an error the library ends the process, unless a callback jumps out of it. */
 typedef struct jpeg_reader {
     struct jpeg_error_mgr manager;
     struct jpeg_progress_mgr progress;
@@ -42,7 +42,7 @@ static void pass_over(j_common_ptr codec, int level) {
     (void)codec, (void)level;
 }
 
-/* Called once in a while: ends files of too many scans. */
+/* Called from time to time: rejects files with too many scans. */
 static void watch(j_common_ptr codec) {
     jpeg_reader *reader = (jpeg_reader *)codec->err;
     if (codec->is_decompressor &&
@@ -58,7 +58,7 @@ static int most_scans(uint64_t pixels) {
     return scans < ENOUGH_SCANS ? ENOUGH_SCANS : scans > MOST_SCANS ? MOST_SCANS : (int)scans;
 }
 
-/* Of CMYK, mostly Adobe's and inverted, what is printed. */
+/* Converts CMYK, mostly Adobe's inverted form, to the printed colour. */
 static void print_row(const JSAMPLE *from, int channels, int width, uint8_t *to) {
     for (int x = 0; x < width; ++x, from += 4, to += channels) {
         for (int k = 0; k < 3; ++k) {
@@ -78,7 +78,7 @@ static burnish_status fail_codec(j_decompress_ptr codec, const burnish_encoded *
         return burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
                             "%.200s: out of memory; free memory or use a smaller picture",
                             from->name);
-    case JERR_NO_BACKING_STORE: /* what the library says beyond MOST_MEMORY */
+    case JERR_NO_BACKING_STORE: /* the library's error beyond MOST_MEMORY */
         return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
                             "%.200s: a progressive JPEG of %u x %u pixels needs more than %d MiB; "
                             "save it as a baseline one, or smaller",

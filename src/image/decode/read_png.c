@@ -10,8 +10,8 @@
 
 enum {
     MOST_CHUNK_BYTES = 8 << 20, /* of a chunk that libpng unpacks: a colour profile */
-    NO_CHUNKS = 1,              /* libpng's word for keeping no texts and no palettes of others */
-    LARGEST_RATIO = 1032        /* deflate's: what a byte can at most become */
+    NO_CHUNKS = 1,              /* libpng's value for ignoring text and suggested palettes */
+    LARGEST_RATIO = 1032        /* most bytes that deflate makes of one byte */
 };
 
 /* The argument of libpng's callbacks. */
@@ -66,7 +66,7 @@ static int ask_for_codes(decoder *d, int channels) {
     return png_get_channels(d->png, d->info);
 }
 
-/* Rows are never more than the file can hold, so a small file can't use much memory. */
+/* Rejects more rows than the file can hold, so a small file can not use much memory. */
 static burnish_status make_image(const burnish_encoded *from, decoder *d, burnish_memory *memory,
                                  burnish_image *image) {
     const uint64_t width = png_get_image_width(d->png, d->info);
@@ -82,8 +82,8 @@ static burnish_status make_image(const burnish_encoded *from, decoder *d, burnis
                                   image);
 }
 
-/* Sides are looked at in the first chunk's bytes, which libpng's own limits then hold to: it
- * allocates rows of any length. */
+/* Checks the size in the first chunk before libpng does, since libpng allocates rows of any
+ * length. */
 static burnish_status check_sides(const burnish_encoded *from, const decoder *d) {
     enum { TYPE_AT = 12, WIDTH_AT = 16, HEIGHT_AT = 20, ENOUGH = 24 };
     if (d->size < ENOUGH || memcmp(d->bytes + TYPE_AT, "IHDR", 4) != 0) {
@@ -95,8 +95,7 @@ static burnish_status check_sides(const burnish_encoded *from, const decoder *d)
                                    : BURNISH_STATUS_OK; /* nor these */
 }
 
-/* Whether all chunks up to IEND are there. libpng allocates what a chunk of text says that it is.
- */
+/* Whether all chunks up to IEND are present: libpng allocates the size that a text chunk states. */
 static int is_whole(const decoder *d) {
     enum { SIGNATURE = 8, FRAME = 12 }; /* of a chunk: length, type and sum */
     const uint8_t *at = d->bytes + SIGNATURE;
@@ -151,7 +150,7 @@ static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_me
     png_read_end(d->png, NULL);
     burnish_written_outside(image->pixels,
                             (size_t)image->width * (size_t)image->height * (size_t)image->channels);
-    return d->memory.status; /* libpng shrugs off what it can do without */
+    return d->memory.status; /* libpng ignores failures of optional parts */
 }
 
 burnish_status burnish_decode_png(const burnish_encoded *from, burnish_memory *memory,

@@ -1,6 +1,6 @@
-/* TGA (Truevision, "TGA File Format Specification", version 2.0, 1991), which textures of older
- * files are in: colours of 16, 24 and 32 bits, grey, and palettes, each also in runs. It needs no
- * library, and has no first bytes of its own: burnish_is_tga looks whether the header makes sense.
+/* TGA (Truevision, "TGA File Format Specification", version 2.0, 1991), the format of textures in
+ * older files: colours of 16, 24 and 32 bits, grey, and palettes, each also run-length encoded. It
+ * needs no library. TGA has no signature, so burnish_is_tga checks whether the header is plausible.
  */
 #include "core/bytes.h"
 #include "image/decode/decode.h"
@@ -109,11 +109,11 @@ static uint8_t *pixel_at(const tga *t, const burnish_image *picture, size_t i) {
     return picture->pixels + (size_t)picture->channels * (y * t->width + x);
 }
 
-/* Returns 0 where the file ends before all pixels are there. */
+/* Returns 0 if the file ends before its last pixel. */
 static int read_pixels(tga *t, const burnish_image *picture) {
     const size_t count = t->width * t->height;
     for (size_t i = 0; i < count;) {
-        size_t length = count, step = t->pixel_size; /* without runs all follow one another */
+        size_t length = count, step = t->pixel_size; /* without runs, all pixels are one sequence */
         if (t->in_runs) {
             if (t->next == t->end) {
                 return 0;

@@ -30,7 +30,7 @@ burnish_status burnish_decode_webp(const burnish_encoded *from, burnish_memory *
     config.output.u.RGBA.size = row * (size_t)picture->height;
     const VP8StatusCode code = WebPDecode(from->bytes, from->size, &config);
     burnish_written_outside(picture->pixels, row * (size_t)picture->height);
-    /* "aborted" by its own functions, which do so where they get no memory */
+    /* libwebp also returns USER_ABORT if it gets no memory */
     if (code == VP8_STATUS_OUT_OF_MEMORY || code == VP8_STATUS_USER_ABORT) {
         return burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
                             "%.200s: out of memory; free memory or use a smaller picture",

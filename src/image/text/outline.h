@@ -12,7 +12,7 @@ typedef struct burnish_outline_edge {
     int32_t x0, y0, x1, y1;
 } burnish_outline_edge;
 
-/* Edges on their way to a picture. */
+/* The edges of an outline that is being built. */
 typedef struct burnish_outline {
     burnish_outline_edge *edges;
     size_t count, capacity;
@@ -24,8 +24,8 @@ typedef struct burnish_outline {
 /* A burnish_outline_sink; user_data is a burnish_outline. */
 void burnish_outline_add(void *user_data, burnish_outline_verb verb, const int32_t *points);
 
-/* Fills what the edges enclose. A pixel's coverage is the area of it that they wind around, its
- * sign dropped, at most 1: contours of one sense may overlap. Releases the edges.
+/* Fills what the edges enclose. A pixel's coverage is the absolute value of the area that they wind
+ * around in it, at most 1. Contours of the same sense may overlap. Releases the edges.
  * Errors: MEMORY. */
 burnish_status burnish_outline_fill(burnish_outline *outline, const burnish_pixels *pixels,
                                     const burnish_ink *ink);
