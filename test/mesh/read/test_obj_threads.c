@@ -127,7 +127,8 @@ static text make_obj(uint64_t seed, const obj_plan *plan, const char *line_end) 
                 end_line(&t);
             }
         } else if (plan->normals && kind < 11) {
-            say(&t, "vn 0 %s %.3f", below(&t, 10) ? "1" : "nan", (double)below(&t, 1000));
+            const double z = (double)below(&t, 1000);
+            say(&t, "vn 0 %s %.3f", below(&t, 10) ? "1" : "nan", z);
             end_line(&t);
             ++normals;
         } else if (kind < 19) {

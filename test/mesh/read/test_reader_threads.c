@@ -204,7 +204,8 @@ static text make_ply(uint64_t seed, const ply_plan *plan, const char *line_end) 
         say(&t, "%s", !plan->extra ? "" : below(&t, 2) ? " 2 7 7" : " 0");
         say_number(&t);
         for (int k = 0; plan->normals && k < 3; ++k) {
-            say(&t, below(&t, 50) ? " 0.%u" : " nan%u", below(&t, 1000));
+            const unsigned digits = below(&t, 1000);
+            say(&t, below(&t, 50) ? " 0.%u" : " nan%u", digits);
         }
         for (int k = 0; plan->colors && k < 2 + plan->colors; ++k) {
             say(&t, " %u", below(&t, 256));
