@@ -139,6 +139,8 @@ def frames(*arguments):
             "processes": processes(values),
             "shapes": shapes(read(f"{build}/bench-scenes.txt")),
         }
+        if not any(key.endswith(".f3d") for key in values):  # which is not installed everywhere: the page keeps its table
+            del tables["processes"]
     fill(page, tables, keep=True, empty=True)
 
 
