@@ -63,7 +63,7 @@ typedef struct burnish_comparison {
                     weights of deviation 1.5, K1 = 0.01, K2 = 0.03. NaN if a side is below 11 */
     double flip; /* mean FLIP in [0, 1] (Andersson et al. 2020) at 67 pixels per degree */
     double silhouette_iou; /* sum of min(a, b) / sum of max(a, b) of the coverages, [0, 1]; NaN if
-                              there is no object, or it can not be told from the background */
+                              no object can be distinguished from the background */
 } burnish_comparison;
 
 /* Compares two images of the same size.

@@ -95,8 +95,8 @@ typedef struct burnish_png_options {
     const burnish_context *context; /* NULL: the default */
     int threads;                    /* the most threads, [0, 1024]; 0: one per processor */
     double dots_per_inch; /* [1, 1e6], stored as whole dots per metre (pHYs); 0: not stored */
-    int is_data;          /* 1: the values are not colours, so there is no chunk sRGB; always so for
-                    16 bits */
+    int is_data; /* 1: the values are not colours, so the chunk sRGB is omitted; 16-bit images
+                             never have it */
 } burnish_png_options;
 BURNISH_API void burnish_png_options_init(burnish_png_options *options, uint64_t layout);
 static inline burnish_png_options burnish_png_options_default(void) {
@@ -130,8 +130,8 @@ BURNISH_API burnish_status burnish_png_write(const burnish_pixels *pixels, const
 BURNISH_API burnish_status burnish_image_write_png(const burnish_image *image, const char *path,
                                                    burnish_error *error);
 
-/* A PNG that is encoded row by row from the top, without the whole image in memory. The bytes are
- * those that burnish_png_encode() returns. */
+/* A PNG that is encoded row by row from the top, without the whole image in memory. It returns
+ * the same bytes as burnish_png_encode(). */
 typedef struct burnish_png_stream burnish_png_stream;
 
 /* Creates a stream.

@@ -37,7 +37,8 @@ BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_option
                                                            burnish_look look, burnish_error *error);
 
 /* Sets the colours of a look in the materials of a mesh, but not their exponents: CLAY and DRAWING
- * change all materials, PLAIN none, the others those without colours of their own (has_diffuse 0).
+ * change all materials, PLAIN changes none, and the other looks change materials without their own
+ * colours (has_diffuse 0).
  * As burnish_mesh_set_material(), it excludes other threads from the mesh.
  * Errors: ARGUMENT (unknown look), MEMORY. */
 BURNISH_API burnish_status burnish_look_set_materials(burnish_look look, burnish_mesh *mesh,

@@ -367,7 +367,7 @@ typedef struct burnish_mesh_facts {
                               distance along each axis are joined; edges, shells and windings are
                               counted after that. 0: only equal vertices are joined */
     size_t exact_open_edge_count; /* if join_tolerance > 0: open edges before joining */
-    int is_consistent;            /* 1: there are no inconsistent edges */
+    int is_consistent;            /* 1: inconsistent_edge_count is 0 */
 
     double area;
     double volume; /* sum of a . (b x c) / 6 over all triangles a, b, c, from the middle of the
@@ -407,8 +407,8 @@ BURNISH_API const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *
 /* ---- Cuts ---- */
 
 /* Cuts away the part of a mesh beyond a plane. Triangles across the plane are split without gaps;
- * their normals, colours and texture coordinates are interpolated. The facts remain those of the
- * whole mesh. It can be called for several planes. No other thread may use the mesh during the
+ * their normals, colours and texture coordinates are interpolated. The facts still describe the
+ * whole mesh. Call it once per plane. No other thread may use the mesh during the
  * call.
  *
  * The cut of a solid is drawn filled and hatched (render.h). That needs
