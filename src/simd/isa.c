@@ -145,7 +145,7 @@ burnish_status burnish_isa_choose(const char *name, burnish_isa *isa, burnish_er
     }
     if (!(mask >> found & 1)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "%s%s does not run here; take auto or one of%s", from, name, words);
+                            "%s%s is not available here; use auto or one of%s", from, name, words);
     }
     *isa = (burnish_isa)found;
     return BURNISH_STATUS_OK;
