@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "core/environment.h"
+#include "core/float_mode.h"
 #include "core/layout.h"
 #include "core/srgb.h"
 #include "image/pixels.h"
@@ -195,7 +195,7 @@ burnish_status burnish_annotate_inset(const burnish_mesh *mesh,
                                       const burnish_annotate_options *annotations,
                                       const burnish_framing *framing, int width, int height,
                                       double inset[4], burnish_error *error) {
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     burnish_status status = check(mesh, annotations, width, height, error);
     if (status == BURNISH_STATUS_OK && !framing) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -204,7 +204,7 @@ burnish_status burnish_annotate_inset(const burnish_mesh *mesh,
     if (status == BURNISH_STATUS_OK) {
         status = find_inset(mesh, annotations, framing, width, height, inset, error);
     }
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }
 
@@ -399,7 +399,7 @@ static burnish_status annotate_canvas(const burnish_mesh *mesh,
                                       const burnish_camera *camera, const canvas *to,
                                       const burnish_annotation_depth *depth, size_t *left_out,
                                       burnish_error *error) {
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     const size_t stride = depth->stride;
     burnish_status status = check(mesh, annotations, to->width, to->height, error);
     if (status == BURNISH_STATUS_OK && !camera) {
@@ -416,7 +416,7 @@ static burnish_status annotate_canvas(const burnish_mesh *mesh,
     if (status == BURNISH_STATUS_OK) {
         status = annotate(mesh, annotations, camera, to, depth, left_out, error);
     }
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }
 

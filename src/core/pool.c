@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "burnish/core.h"
-#include "core/environment.h"
+#include "core/float_mode.h"
 
 /* How often a thread checks for work before it sleeps: 10 to 100 microseconds. This is about the
  * time to wake a thread, and longer than the gap between two pieces of work of a frame. If threads
@@ -58,7 +58,7 @@ static void join_job(void) {
 static void *run_thread(void *unused) {
     unsigned seen = 0;
     (void)unused;
-    (void)burnish_environment_enter(); /* a thread inherits its creator's */
+    (void)burnish_float_mode_enter(); /* a thread inherits its creator's */
     for (;;) {
         const int spins = atomic_load(&pool.spins);
         for (int i = 0; i < spins && atomic_load(&pool.generation) == seen; ++i) {

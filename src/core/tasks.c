@@ -1,8 +1,8 @@
 #include "core/tasks.h"
 
 #include "core/context.h"
-#include "core/environment.h"
 #include "core/error.h"
+#include "core/float_mode.h"
 #include "core/pool.h"
 
 /* A job: indices that threads take `grain` at a time. */
@@ -32,9 +32,9 @@ static void work(void *data, int thread) {
 }
 
 static void run_as_index(void *data, int index) {
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     work(data, index);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
 }
 
 void burnish_tasks_begin(burnish_tasks *tasks, const burnish_context *context, int threads) {

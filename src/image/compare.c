@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "core/elementary.h"
-#include "core/environment.h"
+#include "core/float_mode.h"
 #include "core/layout.h"
 #include "core/memory.h"
 #include "core/tasks.h"
@@ -186,7 +186,7 @@ static void compare_codes(const comparer *c, burnish_band band, uint8_t *scratch
 
 static void compare_band(void *context, size_t index, int thread) {
     const comparer *c = context;
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     const int first = BAND_ROWS * (int)index, rest = c->pair.height - first;
     const burnish_band band = {first, first + (rest < BAND_ROWS ? rest : BAND_ROWS)};
     uint8_t *scratch = c->scratch + c->scratch_size * (size_t)thread;
@@ -198,7 +198,7 @@ static void compare_band(void *context, size_t index, int thread) {
     if (c->options->metrics & BURNISH_METRIC_FLIP) {
         sums->flip = burnish_flip_band(&c->flip, &c->pair, band, scratch, c->options->flip_map);
     }
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
 }
 
 static void add_band(band_sums *all, const band_sums *band) {
@@ -331,7 +331,7 @@ burnish_status burnish_pixels_compare(const burnish_pixels *a, const burnish_pix
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     c.pair.width = a->width;
     c.pair.height = a->height;
     for (int i = 0; i < 2; ++i) {
@@ -343,6 +343,6 @@ burnish_status burnish_pixels_compare(const burnish_pixels *a, const burnish_pix
     c.flip = burnish_flip_make();
     burnish_tasks_begin(&c.tasks, c.options->context, c.options->threads);
     const burnish_status ran = run(&c, comparison, error);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return ran;
 }

@@ -4,8 +4,8 @@
 
 #include "burnish/drawing.h"
 #include "burnish/sheet.h"
-#include "core/environment.h"
 #include "core/error.h"
+#include "core/float_mode.h"
 #include "image/text/drawing.h"
 #include "image/text/outline.h"
 #include "image/text/text.h"
@@ -275,9 +275,9 @@ burnish_status burnish_image_sheet_size(const burnish_sheet_cell *cells, size_t 
                                         int *width, int *height, burnish_error *error) {
     layout made;
     int size[2] = {0, 0};
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     const burnish_status status = lay_out(cells, count, columns, &made, size, error);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     *width = size[0];
     *height = size[1];
     return status;
@@ -329,9 +329,9 @@ static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell 
 burnish_status burnish_image_sheet(burnish_image *sheet, const burnish_sheet_cell *cells,
                                    size_t count, int columns, const uint8_t background[3],
                                    const uint8_t ink[3], burnish_error *error) {
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     const burnish_status status = make_sheet(sheet, cells, count, columns, background, ink, error);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }
 
@@ -376,7 +376,7 @@ burnish_status burnish_drawing_sheet(const burnish_sheet_cell *cells,
                                      burnish_drawing *const *drawings, size_t count, int columns,
                                      const uint8_t ink[3], burnish_drawing **sheet,
                                      burnish_error *error) {
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     *sheet = NULL;
     const burnish_status status =
         place_drawings(cells, drawings, count, columns, ink, sheet, error);
@@ -384,6 +384,6 @@ burnish_status burnish_drawing_sheet(const burnish_sheet_cell *cells,
         burnish_drawing_destroy(*sheet);
         *sheet = NULL;
     }
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/environment.h"
+#include "core/float_mode.h"
 #include "core/layout.h"
 #include "core/numbers.h"
 #include "core/vector.h"
@@ -341,12 +341,12 @@ burnish_status burnish_mesh_create(const burnish_mesh_description *description,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, options->context, options->threads);
     c.data = burnish_mesh_data_begin(options->context, &tasks, error);
     status = create(&c, options, mesh);
     burnish_mesh_data_destroy(&c.data);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }

@@ -1,7 +1,7 @@
 /* Camera framing: the whole mesh in the picture, as large as the margin allows. */
 #include <float.h>
 
-#include "core/environment.h"
+#include "core/float_mode.h"
 #include "core/layout.h"
 #include "core/memory.h"
 #include "core/numbers.h"
@@ -416,11 +416,11 @@ burnish_status burnish_camera_frame(const burnish_mesh *mesh, const burnish_fram
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one",
                             mesh ? "camera" : "mesh");
     }
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     burnish_status status = check_framing(options, error);
     if (status == BURNISH_STATUS_OK) {
         status = frame_mesh(mesh, options, camera, error);
     }
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }

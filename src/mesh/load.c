@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/clock.h"
-#include "core/environment.h"
+#include "core/float_mode.h"
 #include "core/platform.h"
 #include "mesh/build/build.h"
 #include "mesh/builtin.h"
@@ -428,12 +428,12 @@ burnish_status burnish_mesh_load(const char *path, const burnish_load_options *o
     if (!path) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "path: NULL; pass a path");
     }
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     status = *path == ':' ? load_builtin(path, options, mesh, error)
              : strcmp(path, "-") == 0
                  ? load_file(NULL, STDIN_FILENO, "standard input", options, mesh, error)
                  : load_file(path, -1, path, options, mesh, error);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }
 
@@ -444,9 +444,9 @@ burnish_status burnish_mesh_load_descriptor(int descriptor, const char *name,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     status = load_file(NULL, descriptor, name ? name : "input", options, mesh, error);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }
 
@@ -470,9 +470,9 @@ burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const ch
     if (size > options->max_input_bytes) {
         return fail_size(error, input.name, options->max_input_bytes);
     }
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     int again;
     status = load(&input, options->format, NULL, burnish_seconds_now(), mesh, &again, error);
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return status;
 }

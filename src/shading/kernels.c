@@ -2,8 +2,8 @@
  * set. */
 #include "burnish/kernels.h"
 
-#include "core/environment.h"
 #include "core/error.h"
+#include "core/float_mode.h"
 #include "core/memory.h"
 #include "shading/shading_ops.h"
 
@@ -44,7 +44,7 @@ typedef struct lobe_values {
 
 static burnish_status lobe_array(const burnish_kernels *kernels, const burnish_lobe_spec *lobe,
                                  float exponent, lobe_values values, burnish_error *error) {
-    const burnish_environment environment = burnish_environment_enter();
+    const burnish_float_mode float_mode = burnish_float_mode_enter();
     burnish_lobe_constants constants;
     float scale;
     burnish_status status = burnish_lobe_constants_make(lobe, exponent, &constants, &scale, error);
@@ -55,7 +55,7 @@ static burnish_status lobe_array(const burnish_kernels *kernels, const burnish_l
             values.out[i] *= scale;
         }
     }
-    burnish_environment_leave(environment);
+    burnish_float_mode_leave(float_mode);
     return status;
 }
 
@@ -77,9 +77,9 @@ burnish_status burnish_kernels_lobe_of_lambdas(const burnish_kernels *kernels,
 
 void burnish_kernels_normalize(const burnish_kernels *kernels, size_t count,
                                const float *const in[3], float *const out[3]) {
-    const burnish_environment environment = burnish_environment_enter();
+    const burnish_float_mode float_mode = burnish_float_mode_enter();
     or_best(kernels)->normalize_array(count, in, out);
-    burnish_environment_leave(environment);
+    burnish_float_mode_leave(float_mode);
 }
 
 /* ---- Lighting ---- */
@@ -126,9 +126,9 @@ burnish_status burnish_kernels_shader_create(const burnish_kernels_lighting *lig
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "lighting: NULL; start from burnish_kernels_lighting_default()");
     }
-    const burnish_environment environment = burnish_environment_enter();
+    const burnish_float_mode float_mode = burnish_float_mode_enter();
     const burnish_status status = make_shader(lighting, context, shader, error);
-    burnish_environment_leave(environment);
+    burnish_float_mode_leave(float_mode);
     return status;
 }
 
@@ -164,11 +164,11 @@ static burnish_status shade(const burnish_kernels *kernels, const burnish_kernel
                             float *const rgb[3], burnish_error *error) {
     const burnish_status status = check_points(shader, points, error);
     if (status == BURNISH_STATUS_OK) {
-        const burnish_environment environment = burnish_environment_enter();
+        const burnish_float_mode float_mode = burnish_float_mode_enter();
         const int output = rgba ? BURNISH_SHADE_RGBA8 : BURNISH_SHADE_FLOAT;
         or_best(kernels)->shade[shader->lobe.body][shader->geometry][output](shader, points, count,
                                                                              rgba, rgb);
-        burnish_environment_leave(environment);
+        burnish_float_mode_leave(float_mode);
     }
     return status;
 }

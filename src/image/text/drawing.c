@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/environment.h"
 #include "core/error.h"
+#include "core/float_mode.h"
 
 /* ---- Text ---- */
 
@@ -365,7 +365,7 @@ burnish_status burnish_drawing_encode_svg(const burnish_drawing *drawing, const 
                             "SVG: a drawing, 0 or 1 to 1000000 dots per inch, and where to put the "
                             "text are expected");
     }
-    const burnish_environment environment = burnish_environment_enter();
+    const burnish_float_mode float_mode = burnish_float_mode_enter();
     burnish_drawing file = {.context = drawing->context,
                             .width = drawing->width,
                             .height = drawing->height,
@@ -382,7 +382,7 @@ burnish_status burnish_drawing_encode_svg(const burnish_drawing *drawing, const 
     }
     *text = file.text;
     *size = file.size;
-    burnish_environment_leave(environment);
+    burnish_float_mode_leave(float_mode);
     return file.memory.status;
 }
 

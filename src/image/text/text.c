@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/environment.h"
+#include "core/float_mode.h"
 #include "image/text/stroke_font.h"
 
 enum { SPAN = 256 }; /* pixels of a row that are covered at a time */
@@ -139,8 +139,8 @@ float burnish_image_draw_text(burnish_image *image, float x, float y, float heig
     if (!text) {
         return 0;
     }
-    const burnish_environment before = burnish_environment_enter();
+    const burnish_float_mode before = burnish_float_mode_enter();
     const float advance = burnish_text_draw(image, x, y, height, color, text, strlen(text));
-    burnish_environment_leave(before);
+    burnish_float_mode_leave(before);
     return advance;
 }

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "core/clock.h"
-#include "core/environment.h"
+#include "core/float_mode.h"
 #include "core/memory.h"
 #include "core/tasks.h"
 #include "core/vector.h"
@@ -485,7 +485,7 @@ static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mes
                                    const burnish_render_options *options,
                                    const burnish_target *target, burnish_render_report *report,
                                    burnish_error *error) {
-    const burnish_environment environment = burnish_environment_enter();
+    const burnish_float_mode float_mode = burnish_float_mode_enter();
     const burnish_render_options resolved = burnish_render_options_resolve(options);
     drawing d = {.renderer = renderer,
                  .mesh = {mesh, burnish_mesh_get_view(mesh), burnish_mesh_get_material_count(mesh),
@@ -498,7 +498,7 @@ static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mes
     if (status == BURNISH_STATUS_OK && report) {
         *report = d.report;
     }
-    burnish_environment_leave(environment);
+    burnish_float_mode_leave(float_mode);
     return status;
 }
 

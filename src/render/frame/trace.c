@@ -8,8 +8,8 @@
 
 #include "burnish/drawing.h"
 #include "burnish/render.h"
-#include "core/environment.h"
 #include "core/error.h"
+#include "core/float_mode.h"
 #include "core/numbers.h"
 #include "core/srgb.h"
 #include "core/vector.h"
@@ -328,7 +328,7 @@ burnish_status burnish_renderer_trace(burnish_renderer *renderer, const burnish_
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const burnish_environment environment = burnish_environment_enter();
+    const burnish_float_mode float_mode = burnish_float_mode_enter();
     const burnish_lines *lines = burnish_renderer_get_lines(renderer);
     burnish_drawing_use(drawing, error);
     status = trace_areas(mesh, options, drawing);
@@ -340,6 +340,6 @@ burnish_status burnish_renderer_trace(burnish_renderer *renderer, const burnish_
         burnish_drawing_close(drawing);
         status = drawing->memory.status;
     }
-    burnish_environment_leave(environment);
+    burnish_float_mode_leave(float_mode);
     return status;
 }
