@@ -236,24 +236,31 @@ static void put(FILE *file, const char *line) {
     }
 }
 
+typedef struct table {
+    const char *name, *heading;
+    const row *rows;
+    int row_count;
+    double items, seconds;
+} table;
+
 /* Measures rows for every kind and writes them: nanoseconds per element, and times the first row.
  */
-static void table(const char *folder, const char *name, const char *heading, const row *rows,
-                  int row_count, double items, double seconds, const kind *kinds, int kind_count,
-                  input *in) {
+static void write_table(const char *folder, const table *t, const kind *kinds, int kind_count,
+                        input *in) {
+    const int rounds = t->seconds > 0 ? ROUNDS : 15;
     static burnish_bench_job jobs[KINDS_MAX][ROWS_MAX];
     static context contexts[KINDS_MAX][ROWS_MAX];
-    FILE *file = open_table(folder, name);
+    FILE *file = open_table(folder, t->name);
     char text[128];
-    snprintf(text, sizeof text, "| %s |", heading);
+    snprintf(text, sizeof text, "| %s |", t->heading);
     put(file, text);
     for (int k = 0; k < kind_count; ++k) {
-        for (int i = 0; i < row_count; ++i) {
-            contexts[k][i] = (context){&kinds[k], in, rows[i].what};
+        for (int i = 0; i < t->row_count; ++i) {
+            contexts[k][i] = (context){&kinds[k], in, t->rows[i].what};
             jobs[k][i] =
-                (burnish_bench_job){.run = run, .context = &contexts[k][i], .items = items};
+                (burnish_bench_job){.run = run, .context = &contexts[k][i], .items = t->items};
         }
-        burnish_bench_take_turns(jobs[k], row_count, seconds > 0 ? ROUNDS : 15, seconds);
+        burnish_bench_take_turns(jobs[k], t->row_count, rounds, t->seconds);
         snprintf(text, sizeof text, " %s | x float |", kinds[k].name);
         put(file, text);
     }
@@ -261,11 +268,10 @@ static void table(const char *folder, const char *name, const char *heading, con
     for (int k = 0; k < kind_count; ++k) {
         put(file, " ---: | ---: |");
     }
-    for (int i = 0; i < row_count; ++i) {
-        snprintf(text, sizeof text, "\n| %s |", rows[i].label);
+    for (int i = 0; i < t->row_count; ++i) {
+        snprintf(text, sizeof text, "\n| %s |", t->rows[i].label);
         put(file, text);
         for (int k = 0; k < kind_count; ++k) {
-            const int rounds = seconds > 0 ? ROUNDS : 15;
             snprintf(text, sizeof text, " %.3f | %.2f |", burnish_bench_median(&jobs[k][i], rounds),
                      burnish_bench_median_ratio(&jobs[k][i], &jobs[k][0], rounds));
             put(file, text);
@@ -319,12 +325,14 @@ int main(int count, char **arguments) {
     if (file) {
         fclose(file);
     }
-    table(folder, "lobes", "nanoseconds per value", lobes, 7, POINTS, 0.05e-3, kinds, kind_count,
-          in);
-    table(folder, "memory", "nanoseconds per value", large, 4, (double)in->count, 0, kinds,
-          kind_count, in);
-    table(folder, "pixels", "nanoseconds per pixel", pixels, 4, POINTS, 0.05e-3, kinds, kind_count,
-          in);
+    const table tables[] = {
+        {"lobes", "nanoseconds per value", lobes, 7, POINTS, 0.05e-3},
+        {"memory", "nanoseconds per value", large, 4, (double)in->count, 0},
+        {"pixels", "nanoseconds per pixel", pixels, 4, POINTS, 0.05e-3},
+    };
+    for (int i = 0; i < 3; ++i) {
+        write_table(folder, &tables[i], kinds, kind_count, in);
+    }
     release(in);
     return 0;
 }

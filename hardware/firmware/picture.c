@@ -13,10 +13,11 @@ typedef struct point {
     int16_t normal[3]; /* Q15 */
 } point;
 
-/* A triangle ready to be filled. inverse is 2^30 over twice the area. */
+/* A triangle ready to be filled. */
 typedef struct triangle {
     const point *corner[3];
-    int32_t inverse;
+    int32_t whole, inverse;          /* twice the area, and 2^30 over it */
+    int32_t second_step, third_step; /* of edge functions, per pixel */
 } triangle;
 
 /* The state of one frame. */
@@ -136,15 +137,13 @@ static int16_t most(int16_t a, int16_t b) {
     return a > b ? a : b;
 }
 
-/* Fills one row of a triangle from column x on; weights are edge functions, their steps per pixel.
- */
+/* Fills one row of a triangle from a pixel on, where its edge functions are second and third. */
 static void fill_row(const stage *on, const triangle *t, uint16_t pixel, uint8_t count,
-                     int32_t second, int32_t third, int32_t second_step, int32_t third_step,
-                     int32_t whole) {
-    for (; count > 0; --count, ++pixel, second += second_step, third += third_step) {
+                     int32_t second, int32_t third) {
+    for (; count > 0; --count, ++pixel, second += t->second_step, third += t->third_step) {
         int16_t b, c;
         uint8_t depth;
-        if (second < 0 || third < 0 || whole - second - third < 0) {
+        if (second < 0 || third < 0 || t->whole - second - third < 0) {
             continue;
         }
         b = weight(second, t->inverse);
@@ -168,7 +167,10 @@ static void fill(const stage *on, const point *p, const point *q, const point *r
     t.corner[0] = p;
     t.corner[1] = q;
     t.corner[2] = r;
+    t.whole = whole;
     t.inverse = (int32_t)0x40000000l / whole;
+    t.second_step = 16 * (int32_t)(p->y - r->y);
+    t.third_step = 16 * (int32_t)(q->y - p->y);
     left = (int16_t)((least(p->x, least(q->x, r->x)) + 7) >> 4);
     right = (int16_t)((most(p->x, most(q->x, r->x)) - 8) >> 4);
     top = (int16_t)((least(p->y, least(q->y, r->y)) + 7) >> 4);
@@ -179,8 +181,7 @@ static void fill(const stage *on, const point *p, const point *q, const point *r
     for (; top <= bottom; ++top) {
         const point middle = {(int16_t)(left * 16 + 8), (int16_t)(top * 16 + 8), 0, {0, 0, 0}};
         fill_row(on, &t, (uint16_t)(top * PICTURE_SIZE + left), (uint8_t)(right - left + 1),
-                 area(p, &middle, r), area(p, q, &middle), 16 * (int32_t)(p->y - r->y),
-                 16 * (int32_t)(q->y - p->y), whole);
+                 area(p, &middle, r), area(p, q, &middle));
     }
 }
 

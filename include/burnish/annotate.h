@@ -6,7 +6,7 @@
  *     burnish_annotate_inset(mesh, &annotations, &framing, width, height, framing.inset, &error);
  *     burnish_camera_frame(mesh, &framing, &camera, &error);
  *     ... draw the mesh with that camera ...
- *     burnish_annotate(mesh, &annotations, &camera, &pixels, depth, stride, NULL, &error);
+ *     burnish_annotate(mesh, &annotations, &camera, &pixels, NULL, &error);
  *
  * Numbers are lengths in the units of the mesh, rounded to four significant digits. The same mesh,
  * camera and size give the same pixels on every machine.
@@ -52,6 +52,10 @@ typedef struct burnish_annotate_options {
                                        smaller side, at least 9 */
     uint8_t background[3]; /* sRGB; the colours of lines and letters contrast with it */
     int transparent;       /* 1: the background is unknown: dark ink with a pale outline */
+    const float *depth;    /* distances as in burnish_target, of the size of the image: hidden parts
+                                       of the box are dashed, hidden parts of the grid omitted;
+                                       NULL: nothing is hidden */
+    size_t depth_stride;   /* bytes from row to row of depth, a multiple of 4 */
 } burnish_annotate_options;
 
 /* No annotations, a white background. */
@@ -66,16 +70,13 @@ static inline burnish_annotate_options burnish_annotate_options_default(void) {
  * bounding box. A label without enough room is omitted.
  *   camera    of the image
  *   pixels    the image, in any format
- *   depth     distances as in burnish_target, of the size of the image: hidden parts of the box are
- *             dashed, hidden parts of the grid omitted; NULL: nothing is hidden
- *   stride    bytes from row to row of depth, a multiple of 4
  *   left_out  receives the number of omitted labels; may be NULL
  * Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_annotate(const burnish_mesh *mesh,
                                             const burnish_annotate_options *annotations,
                                             const burnish_camera *camera,
-                                            const burnish_pixels *pixels, const float *depth,
-                                            size_t stride, size_t *left_out, burnish_error *error);
+                                            const burnish_pixels *pixels, size_t *left_out,
+                                            burnish_error *error);
 
 /* Adds annotations to a drawing: a path per width, colour and label. Parameters as for
  * burnish_annotate(). Errors: as for burnish_annotate(); after MEMORY the drawing can only be
@@ -83,11 +84,10 @@ BURNISH_API burnish_status burnish_annotate(const burnish_mesh *mesh,
 BURNISH_API burnish_status burnish_annotate_drawing(const burnish_mesh *mesh,
                                                     const burnish_annotate_options *annotations,
                                                     const burnish_camera *camera,
-                                                    burnish_drawing *drawing, const float *depth,
-                                                    size_t stride, size_t *left_out,
+                                                    burnish_drawing *drawing, size_t *left_out,
                                                     burnish_error *error);
 
-/* Computes the insets of a framing that leave room for annotations.
+/* Computes the insets of a framing that leave room for annotations. Depth does not affect them.
  *   framing        with aspect width / height; its insets are ignored
  *   width, height  of the image in pixels
  *   inset          receives left, right, bottom and top for burnish_framing

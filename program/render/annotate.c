@@ -41,10 +41,13 @@ burnish_status render_draw(const render_result *result, burnish_renderer *render
 }
 
 static burnish_annotate_options make_annotations(const render_result *result,
-                                                 const burnish_render_options *options) {
+                                                 const burnish_render_options *options,
+                                                 const float *depth) {
     burnish_annotate_options annotations = render_make_annotations(result->mesh, result->settings);
     memcpy(annotations.background, options->background, sizeof annotations.background);
     annotations.transparent = options->transparent;
+    annotations.depth = depth;
+    annotations.depth_stride = (size_t)options->width * sizeof *depth;
     return annotations;
 }
 
@@ -55,11 +58,10 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
         return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);
-    const burnish_annotate_options annotations = make_annotations(result, options);
+    const burnish_annotate_options annotations = make_annotations(result, options, depth);
     size_t left_out = 0;
     const burnish_status status =
-        burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, depth,
-                         (size_t)pixels.width * sizeof *depth, &left_out, error);
+        burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, &left_out, error);
     if (status == BURNISH_STATUS_OK && (annotations.kinds & BURNISH_ANNOTATION_SCALE) &&
         !(cell->camera.orthographic_height > 0)) {
         render_result_warn(result, 1,
@@ -82,16 +84,15 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
 burnish_status render_trace(const render_result *result, burnish_renderer *renderer,
                             const burnish_render_options *options, render_cell *cell,
                             const float *depth, burnish_error *error) {
-    const burnish_annotate_options annotations = make_annotations(result, options);
+    const burnish_annotate_options annotations = make_annotations(result, options, depth);
     burnish_status status =
         burnish_drawing_create(NULL, options->width, options->height, &cell->drawing, error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_trace(renderer, result->mesh, options, cell->drawing, error);
     }
     if (status == BURNISH_STATUS_OK && annotations.kinds) {
-        status =
-            burnish_annotate_drawing(result->mesh, &annotations, &cell->camera, cell->drawing,
-                                     depth, (size_t)options->width * sizeof *depth, NULL, error);
+        status = burnish_annotate_drawing(result->mesh, &annotations, &cell->camera, cell->drawing,
+                                          NULL, error);
     }
     return status;
 }

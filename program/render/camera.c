@@ -160,15 +160,26 @@ static void add_ground_inset(const render_settings *settings, double inset[4]) {
     }
 }
 
+/* What a camera is made from. */
+typedef struct request {
+    const burnish_mesh *mesh;
+    const render_settings *settings;
+    const frame *axes;
+    burnish_framing framing;
+    render_room *room;
+} request;
+
 /* burnish_camera_frame with room for annotations and shadows. */
-static burnish_status frame_with_room(const burnish_mesh *mesh, const render_settings *settings,
-                                      const burnish_framing *options, render_room *room,
-                                      burnish_camera *camera, burnish_error *error) {
-    burnish_framing framing = *options;
+static burnish_status frame_with_room(const request *from, burnish_camera *camera,
+                                      burnish_error *error) {
+    const burnish_mesh *mesh = from->mesh;
+    const render_settings *settings = from->settings;
+    render_room *room = from->room;
+    burnish_framing framing = from->framing;
     burnish_status status = BURNISH_STATUS_OK;
     if (!room->is_given && settings->picture.annotations) {
         const burnish_annotate_options annotations = render_make_annotations(mesh, settings);
-        status = burnish_annotate_inset(mesh, &annotations, options, settings->picture.size[0],
+        status = burnish_annotate_inset(mesh, &annotations, &framing, settings->picture.size[0],
                                         settings->picture.size[1], room->inset, error);
     }
     if (!room->is_given) {
@@ -180,20 +191,17 @@ static burnish_status frame_with_room(const burnish_mesh *mesh, const render_set
 }
 
 /* Frames the object for a direction of view and an up direction. */
-static burnish_status fit_along(const burnish_mesh *mesh, const render_settings *settings,
-                                burnish_framing options, const double direction[3],
-                                const double upward[3], render_room *room, burnish_camera *camera,
-                                burnish_error *error) {
-    memcpy(options.direction, direction, sizeof options.direction);
-    memcpy(options.up, upward, sizeof options.up);
-    options.azimuth = options.elevation = 0;
-    return frame_with_room(mesh, settings, &options, room, camera, error);
+static burnish_status fit_along(request from, const double direction[3], const double upward[3],
+                                burnish_camera *camera, burnish_error *error) {
+    memcpy(from.framing.direction, direction, sizeof from.framing.direction);
+    memcpy(from.framing.up, upward, sizeof from.framing.up);
+    from.framing.azimuth = from.framing.elevation = 0;
+    return frame_with_room(&from, camera, error);
 }
 
-static burnish_status explicit_camera(const burnish_mesh *mesh, const render_settings *settings,
-                                      const frame *axes, const burnish_framing *options,
-                                      burnish_camera *camera, burnish_error *error) {
-    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+static burnish_status explicit_camera(request from, burnish_camera *camera, burnish_error *error) {
+    const render_settings *settings = from.settings;
+    const burnish_mesh_view *view = burnish_mesh_get_view(from.mesh);
     double focal[3], direction[3], upward[3];
     for (int k = 0; k < 3; ++k) {
         focal[k] = settings->camera.focal_point.given
@@ -205,10 +213,11 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--camera-position: it is equal to the focal point; move one of them");
     }
-    burnish_status status = choose_upward(axes, &settings->camera, direction, upward, error);
-    if (status == BURNISH_STATUS_OK && options->orthographic) {
+    burnish_status status = choose_upward(from.axes, &settings->camera, direction, upward, error);
+    if (status == BURNISH_STATUS_OK && from.framing.orthographic) {
         render_room none = {.is_given = 1};
-        status = fit_along(mesh, settings, *options, direction, upward, &none, camera, error);
+        from.room = &none;
+        status = fit_along(from, direction, upward, camera, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -222,39 +231,38 @@ static burnish_status explicit_camera(const burnish_mesh *mesh, const render_set
 
 /* The camera that shows the whole object: standard views, --camera-direction, three-quarter view.
  */
-static burnish_status framed_camera(const burnish_mesh *mesh, const render_settings *settings,
-                                    render_view view, const frame *axes, burnish_framing options,
-                                    render_room *room, burnish_camera *camera,
+static burnish_status framed_camera(request from, render_view view, burnish_camera *camera,
                                     burnish_error *error) {
+    const render_settings *settings = from.settings;
+    const frame *axes = from.axes;
+    burnish_framing *framing = &from.framing;
     double direction[3], upward[3];
     burnish_status status;
     if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
         combine(axes, views[view].upward, 1, upward);
-        return fit_along(mesh, settings, options, direction, upward, room, camera, error);
+        return fit_along(from, direction, upward, camera, error);
     }
-    memcpy(options.up, axes->up, sizeof options.up);
-    options.azimuth = settings->camera.azimuth.value;
-    options.elevation = settings->camera.elevation.value;
+    memcpy(framing->up, axes->up, sizeof framing->up);
+    framing->azimuth = settings->camera.azimuth.value;
+    framing->elevation = settings->camera.elevation.value;
     if (settings->camera.direction.given) {
-        memcpy(options.direction, settings->camera.direction.values, sizeof options.direction);
-        if (!settings->camera.view_up.given && parallel(options.direction, options.up)) {
-            usual_upward(axes, options.direction, options.up);
+        memcpy(framing->direction, settings->camera.direction.values, sizeof framing->direction);
+        if (!settings->camera.view_up.given && parallel(framing->direction, framing->up)) {
+            usual_upward(axes, framing->direction, framing->up);
         }
     }
     if (!settings->camera.view_up.given) {
-        return frame_with_room(mesh, settings, &options, room, camera, error);
+        return frame_with_room(&from, camera, error);
     }
-    status = burnish_camera_frame(mesh, &options, camera, error);
+    status = burnish_camera_frame(from.mesh, framing, camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     /* The extents change when the picture is rolled: frame again along this direction. */
     subtract(camera->focal_point, camera->position, direction);
     status = choose_upward(axes, &settings->camera, direction, upward, error);
-    return status == BURNISH_STATUS_OK
-               ? fit_along(mesh, settings, options, direction, upward, room, camera, error)
-               : status;
+    return status == BURNISH_STATUS_OK ? fit_along(from, direction, upward, camera, error) : status;
 }
 
 /* One of the input's own cameras. */
@@ -288,14 +296,13 @@ void render_upward(const burnish_mesh *mesh, const render_camera_settings *camer
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error) {
-    const frame *axes = frame_in_use(mesh, &settings->camera);
-    const burnish_framing options = fit_options(settings, view, room);
+    const request from = {mesh, settings, frame_in_use(mesh, &settings->camera),
+                          fit_options(settings, view, room), room};
     *camera = (burnish_camera){.view_angle = settings->camera.view_angle.value};
     burnish_status status =
         settings->camera.own && view == VIEW_FREE ? own_camera(mesh, settings, camera, error)
-        : settings->camera.position.given
-            ? explicit_camera(mesh, settings, axes, &options, camera, error)
-            : framed_camera(mesh, settings, view, axes, options, room, camera, error);
+        : settings->camera.position.given         ? explicit_camera(from, camera, error)
+                                                  : framed_camera(from, view, camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

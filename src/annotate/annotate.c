@@ -52,12 +52,18 @@ static burnish_status check(const burnish_mesh *mesh, const burnish_annotate_opt
                             "annotations: %d x %d pixels; 1 to %d a side are expected", width,
                             height, BURNISH_IMAGE_MAX_SIZE);
     }
+    const size_t stride = annotations->depth_stride;
+    if (annotations->depth && (stride % 4 != 0 || stride / 4 < (size_t)width)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "annotations: a depth stride of %zu bytes for %d pixels; at least "
+                            "four each, and a multiple of 4",
+                            stride, width);
+    }
     return BURNISH_STATUS_OK;
 }
 
 burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
-                                          burnish_annotation_flags kinds,
-                                          const burnish_annotation_depth *depth, int bounded,
+                                          burnish_annotation_flags kinds, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list) {
     *list = (burnish_annotation_list){.bounded = bounded, .memory = memory};
     if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
@@ -65,10 +71,10 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
     }
     burnish_annotate_marks(view, kinds, list);
     if (kinds & BURNISH_ANNOTATION_BOX) {
-        burnish_annotate_box(view, depth, list);
+        burnish_annotate_box(view, list);
     }
     if (kinds & BURNISH_ANNOTATION_GRID) {
-        burnish_annotate_grid(view, depth, list);
+        burnish_annotate_grid(view, list);
     }
     return memory->status;
 }
@@ -103,8 +109,12 @@ static void measure_overflow(const burnish_annotation_view *view,
     overflow[3] = border - all.top;
 }
 
-/* Insets, which the steps improve. */
+/* A view of the mesh, and insets, which the steps improve. */
 typedef struct fitting {
+    const burnish_mesh *mesh;
+    const burnish_annotate_options *annotations;
+    burnish_framing framing;
+    int width, height;
     double inset[4], limit[4];
     double floor;  /* of the bottom, where corners were crowded */
     int crowded;   /* the last layout had marks over the object */
@@ -138,27 +148,23 @@ static int adjust(const burnish_annotation_view *view, const burnish_annotation_
 }
 
 /* One step: frames with the current insets and measures what exceeds the image. */
-static burnish_status try_inset(const burnish_mesh *mesh,
-                                const burnish_annotate_options *annotations,
-                                const burnish_framing *framing, const int size[2], int step,
-                                fitting *fit, int *changed, burnish_error *error) {
-    const burnish_annotation_depth nothing_hides = {NULL, 0};
+static burnish_status try_inset(fitting *fit, int step, int *changed, burnish_error *error) {
+    const burnish_annotate_options *annotations = fit->annotations;
     burnish_memory memory = burnish_memory_of(annotations->context, error);
-    burnish_framing tried = *framing;
     burnish_annotation_view view;
     burnish_annotation_list list;
     burnish_camera camera;
-    memcpy(tried.inset, fit->inset, sizeof tried.inset);
-    burnish_status status = burnish_camera_frame(mesh, &tried, &camera, error);
+    memcpy(fit->framing.inset, fit->inset, sizeof fit->inset);
+    burnish_status status = burnish_camera_frame(fit->mesh, &fit->framing, &camera, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_annotation_view_make(mesh, annotations, &camera, size[0], size[1], &view,
-                                              error);
+        status = burnish_annotation_view_make(fit->mesh, annotations, &camera, fit->width,
+                                              fit->height, &view, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    status =
-        burnish_annotation_lay_out(&view, annotations->kinds, &nothing_hides, 0, &memory, &list);
+    view.depth = NULL;
+    status = burnish_annotation_lay_out(&view, annotations->kinds, 0, &memory, &list);
     *changed = status == BURNISH_STATUS_OK && adjust(&view, &list, step, fit);
     burnish_release(annotations->context, list.lines);
     return status;
@@ -170,8 +176,12 @@ static burnish_status find_inset(const burnish_mesh *mesh,
                                  const burnish_framing *framing, int width, int height,
                                  double inset[4], burnish_error *error) {
     const double smaller = framing->aspect < 1 ? framing->aspect : 1;
-    const int size[2] = {width, height};
-    fitting fit = {.crowded = 1};
+    fitting fit = {.mesh = mesh,
+                   .annotations = annotations,
+                   .framing = *framing,
+                   .width = width,
+                   .height = height,
+                   .crowded = 1};
     burnish_status status = BURNISH_STATUS_OK;
     for (int k = 0; k < 4; ++k) {
         const double side = (k < 2 ? framing->aspect : 1) / smaller;
@@ -184,7 +194,7 @@ static burnish_status find_inset(const burnish_mesh *mesh,
         fit.floor = 0;
         fit.for_marks = for_marks;
         for (int step = 0; step < FITTING_STEPS && changed && status == BURNISH_STATUS_OK; ++step) {
-            status = try_inset(mesh, annotations, framing, size, step, &fit, &changed, error);
+            status = try_inset(&fit, step, &changed, error);
         }
     }
     memcpy(inset, fit.inset, sizeof fit.inset);
@@ -370,8 +380,7 @@ static burnish_status draw_list(const burnish_annotation_view *view,
 
 static burnish_status annotate(const burnish_mesh *mesh,
                                const burnish_annotate_options *annotations,
-                               const burnish_camera *camera, const canvas *to,
-                               const burnish_annotation_depth *depth, size_t *left_out,
+                               const burnish_camera *camera, const canvas *to, size_t *left_out,
                                burnish_error *error) {
     burnish_memory memory = burnish_memory_of(annotations->context, error);
     burnish_annotation_view view;
@@ -382,7 +391,7 @@ static burnish_status annotate(const burnish_mesh *mesh,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    status = burnish_annotation_lay_out(&view, annotations->kinds, depth, 1, &memory, &list);
+    status = burnish_annotation_lay_out(&view, annotations->kinds, 1, &memory, &list);
     if (status == BURNISH_STATUS_OK) {
         status = draw_list(&view, &list, &colors, to, &memory);
     }
@@ -397,24 +406,15 @@ static burnish_status annotate(const burnish_mesh *mesh,
 static burnish_status annotate_canvas(const burnish_mesh *mesh,
                                       const burnish_annotate_options *annotations,
                                       const burnish_camera *camera, const canvas *to,
-                                      const burnish_annotation_depth *depth, size_t *left_out,
-                                      burnish_error *error) {
+                                      size_t *left_out, burnish_error *error) {
     const burnish_float_mode before = burnish_float_mode_enter();
-    const size_t stride = depth->stride;
     burnish_status status = check(mesh, annotations, to->width, to->height, error);
     if (status == BURNISH_STATUS_OK && !camera) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "annotations: no camera; pass the one of the picture");
     }
-    if (status == BURNISH_STATUS_OK && depth->distances &&
-        (stride % 4 != 0 || stride / 4 < (size_t)to->width)) {
-        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "annotations: a depth stride of %zu bytes for %d pixels; at least "
-                              "four each, and a multiple of 4",
-                              stride, to->width);
-    }
     if (status == BURNISH_STATUS_OK) {
-        status = annotate(mesh, annotations, camera, to, depth, left_out, error);
+        status = annotate(mesh, annotations, camera, to, left_out, error);
     }
     burnish_float_mode_leave(before);
     return status;
@@ -423,26 +423,22 @@ static burnish_status annotate_canvas(const burnish_mesh *mesh,
 burnish_status burnish_annotate(const burnish_mesh *mesh,
                                 const burnish_annotate_options *annotations,
                                 const burnish_camera *camera, const burnish_pixels *pixels,
-                                const float *depth, size_t stride, size_t *left_out,
-                                burnish_error *error) {
-    const burnish_annotation_depth distances = {depth, stride};
+                                size_t *left_out, burnish_error *error) {
     const canvas to = {.pixels = pixels,
                        .width = pixels ? pixels->width : 0,
                        .height = pixels ? pixels->height : 0};
-    return annotate_canvas(mesh, annotations, camera, &to, &distances, left_out, error);
+    return annotate_canvas(mesh, annotations, camera, &to, left_out, error);
 }
 
 burnish_status burnish_annotate_drawing(const burnish_mesh *mesh,
                                         const burnish_annotate_options *annotations,
                                         const burnish_camera *camera, burnish_drawing *drawing,
-                                        const float *depth, size_t stride, size_t *left_out,
-                                        burnish_error *error) {
-    const burnish_annotation_depth distances = {depth, stride};
+                                        size_t *left_out, burnish_error *error) {
     canvas to = {.drawing = drawing};
     if (drawing) {
         burnish_drawing_use(drawing, error);
         to.width = drawing->width;
         to.height = drawing->height;
     }
-    return annotate_canvas(mesh, annotations, camera, &to, &distances, left_out, error);
+    return annotate_canvas(mesh, annotations, camera, &to, left_out, error);
 }

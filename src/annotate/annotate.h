@@ -35,6 +35,8 @@ typedef struct burnish_annotation_view {
     int corners_seen;         /* 1: all are in front of the camera */
     burnish_point hull[8];    /* convex hull of the corners */
     int hull_count;
+    const float *depth; /* distances that hide; NULL: nothing does */
+    size_t depth_stride;
 } burnish_annotation_view;
 
 /* Errors: ARGUMENT (a camera that looks nowhere). */
@@ -128,16 +130,8 @@ void burnish_annotate_dimensions(const burnish_annotation_view *view,
 void burnish_annotate_marks(const burnish_annotation_view *view, burnish_annotation_flags kinds,
                             burnish_annotation_list *list);
 
-/* Distances that hide; NULL: nothing does. */
-typedef struct burnish_annotation_depth {
-    const float *distances;
-    size_t stride;
-} burnish_annotation_depth;
-
-void burnish_annotate_box(const burnish_annotation_view *view,
-                          const burnish_annotation_depth *depth, burnish_annotation_list *list);
-void burnish_annotate_grid(const burnish_annotation_view *view,
-                           const burnish_annotation_depth *depth, burnish_annotation_list *list);
+void burnish_annotate_box(const burnish_annotation_view *view, burnish_annotation_list *list);
+void burnish_annotate_grid(const burnish_annotation_view *view, burnish_annotation_list *list);
 
 /* ---- Numbers ---- */
 
@@ -171,8 +165,7 @@ burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view
 
 /* Lays out all requested kinds in one list; release it with burnish_release. */
 burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
-                                          burnish_annotation_flags kinds,
-                                          const burnish_annotation_depth *depth, int bounded,
+                                          burnish_annotation_flags kinds, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list);
 
 #endif

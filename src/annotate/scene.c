@@ -85,11 +85,10 @@ static int clip(const burnish_annotation_view *view, scene_line *line) {
 
 /* Whether one of the pixels around a point shows nothing in front of it. This keeps lines on the
  * outline of the object whole. */
-static int is_seen(const burnish_annotation_view *view, const burnish_annotation_depth *depth,
-                   burnish_point p, double distance) {
+static int is_seen(const burnish_annotation_view *view, burnish_point p, double distance) {
     const int width = (int)view->width, height = (int)view->height;
     const double bias = DEPTH_BIAS * view->diagonal;
-    if (!depth->distances || !(p.x >= 0 && p.y >= 0 && p.x < view->width && p.y < view->height)) {
+    if (!view->depth || !(p.x >= 0 && p.y >= 0 && p.x < view->width && p.y < view->height)) {
         return 1;
     }
     for (int i = 0; i < 9; ++i) {
@@ -98,7 +97,7 @@ static int is_seen(const burnish_annotation_view *view, const burnish_annotation
             continue;
         }
         const float *row =
-            (const float *)((const char *)depth->distances + (size_t)y * depth->stride);
+            (const float *)((const char *)view->depth + (size_t)y * view->depth_stride);
         if (distance <= (double)row[x] * (1 + 1e-5) + bias) {
             return 1;
         }
@@ -122,10 +121,8 @@ static void add_dashes(const burnish_annotation_view *view, const scene_line *li
 }
 
 /* Draws the visible part of a line in its layer. Hidden parts are dashed, in the grid omitted. */
-static void add_scene_line(const burnish_annotation_view *view,
-                           const burnish_annotation_depth *depth, burnish_vec3 from,
-                           burnish_vec3 to, burnish_annotation_layer layer,
-                           burnish_annotation_list *list) {
+static void add_scene_line(const burnish_annotation_view *view, burnish_vec3 from, burnish_vec3 to,
+                           burnish_annotation_layer layer, burnish_annotation_list *list) {
     scene_line line;
     if (!project_line(view, from, to, &line) || !clip(view, &line)) {
         return;
@@ -142,7 +139,7 @@ static void add_scene_line(const burnish_annotation_view *view,
         if (i < steps) {
             const double t = (i + 0.5) / steps;
             const double near = line.near_a + (line.near_b - line.near_a) * t;
-            now = is_seen(view, depth, point_at(&line, t), view->parallel ? near : 1 / near);
+            now = is_seen(view, point_at(&line, t), view->parallel ? near : 1 / near);
         }
         if (i > 0 && now != seen) {
             const double start = (double)run / steps, end = (double)i / steps;
@@ -158,12 +155,11 @@ static void add_scene_line(const burnish_annotation_view *view,
     }
 }
 
-void burnish_annotate_box(const burnish_annotation_view *view,
-                          const burnish_annotation_depth *depth, burnish_annotation_list *list) {
+void burnish_annotate_box(const burnish_annotation_view *view, burnish_annotation_list *list) {
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < 8; ++i) {
             if (!(i >> axis & 1)) {
-                add_scene_line(view, depth, burnish_annotation_corner(view, i),
+                add_scene_line(view, burnish_annotation_corner(view, i),
                                burnish_annotation_corner(view, i | 1 << axis), BURNISH_LAYER_BOX,
                                list);
             }
@@ -243,8 +239,7 @@ static void add_ground_line(const burnish_annotation_view *view,
     }
 }
 
-void burnish_annotate_grid(const burnish_annotation_view *view,
-                           const burnish_annotation_depth *depth, burnish_annotation_list *list) {
+void burnish_annotate_grid(const burnish_annotation_view *view, burnish_annotation_list *list) {
     const burnish_annotation_grid grid = burnish_annotation_grid_of(view);
     const double sine = burnish_axis(view->forward, view->up_axis);
     if (!grid.is_there) {
@@ -255,11 +250,11 @@ void burnish_annotate_grid(const burnish_annotation_view *view,
         return;
     }
     for (double u = grid.first[0]; u <= grid.last[0]; u += 1) {
-        add_scene_line(view, depth, grid_point(view, &grid, u, grid.first[1]),
+        add_scene_line(view, grid_point(view, &grid, u, grid.first[1]),
                        grid_point(view, &grid, u, grid.last[1]), BURNISH_LAYER_GRID, list);
     }
     for (double v = grid.first[1]; v <= grid.last[1]; v += 1) {
-        add_scene_line(view, depth, grid_point(view, &grid, grid.first[0], v),
+        add_scene_line(view, grid_point(view, &grid, grid.first[0], v),
                        grid_point(view, &grid, grid.last[0], v), BURNISH_LAYER_GRID, list);
     }
 }

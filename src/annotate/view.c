@@ -143,7 +143,11 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
                                             burnish_annotation_view *view, burnish_error *error) {
     const burnish_mesh_view *arrays = burnish_mesh_get_view(mesh);
     double distance;
-    *view = (burnish_annotation_view){.width = width, .height = height, .corners_seen = 1};
+    *view = (burnish_annotation_view){.width = width,
+                                      .height = height,
+                                      .corners_seen = 1,
+                                      .depth = annotations->depth,
+                                      .depth_stride = annotations->depth_stride};
     view->eye = burnish_vec3_load(camera->position);
     view->forward =
         burnish_vec3_normalize(burnish_vec3_sub(burnish_vec3_load(camera->focal_point), view->eye));

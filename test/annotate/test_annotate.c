@@ -90,7 +90,6 @@ typedef struct laid_out {
 
 static void lay_out(const burnish_mesh *mesh, burnish_framing framing,
                     burnish_annotation_flags kinds, int width, int height, laid_out *made) {
-    const burnish_annotation_depth nothing = {NULL, 0};
     burnish_annotate_options annotations = burnish_annotate_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     annotations.kinds = kinds;
@@ -103,8 +102,8 @@ static void lay_out(const burnish_mesh *mesh, burnish_framing framing,
     CHECK1(burnish_annotation_view_make(mesh, &annotations, &made->camera, width, height,
                                         &made->view, &error) == BURNISH_STATUS_OK);
     made->memory = burnish_memory_of(NULL, &error);
-    CHECK1(burnish_annotation_lay_out(&made->view, kinds, &nothing, 1, &made->memory,
-                                      &made->list) == BURNISH_STATUS_OK);
+    CHECK1(burnish_annotation_lay_out(&made->view, kinds, 1, &made->memory, &made->list) ==
+           BURNISH_STATUS_OK);
 }
 
 static void drop(laid_out *made) {
@@ -281,10 +280,11 @@ static void test_depth(void) {
         for (int i = 0; i < WIDTH * HEIGHT; ++i) {
             wall[i] = wanted ? 0.01F : 1e6F;
         }
-        const burnish_annotation_depth depth = {wall, WIDTH * sizeof *wall};
+        made.view.depth = wall;
+        made.view.depth_stride = WIDTH * sizeof *wall;
         CHECK1(burnish_annotation_lay_out(&made.view,
-                                          BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID, &depth,
-                                          1, &made.memory, &made.list) == BURNISH_STATUS_OK);
+                                          BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID, 1,
+                                          &made.memory, &made.list) == BURNISH_STATUS_OK);
         size_t hidden = 0, seen = 0, grid = 0;
         for (size_t i = 0; i < made.list.line_count; ++i) {
             hidden += made.list.lines[i].layer == BURNISH_LAYER_HIDDEN;
@@ -334,7 +334,7 @@ static void test_extremes(void) {
         burnish_image image;
         CHECK1(burnish_image_create(NULL, &image, 320, 240, 4, NULL) == BURNISH_STATUS_OK);
         const burnish_pixels pixels = burnish_image_get_pixels(&image);
-        CHECK1(burnish_annotate(mesh, &annotations, &inside, &pixels, NULL, 0, NULL, NULL) ==
+        CHECK1(burnish_annotate(mesh, &annotations, &inside, &pixels, NULL, NULL) ==
                BURNISH_STATUS_OK);
         burnish_image_destroy(&image);
         burnish_mesh_destroy(mesh);
@@ -358,26 +358,30 @@ static void test_refusals(void) {
     CHECK(burnish_annotate(__VA_ARGS__, &left_out, &error) == BURNISH_STATUS_ARGUMENT &&           \
               strlen(error.text) > 10,                                                             \
           "\"%s\"", error.text)
-    REFUSED(NULL, &good, &camera, &pixels, NULL, 0);
-    REFUSED(mesh, NULL, &camera, &pixels, NULL, 0);
-    REFUSED(mesh, &good, NULL, &pixels, NULL, 0);
-    REFUSED(mesh, &good, &camera, NULL, NULL, 0);
-    REFUSED(mesh, &good, &camera, &pixels, depth, 63 * 4);
-    REFUSED(mesh, &good, &camera, &pixels, depth, 64 * 4 + 1);
+    REFUSED(NULL, &good, &camera, &pixels);
+    REFUSED(mesh, NULL, &camera, &pixels);
+    REFUSED(mesh, &good, NULL, &pixels);
+    REFUSED(mesh, &good, &camera, NULL);
+    bad.depth = depth;
+    bad.depth_stride = 63 * 4;
+    REFUSED(mesh, &bad, &camera, &pixels);
+    bad.depth_stride = 64 * 4 + 1;
+    REFUSED(mesh, &bad, &camera, &pixels);
+    bad = good;
     bad.cookie = 0;
-    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    REFUSED(mesh, &bad, &camera, &pixels);
     bad = good;
     bad.kinds = 32;
-    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    REFUSED(mesh, &bad, &camera, &pixels);
     bad = good;
     bad.text_height = 4;
-    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    REFUSED(mesh, &bad, &camera, &pixels);
     bad.text_height = NAN;
-    REFUSED(mesh, &bad, &camera, &pixels, NULL, 0);
+    REFUSED(mesh, &bad, &camera, &pixels);
     camera.focal_point[0] = camera.position[0];
     camera.focal_point[1] = camera.position[1];
     camera.focal_point[2] = camera.position[2];
-    REFUSED(mesh, &good, &camera, &pixels, NULL, 0);
+    REFUSED(mesh, &good, &camera, &pixels);
     CHECK1(burnish_annotate_inset(mesh, &good, NULL, 64, 64, inset, &error) ==
            BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_annotate_inset(mesh, &good, &framing, 0, 64, inset, &error) ==

@@ -1,5 +1,6 @@
 /* Folder dependencies point one way: reads every include below ROOTS, file by file, and checks it
- * against the table, which is the architecture. */
+ * against the table, which is the architecture. Also counts files of folders and parameters of
+ * functions. */
 #include <dirent.h>
 #include <sys/stat.h>
 
@@ -11,6 +12,7 @@ static const struct layer {
     const char *folder;
     const char *may_include;
 } LAYERS[] = {
+    {"include/burnish", ""},
     {"src/core", "burnish/core.h"},
     {"src/simd", "core burnish/core.h"},
     {"src/theory", "core/arithmetic.h core/numbers.h burnish/core.h burnish/lobe.h "
@@ -163,11 +165,45 @@ static int is_source(const char *name) {
            (strcmp(ending, ".c") == 0 || strcmp(ending, ".h") == 0 || strcmp(ending, ".cpp") == 0);
 }
 
-/* The most files that a folder may have. */
-enum { FILES_MAX = 30 };
+/* The most files that a folder may have, and parameters of a function. */
+enum { FILES_MAX = 30, PARAMETERS_MAX = 7 };
 
-/* Checks the sources of a folder and of all below it; returns how many includes it saw. */
+/* The commas outside inner brackets, and 1. */
+static int count_parameters(const char *parameters) {
+    int count = 1;
+    for (int depth = 1; *parameters && depth > 0; ++parameters) {
+        depth += (*parameters == '(') - (*parameters == ')');
+        count += *parameters == ',' && depth == 1;
+    }
+    return count;
+}
+
+/* Checks functions that are declared or defined at the start of a line: "TYPE NAME(". Signatures
+ * of HarfBuzz's callbacks are not ours. */
+static void check_parameters(const char *path) {
+    static char text[1 << 20];
+    FILE *file = fopen(path, "r");
+    if (!CHECK(file, "can't open %s", path)) {
+        return;
+    }
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    for (const char *line = text; line; line = strchr(line, '\n'), line += line != NULL) {
+        const size_t name = strspn(line, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                         "0123456789_* ");
+        if (name > 0 && line[name] == '(' && line[0] != ' ' && memchr(line, ' ', name) &&
+            strncmp(line + name, "(hb_", 4) != 0) {
+            const int count = count_parameters(line + name + 1);
+            CHECK(count <= PARAMETERS_MAX, "%s: %.*s() has %d parameters; use a struct, at most %d",
+                  path, (int)name, line, count, PARAMETERS_MAX);
+        }
+    }
+}
+
+/* Checks the sources of a folder and of all below it; returns how many includes it saw. Tests may
+ * include everything. */
 static int check_folder(const char *folder) {
+    const int is_test = strncmp(folder, "test", 4) == 0;
     char path[1024];
     int includes = 0, files = 0;
     snprintf(path, sizeof path, "%s/%s", TEST_SOURCE_DIR, folder);
@@ -189,15 +225,18 @@ static int check_folder(const char *folder) {
             continue;
         }
         ++files;
-        if (is_source(entry->d_name) &&
+        if (is_source(entry->d_name)) {
+            check_parameters(path);
+        }
+        if (is_source(entry->d_name) && !is_test &&
             CHECK(layer, "%s: the folder %s is not in the table of layers", entry->d_name,
                   folder)) {
             includes += check_file(layer, path);
         }
     }
     closedir(directory);
-    CHECK(files <= FILES_MAX, "%s has %d files; split it, at most %d are easy to take in", folder,
-          files, FILES_MAX);
+    CHECK(is_test || files <= FILES_MAX,
+          "%s has %d files; split it, at most %d are easy to take in", folder, files, FILES_MAX);
     return includes;
 }
 
@@ -213,15 +252,17 @@ static void check_that_wrong_arrows_are_found(void) {
     CHECK(!allowed(find_layer("src/simd"), "raster/tile.h"), "simd knows no raster");
     CHECK(!allowed(find_layer("hardware/firmware"), "burnish/core.h"), "integer headers only");
     CHECK(!may_include_templates("/src/raster/tile.c"), "templates are called through tables");
+    CHECK1(count_parameters("int a, int (*b)(int, int),\n    int c) {") == 3);
 }
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    static const char *const ROOTS[] = {"src",   "program",   "bindings",
-                                        "bench", "importers", "hardware"};
+    static const char *const ROOTS[] = {"src",       "program",  "bindings", "bench",
+                                        "importers", "hardware", "include"};
     for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
         CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }
+    check_folder("test");
     RUN(check_that_wrong_arrows_are_found());
     return test_end("layers");
 }

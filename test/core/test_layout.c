@@ -94,8 +94,8 @@ static void test_refusals(void) {
             "PNG options");
     REFUSED(compare_options, old, burnish_pixels_compare(&pixels, &pixels, &old, &found, &error),
             "compare options");
-    REFUSED(annotate_options, old,
-            burnish_annotate(mesh, &old, &camera, &pixels, NULL, 0, NULL, &error), "annotations");
+    REFUSED(annotate_options, old, burnish_annotate(mesh, &old, &camera, &pixels, NULL, &error),
+            "annotations");
     REFUSED(load_options, old, burnish_mesh_load(":sphere", &old, &none, &error), "options");
     REFUSED(mesh_description, old, burnish_mesh_create(&old, &load, &none, &error), "description");
     REFUSED(framing, old, burnish_camera_frame(mesh, &old, &camera, &error), "options");

@@ -128,6 +128,8 @@ static void test_annotations(int orthographic) {
     size_t left_out[2] = {9, 8};
     target.depth = depth;
     target.depth_stride = WIDTH * sizeof *depth;
+    annotations.depth = depth;
+    annotations.depth_stride = target.depth_stride;
     annotations.kinds = BURNISH_ANNOTATION_ALL;
     framing.aspect = (double)WIDTH / HEIGHT;
     framing.orthographic = orthographic;
@@ -142,11 +144,10 @@ static void test_annotations(int orthographic) {
     fill_white(&expected);
     fill_white(&drawn);
     const burnish_pixels pixels = burnish_image_get_pixels(&expected);
-    CHECK1(burnish_annotate(mesh, &annotations, &options.camera, &pixels, depth,
-                            target.depth_stride, &left_out[0], &error) == BURNISH_STATUS_OK);
+    CHECK1(burnish_annotate(mesh, &annotations, &options.camera, &pixels, &left_out[0], &error) ==
+           BURNISH_STATUS_OK);
     CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, depth,
-                                    target.depth_stride, &left_out[1],
+    CHECK1(burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, &left_out[1],
                                     &error) == BURNISH_STATUS_OK);
     char *text = svg_of(drawing, 0);
     draw_groups(text, &drawn);
@@ -512,8 +513,8 @@ static void test_memory(void) {
             status = burnish_renderer_trace(renderer, mesh, &options, drawing, &error);
         }
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, NULL, 0,
-                                              NULL, &error);
+            status = burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, NULL,
+                                              &error);
         }
         if (status == BURNISH_STATUS_OK) {
             status = burnish_drawing_encode_svg(drawing, "t", NULL, 0, &text, &size, &error);

@@ -3,32 +3,31 @@
 
 #include "core/error.h"
 
-static burnish_status fail_limit(burnish_memory *memory, const char *name, size_t size,
-                                 uint64_t most, uint64_t budget) {
-    const burnish_shown_name shown = burnish_show_name(name);
-    return most > budget
+static burnish_status fail_limit(burnish_memory *memory, const burnish_gzip_file *file) {
+    const burnish_shown_name shown = burnish_show_name(file->name);
+    return file->max_bytes > file->budget
                ? burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
                               "%s: its %zu bytes unpack to more than %llu; unpack it first if that "
                               "is right",
-                              shown.text, size, (unsigned long long)budget)
+                              shown.text, file->size, (unsigned long long)file->budget)
                : burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
                               "%s: unpacks to more than the limit of %llu bytes; raise the limit "
                               "or simplify the mesh",
-                              shown.text, (unsigned long long)most);
+                              shown.text, (unsigned long long)file->max_bytes);
 }
 
 /* Decompresses all members into *items, *count bytes. Bytes after the last member that do not begin
  * another one are padding. */
-static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, size_t size,
-                             const char *name, uint64_t most, uint64_t budget,
+static burnish_status unpack(burnish_inflate *inflate, const burnish_gzip_file *file,
                              burnish_memory *memory, uint8_t **items, size_t *count) {
-    const uint64_t bound = most < budget ? most : budget;
-    size_t capacity = 0, left = size;
+    const uint64_t bound = file->max_bytes < file->budget ? file->max_bytes : file->budget;
+    const uint8_t *bytes = file->bytes;
+    size_t capacity = 0, left = file->size;
     burnish_inflate_result result = BURNISH_INFLATE_MORE;
     while (result != BURNISH_INFLATE_END || burnish_is_gzip(bytes, left)) {
         size_t written = 0;
         const size_t before = left;
-        *items = burnish_reserve(memory, *items, &capacity, *count + 1, 1, name);
+        *items = burnish_reserve(memory, *items, &capacity, *count + 1, 1, file->name);
         if (memory->status != BURNISH_STATUS_OK) {
             return memory->status;
         }
@@ -39,21 +38,20 @@ static burnish_status unpack(burnish_inflate *inflate, const uint8_t *bytes, siz
             return memory->status = BURNISH_STATUS_MEMORY;
         }
         if (*count > bound) {
-            return fail_limit(memory, name, size, most, budget);
+            return fail_limit(memory, file);
         }
         if (result == BURNISH_INFLATE_DAMAGED ||
             (result == BURNISH_INFLATE_MORE && written == 0 && (left == 0 || left == before))) {
             return burnish_fail(
                 memory->error, BURNISH_STATUS_FORMAT, "%s: byte %zu: the gzip file is %s",
-                burnish_show_name(name).text, size - left,
+                burnish_show_name(file->name).text, file->size - left,
                 result == BURNISH_INFLATE_DAMAGED ? "damaged; fetch it again" : "truncated");
         }
     }
     return BURNISH_STATUS_OK;
 }
 
-burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *name,
-                              uint64_t max_bytes, uint64_t budget, burnish_memory *memory,
+burnish_status burnish_gunzip(const burnish_gzip_file *file, burnish_memory *memory,
                               uint8_t **unpacked, size_t *unpacked_size) {
     burnish_inflate *inflate = burnish_inflate_create(memory, 0);
     *unpacked = NULL;
@@ -61,8 +59,7 @@ burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *nam
     if (!inflate) {
         return memory->status;
     }
-    burnish_status status =
-        unpack(inflate, bytes, size, name, max_bytes, budget, memory, unpacked, unpacked_size);
+    burnish_status status = unpack(inflate, file, memory, unpacked, unpacked_size);
     burnish_inflate_destroy(memory->context, inflate);
     if (status != BURNISH_STATUS_OK) {
         burnish_release(memory->context, *unpacked);

@@ -8,14 +8,18 @@
 
 #include "core/memory.h"
 
+typedef struct burnish_gzip_file {
+    const uint8_t *bytes;
+    size_t size;
+    const char *name;   /* for messages */
+    uint64_t max_bytes; /* a larger result is rejected with LIMIT */
+    uint64_t budget;    /* the same, with a message that suggests to decompress the file first */
+} burnish_gzip_file;
+
 /* Decompresses a file; it can have several gzip members.
- *   name       for messages
- *   max_bytes  a larger result is rejected with LIMIT
- *   budget     the same, with a message that suggests to decompress the file first
  *   unpacked   receives *unpacked_size bytes, from `memory`; NULL on error
  * Errors: FORMAT (damaged, truncated), LIMIT, MEMORY. */
-burnish_status burnish_gunzip(const uint8_t *bytes, size_t size, const char *name,
-                              uint64_t max_bytes, uint64_t budget, burnish_memory *memory,
+burnish_status burnish_gunzip(const burnish_gzip_file *file, burnish_memory *memory,
                               uint8_t **unpacked, size_t *unpacked_size);
 
 static inline int burnish_is_gzip(const uint8_t *bytes, size_t size) {

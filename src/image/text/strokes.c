@@ -365,21 +365,24 @@ static burnish_status check(const burnish_pixels *pixels, const burnish_stroke *
 burnish_status burnish_strokes_draw(const burnish_pixels *pixels, const burnish_stroke *strokes,
                                     size_t count, const burnish_ink *ink, burnish_tasks *tasks,
                                     burnish_memory *memory) {
-    return burnish_strokes_draw_rows(pixels, 0, pixels->height, strokes, count, ink, tasks, memory);
+    const burnish_pixel_rows rows = {pixels, 0, pixels->height};
+    return burnish_strokes_draw_rows(&rows, strokes, count, ink, tasks, memory);
 }
 
-burnish_status burnish_strokes_draw_rows(const burnish_pixels *pixels, int first_row, int height,
+burnish_status burnish_strokes_draw_rows(const burnish_pixel_rows *rows,
                                          const burnish_stroke *strokes, size_t count,
                                          const burnish_ink *ink, burnish_tasks *tasks,
                                          burnish_memory *memory) {
+    const burnish_pixels *pixels = rows->pixels;
     burnish_status status = check(pixels, strokes, count, memory->error);
     if (status != BURNISH_STATUS_OK || count == 0) {
         return status;
     }
+    const int first_row = rows->first_row;
     figure f = {.pixels = pixels,
                 .first_row = first_row,
                 .end_row = first_row + pixels->height,
-                .height = height,
+                .height = rows->height,
                 .strokes = strokes,
                 .count = count,
                 .ink = ink,

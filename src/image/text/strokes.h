@@ -41,9 +41,15 @@ burnish_status burnish_strokes_draw(const burnish_pixels *pixels, const burnish_
                                     size_t count, const burnish_ink *ink, burnish_tasks *tasks,
                                     burnish_memory *memory);
 
-/* The same for pixels that hold only rows of an image `height` rows high, from first_row on. The
- * bits are the same as in the whole image. */
-burnish_status burnish_strokes_draw_rows(const burnish_pixels *pixels, int first_row, int height,
+/* Rows of an image. */
+typedef struct burnish_pixel_rows {
+    const burnish_pixels *pixels; /* that hold them */
+    int first_row;                /* of the image that pixels hold */
+    int height;                   /* of the image */
+} burnish_pixel_rows;
+
+/* The same for some rows of an image. The bits are the same as in the whole image. */
+burnish_status burnish_strokes_draw_rows(const burnish_pixel_rows *rows,
                                          const burnish_stroke *strokes, size_t count,
                                          const burnish_ink *ink, burnish_tasks *tasks,
                                          burnish_memory *memory);

@@ -15,9 +15,15 @@ static const float pen_share = 0.12F;  /* of the height of a capital */
 static const float widening = 0.35F;   /* pixels, at most, that a pen is widened to whole ones */
 static const float far_away = 4194304; /* 2^22: beyond it a float has no quarter pixels */
 
-static void draw_span(const burnish_pixels *pixels, const burnish_stroke *strokes,
-                      const burnish_rectangle *touched, size_t count, int row, int first, int last,
-                      const burnish_ink *ink) {
+/* The target of drawn glyphs. */
+typedef struct page {
+    burnish_pixels pixels;
+    burnish_ink ink;
+} page;
+
+static void draw_span(const page *to, const burnish_stroke *strokes,
+                      const burnish_rectangle *touched, size_t count, int row, int first,
+                      int last) {
     float coverage[SPAN] = {0};
     for (size_t i = 0; i < count; ++i) {
         if (row < touched[i].top || row >= touched[i].bottom) {
@@ -29,14 +35,8 @@ static void draw_span(const burnish_pixels *pixels, const burnish_stroke *stroke
             burnish_stroke_cover(&strokes[i], row, left, right - left, coverage + (left - first));
         }
     }
-    burnish_ink_blend(pixels, row, first, last - first, coverage, ink);
+    burnish_ink_blend(&to->pixels, row, first, last - first, coverage, &to->ink);
 }
-
-/* The target of drawn glyphs. */
-typedef struct page {
-    burnish_pixels pixels;
-    burnish_ink ink;
-} page;
 
 static void draw_strokes(void *context, const burnish_stroke *strokes, size_t count) {
     const page *to = context;
@@ -53,7 +53,7 @@ static void draw_strokes(void *context, const burnish_stroke *strokes, size_t co
     for (int row = all.top; row < all.bottom; ++row) {
         for (int first = all.left; first < all.right; first += SPAN) {
             int last = all.right - first > SPAN ? first + SPAN : all.right;
-            draw_span(pixels, strokes, touched, count, row, first, last, &to->ink);
+            draw_span(to, strokes, touched, count, row, first, last);
         }
     }
 }

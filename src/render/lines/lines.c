@@ -538,8 +538,9 @@ burnish_status burnish_line_art_draw(const burnish_line_art *art,
             strokes[made++] = (burnish_stroke){p[0], p[1], p[2], p[3], lines->widths[i] * 0.5f};
         }
     }
-    const burnish_status status = burnish_strokes_draw_rows(
-        pixels, options->first_row, options->height, strokes, made, &ink, tasks, memory);
+    const burnish_pixel_rows rows = {pixels, options->first_row, options->height};
+    const burnish_status status =
+        burnish_strokes_draw_rows(&rows, strokes, made, &ink, tasks, memory);
     burnish_release(memory->context, strokes);
     return status;
 }

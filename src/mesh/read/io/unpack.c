@@ -53,10 +53,10 @@ burnish_status burnish_unpack_input(burnish_reader_input *input, burnish_memory 
     *unpacked = NULL;
     input->packed_size = input->size;
     if (burnish_is_gzip(input->bytes, input->size)) {
-        status =
-            burnish_gunzip(input->bytes, input->size, input->name, input->options->max_input_bytes,
-                           burnish_budget_of(input->size, BURNISH_UNPACKED_PER_BYTE), memory,
-                           unpacked, &input->size);
+        const burnish_gzip_file file = {input->bytes, input->size, input->name,
+                                        input->options->max_input_bytes,
+                                        burnish_budget_of(input->size, BURNISH_UNPACKED_PER_BYTE)};
+        status = burnish_gunzip(&file, memory, unpacked, &input->size);
         input->bytes = *unpacked;
     }
     if (status == BURNISH_STATUS_OK && has_mark(input)) {
