@@ -43,6 +43,7 @@
 #include "burnish/core.h"
 #include "burnish/image.h"
 #include "burnish/kernels.h"
+#include "burnish/light.h"
 #include "burnish/mesh.h"
 #include "burnish/shading.h"
 
@@ -93,8 +94,8 @@ enum {
 #define BURNISH_OVERDRAW_DEFAULT 1000
 
 /* Options for drawing. Start from burnish_render_options_default(). The lights are in the struct,
- * not behind a pointer, so a copy is complete and nothing has to outlive it; the price is 3.3
- * kB. */
+ * not behind a pointer, so a copy is complete; the price is 4.5 kB. Only context, kernels and
+ * environment are pointers. */
 typedef struct burnish_render_options {
     uint32_t cookie;                /* set by burnish_render_options_default() */
     const burnish_context *context; /* for burnish_render(); with a renderer, NULL or its context */
@@ -121,15 +122,24 @@ typedef struct burnish_render_options {
     int shadow;   /* 1: the first light, which must be directional, casts shadows on the object and
                    the ground */
     burnish_light lights[BURNISH_LIGHT_MAX];
-    int light_count;          /* [0, BURNISH_LIGHT_MAX] */
-    burnish_edge_flags edges; /* 0: none */
-    float edge_width;         /* width of outlines (steps in depth) in pixels, (0,
+    int light_count;                                        /* [0, BURNISH_LIGHT_MAX] */
+    burnish_area_light area_lights[BURNISH_AREA_LIGHT_MAX]; /* light.h */
+    int area_light_count;                                   /* [0, BURNISH_AREA_LIGHT_MAX] */
+    int has_dome;                                           /* 1: dome shines */
+    burnish_dome dome;
+    const burnish_environment *environment; /* NULL: none; must outlive the call */
+    float environment_strength;             /* factor of its radiance, [0, 1e6] */
+    double
+        environment_turn; /* degrees by which it is turned about up, counter-clockwise from above */
+    int environment_follows_camera; /* 1: it turns with the camera, its up is the camera's y axis */
+    burnish_edge_flags edges;       /* 0: none */
+    float edge_width;               /* width of outlines (steps in depth) in pixels, (0,
                               BURNISH_EDGE_WIDTH_MAX]. Other lines have 3/5 of it */
-    uint8_t edge_color[3];    /* sRGB */
-    float edge_opacity;       /* [0, 1] */
-    uint8_t background[3];    /* sRGB */
-    int transparent;          /* 1: the image has alpha and no background */
-    int ignore_colors;        /* 1: vertex colours are not used */
+    uint8_t edge_color[3];          /* sRGB */
+    float edge_opacity;             /* [0, 1] */
+    uint8_t background[3];          /* sRGB */
+    int transparent;                /* 1: the image has alpha and no background */
+    int ignore_colors;              /* 1: vertex colours are not used */
     int cull_back_faces;   /* 1: back-facing triangles are not drawn: faster, and the same image for
                             closed surfaces; 0: both sides are lit */
     double max_overdraw;   /* [1, infinity]: how often large triangles may cover the image (as many

@@ -18,6 +18,7 @@ void burnish_render_options_init(burnish_render_options *options, uint64_t layou
                                        .camera = {.view_up = {0, 1, 0}, .view_angle = 30},
                                        .lobe = {.fit = BURNISH_FIT_ENERGY, .order = 2},
                                        .local_viewer = 1,
+                                       .environment_strength = 1,
                                        .edge_color = {20, 20, 20},
                                        .edge_opacity = 1,
                                        .max_overdraw = BURNISH_OVERDRAW_DEFAULT};
@@ -26,6 +27,9 @@ void burnish_render_options_init(burnish_render_options *options, uint64_t layou
 }
 
 /* ---- Checks ---- */
+
+/* Of the angle between the sides of an area light. */
+#define LEAST_SINE 1e-4
 
 burnish_status burnish_render_options_check_cookie(const burnish_render_options *options,
                                                    burnish_error *error) {
@@ -93,6 +97,70 @@ static burnish_status check_lights(const burnish_render_options *options, burnis
     }
     if (!is_light_color(options->ambient_light)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "ambient light: not in [0, 1e6]");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* half_u x half_v, which must not vanish. */
+static int is_flat(const burnish_area_light *light) {
+    const burnish_vec3 u = burnish_vec3_load(light->half_u), v = burnish_vec3_load(light->half_v);
+    const double sine = burnish_vec3_length(
+        burnish_vec3_cross(burnish_vec3_normalize(u), burnish_vec3_normalize(v)));
+    return finite(light->half_u, 3) && finite(light->half_v, 3) && sine >= LEAST_SINE;
+}
+
+static burnish_status check_area_lights(const burnish_render_options *options,
+                                        burnish_error *error) {
+    if (options->area_light_count < 0 || options->area_light_count > BURNISH_AREA_LIGHT_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "area lights: %d is not in [0, %d]",
+                            options->area_light_count, BURNISH_AREA_LIGHT_MAX);
+    }
+    for (int i = 0; i < options->area_light_count; ++i) {
+        const burnish_area_light *light = &options->area_lights[i];
+        const double *c = light->center;
+        const char *wrong = NULL;
+        if ((unsigned)light->shape > BURNISH_AREA_DISC) {
+            wrong = "has a shape that does not exist";
+        } else if (!is_light_color(light->color)) {
+            wrong = "needs a radiance in [0, 1e6]";
+        } else if (!is_flat(light)) {
+            wrong = "needs two finite half sides that are not parallel";
+        } else if (!finite(c, 3) || (light->is_distant && c[0] == 0 && c[1] == 0 && c[2] == 0)) {
+            wrong = "needs a finite center (not 0 for a distant light)";
+        }
+        if (wrong) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "area light %d: %s", i + 1, wrong);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_surroundings(const burnish_render_options *options,
+                                         burnish_error *error) {
+    const burnish_dome *dome = &options->dome;
+    if (options->has_dome && (!is_light_color(dome->zenith) || !is_light_color(dome->horizon) ||
+                              !is_light_color(dome->nadir))) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "dome: needs radiances in [0, 1e6]");
+    }
+    for (int k = 0; options->has_dome && k < 3; ++k) {
+        const double h = (double)dome->horizon[k];
+        const double b = ((double)dome->zenith[k] - (double)dome->nadir[k]) / 2;
+        const double a = ((double)dome->zenith[k] + (double)dome->nadir[k]) / 2 - h;
+        /* radiance h + b y + a y^2: its least is h - b^2 / 4a, at y = -b / 2a */
+        if (a > 0 && b * b < 4 * a * a && b * b > 4 * a * h) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "dome: the radiance is negative between zenith, horizon and nadir; "
+                                "raise the horizon's");
+        }
+    }
+    if (!(options->environment_strength >= 0 && options->environment_strength <= 1e6f)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "environment: a strength of %g is not in [0, 1e6]",
+                            (double)options->environment_strength);
+    }
+    if (!finite(&options->environment_turn, 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "environment: the turn must be a finite number of degrees");
     }
     return BURNISH_STATUS_OK;
 }
@@ -198,6 +266,12 @@ burnish_status burnish_render_options_check(const burnish_render_options *option
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_ground(options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_area_lights(options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_surroundings(options, error);
     }
     return status == BURNISH_STATUS_OK ? check_lights(options, error) : status;
 }
