@@ -33,14 +33,14 @@ function options(size) {
   return {
     ...(darkScheme.matches && { backgroundColor: DARK_GROUND }),
     resolution: size.join(","), look: state.look, equation: state.equation, exponent: Number(state.n),
-    cameraAzimuthAngle: Number(state.azimuth), cameraElevationAngle: Number(state.elevation), cameraZoomFactor: Number(state.zoom),
+    azimuth: Number(state.azimuth), elevation: Number(state.elevation), zoom: Number(state.zoom),
   };
 }
 
 /** The same picture by the program. */
 export function commandLine() {
   const flags = Object.entries(options(state.resolution.split(",")))
-    .filter(([key, value]) => !(/^camera/.test(key) && value === (key === "cameraZoomFactor" ? 1 : 0)))
+    .filter(([key, value]) => !(/^camera/.test(key) && value === (key === "zoom" ? 1 : 0)))
     .map(([key, value]) => `--${key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}=${value}`);
   const input = own.mesh ?? state.mesh;
   const quoted = /^[\w:./+-]+$/.test(input) ? input : `'${input.replaceAll("'", "'\\''")}'`;

@@ -123,10 +123,11 @@ static const cli_flag flags[] = {
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
      .default_text = "512,512",
      .common = 1,
-     .aliases = "width,height,res",
+     .aliases = "res",
      .manual = "Width and height of each picture."},
-    {CLI_FLAG("size", "N", "a square: --resolution=N,N", cli_flag_square, render.picture.size),
-     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .common = 1,
+    {CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
+              render.picture.size),
+     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's', .default_label = "512x512", .common = 1,
      .manual = "The same as *--resolution=*_N_*,*_N_."},
 };
 

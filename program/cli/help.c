@@ -173,20 +173,6 @@ const char *cli_exit_text(int code) {
     }
 }
 
-static void print_exit_codes(void) {
-    char line[480] = "Exit codes:";
-    size_t used = strlen(line);
-    for (int code = 0; code < CLI_EXIT_END; ++code) {
-        const char *text = cli_exit_text(code);
-        if (text && used < sizeof line) {
-            used += (size_t)snprintf(line + used, sizeof line - used, "%s %d %s",
-                                     code > 0 ? "," : "", code, text);
-        }
-    }
-    printf("\n");
-    cli_print_wrapped(stdout, line, 0, CLI_TEXT_WIDTH);
-}
-
 static void print_head(const cli_command *command) {
     printf("Usage: %s %s%s[options]   %s\n", cli_full_name(command).text, command->operand,
            *command->operand ? " " : "", command->summary);
@@ -220,7 +206,6 @@ burnish_status cli_print_help(const cli_command *command, const char *topic, bur
             cli_print_wrapped(stdout, list, sizeof "All flags:", CLI_TEXT_WIDTH);
         }
         cli_print_examples(command->examples);
-        print_exit_codes();
     }
     return BURNISH_STATUS_OK;
 }

@@ -1,6 +1,7 @@
 /* burnish: the program. The table of commands, and `burnish help`. */
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/complete.h"
 #include "cli/help.h"
@@ -14,8 +15,8 @@ const cli_command *const cli_commands[] = {CLI_COMMAND_LIST(ROW) NULL};
 #undef ROW
 
 const cli_example cli_examples[] = {
-    {"burnish render :teapot", "teapot.png"},
-    {"burnish render part.stl -o part.png --size=256", "a thumbnail"},
+    {"burnish part.stl", "part.png"},
+    {"burnish part.stl part.png --size=256", "a thumbnail"},
     {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
     {"burnish render :teapot --lobe=power,schlick,energy:2,taylor:2", "lobes side by side"},
     {"burnish render part.obj --json --fail-on-blank", "for programs"},
@@ -72,7 +73,7 @@ const cli_command cli_help_command = {
 
 static void print_first_screen(void) {
     printf("burnish %s: pictures of meshes without a GPU, the same bits on every machine\n\n"
-           "Usage: burnish COMMAND [options]\n",
+           "Usage: burnish INPUT [OUTPUT] [options], or burnish COMMAND [options]\n",
            burnish_version());
     cli_print_parts(cli_commands);
     printf("  %-16s  %s\n", "-h, -V", "--help: this screen; --version: the version");
@@ -118,20 +119,16 @@ static burnish_status help_work(void *from, cli_call *call, burnish_error *error
 
 /* ---- The program ---- */
 
-static const char *option_or_command(int argc, char **argv, burnish_error *error) {
-    if (argc < 2) {
-        cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                 "no command; try \"burnish render :teapot\" or \"burnish --help\"");
-        return NULL;
+/* Whether the first argument is a mesh or a flag instead of a command: `render` is implied. */
+static int implies_render(const char *argument) {
+    const char *dot = strrchr(argument, '.');
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        if (strcmp(argument, cli_commands[i]->name) == 0) {
+            return 0;
+        }
     }
-    if (argv[1][0] == '-' && argv[1][1]) {
-        cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                 "%.60s: a command comes first, as in \"burnish render INPUT\"; burnish --help "
-                 "lists the commands",
-                 argv[1]);
-        return NULL;
-    }
-    return argv[1];
+    return argument[0] == ':' || argument[0] == '-' || strchr(argument, '/') ||
+           (dot && strlen(dot) <= 5) || access(argument, F_OK) == 0;
 }
 
 int main(int argc, char **argv) {
@@ -145,7 +142,15 @@ int main(int argc, char **argv) {
         printf("burnish %s\n", burnish_version());
         return cli_exit_code(cli_finish_output(&error), &error);
     }
-    const char *name = option_or_command(argc, argv, &error);
-    const cli_command *command = name ? cli_find_command(cli_commands, NULL, name, &error) : NULL;
+    if (argc < 2) {
+        return cli_exit_code(
+            cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                     "no command; try \"burnish render :teapot\" or \"burnish --help\""),
+            &error);
+    }
+    if (implies_render(argv[1])) {
+        return cli_run(&render_command, argc - 1, argv + 1);
+    }
+    const cli_command *command = cli_find_command(cli_commands, NULL, argv[1], &error);
     return command ? cli_run(command, argc - 2, argv + 2) : cli_exit_code(error.status, &error);
 }

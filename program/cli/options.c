@@ -139,7 +139,8 @@ const cli_flag *cli_flag_at(const cli_command *command, size_t index) {
 static const cli_flag *find_flag(const cli_command *command, const char *name, size_t length) {
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
-        if (strlen(flag->name) == length && memcmp(flag->name, name, length) == 0) {
+        if ((strlen(flag->name) == length && memcmp(flag->name, name, length) == 0) ||
+            in_list(flag->also, name, length)) {
             return flag;
         }
     }

@@ -46,6 +46,7 @@ struct cli_flag {
     const char *default_text;  /* default as the handler reads it; NULL: none */
     const char *default_label; /* default in words, if the text is NULL or unclear */
     const char *manual;        /* text of the man page */
+    const char *also;          /* other accepted names, between commas; NULL: none */
     const char *aliases;       /* names in other programs, between commas: only for hints */
     cli_handler *handler;
     size_t offset;         /* of the target in the command's settings */

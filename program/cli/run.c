@@ -50,12 +50,6 @@ static const char *short_name_at(const void *list, size_t index) {
     return commands[index] ? cli_short_name(commands[index]) : NULL;
 }
 
-/* A file's name instead of a command: `render` was forgotten. */
-static int is_input(const char *name) {
-    const char *dot = strrchr(name, '.');
-    return name[0] == ':' || (dot && strlen(dot) <= 5) || strchr(name, '/');
-}
-
 const cli_command *cli_find_command(const cli_command *const *commands, const cli_command *whole,
                                     const char *name, burnish_error *error) {
     const char *prefix = whole ? whole->name : "", *space = whole ? " " : "";
@@ -65,10 +59,7 @@ const cli_command *cli_find_command(const cli_command *const *commands, const cl
         }
     }
     const char *nearest = cli_nearest(name, short_name_at, commands);
-    if (!whole && is_input(name)) {
-        cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                 "\"%.60s\": unknown command; did you mean burnish render %.60s?", name, name);
-    } else if (nearest) {
+    if (nearest) {
         cli_fail(error, BURNISH_STATUS_ARGUMENT,
                  "\"%s%s%.60s\": unknown command; did you mean %s%s%s?", prefix, space, name,
                  prefix, space, nearest);

@@ -201,6 +201,9 @@ burnish_status cli_flag_size(const cli_flag *flag, const char *text, void *targe
 burnish_status cli_flag_square(const cli_flag *flag, const char *text, void *target,
                                burnish_error *error) {
     int *size = target;
+    if (strpbrk(text, ",x")) {
+        return cli_flag_size(flag, text, target, error);
+    }
     burnish_status status = cli_flag_integer(flag, text, &size[0], error);
     if (status == BURNISH_STATUS_OK) {
         size[1] = size[0];

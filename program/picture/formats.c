@@ -115,6 +115,10 @@ int picture_is_name(const char *path) {
     return find_ending(path) != PICTURE_AUTO;
 }
 
+int picture_is_animation(const char *path) {
+    return is_ending(path, moving, sizeof moving / sizeof *moving);
+}
+
 burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
                               picture_format *format, burnish_error *error) {
     *format = wanted != PICTURE_AUTO ? wanted : find_ending(path);

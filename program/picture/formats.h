@@ -40,6 +40,9 @@ picture_names picture_list_names(int uses);
  * mesh. */
 int picture_is_name(const char *path);
 
+/* Whether it has an extension of videos and other moving pictures. */
+int picture_is_animation(const char *path);
+
 /* Finds the format of an output.
  *   flag    names the output in messages: "output"
  *   path    of the file; "-" is standard output

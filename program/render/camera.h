@@ -8,7 +8,7 @@
 typedef struct render_room {
     double inset[4]; /* as in burnish_framing; computed for annotations if is_given is 0 */
     int is_given;
-    double height; /* of a parallel projection, before --camera-zoom-factor; 0: from the flags */
+    double height; /* of a parallel projection, before --zoom; 0: from the flags */
 } render_room;
 
 /* The camera of one view of the mesh. room->inset receives the insets of the framing. */

@@ -260,15 +260,15 @@ static burnish_status check_scale_flags(const render_settings *settings, burnish
     }
     if (settings->camera.orthographic_height.given && settings->camera.zoom.value != 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--camera-zoom-factor: --camera-orthographic-height already sets the "
+                        "--zoom: --camera-orthographic-height already sets the "
                         "scale; omit one of them");
     }
     return BURNISH_STATUS_OK;
 }
 
 static burnish_status check_camera_flags(const render_settings *settings, burnish_error *error) {
-    const char *turn = settings->camera.azimuth.value != 0     ? "camera-azimuth-angle"
-                       : settings->camera.elevation.value != 0 ? "camera-elevation-angle"
+    const char *turn = settings->camera.azimuth.value != 0     ? "azimuth"
+                       : settings->camera.elevation.value != 0 ? "elevation"
                                                                : NULL;
     const char *aim = settings->camera.direction.given ? "camera-direction" : turn;
     const char *extra = NULL, *fixed = NULL;
@@ -309,8 +309,27 @@ static burnish_status check_labels(render_settings *settings, burnish_error *err
                     texts, cells);
 }
 
+/* --width and --height replace the sides of the size. One alone keeps the proportions. */
+static void find_size(render_picture_settings *picture) {
+    int *size = picture->size;
+    for (int k = 0; k < 2; ++k) {
+        const int side = picture->sides[k], other = picture->sides[1 - k];
+        if (side > 0 && other == 0) {
+            const int64_t scaled = ((int64_t)size[1 - k] * side + size[k] / 2) / size[k];
+            size[1 - k] = scaled < 1                        ? 1
+                          : scaled > BURNISH_IMAGE_MAX_SIZE ? BURNISH_IMAGE_MAX_SIZE
+                                                            : (int)scaled;
+            size[k] = side;
+            break;
+        }
+        size[k] = side > 0 ? side : size[k];
+    }
+    memset(picture->sides, 0, sizeof picture->sides);
+}
+
 burnish_status render_check(render_settings *settings, burnish_error *error) {
     const burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
+    find_size(&settings->picture);
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 

@@ -365,6 +365,17 @@ static burnish_status begin(const render_settings *settings, int *code, burnish_
     return sandbox_begin(&plan, code, error);
 }
 
+/* On a terminal, confirms the file that was written. */
+static void confirm(const render_result *result) {
+    const render_settings *settings = result->settings;
+    const char *path = render_output_path(&settings->output);
+    if (result->written && !settings->job.quiet && strcmp(path, "-") != 0 &&
+        isatty(STDERR_FILENO)) {
+        fprintf(stderr, "burnish: wrote %.300s, %d x %d\n", path, result->picture->width,
+                result->picture->height);
+    }
+}
+
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error) {
     render_result result = {.settings = settings};
     cli_prepare_memory();
@@ -386,6 +397,9 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     } else if (status == BURNISH_STATUS_OK && render_report_difference(&result)) {
         *exit_code = CLI_EXIT_DIFFERENT;
     }
+    if (status == BURNISH_STATUS_OK) {
+        confirm(&result);
+    }
     release(&result);
     return status;
 }
@@ -406,22 +420,33 @@ static int is_folder(const char *name) {
     return stat(name, &state) == 0 && S_ISDIR(state.st_mode);
 }
 
-/* Refuses "render part.stl part.png", the syntax of other programs. With -o, images are allowed,
- * since a shell's * can list textures among meshes. */
-static burnish_status refuse_output_operand(const render_settings *settings, const cli_call *call,
-                                            burnish_error *error) {
+/* "render part.stl part.png": a second operand that can only be an output is the output. A picture
+ * after several meshes is an error. With -o, images are allowed, since a shell's * can list textures
+ * among meshes. */
+static burnish_status take_output_operand(render_settings *settings, cli_call *call,
+                                          burnish_error *error) {
     const char *last = NULL;
     for (size_t i = 0; i < call->argument_count; ++i) {
         last = call->arguments[i].flag ? last : call->arguments[i].text;
     }
-    if (call->operand_count < 2 || settings->output.path || settings->output.folder || !last ||
-        !picture_is_name(last)) {
+    if (call->operand_count < 2 || settings->output.path || settings->output.folder ||
+        settings->output.turntable || !last || !picture_is_name(last)) {
         return BURNISH_STATUS_OK;
     }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "render: \"%.200s\" is an image, not a mesh; name an output with -o: burnish "
-                    "render %.100s -o %.100s",
-                    last, call->operands[0], last);
+    if (call->operand_count > 2 || settings->job.files_from) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "render: \"%.200s\" is an image, not a mesh; for several pictures, name "
+                        "a folder with -d",
+                        last);
+    }
+    call->operand_count = 1;
+    if (picture_is_animation(last)) {
+        settings->output.turntable = last;
+    } else {
+        settings->output.path = last;
+        settings->output.is_derived = 1; /* replaces only pictures of burnish */
+    }
+    return BURNISH_STATUS_OK;
 }
 
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
@@ -433,7 +458,7 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
             error, BURNISH_STATUS_ARGUMENT,
             "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
     }
-    status = refuse_output_operand(settings, call, error);
+    status = take_output_operand(settings, call, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -49,9 +49,9 @@ const cli_command session_draw_command = {
     .base = &render_command,
     .base_topics = "light",
     .base_flags = "resolution,size,cull-back-faces,samples,background-color,no-background,views,"
-                  "annotate,camera-direction,camera-azimuth-angle,camera-elevation-angle,camera,"
+                  "annotate,camera-direction,azimuth,elevation,camera,"
                   "camera-position,camera-focal-point,camera-view-up,camera-view-angle,"
-                  "camera-zoom-factor,camera-orthographic,camera-orthographic-height,margin,"
+                  "zoom,camera-orthographic,camera-orthographic-height,margin,"
                   "max-overdraw,isa,threads",
     .settings_size = sizeof(render_settings),
 };

@@ -20,6 +20,8 @@ drawn background-color=silver
 drawn no-background
 drawn views=top
 drawn annotate=axes,box,dimensions,grid
+drawn width=100
+drawn height=100
 other columns
 other labels
 other font
@@ -36,14 +38,14 @@ other runner
 same overwrite
 drawn up=+Z
 drawn camera-direction=0,0,-1
-drawn camera-azimuth-angle=20
-drawn camera-elevation-angle=20
+drawn azimuth=20
+drawn elevation=20
 other camera
 drawn camera-position=3,4,9
 drawn camera-focal-point=1,0,0
 drawn camera-view-up=1,0,0
 drawn camera-view-angle=60
-drawn camera-zoom-factor=2
+drawn zoom=2
 drawn camera-orthographic
 drawn camera-orthographic-height=9
 drawn same-scale
@@ -187,12 +189,34 @@ done
 rm a.png
 
 # Names of outputs among inputs, and of formats elsewhere.
-expect 2 'burnish: render: "out.png" is an image, not a mesh; name an output with -o: burnish render :sphere -o out.png' \
-    render :sphere out.png
+expect 2 'burnish: render: "out.png" is an image, not a mesh; for several pictures, name a folder with -d' \
+    render :sphere :torus out.png
 expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' \
     render :sphere -o a.gif
 expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' \
     render :sphere -o a.mp4
 nothing_left "names"
+
+# Without a command; an output as the second operand; short flags and sides.
+expect 0 '' :sphere -s 40
+same "the default name" "$(png_size sphere.png)" "40 40"
+expect 0 '' :sphere out.png --size=50x40
+same "W x H" "$(png_size out.png)" "50 40"
+expect 0 '' --width=512 :sphere out.png
+same "the height follows" "$(png_size out.png)" "512 384"
+expect 0 '' render :sphere --height=30 --size=20x10 -o out.png
+same "the width follows" "$(png_size out.png)" "60 30"
+expect 0 '' render :sphere --height=30 --width=70 -o out.png
+same "both sides" "$(png_size out.png)" "70 30"
+expect 0 '' :sphere turn.gif -q --size=8 --frames=2
+same "an animation" "$(head -c 3 turn.gif)" GIF
+echo texture >foreign.png
+expect 2 'burnish: foreign.png: exists and was not written by burnish; replace it with --overwrite, or name the picture with --output=FILE' \
+    :sphere foreign.png
+same "a file of others stays" "$(cat foreign.png)" texture
+script -qec "'$burnish' :sphere -s 40 terminal.png; '$burnish' -q :sphere -s 40 terminal.png" /dev/null >"$out"
+same "a terminal gets the name" "$(tr -d '\r' <"$out")" 'burnish: wrote terminal.png, 40 x 40'
+rm ./*.png turn.gif
+nothing_left "short command lines"
 
 finish

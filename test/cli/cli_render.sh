@@ -216,9 +216,9 @@ check "a report that can't be written replaces a picture" [ "$(cat kept.png)" = 
 # Flags that must not change the picture, and flags that must.
 same "threads" "$plain" "$(hash :teapot --size=64 --threads=3)"
 same "defaults written out" "$plain" "$(hash :teapot --size=64 --samples=4 --lobe=energy:2 \
-    --equation=blinn --viewer=local --margin=0.05 --camera-view-angle=30 --camera-zoom-factor=1 --up=+Y \
+    --equation=blinn --viewer=local --margin=0.05 --camera-view-angle=30 --zoom=1 --up=+Y \
     --crease-angle=60 --tessellation=16 --background-color=#eeeff1 --look=studio --threads=1)"
-for flag in --samples=8 --up=+Z --camera-azimuth-angle=20 --camera-elevation-angle=-20 --camera-zoom-factor=2 \
+for flag in --samples=8 --up=+Z --azimuth=20 --elevation=-20 --zoom=2 \
     --camera-view-angle=50 --camera-orthographic --margin=0.2 --camera-direction=1,-1,0 --camera-view-up=1,1,0 \
     --camera-focal-point=0,0,0 --background-color=navy --no-background --color=gold --material=metal \
     --specular=0 --exponent=9 --lobe=power --lobe=schlick --lobe=taylor:8 --equation=phong --viewer=distant \
@@ -300,7 +300,7 @@ run render block.obj --size=16 --json -o s.png
 same "a perspective has no scale" "$(json pixels_per_unit)" null
 expect 2 'burnish: --same-scale: a perspective has no scale; omit --camera-orthographic=no' render block.obj --same-scale --camera-orthographic=no
 expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; omit --camera-orthographic=no' render block.obj --camera-orthographic=0 --camera-orthographic-height=3
-expect 2 'burnish: --camera-zoom-factor: --camera-orthographic-height already sets the scale; omit one of them' render block.obj --camera-orthographic-height=3 --camera-zoom-factor=2
+expect 2 'burnish: --zoom: --camera-orthographic-height already sets the scale; omit one of them' render block.obj --camera-orthographic-height=3 --zoom=2
 
 # A block that is flat in x and z keeps +Y as its up axis; a sheet on its edge does not.
 printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nv 0 0 .1\nv 9 0 .1\nv 9 7 .1\nv 0 7 .1\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 4 3 7 8\nf 1 4 8 5\nf 2 3 7 6\n' >sheet.obj
@@ -336,7 +336,7 @@ for kind in axes box dimensions scale grid axes,grid,scale; do
     differs "--annotate=$kind" "$bare" "$(hash block.obj --size=200 --camera-orthographic --annotate=$kind)"
 done
 same "annotations leave no trace in the report" "$(run render block.obj --size=200 --annotate=grid,dimensions --json -o s.png; json near_black)" 0
-expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; enlarge the picture or its margin' render block.obj --size=60 --camera-zoom-factor=4 --annotate=dimensions -o s.png
+expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; enlarge the picture or its margin' render block.obj --size=60 --zoom=4 --annotate=dimensions -o s.png
 expect 2 'burnish: --annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it' render block.obj --annotate=scale
 expect 2 'burnish: --annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it' render block.obj --views=front --camera-orthographic=no --annotate=scale
 expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=axes,ruler

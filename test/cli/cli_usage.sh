@@ -6,9 +6,8 @@
 expect 2 'burnish: no command; try "burnish render :teapot" or "burnish --help"'
 expect 2 'burnish: "rendr": unknown command; did you mean render?' rendr
 expect 2 'burnish: "frobnicate": unknown command; "burnish --help" lists the commands' frobnicate
-expect 2 'burnish: "bunny.obj": unknown command; did you mean burnish render bunny.obj?' bunny.obj
-expect 2 'burnish: ":teapot": unknown command; did you mean burnish render :teapot?' :teapot
-expect 2 'burnish: --json: a command comes first, as in "burnish render INPUT"; burnish --help lists the commands' --json
+expect 3 "burnish: bunny.obj: can't be opened: No such file or directory" bunny.obj
+expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' --json
 expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' render
 expect 2 'burnish: info: "b" is an extra operand; usage: burnish info INPUT [options]' info a b
 expect 2 'burnish: --sampels: unknown flag; did you mean --samples?' render :sphere --sampels=4
@@ -29,7 +28,7 @@ expect 2 'burnish: --camera-direction: 0,0,0 has no direction; give a vector tha
 expect 2 'burnish: --camera-position: it is equal to the focal point; move one of them' render :sphere --camera-position=1,2,3 --camera-focal-point=1,2,3
 expect 2 'burnish: --camera-view-up: it is parallel to the direction of view; use another vector' render :sphere --camera-position=0,9,0 --camera-focal-point=0,0,0 --camera-view-up=0,1,0
 expect 2 'burnish: --camera-position: --views already sets the camera; omit one of them' render :sphere --views=top --camera-position=1,2,3
-expect 2 'burnish: --camera-azimuth-angle: --camera-position already sets the camera; omit one of them' render :sphere --camera-position=1,2,3 --camera-azimuth-angle=30
+expect 2 'burnish: --azimuth: --camera-position already sets the camera; omit one of them' render :sphere --camera-position=1,2,3 --azimuth=30
 expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is one of directional, point, world-directional, world-point; or the whole is none or file' render :sphere --light=sun:1,2,3
 expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
 expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood

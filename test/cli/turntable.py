@@ -57,14 +57,14 @@ def test_turn():
 
 def test_framing():
     """A sphere keeps its place and size; a bar far from its middle does not leave; projections of both kinds; every up axis."""
-    for flags in ((), ("--camera-orthographic",), ("--up=-X", "--camera-elevation-angle=40")):
+    for flags in ((), ("--camera-orthographic",), ("--up=-X", "--elevation=40")):
         render(":sphere", "--turntable=s.png", "--frames=5", *flags)
         boxes = [box(samples) for _, samples in apng("s.png")[3]]
         for side in zip(*boxes):
             check(max(side) - min(side) <= 1, "the sphere pumps with %s: %s" % (flags, boxes))
         check(boxes[0][3] - boxes[0][1] >= 0.8 * H, "the sphere is small with %s: %s" % (flags, boxes[0]))
     open("bar.obj", "w").write("v 100 0 0\nv 110 0 0\nv 110 1 0\nv 100 1 1\nf 1 2 3\nf 1 3 4\n")
-    for flags in ((), ("--camera-direction=0,-1,0.001",), ("--views=front",), ("--camera-zoom-factor=1",)):
+    for flags in ((), ("--camera-direction=0,-1,0.001",), ("--views=front",), ("--zoom=1",)):
         render("bar.obj", "--turntable=b.png", "--frames=16", *flags)
         widths = []
         for i, (_, samples) in enumerate(apng("b.png")[3]):

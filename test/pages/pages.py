@@ -138,6 +138,8 @@ def is_known(path, number, words):
     words = [re.sub(r"^[\[(]+|[\])!?.,;:…]+$", "", word) for word in words]
     if not words or not words[0] or not re.match("[a-z]", words[0]):
         return True
+    if "." in words[0]:  # a file: render is implied
+        words.insert(0, "render")
     name = " ".join(words[:2]) if words[0] == "lobe" and re.match(r"[a-z]+$", " ".join(words[1:2])) else words[0]
     if name != "lobe" and name not in FLAGS:
         problem(path, number, f"there is no command \"burnish {name}\"; burnish --help lists them")

@@ -79,13 +79,16 @@ static void test_forms(void) {
     CHECK_TEXT(parse("-|--json").call.operands[0], "-");
     CHECK_TEXT(parse("x|--json=a.json").settings.output.json, "a.json");
     CHECK_TEXT(parse("--json|x").call.operands[0], "x");
-    p = parse("x|--camera-azimuth-angle|-30|--camera-position|-1,-2,-3");
+    p = parse("x|--azimuth|-30|--camera-position|-1,-2,-3");
     CHECK(p.settings.camera.azimuth.value == -30 && p.settings.camera.position.values[2] == -3,
           "a negative number is a value, not a flag");
     p = parse("x|--size=64|--resolution=300,200");
     CHECK1(p.settings.picture.size[0] == 300 && p.settings.picture.size[1] == 200);
     p = parse("x|--resolution=300x200|--size=64");
     CHECK1(p.settings.picture.size[0] == 64 && p.settings.picture.size[1] == 64);
+    p = parse("x|--camera-azimuth-angle=7|--verbose|--size=30x20");
+    CHECK1(p.settings.camera.azimuth.value == 7 && p.settings.job.timing);
+    CHECK1(p.settings.picture.size[0] == 30 && p.settings.picture.size[1] == 20);
     CHECK1(parse("x|--help|--nonsense").call.help == 1);
     CHECK1(parse("x|-h").call.help == 1 && !parse("x|-h").call.topic);
     CHECK_TEXT(parse("x|--help=camera").call.topic, "camera");
@@ -111,8 +114,7 @@ static void test_errors(void) {
     expect_error("--fov", "--fov: unknown flag; did you mean --camera-view-angle?");
     expect_error("--up-axis=+Z", "--up-axis: unknown flag; did you mean --up?");
     expect_error("--transparent", "--transparent: unknown flag; did you mean --no-background?");
-    expect_error("--width=3", "--width: unknown flag; did you mean --resolution?");
-    expect_error("--height=3", "--height: unknown flag; did you mean --resolution?");
+    expect_error("--res=3", "--res: unknown flag; did you mean --resolution?");
     expect_error("-z", "-z: unknown flag; \"burnish render --help\" lists the flags");
     expect_error("--samples=3", "--samples: \"3\" is not one of 1, 4, 8, 16");
     expect_error("--samples=", "--samples: \"\" is not one of 1, 4, 8, 16");

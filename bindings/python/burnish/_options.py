@@ -45,14 +45,14 @@ class Options(TypedDict, total=False):
     views: str
     annotate: Union[str, bool]
     camera_direction: Vector
-    camera_azimuth_angle: float
-    camera_elevation_angle: float
+    azimuth: float
+    elevation: float
     camera: Union[str, int]
     camera_position: Vector
     camera_focal_point: Vector
     camera_view_up: Vector
     camera_view_angle: float
-    camera_zoom_factor: float
+    zoom: float
     camera_orthographic: Union[bool, str]
     camera_orthographic_height: float
     margin: float

@@ -33,7 +33,8 @@ typedef struct render_background {
 } render_background;
 
 typedef struct render_picture_settings {
-    int size[2]; /* of a sheet: of each cell */
+    int size[2];  /* of a sheet: of each cell */
+    int sides[2]; /* --width and --height, which replace the size; 0: not given */
     render_rows rows;
     int samples;
     int cull_back_faces;
