@@ -10,7 +10,7 @@
  *   report.c  a line of JSON per item, from which the next run detects unchanged items
  *   index.c, sheet.c  a page and a contact sheet of all pictures
  *
- *   many.c    `burnish render` with many inputs
+ *   many.c    the work of `burnish render`, which is a batch if it has many inputs
  *
  * Each file has its own worker process. No other process parses what a worker writes. */
 #ifndef TOOL_BATCH_BATCH_H

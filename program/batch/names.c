@@ -7,7 +7,7 @@
 
 #include "batch/batch.h"
 #include "batch/names.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 const char *batch_base_name(const char *path) {
     const char *slash = strrchr(path, '/');

@@ -5,8 +5,8 @@
 #include "cli/output.h"
 #include "compare/report.h"
 #include "compare/sides.h"
-#include "render/camera.h"
 #include "render/output/report.h"
+#include "render/scene/camera.h"
 
 /* ---- Facts of meshes ---- */
 

@@ -7,12 +7,12 @@
 #include "compare/sides.h"
 #include "import/run.h"
 #include "picture/read_png.h"
-#include "render/camera.h"
-#include "render/options.h"
-#include "render/origin.h"
 #include "render/output/cells.h"
 #include "render/output/report.h"
-#include "render/up.h"
+#include "render/scene/camera.h"
+#include "render/scene/options.h"
+#include "render/scene/origin.h"
+#include "render/scene/up.h"
 
 /* ---- Reading ---- */
 

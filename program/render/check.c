@@ -9,7 +9,6 @@
 #include "cli/platform.h"
 #include "font/utf8.h"
 #include "picture/animation.h"
-#include "render/reference.h"
 #include "render/useless.h"
 
 int render_is_shared(const render_job_settings *job) {
@@ -20,7 +19,8 @@ static int is_standard(const char *path) {
     return strcmp(path, "-") == 0;
 }
 
-int render_is_same_file(const char *a, const char *b) {
+/* NULL and "-" are no files. */
+static int is_same_file(const char *a, const char *b) {
     return a && b && !is_standard(a) && !is_standard(b) &&
            (strcmp(a, b) == 0 || cli_same_file(a, b));
 }
@@ -85,7 +85,7 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
 static burnish_status check_report(render_settings *settings, burnish_error *error) {
     const char *others[] = {settings->input.name, render_output_path(&settings->output)};
     for (int i = 0; i < 2; ++i) {
-        if (render_is_same_file(settings->output.json, others[i])) {
+        if (is_same_file(settings->output.json, others[i])) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--json: \"%.200s\" is the %s; name another file",
                             settings->output.json, i == 0 ? "input" : "picture");
@@ -107,11 +107,11 @@ static burnish_status check_planes(render_settings *settings, burnish_error *err
         render_plane *plane = &settings->output.planes.items[i];
         burnish_status status = picture_choose("plane", plane->path, PICTURE_PLANE, PICTURE_AUTO,
                                                &plane->format, error);
-        int taken = render_is_same_file(plane->path, render_output_path(&settings->output)) ||
-                    render_is_same_file(plane->path, settings->output.json) ||
-                    render_is_same_file(plane->path, settings->input.name);
+        int taken = is_same_file(plane->path, render_output_path(&settings->output)) ||
+                    is_same_file(plane->path, settings->output.json) ||
+                    is_same_file(plane->path, settings->input.name);
         for (size_t k = 0; k < i; ++k) {
-            taken |= render_is_same_file(plane->path, settings->output.planes.items[k].path);
+            taken |= is_same_file(plane->path, settings->output.planes.items[k].path);
         }
         if (status == BURNISH_STATUS_OK && taken) {
             status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -389,13 +389,50 @@ static burnish_status check_shared_output(render_settings *settings, burnish_err
                : BURNISH_STATUS_OK;
 }
 
+static burnish_status check_reference(render_settings *settings, burnish_error *error) {
+    const char *reference = settings->output.reference,
+               *difference = settings->output.reference_difference;
+    const char *alone = settings->output.reference_threshold.given ? "reference-threshold"
+                        : difference                               ? "reference-difference"
+                                                                   : NULL;
+    if (!reference && alone) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: there is no reference; name it with --reference=FILE", alone);
+    }
+    if (reference &&
+        (settings->output.format == PICTURE_EXR || settings->output.format == PICTURE_NPY)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--reference: --output=%.200s has planes; name a picture",
+                        render_output_path(&settings->output));
+    }
+    if (is_same_file(reference, render_output_path(&settings->output))) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: \"%.200s\" is the reference; name another file",
+                        render_output_path(&settings->output));
+    }
+    const char *others[] = {settings->input.name, render_output_path(&settings->output), reference,
+                            settings->output.json};
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
+        if (is_same_file(difference, others[i])) {
+            return cli_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "--reference-difference: \"%.200s\" is used for another file; choose another name",
+                difference);
+        }
+    }
+    picture_format unused;
+    return difference ? picture_choose("reference-difference", difference, PICTURE_STILL,
+                                       PICTURE_AUTO, &unused, error)
+                      : BURNISH_STATUS_OK;
+}
+
 /* The order matters: later checks need the output's name, and then its format. */
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
     typedef burnish_status check(render_settings * settings, burnish_error * error);
-    static check *const checks[] = {render_check,           check_runners,        check_rows,
-                                    check_labels,           name_output,          check_output,
-                                    check_shared_output,    render_check_useless, check_planes,
-                                    render_check_reference, check_report};
+    static check *const checks[] = {render_check,        check_runners,        check_rows,
+                                    check_labels,        name_output,          check_output,
+                                    check_shared_output, render_check_useless, check_planes,
+                                    check_reference,     check_report};
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < sizeof checks / sizeof *checks && status == BURNISH_STATUS_OK; ++i) {
         status = checks[i](settings, error);

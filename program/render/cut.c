@@ -1,7 +1,7 @@
 /* `burnish render --clip`: cuts, and warnings about them. */
 #include "render/cut.h"
 
-#include "render/origin.h"
+#include "render/scene/origin.h"
 
 /* Why a cut is not filled. */
 static void warn_open(render_result *result, const burnish_mesh *mesh) {

@@ -7,7 +7,7 @@
 #include "render/flags.h"
 #include "render/manual.h"
 #include "render/render.h"
-#include "render/values.h"
+#include "render/settings/values.h"
 
 static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
                                         {"png", PICTURE_PNG},
@@ -20,15 +20,6 @@ static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
                                         {"gif", PICTURE_GIF},
                                         {"y4m", PICTURE_Y4M},
                                         {NULL, 0}};
-const cli_word render_plane_words[] = {
-    {"depth", PLANE_DEPTH},
-    {"normal", PLANE_NORMAL},
-    {"triangle", PLANE_TRIANGLE},
-    {"material", PLANE_MATERIAL},
-    {"coverage", PLANE_COVERAGE},
-    {"color", PLANE_COLOR},
-    {NULL, 0},
-};
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
     {"+Y", UP_POSITIVE_Y}, {"-Y", UP_NEGATIVE_Y}, {"+Z", UP_POSITIVE_Z}, {"-Z", UP_NEGATIVE_Z},
@@ -38,13 +29,6 @@ static const cli_word view_words[] = {
     {"front", VIEW_FRONT}, {"right", VIEW_RIGHT}, {"top", VIEW_TOP},       {"iso", VIEW_ISO},
     {"back", VIEW_BACK},   {"left", VIEW_LEFT},   {"bottom", VIEW_BOTTOM}, {NULL, 0},
 };
-const cli_word render_look_words[] = {{"studio", BURNISH_LOOK_STUDIO},
-                                      {"plain", BURNISH_LOOK_PLAIN},
-                                      {"clay", BURNISH_LOOK_CLAY},
-                                      {"technical", BURNISH_LOOK_TECHNICAL},
-                                      {"drawing", BURNISH_LOOK_DRAWING},
-                                      {"lobes", BURNISH_LOOK_LOBES},
-                                      {NULL, 0}};
 static const cli_word edge_words[] = {{"silhouettes", BURNISH_EDGES_SILHOUETTES},
                                       {"creases", BURNISH_EDGES_CREASES},
                                       {"boundaries", BURNISH_EDGES_BOUNDARIES},

@@ -1,11 +1,11 @@
-/* Parts of the table of flags that other files use. */
+/* The command `burnish render`: what other files use of it. */
 #ifndef TOOL_RENDER_FLAGS_H
 #define TOOL_RENDER_FLAGS_H
 
-#include "burnish/look.h"
 #include "cli/options.h"
 
-extern const cli_word render_look_words[]; /* burnish_look */
+/* The work of the command, of whoever links its table: batch/many.c, or session/stand_in.c. */
+cli_work render_work;
 
 /* Picture flags for other commands that draw: the flags of the topics picture, files and report
  * that do not name a file or set a limit. */

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -15,21 +14,20 @@
 #include "cli/limits.h"
 #include "cli/memory.h"
 #include "picture/formats.h"
-#include "render/annotate.h"
-#include "render/camera.h"
 #include "render/check.h"
 #include "render/cut.h"
-#include "render/many.h"
-#include "render/options.h"
-#include "render/origin.h"
+#include "render/output/annotate.h"
 #include "render/output/bands.h"
 #include "render/output/cells.h"
+#include "render/output/reference.h"
 #include "render/output/report.h"
+#include "render/output/sheet.h"
 #include "render/output/turntable.h"
-#include "render/reference.h"
 #include "render/render.h"
-#include "render/sheet.h"
-#include "render/up.h"
+#include "render/scene/camera.h"
+#include "render/scene/options.h"
+#include "render/scene/origin.h"
+#include "render/scene/up.h"
 #include "sandbox/process.h"
 #include "sandbox/worker.h"
 
@@ -404,76 +402,10 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     return status;
 }
 
-/* Whether pictures are named after inputs. */
-static int is_template(const char *output) {
-    static const char *const words[] = {"{model}", "{folder}", "{ending}", "{view}"};
-    for (size_t i = 0; output && i < sizeof words / sizeof *words; ++i) {
-        if (strstr(output, words[i])) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static int is_folder(const char *name) {
-    struct stat state;
-    return stat(name, &state) == 0 && S_ISDIR(state.st_mode);
-}
-
-/* "render part.stl part.png": a second operand that can only be an output is the output. A picture
- * after several meshes is an error. With -o, images are allowed, since a shell's * can list textures
- * among meshes. */
-static burnish_status take_output_operand(render_settings *settings, cli_call *call,
-                                          burnish_error *error) {
-    const char *last = NULL;
-    for (size_t i = 0; i < call->argument_count; ++i) {
-        last = call->arguments[i].flag ? last : call->arguments[i].text;
-    }
-    if (call->operand_count < 2 || settings->output.path || settings->output.folder ||
-        settings->output.turntable || !last || !picture_is_name(last)) {
-        return BURNISH_STATUS_OK;
-    }
-    if (call->operand_count > 2 || settings->job.files_from) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "render: \"%.200s\" is an image, not a mesh; for several pictures, name "
-                        "a folder with -d",
-                        last);
-    }
-    call->operand_count = 1;
-    if (picture_is_animation(last)) {
-        settings->output.turntable = last;
-    } else {
-        settings->output.path = last;
-        settings->output.is_derived = 1; /* replaces only pictures of burnish */
-    }
-    return BURNISH_STATUS_OK;
-}
-
-burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
-    render_settings *settings = from;
-    const int has_list = settings->job.files_from != NULL;
-    burnish_status status;
-    if (call->operand_count == 0 && !has_list) {
-        return cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "render: no INPUT; try \"burnish render :teapot\" or \"burnish render --help\"");
-    }
-    status = take_output_operand(settings, call, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    if (call->operand_count > 1 || settings->output.folder || settings->job.recursive || has_list ||
-        is_template(settings->output.path)) {
-        return render_many(settings, call, error);
-    }
-    if (is_folder(call->operands[0])) {
-        return cli_fail(error, BURNISH_STATUS_READ,
-                        "%.300s: is a folder; use --output-dir=FOLDER to draw all its meshes",
-                        call->operands[0]);
-    }
+burnish_status render_one(render_settings *settings, cli_call *call, burnish_error *error) {
     settings->input.name = call->operands[0];
     int code = -1;
-    status = render_finish(settings, error);
+    burnish_status status = render_finish(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = begin(settings, &code, error);
     }

@@ -7,7 +7,8 @@
 /* Draws, writes and reports. Sets *exit_code if success is not 0. */
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error);
 
-/* The work of the subcommand. */
-cli_work render_work;
+/* Completes the settings and draws call->operands[0], in the sandbox if they ask for it. Sets
+ * call->exit_code. */
+burnish_status render_one(render_settings *settings, cli_call *call, burnish_error *error);
 
 #endif

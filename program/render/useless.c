@@ -5,7 +5,7 @@
 
 #include "cli/main.h"
 #include "picture/formats.h"
-#include "render/options.h"
+#include "render/scene/options.h"
 
 static int is_given(const render_settings *settings, const char *flag) {
     return cli_is_given(&render_command, settings, flag);

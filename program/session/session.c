@@ -7,14 +7,14 @@
 #include <string.h>
 
 #include "cli/main.h"
-#include "render/camera.h"
 #include "render/check.h"
 #include "render/cut.h"
-#include "render/options.h"
-#include "render/origin.h"
 #include "render/output/cells.h"
 #include "render/output/report.h"
-#include "render/up.h"
+#include "render/scene/camera.h"
+#include "render/scene/options.h"
+#include "render/scene/origin.h"
+#include "render/scene/up.h"
 
 struct session {
     burnish_context *context;

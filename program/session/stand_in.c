@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/flags.h"
 #include "render/output/report.h"
-#include "render/render.h"
 
 /* The work of the command, which is never called. */
 burnish_status render_work(void *settings, cli_call *call, burnish_error *error) {

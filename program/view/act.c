@@ -3,6 +3,7 @@
 
 #include "view/act.h"
 #include "render/flags.h"
+#include "render/settings/values.h"
 #include "view/show.h"
 
 #include <math.h>

@@ -1,15 +1,16 @@
 #include "view/scene.h"
 #include "burnish/look.h"
 #include "render/flags.h"
-#include "render/options.h"
+#include "render/scene/options.h"
+#include "render/settings/values.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "cli/output.h"
-#include "render/origin.h"
-#include "render/up.h"
+#include "render/scene/origin.h"
+#include "render/scene/up.h"
 
 static int is_cancelled(void *user_data) {
     const view_scene *scene = user_data;

@@ -3,7 +3,7 @@
 #ifndef TOOL_VIEW_SCENE_H
 #define TOOL_VIEW_SCENE_H
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "render/settings/settings.h"
 
 /* The quality of a picture: of still pictures, and of moving ones, depending on the available time.

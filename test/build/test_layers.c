@@ -31,8 +31,7 @@ static const struct layer {
     {"src/mesh/read/ply", "core mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/threemf", "core mesh/data mesh/read/common mesh/read/io"},
     {"src/raster", "core simd burnish/core.h"},
-    {"src/image", "core image/text burnish/compare.h burnish/core.h burnish/drawing.h "
-                  "burnish/image.h burnish/sheet.h"},
+    {"src/image", "core burnish/compare.h burnish/core.h burnish/image.h"},
     {"src/image/decode", "core image/zlib_stream.h burnish/image.h"},
     {"src/image/text", "core image/pixels.h burnish/drawing.h burnish/image.h burnish/sheet.h"},
     {"src/annotate",
@@ -45,23 +44,27 @@ static const struct layer {
     {"src/render/light", "core simd raster render render/texture burnish/mesh.h burnish/render.h"},
     {"src/render/lines", "core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
-    {"program/batch", "cli import picture render render/output render/settings sandbox burnish"},
+    {"program/batch",
+     "cli import picture render render/output render/scene render/settings sandbox burnish"},
     {"program/cli", "burnish"},
-    {"program/compare", "cli import render render/output render/settings picture burnish"},
+    {"program/compare", "cli import render render/output render/scene picture burnish"},
     {"program/font", "cli burnish"},
     {"program/import", "cli core/beneath.h core/show_name.h burnish"},
     {"program/info", "cli import burnish"},
-    {"program/lobe", "cli plot burnish"},
+    {"program/lobe", "cli burnish"},
     {"program/picture", "cli burnish"},
     {"program/plot", "cli lobe picture burnish"},
     {"program/mpi", "burnish"},
-    {"program/render", "cli font picture render/output render/settings sandbox burnish"},
-    {"program/render/output", "cli font import picture render render/settings sandbox burnish"},
-    {"program/render/settings", "cli picture render/output burnish"},
+    {"program/render",
+     "cli font picture render/output render/scene render/settings sandbox burnish"},
+    {"program/render/output",
+     "cli font import picture render/scene render/settings sandbox burnish"},
+    {"program/render/scene", "render/settings sandbox burnish"},
+    {"program/render/settings", "cli picture burnish"},
     {"program/sandbox", "cli core/beneath.h core/show_name.h import burnish"},
     {"program/serve", "cli import render render/settings sandbox burnish"},
-    {"program/view", "cli picture render render/settings burnish"},
-    {"program/session", "cli render render/output render/settings burnish"},
+    {"program/view", "cli picture render render/scene render/settings burnish"},
+    {"program/session", "cli render render/output render/scene burnish"},
     {"importers", "mesh/read/bms.h mesh/read/io/unpack.h mesh/read/io/zip.h core/bytes.h "
                   "core/numbers.h core/srgb.h sandbox/lock.h"},
     {"importers/assimp", "core/numbers.h importers"},
@@ -123,9 +126,14 @@ static int holds_word(const char *words, const char *word) {
     return strstr(padded, wanted) != NULL;
 }
 
+/* The part of a folder's name that includes have. */
+static const char *include_name(const struct layer *layer) {
+    const char *own = strchr(layer->folder, '/');
+    return own ? own + 1 : layer->folder;
+}
+
 /* Whether a file of `folder` may include "include": by its folder, or by its whole name. */
 static int allowed(const struct layer *layer, const char *include) {
-    const char *own = strchr(layer->folder, '/');
     char folder[256];
     snprintf(folder, sizeof folder, "%s", include);
     char *slash = strrchr(folder, '/');
@@ -133,7 +141,7 @@ static int allowed(const struct layer *layer, const char *include) {
         return 1;
     }
     *slash = 0;
-    return (own && strcmp(own + 1, folder) == 0) || strcmp(layer->folder, folder) == 0 ||
+    return strcmp(include_name(layer), folder) == 0 || strcmp(layer->folder, folder) == 0 ||
            holds_word(layer->may_include, folder) || holds_word(layer->may_include, include);
 }
 
@@ -240,6 +248,18 @@ static int check_folder(const char *folder) {
     return includes;
 }
 
+/* No two folders may include each other. */
+static void check_directions(void) {
+    const size_t count = sizeof LAYERS / sizeof LAYERS[0];
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t k = 0; k < i; ++k) {
+            CHECK(!holds_word(LAYERS[i].may_include, include_name(&LAYERS[k])) ||
+                      !holds_word(LAYERS[k].may_include, include_name(&LAYERS[i])),
+                  "%s and %s may include each other", LAYERS[i].folder, LAYERS[k].folder);
+        }
+    }
+}
+
 /* The test must be able to fail: these includes would turn the arrows round. */
 static void check_that_wrong_arrows_are_found(void) {
     CHECK(!allowed(find_layer("src/mesh"), "raster/tile.h"), "mesh knows no raster");
@@ -263,6 +283,7 @@ int main(int count, char **arguments) {
         CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }
     check_folder("test");
+    check_directions();
     RUN(check_that_wrong_arrows_are_found());
     return test_end("layers");
 }

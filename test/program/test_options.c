@@ -2,7 +2,7 @@
  * defaults that agree with the library's. */
 #include "../program/render/flags.c"
 #include "../program/render/manual.c"
-#include "../program/render/values.c"
+#include "../program/render/settings/values.c"
 #include "decimal_comma.h"
 
 /* The table refers to it, but it never runs. */

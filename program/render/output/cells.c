@@ -2,10 +2,10 @@
 #include <stdlib.h>
 
 #include "picture/formats.h"
-#include "render/annotate.h"
-#include "render/camera.h"
+#include "render/output/annotate.h"
 #include "render/output/cells.h"
 #include "render/output/report.h"
+#include "render/scene/camera.h"
 
 void render_warn_about_cell(render_result *result, const render_cell *cell) {
     const char *input = result->settings->input.name;

@@ -3,34 +3,7 @@
 #define TOOL_RENDER_PLANES_H
 
 #include "burnish/render.h"
-#include "picture/formats.h"
-
-typedef enum render_plane_kind {
-    PLANE_COLOR,
-    PLANE_DEPTH,
-    PLANE_NORMAL,
-    PLANE_TRIANGLE,
-    PLANE_MATERIAL,
-    PLANE_COVERAGE,
-    PLANE_KINDS
-} render_plane_kind;
-
-/* The values of --plane. */
-extern const cli_word render_plane_words[];
-
-/* One --plane=NAME:FILE. */
-typedef struct render_plane {
-    render_plane_kind kind;
-    const char *path;
-    picture_format format; /* set by render_finish */
-} render_plane;
-
-enum { RENDER_PLANES_MAX = 3 * PLANE_KINDS };
-
-typedef struct render_planes {
-    render_plane items[RENDER_PLANES_MAX];
-    size_t count;
-} render_planes;
+#include "render/settings/output.h"
 
 /* The buffers, width * height items each; NULL if not requested. */
 typedef struct render_plane_data {

@@ -12,10 +12,10 @@
 #include "cli/origin.h"
 #include "cli/output.h"
 #include "import/importers.h"
-#include "render/camera.h"
-#include "render/flags.h"
-#include "render/origin.h"
-#include "render/reference.h"
+#include "render/output/reference.h"
+#include "render/scene/camera.h"
+#include "render/scene/origin.h"
+#include "render/settings/values.h"
 
 void render_result_warn(render_result *result, int printed, const char *format, ...) {
     burnish_error line;

@@ -5,6 +5,7 @@
 #include "burnish/drawing.h"
 #include "font/font.h"
 #include "picture/verdict.h"
+#include "render/output/planes.h"
 #include "render/output/tones.h"
 #include "render/settings/settings.h"
 

@@ -9,9 +9,9 @@
 #include "cli/clock.h"
 #include "cli/values.h"
 #include "picture/animation.h"
-#include "render/camera.h"
 #include "render/output/pieces.h"
 #include "render/output/stream.h"
+#include "render/scene/camera.h"
 
 /* ---- The camera's path ---- */
 

@@ -3,7 +3,31 @@
 #define TOOL_RENDER_SETTINGS_OUTPUT_H
 
 #include "cli/values.h"
-#include "render/output/planes.h"
+#include "picture/formats.h"
+
+typedef enum render_plane_kind {
+    PLANE_COLOR,
+    PLANE_DEPTH,
+    PLANE_NORMAL,
+    PLANE_TRIANGLE,
+    PLANE_MATERIAL,
+    PLANE_COVERAGE,
+    PLANE_KINDS
+} render_plane_kind;
+
+/* One --plane=NAME:FILE. */
+typedef struct render_plane {
+    render_plane_kind kind;
+    const char *path;
+    picture_format format; /* set by render_finish */
+} render_plane;
+
+enum { RENDER_PLANES_MAX = 3 * PLANE_KINDS };
+
+typedef struct render_planes {
+    render_plane items[RENDER_PLANES_MAX];
+    size_t count;
+} render_planes;
 
 typedef struct render_output_settings {
     const char *path;   /* NULL: derived from the input's name */

@@ -3,7 +3,7 @@
  * its height above its lowest point. The object is stable if its centre is above the convex hull of
  * the contact area; the further inside and the lower the centre, the more stable. docs/up.md has
  * measurements. */
-#include "render/up.h"
+#include "render/scene/up.h"
 
 #include <float.h>
 #include <math.h>

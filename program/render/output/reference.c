@@ -1,4 +1,4 @@
-#include "render/reference.h"
+#include "render/output/reference.h"
 #include "burnish/compare.h"
 
 #include <stdio.h>
@@ -7,48 +7,10 @@
 #include "cli/output.h"
 #include "picture/panels.h"
 #include "picture/read_png.h"
-#include "render/check.h"
 
 static picture_rule rule_of(const render_settings *settings) {
     return (picture_rule){.threshold = settings->output.reference_threshold,
                           .metric = PICTURE_SSIM};
-}
-
-burnish_status render_check_reference(render_settings *settings, burnish_error *error) {
-    const char *reference = settings->output.reference,
-               *difference = settings->output.reference_difference;
-    const char *alone = settings->output.reference_threshold.given ? "reference-threshold"
-                        : difference                               ? "reference-difference"
-                                                                   : NULL;
-    if (!reference && alone) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: there is no reference; name it with --reference=FILE", alone);
-    }
-    if (reference &&
-        (settings->output.format == PICTURE_EXR || settings->output.format == PICTURE_NPY)) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--reference: --output=%.200s has planes; name a picture",
-                        render_output_path(&settings->output));
-    }
-    if (render_is_same_file(reference, render_output_path(&settings->output))) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: \"%.200s\" is the reference; name another file",
-                        render_output_path(&settings->output));
-    }
-    const char *others[] = {settings->input.name, render_output_path(&settings->output), reference,
-                            settings->output.json};
-    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
-        if (render_is_same_file(difference, others[i])) {
-            return cli_fail(
-                error, BURNISH_STATUS_ARGUMENT,
-                "--reference-difference: \"%.200s\" is used for another file; choose another name",
-                difference);
-        }
-    }
-    picture_format unused;
-    return difference ? picture_choose("reference-difference", difference, PICTURE_STILL,
-                                       PICTURE_AUTO, &unused, error)
-                      : BURNISH_STATUS_OK;
 }
 
 burnish_status render_read_reference(render_result *result, burnish_error *error) {

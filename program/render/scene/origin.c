@@ -1,4 +1,4 @@
-#include "render/origin.h"
+#include "render/scene/origin.h"
 
 static void subtract(double position[3], const double origin[3]) {
     for (int k = 0; k < 3; ++k) {

@@ -4,9 +4,6 @@
 
 #include "render/output/report.h"
 
-/* Checks the flags' files. Errors: ARGUMENT. */
-burnish_status render_check_reference(render_settings *settings, burnish_error *error);
-
 /* Reads the reference, if there is one, before anything is drawn. Errors: READ, FORMAT, LIMIT,
  * MEMORY. */
 burnish_status render_read_reference(render_result *result, burnish_error *error);

@@ -1,5 +1,5 @@
 /* Cameras from flags. Everything that affects pixels uses plain IEEE operations. */
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 #include <string.h>
 

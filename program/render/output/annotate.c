@@ -1,5 +1,5 @@
 /* Drawing a cell with its annotations, into pixels and into a drawing. */
-#include "render/annotate.h"
+#include "render/output/annotate.h"
 #include "burnish/drawing.h"
 #include "burnish/sheet.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 burnish_status render_draw(const render_result *result, burnish_renderer *renderer,
                            const burnish_render_options *options, render_cell *cell, float **depth,

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "render/values.h"
+#include "render/settings/values.h"
 
 /* Chosen by eye on the teapot under the default rig. */
 const render_preset render_presets[] = {
@@ -16,6 +16,24 @@ const render_preset render_presets[] = {
 const cli_word render_preset_words[] = {
     {"matte", 1}, {"satin", 2}, {"plastic", 3}, {"polished", 4}, {"metal", 5}, {NULL, 0},
 };
+
+const cli_word render_plane_words[] = {
+    {"depth", PLANE_DEPTH},
+    {"normal", PLANE_NORMAL},
+    {"triangle", PLANE_TRIANGLE},
+    {"material", PLANE_MATERIAL},
+    {"coverage", PLANE_COVERAGE},
+    {"color", PLANE_COLOR},
+    {NULL, 0},
+};
+
+const cli_word render_look_words[] = {{"studio", BURNISH_LOOK_STUDIO},
+                                      {"plain", BURNISH_LOOK_PLAIN},
+                                      {"clay", BURNISH_LOOK_CLAY},
+                                      {"technical", BURNISH_LOOK_TECHNICAL},
+                                      {"drawing", BURNISH_LOOK_DRAWING},
+                                      {"lobes", BURNISH_LOOK_LOBES},
+                                      {NULL, 0}};
 
 burnish_status render_flag_background(const cli_flag *flag, const char *text, void *target,
                                       burnish_error *error) {

@@ -1,10 +1,10 @@
-#include "render/sheet.h"
+#include "render/output/sheet.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "font/utf8.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 static size_t empty_cells(size_t count, size_t columns) {
     return (columns - count % columns) % columns;

@@ -1,9 +1,9 @@
-#include "render/options.h"
+#include "render/scene/options.h"
 #include "burnish/look.h"
 
 #include <string.h>
 
-#include "render/values.h"
+#include "render/settings/values.h"
 #include "sandbox/worker.h"
 
 burnish_load_options render_load_options(const render_input_settings *input, int threads) {

@@ -1,4 +1,4 @@
-/* Handlers of the flags that only `burnish render` has, and presets of materials. */
+/* Handlers and words of the flags that only `burnish render` has, and presets of materials. */
 #ifndef TOOL_RENDER_VALUES_H
 #define TOOL_RENDER_VALUES_H
 
@@ -16,6 +16,9 @@ typedef struct render_preset {
 /* The presets in the order of render_preset_words, whose values are 1 + their indices. */
 extern const render_preset render_presets[];
 extern const cli_word render_preset_words[];
+
+extern const cli_word render_plane_words[]; /* render_plane_kind */
+extern const cli_word render_look_words[];  /* burnish_look */
 
 /* The comment names the type of the target. */
 cli_handler render_flag_background;    /* render_background */
