@@ -339,4 +339,237 @@ inline float3 burnishLighting(float3 N, float3 L, float3 V, float3 ambient, floa
     return color;
 }
 
+// ---- math/burnishArctangent ----
+
+// The angle of (x, y) in [-pi, pi], within 1e-6. Vulkan permits an error of 4096 ulp in atan.
+inline float burnishArctangent(float y, float x) {
+    float high = max(abs(x), abs(y));
+    float t = min(abs(x), abs(y)) / max(high, 1.0e-37);
+    float z = t * t;
+
+                    float odd = ((((0.0080058695 * z - 0.0374396637) * z + 0.0843499963) * z - 0.1351193412) * z + 0.1988725216) * z;
+    float angle = ((odd - 0.3332700497) * z + 0.9999994138) * t;
+    if (abs(y) > abs(x)) {
+        angle = 1.57079633 - angle;
+    }
+    if (x < 0.0) {
+        angle = 3.14159265 - angle;
+    }
+    if (y < 0.0) {
+        angle = -angle;
+    }
+    return angle;
+}
+
+// ---- lighting/area/burnishEdge ----
+
+// Parts of the light of a polygon that belong to one of its edges: an arc from a to b of the great
+// circle with unit normal n, which points into the polygon.
+
+// Lambert's: its sum is 2 times the integral of max(0, N.w).
+inline float burnishEdgeDiffuse(float3 a, float3 b, float3 n, float3 N) {
+    return burnishArctangent(dot(n, cross(a, b)), dot(a, b)) * dot(n, N);
+}
+
+// 1 + u + ... + u^m
+inline float burnishPowerSum(float u, int order) {
+    float sum = 1.0 + u;
+    float power = u * u;
+    if (order >= 4) {
+        sum = sum * (1.0 + power);
+        power = power * power;
+    }
+    if (order >= 8) {
+        sum = sum * (1.0 + power);
+        power = power * power;
+    }
+    return sum + power;
+}
+
+// (1 + u + ... + u^m) / (1 + c) at two points of the arc, whose gaps are 1 - c.
+inline float burnishGapPair(float gap1, float gap2, float zeta, int order) {
+    float p1 = burnishPowerSum(max(1.0 - zeta * gap1, 0.0), order);
+    float p2 = burnishPowerSum(max(1.0 - zeta * gap2, 0.0), order);
+    float q1 = 2.0 - gap1;
+    float q2 = 2.0 - gap2;
+    return (p1 * q2 + p2 * q1) / (q1 * q2);
+}
+
+// Nodes and weights of Gauss and Legendre's rule.
+inline float2 burnishGaussNode(int i) {
+    float2 node = float2(0.183434642, 0.362683783);
+    if (i == 1) {
+        node = float2(0.52553241, 0.313706646);
+    }
+    if (i == 2) {
+        node = float2(0.796666477, 0.222381034);
+    }
+    if (i == 3) {
+        node = float2(0.960289856, 0.101228536);
+    }
+    return node;
+}
+
+// The lobe's, zeta >= 1: with 2 pi for an axis R inside of the polygon its sum is zeta (m + 1) times
+// the integral of the lobe. s is R.n. (xa, ya) and (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to
+// the axis and k its cosine. An edge outside of the lobe adds nothing.
+// Source: docs/theory.md; Gauss and Legendre's rule with 8 nodes in the tangent of a quarter of the arc.
+inline float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, float zeta,
+                             int order) {
+    float gap = s * s / (1.0 + k);
+    float h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
+    float result = 0.0;
+    if (h > 0.0) {
+        float x = 1.0 - h;
+        float y = sqrt(h * (2.0 - h));
+        float x1 = xa;
+        float y1 = ya;
+        float x2 = xb;
+        float y2 = yb;
+        float isHit = 1.0;
+        if (xa <= 0.0 || abs(ya) > y) {
+            x1 = x;
+            y1 = -y;
+            isHit = step(ya, 0.0);
+        }
+        if (xb <= 0.0 || abs(yb) > y) {
+            x2 = x;
+            y2 = y;
+            isHit = isHit * step(0.0, yb);
+        }
+        if (isHit > 0.0) {
+            // the arc's middle, half of its angle, and the tangent of a quarter of its length
+            float2 middle = float2(x1 + x2, y1 + y2);
+            middle = middle * rsqrt(dot(middle, middle));
+            float2 halved = float2(1.0 + middle.x, middle.y);
+            halved = halved * rsqrt(dot(halved, halved));
+            float sine = 0.5 * (middle.x * (y2 - y1) - middle.y * (x2 - x1));
+            float tangent = sine / (1.0 + middle.x * x2 + middle.y * y2);
+            float sum = 0.0;
+            for (int i = 0; i < 4; i = i + 1) {
+                float2 node = burnishGaussNode(i);
+                float t = node.x * tangent;
+                float inverse = 1.0 / (1.0 + t * t);
+                float bend = 2.0 * k * inverse;
+                float sine1 = halved.y + halved.x * t;
+                float sine2 = halved.y - halved.x * t;
+                float gap1 = gap + bend * sine1 * sine1;
+                float gap2 = gap + bend * sine2 * sine2;
+                sum = sum + node.y * inverse * burnishGapPair(gap1, gap2, zeta, order);
+            }
+            result = 2.0 * zeta * s * tangent * sum - burnishArctangent(s * (x1 * y2 - x2 * y1),
+                                                                        s * s * x1 * x2 + y1 * y2);
+        }
+    }
+    return result;
+}
+
+// ---- lighting/area/burnishAreaLight ----
+
+// The light of a parallelogram or an ellipse of radiance 1 as vec2(diffuse, specular):
+//   diffuse   1 / pi times the integral of max(0, N.w) over the light, at most 1
+//   specular  its mean under the lobe of order m = 2, 4, 8, 16 or 32 and slope zeta >= 1 around R:
+//             1 where the light fills the lobe
+// Both leave out what is below the horizon of N. The corners are center +- halfU +- halfV, seen from the
+// surface; N and R have unit length. The light shines to the side of cross(halfU, halfV): sides is 1,
+// or 2 if it shines to both.
+
+// The two parts of an edge, of which diffuse is 2 pi and specular 2 pi times too large. s is R.n.
+inline float2 burnishEdgeLight(float3 a, float3 b, float3 n, float s, float3 N, float3 R,
+                               float zeta, int order) {
+    float3 nearest = R - n * s;
+    float k = max(sqrt(dot(nearest, nearest)), 0.0001);
+    nearest = nearest * (1.0 / k);
+    float3 across = cross(n, nearest);
+    float lengthA = rsqrt(max(dot(a, a), 1.0e-30));
+    float lengthB = rsqrt(max(dot(b, b), 1.0e-30));
+    float xa = dot(a, nearest) * lengthA;
+    float ya = dot(a, across) * lengthA;
+    float xb = dot(b, nearest) * lengthB;
+    float yb = dot(b, across) * lengthB;
+    return float2(burnishEdgeDiffuse(a, b, n, N), burnishEdgeLobe(s, k, xa, ya, xb, yb, zeta,
+                  order));
+}
+
+// A regular polygon of `count` corners in the coordinates of halfU and halfV: `corner`, and that
+// turned again and again by `turn`, (cosine, sine).
+inline float2 burnishRegularLight(float3 center, float3 halfU, float3 halfV, int sides, float3 N,
+                                  float3 R, float zeta, int order, float2 corner, float2 turn, int count) {
+    float3 up = halfV;
+    float side = dot(cross(halfU, halfV), center);
+    if (side < 0.0) {
+        up = -halfV;
+    }
+    float2 at = corner;
+    float3 a = center + halfU * at.x + up * at.y;
+    float3 leaves = N;
+    float3 enters = N;
+    float isCut = 0.0;
+    float isSeen = 0.0;
+    float isInside = 1.0;
+    float2 sum = float2(0.0, 0.0);
+    for (int i = 0; i < count + 1; i = i + 1) {
+        float2 next = float2(turn.x * at.x - turn.y * at.y, turn.y * at.x + turn.x * at.y);
+        float3 edge = halfU * (next.x - at.x) + up * (next.y - at.y);
+        float3 b = a + edge;
+        float3 start = a;
+        float3 end = b;
+        float3 n = cross(a, edge);
+        n = n * rsqrt(max(dot(n, n), 1.0e-30));
+        float heightA = dot(a, N);
+        float heightB = dot(b, N);
+        float isUp = step(0.0, max(heightA, heightB));
+        if (i == count) { // what the horizon cuts off is replaced by an edge along it
+            start = leaves;
+            end = enters;
+            n = N;
+            isUp = isCut;
+        } else {
+            if (heightA < 0.0 && heightB >= 0.0) {
+                start = a + edge * (heightA / (heightA - heightB));
+                enters = start;
+            }
+            if (heightA >= 0.0 && heightB < 0.0) {
+                end = a + edge * (heightA / (heightA - heightB));
+                leaves = end;
+                isCut = 1.0;
+            }
+        }
+        if (isUp > 0.0) {
+            float s = dot(n, R);
+            if (s < 0.0) {
+                isInside = 0.0;
+            }
+            if (abs(s) < 1.0e-15) {
+                s = 1.0e-15;
+            }
+            isSeen = 1.0;
+            sum = sum + burnishEdgeLight(start, end, n, s, N, R, zeta, order);
+        }
+        a = b;
+        at = next;
+    }
+    if (sides == 1 && side >= 0.0) {
+        isSeen = 0.0;
+    }
+    float diffuse = clamp(sum.x * 0.159154943, 0.0, 1.0);
+    float specular = clamp(isInside + sum.y * 0.159154943, 0.0, 1.0);
+    return float2(isSeen * diffuse, isSeen * specular);
+}
+
+inline float2 burnishRectLight(float3 center, float3 halfU, float3 halfV, int sides, float3 N,
+                               float3 R, float zeta, int order) {
+    float2 corner = float2(1.0, 1.0);
+    float2 turn = float2(0.0, 1.0);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 4);
+}
+
+// The disc is a polygon of 12 corners with its area.
+inline float2 burnishDiscLight(float3 center, float3 halfU, float3 halfV, int sides, float3 N,
+                               float3 R, float zeta, int order) {
+    float2 corner = float2(1.02332671, 0.0);
+    float2 turn = float2(0.866025404, 0.5);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 12);
+}
+
 #endif

@@ -315,3 +315,236 @@ fn burnishLighting(N: vec3f, L: vec3f, V: vec3f, ambient: vec3f, diffuse: vec3f,
     let color = ambient + diffuse * weights.x + specular * weights.y;
     return color;
 }
+
+// ---- math/burnishArctangent ----
+
+// The angle of (x, y) in [-pi, pi], within 1e-6. Vulkan permits an error of 4096 ulp in atan.
+fn burnishArctangent(y: f32, x: f32) -> f32 {
+    let high = max(abs(x), abs(y));
+    let t = min(abs(x), abs(y)) / max(high, 1.0e-37);
+    let z = t * t;
+
+                  let odd = ((((0.0080058695 * z - 0.0374396637) * z + 0.0843499963) * z - 0.1351193412) * z + 0.1988725216) * z;
+    var angle = ((odd - 0.3332700497) * z + 0.9999994138) * t;
+    if (abs(y) > abs(x)) {
+        angle = 1.57079633 - angle;
+    }
+    if (x < 0.0) {
+        angle = 3.14159265 - angle;
+    }
+    if (y < 0.0) {
+        angle = -angle;
+    }
+    return angle;
+}
+
+// ---- lighting/area/burnishEdge ----
+
+// Parts of the light of a polygon that belong to one of its edges: an arc from a to b of the great
+// circle with unit normal n, which points into the polygon.
+
+// Lambert's: its sum is 2 times the integral of max(0, N.w).
+fn burnishEdgeDiffuse(a: vec3f, b: vec3f, n: vec3f, N: vec3f) -> f32 {
+    return burnishArctangent(dot(n, cross(a, b)), dot(a, b)) * dot(n, N);
+}
+
+// 1 + u + ... + u^m
+fn burnishPowerSum(u: f32, order: i32) -> f32 {
+    var sum = 1.0 + u;
+    var power = u * u;
+    if (order >= 4) {
+        sum = sum * (1.0 + power);
+        power = power * power;
+    }
+    if (order >= 8) {
+        sum = sum * (1.0 + power);
+        power = power * power;
+    }
+    return sum + power;
+}
+
+// (1 + u + ... + u^m) / (1 + c) at two points of the arc, whose gaps are 1 - c.
+fn burnishGapPair(gap1: f32, gap2: f32, zeta: f32, order: i32) -> f32 {
+    let p1 = burnishPowerSum(max(1.0 - zeta * gap1, 0.0), order);
+    let p2 = burnishPowerSum(max(1.0 - zeta * gap2, 0.0), order);
+    let q1 = 2.0 - gap1;
+    let q2 = 2.0 - gap2;
+    return (p1 * q2 + p2 * q1) / (q1 * q2);
+}
+
+// Nodes and weights of Gauss and Legendre's rule.
+fn burnishGaussNode(i: i32) -> vec2f {
+    var node = vec2f(0.183434642, 0.362683783);
+    if (i == 1) {
+        node = vec2f(0.52553241, 0.313706646);
+    }
+    if (i == 2) {
+        node = vec2f(0.796666477, 0.222381034);
+    }
+    if (i == 3) {
+        node = vec2f(0.960289856, 0.101228536);
+    }
+    return node;
+}
+
+// The lobe's, zeta >= 1: with 2 pi for an axis R inside of the polygon its sum is zeta (m + 1) times
+// the integral of the lobe. s is R.n. (xa, ya) and (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to
+// the axis and k its cosine. An edge outside of the lobe adds nothing.
+// Source: docs/theory.md; Gauss and Legendre's rule with 8 nodes in the tangent of a quarter of the arc.
+fn burnishEdgeLobe(s: f32, k: f32, xa: f32, ya: f32, xb: f32, yb: f32, zeta: f32,
+                   order: i32) -> f32 {
+    let gap = s * s / (1.0 + k);
+    let h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
+    var result = 0.0;
+    if (h > 0.0) {
+        let x = 1.0 - h;
+        let y = sqrt(h * (2.0 - h));
+        var x1 = xa;
+        var y1 = ya;
+        var x2 = xb;
+        var y2 = yb;
+        var isHit = 1.0;
+        if (xa <= 0.0 || abs(ya) > y) {
+            x1 = x;
+            y1 = -y;
+            isHit = step(ya, 0.0);
+        }
+        if (xb <= 0.0 || abs(yb) > y) {
+            x2 = x;
+            y2 = y;
+            isHit = isHit * step(0.0, yb);
+        }
+        if (isHit > 0.0) {
+            // the arc's middle, half of its angle, and the tangent of a quarter of its length
+            var middle = vec2f(x1 + x2, y1 + y2);
+            middle = middle * inverseSqrt(dot(middle, middle));
+            var halved = vec2f(1.0 + middle.x, middle.y);
+            halved = halved * inverseSqrt(dot(halved, halved));
+            let sine = 0.5 * (middle.x * (y2 - y1) - middle.y * (x2 - x1));
+            let tangent = sine / (1.0 + middle.x * x2 + middle.y * y2);
+            var sum = 0.0;
+            for (var i: i32 = 0; i < 4; i = i + 1) {
+                let node = burnishGaussNode(i);
+                let t = node.x * tangent;
+                let inverse = 1.0 / (1.0 + t * t);
+                let bend = 2.0 * k * inverse;
+                let sine1 = halved.y + halved.x * t;
+                let sine2 = halved.y - halved.x * t;
+                let gap1 = gap + bend * sine1 * sine1;
+                let gap2 = gap + bend * sine2 * sine2;
+                sum = sum + node.y * inverse * burnishGapPair(gap1, gap2, zeta, order);
+            }
+            result = 2.0 * zeta * s * tangent * sum - burnishArctangent(s * (x1 * y2 - x2 * y1),
+                                                                        s * s * x1 * x2 + y1 * y2);
+        }
+    }
+    return result;
+}
+
+// ---- lighting/area/burnishAreaLight ----
+
+// The light of a parallelogram or an ellipse of radiance 1 as vec2(diffuse, specular):
+//   diffuse   1 / pi times the integral of max(0, N.w) over the light, at most 1
+//   specular  its mean under the lobe of order m = 2, 4, 8, 16 or 32 and slope zeta >= 1 around R:
+//             1 where the light fills the lobe
+// Both leave out what is below the horizon of N. The corners are center +- halfU +- halfV, seen from the
+// surface; N and R have unit length. The light shines to the side of cross(halfU, halfV): sides is 1,
+// or 2 if it shines to both.
+
+// The two parts of an edge, of which diffuse is 2 pi and specular 2 pi times too large. s is R.n.
+fn burnishEdgeLight(a: vec3f, b: vec3f, n: vec3f, s: f32, N: vec3f, R: vec3f, zeta: f32,
+                    order: i32) -> vec2f {
+    var nearest = R - n * s;
+    let k = max(sqrt(dot(nearest, nearest)), 0.0001);
+    nearest = nearest * (1.0 / k);
+    let across = cross(n, nearest);
+    let lengthA = inverseSqrt(max(dot(a, a), 1.0e-30));
+    let lengthB = inverseSqrt(max(dot(b, b), 1.0e-30));
+    let xa = dot(a, nearest) * lengthA;
+    let ya = dot(a, across) * lengthA;
+    let xb = dot(b, nearest) * lengthB;
+    let yb = dot(b, across) * lengthB;
+    return vec2f(burnishEdgeDiffuse(a, b, n, N), burnishEdgeLobe(s, k, xa, ya, xb, yb, zeta,
+                 order));
+}
+
+// A regular polygon of `count` corners in the coordinates of halfU and halfV: `corner`, and that
+// turned again and again by `turn`, (cosine, sine).
+fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
+                       zeta: f32, order: i32, corner: vec2f, turn: vec2f, count: i32) -> vec2f {
+    var up = halfV;
+    let side = dot(cross(halfU, halfV), center);
+    if (side < 0.0) {
+        up = -halfV;
+    }
+    var at = corner;
+    var a = center + halfU * at.x + up * at.y;
+    var leaves = N;
+    var enters = N;
+    var isCut = 0.0;
+    var isSeen = 0.0;
+    var isInside = 1.0;
+    var sum = vec2f(0.0, 0.0);
+    for (var i: i32 = 0; i < count + 1; i = i + 1) {
+        let next = vec2f(turn.x * at.x - turn.y * at.y, turn.y * at.x + turn.x * at.y);
+        let edge = halfU * (next.x - at.x) + up * (next.y - at.y);
+        let b = a + edge;
+        var start = a;
+        var end = b;
+        var n = cross(a, edge);
+        n = n * inverseSqrt(max(dot(n, n), 1.0e-30));
+        let heightA = dot(a, N);
+        let heightB = dot(b, N);
+        var isUp = step(0.0, max(heightA, heightB));
+        if (i == count) { // what the horizon cuts off is replaced by an edge along it
+            start = leaves;
+            end = enters;
+            n = N;
+            isUp = isCut;
+        } else {
+            if (heightA < 0.0 && heightB >= 0.0) {
+                start = a + edge * (heightA / (heightA - heightB));
+                enters = start;
+            }
+            if (heightA >= 0.0 && heightB < 0.0) {
+                end = a + edge * (heightA / (heightA - heightB));
+                leaves = end;
+                isCut = 1.0;
+            }
+        }
+        if (isUp > 0.0) {
+            var s = dot(n, R);
+            if (s < 0.0) {
+                isInside = 0.0;
+            }
+            if (abs(s) < 1.0e-15) {
+                s = 1.0e-15;
+            }
+            isSeen = 1.0;
+            sum = sum + burnishEdgeLight(start, end, n, s, N, R, zeta, order);
+        }
+        a = b;
+        at = next;
+    }
+    if (sides == 1 && side >= 0.0) {
+        isSeen = 0.0;
+    }
+    let diffuse = clamp(sum.x * 0.159154943, 0.0, 1.0);
+    let specular = clamp(isInside + sum.y * 0.159154943, 0.0, 1.0);
+    return vec2f(isSeen * diffuse, isSeen * specular);
+}
+
+fn burnishRectLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
+                    zeta: f32, order: i32) -> vec2f {
+    let corner = vec2f(1.0, 1.0);
+    let turn = vec2f(0.0, 1.0);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 4);
+}
+
+// The disc is a polygon of 12 corners with its area.
+fn burnishDiscLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
+                    zeta: f32, order: i32) -> vec2f {
+    let corner = vec2f(1.02332671, 0.0);
+    let turn = vec2f(0.866025404, 0.5);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 12);
+}

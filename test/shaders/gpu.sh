@@ -13,17 +13,19 @@ done
 rm -rf "$scratch"
 mkdir -p "$scratch"
 "$source/scripts/shaders" --half "$scratch/half.glsl"
-for shader in cases sweep light half; do
+for shader in cases area sweep light half; do
     glslangValidator -V --target-env vulkan1.1 -I"$source/shaders" -I"$here" -I"$scratch" -o "$scratch/$shader.spv" "$here/$shader.comp"
 done
-glslangValidator -D -e main -S comp -V --target-env vulkan1.1 -I"$source/shaders" -I"$here" -o "$scratch/cases_hlsl.spv" "$here/cases.hlsl"
+for shader in cases area; do
+    glslangValidator -D -e main -S comp -V --target-env vulkan1.1 -I"$source/shaders" -I"$here" -o "$scratch/${shader}_hlsl.spv" "$here/$shader.hlsl"
+done
 
 tried=0
 for driver in /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json /usr/lib/chromium/vk_swiftshader_icd.json; do
     [ -e "$driver" ] || continue
     status=0
     # shellcheck disable=SC2086
-    VK_ICD_FILENAMES=$driver "$program" "$scratch" "$source/test/data/lobes.csv" $all || status=$?
+    VK_ICD_FILENAMES=$driver "$program" "$scratch" "$source/test/data/lobes.csv" "$source/test/data/area.csv" $all || status=$?
     case $status in
     0) tried=$((tried + 1)) ;;
     77) ;;

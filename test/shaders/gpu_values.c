@@ -1,9 +1,10 @@
 /* The shaders' values on a Vulkan device against the CPU's, bit for bit.
- * Usage: gpu_values FOLDER LOBES_CSV [--all]
- *   FOLDER  cases.spv, cases_hlsl.spv, sweep.spv, light.spv, half.spv
+ * Usage: gpu_values FOLDER LOBES_CSV AREA_CSV [--all]
+ *   FOLDER  cases.spv, cases_hlsl.spv, area.spv, area_hlsl.spv, sweep.spv, light.spv, half.spv
  *   --all   one lobe at all 2^32 floats too (a minute) */
 #include "vulkan.h"
 
+#include "area.h"
 #include "burnish/mesh.h"
 #include "burnish/render.h"
 #include "half.h"
@@ -115,6 +116,37 @@ static void check_cases(gpu_device *gpu, const char *folder, const char *name, c
     }
     report(&lobes, strcmp(name, "cases") == 0 ? "vectors, GLSL" : "vectors, HLSL");
     report(&divided, "vectors, Schlick, 2.5 ulp");
+    gpu_buffer_destroy(gpu, &in);
+    gpu_buffer_destroy(gpu, &out);
+    gpu_program_destroy(gpu, &program);
+}
+
+/* ---- Area lights: test/data/area.csv ---- */
+
+static void check_area(gpu_device *gpu, const char *folder, const char *name, const char *csv) {
+    char path[512];
+    gpu_program program;
+    gpu_buffer in, out;
+    double largest[2] = {0, 0}; /* of parallelograms, of discs */
+    snprintf(path, sizeof path, "%s/%s.spv", folder, name);
+    gpu_program_create(gpu, path, &program);
+    gpu_buffer_create(gpu, AREA_CASES_MAX * sizeof(area_case), &in);
+    gpu_buffer_create(gpu, AREA_CASES_MAX * 2 * sizeof(float), &out);
+    const area_case *cases = in.data;
+    const float *values = out.data;
+    const int count = read_area_cases(csv, in.data);
+    CHECK(count > 200, "%s: %d cases", csv, count);
+    gpu_run(gpu, &program, (const gpu_buffer *[]){&in, &out, &in}, NULL, 0, (uint32_t)count);
+    for (int i = 0; i < count; ++i) {
+        const area_case *one = &cases[i];
+        const float error =
+            fmaxf(fabsf(values[2 * i] - one->diffuse), fabsf(values[2 * i + 1] - one->specular));
+        const int is_disc = one->is_disc != 0.0f;
+        largest[is_disc] = fmax(largest[is_disc], (double)error);
+        CHECK(error <= (is_disc ? AREA_ERROR_DISC : AREA_ERROR_RECT), "%s, case %d: %g", name, i,
+              (double)error);
+    }
+    printf("%-34s %10d values, errors %.1e, discs %.1e\n", name, count, largest[0], largest[1]);
     gpu_buffer_destroy(gpu, &in);
     gpu_buffer_destroy(gpu, &out);
     gpu_program_destroy(gpu, &program);
@@ -380,8 +412,8 @@ static void check_half(gpu_device *gpu, const char *folder) {
 
 int main(int count, char **arguments) {
     gpu_device gpu;
-    if (count < 3) {
-        fprintf(stderr, "usage: gpu_values FOLDER LOBES_CSV [--all]\n");
+    if (count < 4) {
+        fprintf(stderr, "usage: gpu_values FOLDER LOBES_CSV AREA_CSV [--all]\n");
         return 2;
     }
     gpu_open(&gpu);
@@ -390,7 +422,9 @@ int main(int count, char **arguments) {
            gpu.has_round_even ? "can be had" : "is not promised");
     check_cases(&gpu, arguments[1], "cases", arguments[2]);
     check_cases(&gpu, arguments[1], "cases_hlsl", arguments[2]);
-    check_sweep(&gpu, arguments[1], count > 3);
+    check_area(&gpu, arguments[1], "area", arguments[3]);
+    check_area(&gpu, arguments[1], "area_hlsl", arguments[3]);
+    check_sweep(&gpu, arguments[1], count > 4);
     check_frame(&gpu, arguments[1], 2);
     check_frame(&gpu, arguments[1], 16);
     check_half(&gpu, arguments[1]);

@@ -1,5 +1,5 @@
 // The shaders for Metal (-DMETAL) or OSL as C++ whose literals are floats, against burnish/lobe.h and the library. No compiler of either language
-// runs on Linux or is in Debian; both are C++ and C but for their vectors. Usage: stand_in LOBES_CSV
+// runs on Linux or is in Debian; both are C++ and C but for their vectors. Usage: stand_in LOBES_CSV AREA_CSV
 #ifdef METAL
 #define BURNISH_EXACT
 #include "burnish.metal"
@@ -12,6 +12,14 @@ typedef float3 vector;
 #include "burnish/kernels.h"
 #include "burnish/theory.h"
 #include "values.glsl"
+#ifdef METAL
+typedef float2 vec2;
+#else
+typedef vector vec2;
+#endif
+typedef vector vec3;
+#include "area.glsl"
+#include "area.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -239,12 +247,34 @@ static void check_lighting() {
     check_near("lambda", (double)burnishLambda(x, near), 5e-5, 1e-4);
 }
 
+static void check_area(const char *path) {
+    static area_case cases[AREA_CASES_MAX];
+    const int count = read_area_cases(path, cases);
+    check(count > 200, path, count, 201);
+    for (int i = 0; i < count; ++i) {
+        const area_case &one = cases[i];
+        const auto of = [](const float *v) { return vector(v[0], v[1], v[2]); };
+        const auto light = [&](int sides, vector halfV) {
+            return areaLight(one.is_disc != 0, sides, (int)one.order, one.zeta, of(one.center), of(one.half_u), halfV, of(one.normal),
+                             of(one.axis));
+        };
+        const float most = one.is_disc != 0 ? AREA_ERROR_DISC : AREA_ERROR_RECT;
+        const vec2 actual = light((int)one.sides, of(one.half_v));
+        check(std::fabs(actual.x - one.diffuse) <= most, "area, diffuse", (double)actual.x, (double)one.diffuse);
+        check(std::fabs(actual.y - one.specular) <= most, "area, specular", (double)actual.y, (double)one.specular);
+        const vec2 back = light(1, -of(one.half_v)), both = light(2, -of(one.half_v));
+        check(one.sides > 1 || std::max(back.x, back.y) == 0, "the dark side", (double)back.x, 0);
+        check(std::fabs(both.x - one.diffuse) <= most, "the other side", (double)both.x, (double)one.diffuse);
+    }
+}
+
 int main(int, char **arguments) {
     check_vectors(arguments[1]);
     check_slopes();
     check_conversions();
     check_normalization();
     check_lighting();
+    check_area(arguments[2]);
     std::printf("%s: %d checks, %d failed\n", arguments[0], checks, failures);
     return failures != 0;
 }

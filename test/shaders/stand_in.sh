@@ -8,5 +8,5 @@ for language in METAL OSL; do
     g++ -std=c++17 -O1 -ffp-contract=off -fsingle-precision-constant -Wall -Wextra -Werror -Wno-unused-function -D$language \
         -I"$2/test/shaders" -I"$2/test/shaders/metal" -I"$2/shaders" -I"$2/include" "$2/test/shaders/stand_in.cc" $1 -lm \
         -o "$3/$language"
-    "$3/$language" "$2/test/data/lobes.csv"
+    "$3/$language" "$2/test/data/lobes.csv" "$2/test/data/area.csv"
 done

@@ -100,7 +100,7 @@ if command -v node >/dev/null && command -v npm >/dev/null; then
         done
         says "WGSL" node "$here/wgsl.mjs" "$dawn" ./*.wgsl
         VK_ICD_FILENAMES=/usr/lib/chromium/vk_swiftshader_icd.json \
-            node "$here/wgsl_values.mjs" "$dawn" "$shaders/burnish.wgsl" "$source/test/data/lobes.csv" || failed=$((failed + 1))
+            node "$here/wgsl_values.mjs" "$dawn" "$shaders/burnish.wgsl" "$source/test/data/lobes.csv" "$source/test/data/area.csv" || failed=$((failed + 1))
     else
         echo "shaders: WGSL is not checked: npm can't get webgpu"
     fi

@@ -1,11 +1,12 @@
-// Compares the lobes of burnish.wgsl, run by Dawn on a Vulkan driver, with burnish/lobe.h's operations in single precision.
-// Usage: wgsl_values.mjs FOLDER_OF_NODE_MODULES BURNISH_WGSL LOBES_CSV
+// Compares the lobes of burnish.wgsl, run by Dawn on a Vulkan driver, with burnish/lobe.h's operations in single precision, and its area lights
+// with integrals.
+// Usage: wgsl_values.mjs FOLDER_OF_NODE_MODULES BURNISH_WGSL LOBES_CSV AREA_CSV
 // VK_ICD_FILENAMES chooses the driver; Dawn rejects lavapipe and accepts SwiftShader.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
 
-const [folder, shaders, csv] = process.argv.slice(2);
+const [folder, shaders, csv, area] = process.argv.slice(2);
 const { create, globals } = await import(pathToFileURL(createRequire(folder + '/').resolve('webgpu')));
 Object.assign(globalThis, globals);
 const gpu = create(['backend=vulkan']); // kept: its collection would take the device along
@@ -36,39 +37,44 @@ function lobe({ order, cosine, zeta }) {
     return u;
 }
 
-const code = readFileSync(shaders, 'utf8') + `
-struct Case { cosine: f32, zeta: f32, order: f32, unused: f32 }
-@group(0) @binding(0) var<storage, read> cases: array<Case>;
-@group(0) @binding(1) var<storage, read_write> values: array<f32>;
+// Runs a compute shader's main(number of the case) on `count` cases of `stride` floats; its values have `width` floats.
+async function run(main, data, stride, width) {
+    const count = data.length / stride;
+    const code = readFileSync(shaders, 'utf8') + `
+@group(0) @binding(0) var<storage, read> cases: array<f32>;
+@group(0) @binding(1) var<storage, read_write> values: array<${width === 1 ? 'f32' : `vec${width}f`}>;
+${main}
 @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) at: vec3u) {
-    if (at.x >= arrayLength(&values)) { return; }
-    let one = cases[at.x];
-    var value = burnishLobe2(one.cosine, one.zeta);
-    if (one.order == 4.0) { value = burnishLobe4(one.cosine, one.zeta); }
-    if (one.order == 8.0) { value = burnishLobe8(one.cosine, one.zeta); }
-    if (one.order == 16.0) { value = burnishLobe16(one.cosine, one.zeta); }
-    if (one.order == 32.0) { value = burnishLobe32(one.cosine, one.zeta); }
-    values[at.x] = value;
+    if (at.x < arrayLength(&values)) { values[at.x] = valueOf(at.x * ${stride}); }
 }`;
+    const size = 4 * width * count;
+    const input = device.createBuffer({ size: data.byteLength, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
+    const output = device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC });
+    const result = device.createBuffer({ size, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
+    device.queue.writeBuffer(input, 0, data);
+    const pipeline = device.createComputePipeline({ layout: 'auto', compute: { module: device.createShaderModule({ code }) } });
+    const bindings = [input, output].map((buffer, binding) => ({ binding, resource: { buffer } }));
+    const encoder = device.createCommandEncoder();
+    const pass = encoder.beginComputePass();
+    pass.setPipeline(pipeline);
+    pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries: bindings }));
+    pass.dispatchWorkgroups(Math.ceil(count / 64));
+    pass.end();
+    encoder.copyBufferToBuffer(output, 0, result, 0, size);
+    device.queue.submit([encoder.finish()]);
+    await result.mapAsync(GPUMapMode.READ);
+    return new Float32Array(result.getMappedRange());
+}
 
-const data = new Float32Array(cases.flatMap((one) => [one.cosine, one.zeta, one.order, 0]));
-const size = 4 * cases.length;
-const input = device.createBuffer({ size: data.byteLength, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
-const output = device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC });
-const result = device.createBuffer({ size, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
-device.queue.writeBuffer(input, 0, data);
-const pipeline = device.createComputePipeline({ layout: 'auto', compute: { module: device.createShaderModule({ code }) } });
-const bindings = [input, output].map((buffer, binding) => ({ binding, resource: { buffer } }));
-const encoder = device.createCommandEncoder();
-const pass = encoder.beginComputePass();
-pass.setPipeline(pipeline);
-pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries: bindings }));
-pass.dispatchWorkgroups(Math.ceil(cases.length / 64));
-pass.end();
-encoder.copyBufferToBuffer(output, 0, result, 0, size);
-device.queue.submit([encoder.finish()]);
-await result.mapAsync(GPUMapMode.READ);
-const values = new Float32Array(result.getMappedRange());
+const values = await run(`
+fn valueOf(i: u32) -> f32 {
+    let order = cases[i + 2];
+    if (order == 2.0) { return burnishLobe2(cases[i], cases[i + 1]); }
+    if (order == 4.0) { return burnishLobe4(cases[i], cases[i + 1]); }
+    if (order == 8.0) { return burnishLobe8(cases[i], cases[i + 1]); }
+    if (order == 16.0) { return burnishLobe16(cases[i], cases[i + 1]); }
+    return burnishLobe32(cases[i], cases[i + 1]);
+}`, new Float32Array(cases.flatMap((one) => [one.cosine, one.zeta, one.order])), 3, 1);
 
 let flushed = 0;
 let others = 0;
@@ -81,4 +87,27 @@ cases.forEach((one, i) => {
     }
 });
 console.log(`vectors, WGSL by Dawn: ${cases.length} values, ${flushed} flushed to 0, ${others} others`);
+
+// Lines of area.csv: is it a disc, then the numbers; the last two are expected.
+const lights = readFileSync(area, 'utf8').split('\n').slice(1).filter(Boolean)
+    .map((line) => line.split(',').map((field, i) => (i === 0 ? Number(field === 'disc') : Number(field))));
+const light = await run(`
+fn at(i: u32) -> vec3f { return vec3f(cases[i], cases[i + 1], cases[i + 2]); }
+fn valueOf(i: u32) -> vec2f {
+    let sides = i32(cases[i + 1]);
+    let order = i32(cases[i + 2]);
+    if (cases[i] == 1.0) { return burnishDiscLight(at(i + 4), at(i + 7), at(i + 10), sides, at(i + 13), at(i + 16), cases[i + 3], order); }
+    return burnishRectLight(at(i + 4), at(i + 7), at(i + 10), sides, at(i + 13), at(i + 16), cases[i + 3], order);
+}`, new Float32Array(lights.flat()), 21, 2);
+const largest = [0, 0]; // of parallelograms, of discs
+lights.forEach(([isDisc, ...numbers], i) => {
+    for (const k of [0, 1]) {
+        const error = Math.abs(light[2 * i + k] - numbers[18 + k]);
+        largest[isDisc] = Math.max(largest[isDisc], Number.isNaN(error) ? Infinity : error);
+    }
+});
+console.log(`area lights, WGSL by Dawn: ${lights.length} values, errors ${largest.map((x) => x.toExponential(1)).join(', discs ')}`);
+if (lights.length < 200 || largest[0] > 2e-5 || largest[1] > 2.5e-3) { // as in area.h
+    ++others;
+}
 process.exit(others > 0 || cases.length < 2000 ? 1 : 0);

@@ -1,0 +1,30 @@
+// math/burnishArctangent.glsl: part of burnish, highlights without pow
+// Written by scripts/shaders from shaders/burnish.shade; change that. docs/shaders.md explains.
+// GLSL 330, ES 300 with highp floats, and later. BURNISH_EXACT: the CPU's bits (GLSL 400, ES 320).
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+
+#ifndef FNC_MATH_BURNISH_ARCTANGENT
+#define FNC_MATH_BURNISH_ARCTANGENT
+
+// The angle of (x, y) in [-pi, pi], within 1e-6. Vulkan permits an error of 4096 ulp in atan.
+float burnishArctangent(float y, float x) {
+    float high = max(abs(x), abs(y));
+    float t = min(abs(x), abs(y)) / max(high, 1.0e-37);
+    float z = t * t;
+
+                    float odd = ((((0.0080058695 * z - 0.0374396637) * z + 0.0843499963) * z - 0.1351193412) * z + 0.1988725216) * z;
+    float angle = ((odd - 0.3332700497) * z + 0.9999994138) * t;
+    if (abs(y) > abs(x)) {
+        angle = 1.57079633 - angle;
+    }
+    if (x < 0.0) {
+        angle = 3.14159265 - angle;
+    }
+    if (y < 0.0) {
+        angle = -angle;
+    }
+    return angle;
+}
+
+#endif

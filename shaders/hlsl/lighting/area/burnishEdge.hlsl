@@ -1,0 +1,113 @@
+// lighting/area/burnishEdge.hlsl: part of burnish, highlights without pow
+// Written by scripts/shaders from shaders/burnish.shade; change that. docs/shaders.md explains.
+// HLSL, shader model 4 and later. BURNISH_EXACT: the CPU's bits.
+// SPDX-License-Identifier: MIT
+// Copyright (c) the burnish authors
+
+#include "../../math/burnishArctangent.hlsl"
+
+#ifndef FNC_LIGHTING_AREA_BURNISH_EDGE
+#define FNC_LIGHTING_AREA_BURNISH_EDGE
+
+// Parts of the light of a polygon that belong to one of its edges: an arc from a to b of the great
+// circle with unit normal n, which points into the polygon.
+
+// Lambert's: its sum is 2 times the integral of max(0, N.w).
+float burnishEdgeDiffuse(float3 a, float3 b, float3 n, float3 N) {
+    return burnishArctangent(dot(n, cross(a, b)), dot(a, b)) * dot(n, N);
+}
+
+// 1 + u + ... + u^m
+float burnishPowerSum(float u, int order) {
+    float sum = 1.0 + u;
+    float power = u * u;
+    if (order >= 4) {
+        sum = sum * (1.0 + power);
+        power = power * power;
+    }
+    if (order >= 8) {
+        sum = sum * (1.0 + power);
+        power = power * power;
+    }
+    return sum + power;
+}
+
+// (1 + u + ... + u^m) / (1 + c) at two points of the arc, whose gaps are 1 - c.
+float burnishGapPair(float gap1, float gap2, float zeta, int order) {
+    float p1 = burnishPowerSum(max(1.0 - zeta * gap1, 0.0), order);
+    float p2 = burnishPowerSum(max(1.0 - zeta * gap2, 0.0), order);
+    float q1 = 2.0 - gap1;
+    float q2 = 2.0 - gap2;
+    return (p1 * q2 + p2 * q1) / (q1 * q2);
+}
+
+// Nodes and weights of Gauss and Legendre's rule.
+float2 burnishGaussNode(int i) {
+    float2 node = float2(0.183434642, 0.362683783);
+    if (i == 1) {
+        node = float2(0.52553241, 0.313706646);
+    }
+    if (i == 2) {
+        node = float2(0.796666477, 0.222381034);
+    }
+    if (i == 3) {
+        node = float2(0.960289856, 0.101228536);
+    }
+    return node;
+}
+
+// The lobe's, zeta >= 1: with 2 pi for an axis R inside of the polygon its sum is zeta (m + 1) times
+// the integral of the lobe. s is R.n. (xa, ya) and (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to
+// the axis and k its cosine. An edge outside of the lobe adds nothing.
+// Source: docs/theory.md; Gauss and Legendre's rule with 8 nodes in the tangent of a quarter of the arc.
+float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, float zeta,
+                      int order) {
+    float gap = s * s / (1.0 + k);
+    float h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
+    float result = 0.0;
+    if (h > 0.0) {
+        float x = 1.0 - h;
+        float y = sqrt(h * (2.0 - h));
+        float x1 = xa;
+        float y1 = ya;
+        float x2 = xb;
+        float y2 = yb;
+        float isHit = 1.0;
+        if (xa <= 0.0 || abs(ya) > y) {
+            x1 = x;
+            y1 = -y;
+            isHit = step(ya, 0.0);
+        }
+        if (xb <= 0.0 || abs(yb) > y) {
+            x2 = x;
+            y2 = y;
+            isHit = isHit * step(0.0, yb);
+        }
+        if (isHit > 0.0) {
+            // the arc's middle, half of its angle, and the tangent of a quarter of its length
+            float2 middle = float2(x1 + x2, y1 + y2);
+            middle = middle * rsqrt(dot(middle, middle));
+            float2 halved = float2(1.0 + middle.x, middle.y);
+            halved = halved * rsqrt(dot(halved, halved));
+            float sine = 0.5 * (middle.x * (y2 - y1) - middle.y * (x2 - x1));
+            float tangent = sine / (1.0 + middle.x * x2 + middle.y * y2);
+            float sum = 0.0;
+            for (int i = 0; i < 4; i = i + 1) {
+                float2 node = burnishGaussNode(i);
+                float t = node.x * tangent;
+                float inverse = 1.0 / (1.0 + t * t);
+                float bend = 2.0 * k * inverse;
+                float sine1 = halved.y + halved.x * t;
+                float sine2 = halved.y - halved.x * t;
+                float gap1 = gap + bend * sine1 * sine1;
+                float gap2 = gap + bend * sine2 * sine2;
+                sum = sum + node.y * inverse * burnishGapPair(gap1, gap2, zeta, order);
+            }
+            result = 2.0 * zeta * s * tangent * sum - burnishArctangent(s * (x1 * y2 - x2 * y1),
+                                                                        s * s * x1 * x2 + y1 * y2);
+        }
+    }
+    return result;
+}
+
+#endif
