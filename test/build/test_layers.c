@@ -37,6 +37,7 @@ static const struct layer {
     {"src/annotate",
      "core image image/text burnish/annotate.h burnish/core.h burnish/drawing.h burnish/image.h "
      "burnish/mesh.h"},
+    {"src/environment", "core image image/decode shading simd burnish/kernels.h burnish/light.h"},
     {"src/render", "core raster simd burnish/mesh.h"},
     {"src/render/frame", "core simd raster shading render render/light render/lines render/texture "
                          "image/text/drawing.h burnish/core.h burnish/drawing.h burnish/look.h "
