@@ -48,7 +48,7 @@ def on_one_core():
 
 
 class Contestant:
-    """A program that answers lines; bench/peers/worker.h has the protocol. One thread is bound to one core."""
+    """A program that replies to lines; bench/peers/worker.h has the protocol. One thread is bound to one core."""
 
     def __init__(self, program, threads):
         environment = dict(os.environ, LP_NUM_THREADS="0" if threads == 1 else "2")
@@ -59,15 +59,15 @@ class Contestant:
         try:
             self.process.stdin.write(line + "\n")
             self.process.stdin.flush()
-            answer = self.process.stdout.readline()
+            reply = self.process.stdout.readline()
         except BrokenPipeError:
-            answer = ""
-        return answer.rstrip("\n") or "error it ended"
+            reply = ""
+        return reply.rstrip("\n") or "error it ended"
 
     def frames(self, variant, count):
-        """(milliseconds of each frame, None), or (None, the answer)."""
-        answer = self.request(f"frame {variant} {count}")
-        return ([float(word) for word in answer.split()[1:]], None) if answer.startswith("ok") else (None, answer)
+        """(milliseconds of each frame, None), or (None, the reply)."""
+        reply = self.request(f"frame {variant} {count}")
+        return ([float(word) for word in reply.split()[1:]], None) if reply.startswith("ok") else (None, reply)
 
     def scenes(self):
         """{name: text} of the scenes that it can draw."""

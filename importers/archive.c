@@ -7,14 +7,14 @@ static int is_archive(const importer_input *input) {
     return input->size >= 4 && memcmp(input->bytes, "PK\3\4", 4) == 0;
 }
 
-static int ends_with(const burnish_zip_part *part, const char *ending) {
-    const size_t size = strlen(ending), name = part->name_size;
+static int ends_with(const burnish_zip_part *part, const char *extension) {
+    const size_t size = strlen(extension), name = part->name_size;
     if (name < size + 1 || part->name[name - size - 1] != '.') {
         return 0;
     }
     for (size_t i = 0; i < size; ++i) {
         const uint8_t c = part->name[name - size + i];
-        if ((c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c) != ending[i]) {
+        if ((c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c) != extension[i]) {
             return 0;
         }
     }
@@ -23,13 +23,13 @@ static int ends_with(const burnish_zip_part *part, const char *ending) {
 
 /* The first part with that extension, or else the only part; NULL: the format is an archive itself.
  */
-static const burnish_zip_part *find_part(const burnish_zip *zip, const char *ending) {
+static const burnish_zip_part *find_part(const burnish_zip *zip, const char *extension) {
     for (size_t i = 0; i < zip->count; ++i) {
-        if (ends_with(&zip->parts[i], ending)) {
+        if (ends_with(&zip->parts[i], extension)) {
             return &zip->parts[i];
         }
     }
-    return zip->count == 1 && strcmp(ending, "amf") == 0 ? &zip->parts[0] : NULL;
+    return zip->count == 1 && strcmp(extension, "amf") == 0 ? &zip->parts[0] : NULL;
 }
 
 burnish_status importer_unpack_archive(importer_input *input, burnish_error *error) {
@@ -46,7 +46,7 @@ burnish_status importer_unpack_archive(importer_input *input, burnish_error *err
     }
     burnish_status status = burnish_zip_open(&zip, &reader);
     const burnish_zip_part *part =
-        status == BURNISH_STATUS_OK ? find_part(&zip, input->ending) : NULL;
+        status == BURNISH_STATUS_OK ? find_part(&zip, input->extension) : NULL;
     if (part) {
         status = burnish_zip_read(&zip, part, &bytes, &size);
     }

@@ -261,7 +261,7 @@ importer_material importer_default_material(void) {
 /* ---- The process ---- */
 
 /* Reads standard input to its end. The sandbox forbids asking for its size. */
-static importer_input read_input(const char *ending) {
+static importer_input read_input(const char *extension) {
     const off_t end = lseek(STDIN_FILENO, 0, SEEK_END);
     size_t size = 0, capacity = end > 0 ? (size_t)end + 1 : FIRST_READ;
     uint8_t *bytes = malloc(capacity);
@@ -288,7 +288,7 @@ static importer_input read_input(const char *ending) {
     if (size == 0) {
         importer_fail(BURNISH_BMS_FORMAT_ERROR, "the file is empty");
     }
-    return (importer_input){bytes, size, ending};
+    return (importer_input){bytes, size, extension};
 }
 
 void importer_unpack(importer_input *input) {
@@ -325,8 +325,8 @@ static void redirect(void) {
 
 int main(int count, char **arguments) {
     static importer_mesh mesh;
-    char ending[32] = "";
-    if (count != 2 || arguments[1][0] == '-' || strlen(arguments[1]) >= sizeof ending) {
+    char extension[32] = "";
+    if (count != 2 || arguments[1][0] == '-' || strlen(arguments[1]) >= sizeof extension) {
         fprintf(stderr,
                 "usage: %s EXTENSION <FILE >STREAM   (fbx, dae, ...: the file extension)\n"
                 "burnish runs it itself: burnish render part.EXTENSION\n",
@@ -335,7 +335,7 @@ int main(int count, char **arguments) {
     }
     for (size_t i = 0; arguments[1][i]; ++i) {
         const char c = arguments[1][i];
-        ending[i] = (char)(c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c);
+        extension[i] = (char)(c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c);
     }
     redirect();
     importer_prepare();
@@ -346,7 +346,7 @@ int main(int count, char **arguments) {
         snprintf(text, sizeof text, "can't enter its sandbox (%s: %s)", wall, strerror(code));
         importer_fail(BURNISH_BMS_FORMAT_ERROR, text);
     }
-    importer_input input = read_input(ending);
+    importer_input input = read_input(extension);
     importer_import(&input, &mesh);
     put_mesh(&mesh);
     importer_finish();

@@ -16,7 +16,7 @@ extern "C" {
 typedef struct importer_input {
     const uint8_t *bytes;
     size_t size;
-    const char *ending; /* the file extension, lower case, without the dot: "fbx" */
+    const char *extension; /* the file extension, lower case, without the dot: "fbx" */
 } importer_input;
 
 /* In the order of the stream. Numbers out of range are clamped when they are written. */

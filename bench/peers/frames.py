@@ -62,12 +62,12 @@ def start(name, scene, threads):
         skipped.setdefault(name, f"not built: install {PACKAGES[name]} (scripts/install-deps peers)")
         return None
     contestant = measure.Contestant(program, threads)
-    answer = contestant.request(f"open 1920 1080 1 {scene}")
-    if not answer.startswith("ready "):
-        skipped.setdefault(name, answer)
+    reply = contestant.request(f"open 1920 1080 1 {scene}")
+    if not reply.startswith("ready "):
+        skipped.setdefault(name, reply)
         contestant.stop()
         return None
-    print("  " + answer.removeprefix("ready "))
+    print("  " + reply.removeprefix("ready "))
     return contestant
 
 

@@ -39,9 +39,9 @@ def run_setup(contestants, setup, source, is_short):
     """(triangles, drawn ones, pixels, (median, least) of each contestant), or None."""
     _, samples, (width, height) = setup
     for name, contestant in zip(NAMES, contestants):
-        answer = contestant.request(f"open {width} {height} {samples} {source}")
-        if not answer.startswith("ready"):
-            print(f"bench-peers: {name}: {answer}", file=sys.stderr)
+        reply = contestant.request(f"open {width} {height} {samples} {source}")
+        if not reply.startswith("ready"):
+            print(f"bench-peers: {name}: {reply}", file=sys.stderr)
             return None
     counts = contestants[0].request("counts").split()
     times = time_setup(contestants, is_short) if counts[0] == "ok" else None

@@ -26,8 +26,8 @@ burnish = measure.Contestant(f"{flags.programs}/bench_peers_burnish", flags.thre
 failed = False
 print(f"{'ms per frame':<24} {'triangles':>9} {'drawn':>9} {'pixels':>9} {'least':>9} {'median':>9}")
 for source in flags.files or [scene for scene in burnish.scenes() if scene.startswith(flags.only)]:
-    answer = burnish.request(f"open {flags.size.replace(',', ' ')} {flags.samples} {source}")
-    times, error = burnish.frames("scene", 1) if answer.startswith("ready") else (None, answer)
+    reply = burnish.request(f"open {flags.size.replace(',', ' ')} {flags.samples} {source}")
+    times, error = burnish.frames("scene", 1) if reply.startswith("ready") else (None, reply)
     if error:
         print(f"scenes.py: {source}: {error}", file=sys.stderr)
         failed = True

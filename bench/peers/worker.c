@@ -1,4 +1,4 @@
-/* The loop that answers the runner's requests. */
+/* The loop that replies to the runner's requests. */
 #include "worker.h"
 
 #include <stdio.h>
@@ -16,8 +16,8 @@ static int write_file(const char *path, const void *bytes, size_t size) {
     return fclose(file) == 0 && whole;
 }
 
-static int answer_frames(const burnish_peers_contestant *contestant, void *state,
-                         const char *variant, int count) {
+static int reply_frames(const burnish_peers_contestant *contestant, void *state,
+                        const char *variant, int count) {
     double milliseconds;
     if (!contestant->frame(state, variant, &milliseconds)) {
         return 0;
@@ -33,8 +33,8 @@ static int answer_frames(const burnish_peers_contestant *contestant, void *state
     return 1;
 }
 
-static int answer_picture(const burnish_peers_contestant *contestant, void *state,
-                          const char *variant, const char *path) {
+static int reply_picture(const burnish_peers_contestant *contestant, void *state,
+                         const char *variant, const char *path) {
     uint8_t *rgb = calloc(BURNISH_PEERS_PIXELS, 3);
     int done = rgb && contestant->picture(state, variant, rgb) &&
                write_file(path, rgb, (size_t)BURNISH_PEERS_PIXELS * 3);
@@ -45,8 +45,8 @@ static int answer_picture(const burnish_peers_contestant *contestant, void *stat
     return done;
 }
 
-static int answer_triangles(const burnish_peers_contestant *contestant, void *state,
-                            const char *path) {
+static int reply_triangles(const burnish_peers_contestant *contestant, void *state,
+                           const char *path) {
     uint32_t *numbers = calloc(BURNISH_PEERS_PIXELS, sizeof *numbers);
     int done = numbers && contestant->triangles(state, numbers) &&
                write_file(path, numbers, (size_t)BURNISH_PEERS_PIXELS * sizeof *numbers);
@@ -57,7 +57,7 @@ static int answer_triangles(const burnish_peers_contestant *contestant, void *st
     return done;
 }
 
-static int answer_counts(const burnish_peers_job *job) {
+static int reply_counts(const burnish_peers_job *job) {
     burnish_render_options options = job->options;
     burnish_render_report report;
     burnish_image image;
@@ -86,7 +86,7 @@ static void close_job(server *s) {
     }
 }
 
-static int answer_scenes(void) {
+static int reply_scenes(void) {
     printf("ok ");
     for (size_t i = 0; burnish_scene_name(i); ++i) {
         printf("%s%s=%s", i ? "|" : "", burnish_scene_name(i), burnish_scene_text(i));
@@ -95,8 +95,8 @@ static int answer_scenes(void) {
     return 1;
 }
 
-/* Always answers. */
-static int answer_open(server *s, burnish_peers_view view, const char *input) {
+/* Always replies. */
+static int reply_open(server *s, burnish_peers_view view, const char *input) {
     char note[BURNISH_PEERS_NOTE] = "";
     void *state;
     close_job(s);
@@ -114,31 +114,31 @@ static int answer_open(server *s, burnish_peers_view view, const char *input) {
     return 1;
 }
 
-static int answer(server *s, const char *line) {
+static int reply(server *s, const char *line) {
     burnish_peers_view view;
     char variant[32], path[512];
     int count;
     if (sscanf(line, "open %d %d %d %511[^\n]", &view.width, &view.height, &view.samples, path) ==
         4) {
-        return answer_open(s, view, path);
+        return reply_open(s, view, path);
     }
     if (strncmp(line, "scenes", 6) == 0) {
-        return answer_scenes();
+        return reply_scenes();
     }
     if (!s->state) {
         return 0;
     }
     if (sscanf(line, "frame %31s %d", variant, &count) == 2) {
-        return answer_frames(s->contestant, s->state, variant, count);
+        return reply_frames(s->contestant, s->state, variant, count);
     }
     if (strncmp(line, "counts", 6) == 0) {
-        return answer_counts(&s->job);
+        return reply_counts(&s->job);
     }
     if (sscanf(line, "picture %31s %511s", variant, path) == 2) {
-        return answer_picture(s->contestant, s->state, variant, path);
+        return reply_picture(s->contestant, s->state, variant, path);
     }
     if (sscanf(line, "triangles %511s", path) == 1) {
-        return answer_triangles(s->contestant, s->state, path);
+        return reply_triangles(s->contestant, s->state, path);
     }
     return 0;
 }
@@ -154,7 +154,7 @@ int burnish_peers_serve(const burnish_peers_contestant *contestant, int count, c
     s.contestant = contestant;
     s.threads = atoi(arguments[1]);
     while (fgets(line, sizeof line, stdin)) {
-        if (!answer(&s, line)) {
+        if (!reply(&s, line)) {
             line[strcspn(line, "\n")] = 0;
             printf("error can't do \"%s\"\n", line);
         }

@@ -1,8 +1,8 @@
 /* Shared by the contestants: each is a program, started as PROGRAM THREADS, that draws frames on
- * request. It answers each line of standard input with one line of standard output and ends at the
+ * request. It replies to each line of standard input with one line of standard output and ends at the
  * end of its input. After an "error TEXT" the request had no effect.
  *
- *   request                          answer
+ *   request                          reply
  *   open WIDTH HEIGHT SAMPLES INPUT  ready TEXT: the contestant, for the report
  *   scenes                           ok NAME=TEXT|...: the scenes of scenes.h
  *   counts                           ok TRIANGLES DRAWN PIXELS: of burnish's picture

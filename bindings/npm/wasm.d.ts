@@ -232,7 +232,7 @@ export interface Burnish {
   /** The output of `burnish lobe` for words such as ["claims", "--format=csv"]: table, claims, choose, fit, boundary; JSON is not available. */
   lobe(words: (string | number)[], file?: { name: string; bytes: BufferSource }): string;
   /** File extensions that open() reads: ".obj". */
-  readonly endings: string[];
+  readonly extensions: string[];
 }
 
 /** Whether this engine supports SIMD128. */

@@ -396,12 +396,12 @@ class Burnish {
   }
 
   /** File extensions that open() reads: ".obj". */
-  get endings() {
-    const endings = [];
-    for (let i = 0, at; (at = this.#exports.format_endings(i)) !== 0; ++i) {
-      endings.push(...this.#text(at).split(" ").filter(Boolean));
+  get extensions() {
+    const extensions = [];
+    for (let i = 0, at; (at = this.#exports.format_extensions(i)) !== 0; ++i) {
+      extensions.push(...this.#text(at).split(" ").filter(Boolean));
     }
-    return endings;
+    return extensions;
   }
 
   /** An example of each kind of lobe. */

@@ -20,7 +20,7 @@ WASM_EXPORT(session_rgba) void open_rgba(const session *s, uint8_t *to);
 WASM_EXPORT(session_number) double open_number(const session *s, int which);
 WASM_EXPORT(session_warning) const char *open_warning(const session *s, size_t index);
 WASM_EXPORT(session_camera) const burnish_camera *open_camera(const session *s);
-WASM_EXPORT(format_endings) const char *format_endings(int index);
+WASM_EXPORT(format_extensions) const char *format_extensions(int index);
 
 session *open_create(void) {
     return session_create(NULL);
@@ -108,7 +108,7 @@ double open_number(const session *s, int which) {
 }
 
 /* File extensions of format number `index`, "" for none; NULL past the last. */
-const char *format_endings(int index) {
+const char *format_extensions(int index) {
     const burnish_format_info *info = burnish_format_get_info((burnish_format)index);
     return info ? info->extensions : NULL;
 }

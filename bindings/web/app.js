@@ -272,7 +272,7 @@ await whole;
 compute();
 tabulate();
 const about = await request("about");
-extensions = about.endings;
+extensions = about.extensions;
 at("file").title = `Reads ${extensions.join(", ")}, each also as .gz`;
 await showClaims();
 at("about").textContent = `burnish ${about.version}, ${about.simd ? "with" : "without"} SIMD, ${about.threads === 1 ? "one thread" : `${about.threads} threads`}.`;

@@ -14,7 +14,7 @@ const instance = new Promise((resolve) => (begin = resolve));
 const calls = {
   startThreads: (burnish) => burnish.startThreads(),
 
-  about: ({ version, simd, threads, endings }) => ({ version, simd, threads, endings }),
+  about: ({ version, simd, threads, extensions }) => ({ version, simd, threads, extensions }),
 
   async open(burnish, { input, options }) {
     const opened = await burnish.read(input, options); // on an error the previous mesh stays

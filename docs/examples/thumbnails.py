@@ -17,21 +17,21 @@ def receive():
     os._exit(1)  # burnish has ended: whoever watches this process starts both again
 
 def draw(mesh, **request):
-    line, answer = json.dumps(request).encode() + b"\n", Future()
+    line, reply = json.dumps(request).encode() + b"\n", Future()
     with lock:
         number = next(numbers) & 0xFFFFFFFF
-        waiting[number] = answer
+        waiting[number] = reply
         burnish.stdin.write(struct.pack("<II", len(line) + len(mesh), number) + line + mesh)
         burnish.stdin.flush()
-    return answer.result()
+    return reply.result()
 
 def app(environ, start_response):
     size = urllib.parse.parse_qs(environ["QUERY_STRING"]).get("size", ["256"])[0]
     mesh = environ["wsgi.input"].read(int(environ.get("CONTENT_LENGTH") or 0))
     flags = ["--size=" + (size if size in ("64", "128", "256", "512") else "256")]
-    answer, picture = draw(mesh, name=environ["PATH_INFO"].rsplit("/", 1)[-1] or "mesh", flags=flags)
-    start_response("422 Unprocessable Entity" if answer["code"] else "200 OK",
-                   [("Content-Type", "text/plain; charset=utf-8" if answer["code"] else "image/png")])
-    return [picture or answer["error"].encode() + b"\n"]
+    reply, picture = draw(mesh, name=environ["PATH_INFO"].rsplit("/", 1)[-1] or "mesh", flags=flags)
+    start_response("422 Unprocessable Entity" if reply["code"] else "200 OK",
+                   [("Content-Type", "text/plain; charset=utf-8" if reply["code"] else "image/png")])
+    return [picture or reply["error"].encode() + b"\n"]
 
 threading.Thread(target=receive, daemon=True).start()

@@ -315,11 +315,11 @@ static void draw_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4
 
 /* Blender's vertices have smooth normals even if faces are flat. DXF has no transparency, but
  * libassimp's default grey for it has an alpha of 0.6. */
-static void flatten(const struct aiScene *scene, const char *ending, const unsigned *sets,
+static void flatten(const struct aiScene *scene, const char *extension, const unsigned *sets,
                     importer_mesh *mesh) {
     walk counted = {.scene = scene, .mesh = mesh, .sets = sets}, drawn = counted;
-    drawn.has_opaque_colors = strcmp(ending, "dxf") == 0;
-    counted.has_no_normals = strcmp(ending, "blend") == 0;
+    drawn.has_opaque_colors = strcmp(extension, "dxf") == 0;
+    counted.has_no_normals = strcmp(extension, "blend") == 0;
     for_all(&counted, count_mesh);
     mesh->vertex_count = counted.triangles > 0 ? counted.vertices : counted.points;
     mesh->triangle_count = counted.triangles;
@@ -335,20 +335,20 @@ static void flatten(const struct aiScene *scene, const char *ending, const unsig
 
 /* Which way is up. libassimp turns most formats to +Y. For others it keeps +Z, or turns them away
  * from it. */
-static void find_up(const struct aiScene *scene, const char *ending, float up[3]) {
+static void find_up(const struct aiScene *scene, const char *extension, float up[3]) {
     static const struct {
-        const char *ending;
+        const char *extension;
         float z;
     } rows[] = {{"ac", -1},  {"ac3d", -1}, {"acc", -1}, {"amf", 1}, {"blend", 1}, {"cob", 1},
                 {"dxf", -1}, {"hmp", 1},   {"ogex", 1}, {"q3o", 1}, {"scn", 1},   {"smd", 1}};
     up[1] = 1;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
-        if (strcmp(rows[i].ending, ending) == 0) {
+        if (strcmp(rows[i].extension, extension) == 0) {
             up[1] = 0;
             up[2] = rows[i].z;
         }
     }
-    if (strcmp(ending, "nff") == 0 && scene->mNumCameras > 0) { /* the file says it */
+    if (strcmp(extension, "nff") == 0 && scene->mNumCameras > 0) { /* the file says it */
         const struct aiVector3D *own = &scene->mCameras[0]->mUp;
         const float axes[3] = {own->x, own->y, own->z};
         for (int i = 0; i < 3; ++i) {
@@ -382,7 +382,7 @@ static _Noreturn void fail_by_library(void) {
 void importer_import(importer_input *input, importer_mesh *mesh) {
     importer_unpack(input);
 #ifdef BURNISH_HAS_EXPAT
-    if (strcmp(input->ending, "amf") == 0) {
+    if (strcmp(input->extension, "amf") == 0) {
         assimp_read_amf(input, mesh);
         return;
     }
@@ -391,13 +391,13 @@ void importer_import(importer_input *input, importer_mesh *mesh) {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     const unsigned steps =
         aiProcess_Triangulate | aiProcess_TransformUVCoords | aiProcess_GenUVCoords;
-    snprintf(file_name, sizeof file_name, "input.%s", input->ending);
+    snprintf(file_name, sizeof file_name, "input.%s", input->extension);
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     const struct aiScene *scene =
         aiImportFileExWithProperties(file_name, steps, &files, properties);
     if (!scene || !scene->mRootNode) {
         fail_by_library();
     }
-    find_up(scene, input->ending, mesh->up);
-    flatten(scene, input->ending, assimp_read_materials(scene, input->ending, mesh), mesh);
+    find_up(scene, input->extension, mesh->up);
+    flatten(scene, input->extension, assimp_read_materials(scene, input->extension, mesh), mesh);
 }

@@ -217,31 +217,32 @@ static int has_property(const reading *r, const char *key) {
 /* Whether the library invented a material that the file lacks. Most of its readers use the default
  * name or an empty one, and NFF uses the default name for all materials. 3DS has its own name, and
  * MDL5 turns a missing skin black. */
-static int is_made_up(const reading *r, const char *ending) {
+static int is_made_up(const reading *r, const char *extension) {
     float color[3] = {-1, -1, -1}, specular[3] = {0, 0, 0};
     struct aiString title = {0};
     aiGetMaterialString(r->material, KEY(AI_MATKEY_NAME), 0, 0, &title);
     get_color(r, KEY(AI_MATKEY_COLOR_DIFFUSE), color);
     get_color(r, KEY(AI_MATKEY_COLOR_SPECULAR), specular);
     if (strcmp(title.data, AI_DEFAULT_MATERIAL_NAME) == 0) {
-        return strcmp(ending, "nff") != 0 && strcmp(ending, "enff") != 0;
+        return strcmp(extension, "nff") != 0 && strcmp(extension, "enff") != 0;
     }
     return r->material->mNumProperties == 0 || strcmp(title.data, "%%%DEFAULT") == 0 ||
-           (strcmp(ending, "mdl") == 0 && color[0] == 0 && is_black(color) && is_black(specular) &&
-            !has_property(r, KEY(AI_MATKEY_TEXTURE_DIFFUSE(0))));
+           (strcmp(extension, "mdl") == 0 && color[0] == 0 && is_black(color) &&
+            is_black(specular) && !has_property(r, KEY(AI_MATKEY_TEXTURE_DIFFUSE(0))));
 }
 
 /* For formats of classic OpenGL, whose textures multiply all light, including the material's own.
  */
-static int glows_through_texture(const char *ending) {
-    return strcmp(ending, "ms3d") == 0 || strcmp(ending, "x") == 0 || strncmp(ending, "ac", 2) == 0;
+static int glows_through_texture(const char *extension) {
+    return strcmp(extension, "ms3d") == 0 || strcmp(extension, "x") == 0 ||
+           strncmp(extension, "ac", 2) == 0;
 }
 
-static void read_material(reading *r, const char *ending, importer_material *to) {
+static void read_material(reading *r, const char *extension, importer_material *to) {
     char name[1024] = "", unused[1024];
     float color[3] = {0.6f, 0.6f, 0.6f};
     *to = importer_default_material();
-    if (is_made_up(r, ending)) {
+    if (is_made_up(r, extension)) {
         to->flags &= ~(uint32_t)BURNISH_BMS_HAS_DIFFUSE; /* colours of vertices take its place */
         return;
     }
@@ -264,14 +265,14 @@ static void read_material(reading *r, const char *ending, importer_material *to)
         is_black(to->emissive)) {
         to->emissive[0] = to->emissive[1] = to->emissive[2] = 1;
     }
-    if (glows_through_texture(ending) && to->slots[SLOT_EMISSIVE].texture == 0) {
+    if (glows_through_texture(extension) && to->slots[SLOT_EMISSIVE].texture == 0) {
         to->slots[SLOT_EMISSIVE] = to->slots[SLOT_COLOR];
     }
     read_texture(r, aiTextureType_SPECULAR, SLOT_SPECULAR, 1, to, unused);
     read_opacity(r, to, name);
 }
 
-const unsigned *assimp_read_materials(const struct aiScene *scene, const char *ending,
+const unsigned *assimp_read_materials(const struct aiScene *scene, const char *extension,
                                       importer_mesh *mesh) {
     mesh->material_count =
         scene->mNumMaterials < MATERIALS_MAX ? scene->mNumMaterials : MATERIALS_MAX;
@@ -279,7 +280,7 @@ const unsigned *assimp_read_materials(const struct aiScene *scene, const char *e
     unsigned *sets = importer_zeroed(scene->mNumMaterials, sizeof *sets);
     for (uint32_t i = 0; i < mesh->material_count; ++i) {
         reading r = {.scene = scene, .material = scene->mMaterials[i], .mesh = mesh};
-        read_material(&r, ending, &mesh->materials[i]);
+        read_material(&r, extension, &mesh->materials[i]);
         sets[i] = r.set;
     }
     return sets;

@@ -8,7 +8,7 @@
 
 /* One material for each of the scene's, and the textures that they use: embedded textures, and
  * names of texture files. Returns for each the set of texture coordinates that they have. */
-const unsigned *assimp_read_materials(const struct aiScene *scene, const char *ending,
+const unsigned *assimp_read_materials(const struct aiScene *scene, const char *extension,
                                       importer_mesh *mesh);
 
 #endif

@@ -427,9 +427,9 @@ extern "C" void importer_import(importer_input *input, importer_mesh *mesh) {
     mesh->up[2] = 1;
     mesh->unit = 0.001f; // what it reads is turned into millimetres
     try {
-        if (strncmp(input->ending, "b", 1) == 0) {
+        if (strncmp(input->extension, "b", 1) == 0) {
             read_brep(s);
-        } else if (strncmp(input->ending, "i", 1) == 0) {
+        } else if (strncmp(input->extension, "i", 1) == 0) {
             read_iges(s);
         } else {
             read_step(s);

@@ -43,11 +43,11 @@ static const cli_flag flags[] = {
      .aliases = "outdir,out-dir,path",
      .manual = "The folder of all pictures, created if missing. Only *--report* and *--sheet* can "
                "write files outside it."},
-    {CLI_FLAG("output", "NAME", "file names: {model} {folder} {ending} {view}", cli_flag_text,
+    {CLI_FLAG("output", "NAME", "file names: {model} {folder} {extension} {view}", cli_flag_text,
               output),
      .default_text = "{folder}{model}.png", .letter = 'o', .common = 1, .aliases = "out,template",
      .manual = "Names of the pictures in the folder. *{model}* is the input's name without its "
-               "extension, *{ending}* the extension, *{folder}* its folders below the _INPUT_ "
+               "extension, *{extension}* the extension, *{folder}* its folders below the _INPUT_ "
                "folder, with a slash at the end, *{view}* the view: each of *--views* then has a "
                "picture of its own. The extension selects the format, as in *burnish render*. If "
                "two inputs would share a picture, the names keep their extensions (*part.stl.png*) "

@@ -16,75 +16,7 @@
 #ifndef TOOL_BATCH_BATCH_H
 #define TOOL_BATCH_BATCH_H
 
-#include <stdio.h>
-
-#include "cli/output.h"
-#include "render/settings/settings.h"
-
-/* Part `index` of `count`, counted from 1; 0 of 0 means all. */
-typedef struct batch_part {
-    int index, count;
-} batch_part;
-
-typedef struct batch_settings {
-    render_settings render; /* first: its flags are ours too */
-    const char *output;     /* template for output names */
-    const char *output_dir;
-    const char *files_from; /* NULL: none */
-    const char *report;     /* NULL: in output_dir */
-    const char *sheet;      /* NULL: none */
-    int recursive, jobs, force, index, no_sandbox, no_seconds;
-    batch_part part;
-    int runners;       /* sockets to runners on other machines, from descriptor 3 on */
-    int runner;        /* 1: this process is such a runner */
-    int has_no_report; /* 1: no report is written */
-} batch_settings;
-
-/* A picture to draw. */
-typedef struct batch_item {
-    char *input;
-    size_t tree;    /* offset in `input` of the folders that the output keeps */
-    int view;       /* index of the view to draw; -1: all views, on one sheet */
-    int level;      /* how much of the input's name is in the output's; see names.c */
-    char *output;   /* path, including output_dir */
-    uint64_t bytes; /* of the input */
-    uint64_t id;    /* of input and output, in reports */
-    char *line;     /* report line; NULL: not done yet */
-    int is_kept;    /* 1: unchanged since an earlier run */
-    int has_failed;
-    uint8_t held; /* number of runners that have it */
-    uint8_t lost; /* number of machines that were lost while drawing it */
-} batch_item;
-
-typedef struct batch_items {
-    batch_item *items;
-    size_t count, capacity;
-} batch_items;
-
-/* Earlier reports. */
-typedef struct batch_past {
-    char **texts, **paths; /* text_count entries each; the path is NULL for the report itself */
-    size_t text_count;
-    struct batch_past_line {
-        uint64_t id;
-        const char *line;
-        uint32_t number; /* in the order of the reports */
-        int is_same;     /* 1: drawn with the same flags by the same version */
-    } * lines;           /* ascending by id, then number */
-    size_t count, capacity;
-} batch_past;
-
-typedef struct batch {
-    const batch_settings *settings;
-    batch_items list;
-    char *options;   /* the flags that affect pictures, as typed */
-    char *report;    /* the report's path; NULL: none */
-    uint64_t drawer; /* hash of version and options; a runner's must be equal */
-    batch_past past;
-    size_t done, kept, failed;
-    size_t passed_over; /* files with a mesh extension that are not meshes */
-    int is_stopped;     /* 1: by a signal */
-} batch;
+#include "batch/types.h"
 
 /* The whole command. Errors: ARGUMENT, READ, WRITE, MEMORY. */
 burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_error *error);

@@ -1,8 +1,8 @@
 /* The cost of a picture is estimated by the size of its input file. */
 #include <stdlib.h>
 
-#include "batch/batch.h"
 #include "batch/cost.h"
+#include "batch/types.h"
 
 typedef struct sized {
     uint64_t bytes;

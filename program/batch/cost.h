@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_COST_H
 #define TOOL_BATCH_COST_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* Keeps only the items of --shard's part. Parts are balanced by cost. Errors: MEMORY. */
 burnish_status batch_take_part(batch *b, burnish_error *error);

@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/batch.h"
 #include "batch/index.h"
 #include "batch/names.h"
+#include "batch/types.h"
 #include "cli/file.h"
 #include "cli/output.h"
 #include "cli/platform.h"

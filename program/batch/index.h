@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_INDEX_H
 #define TOOL_BATCH_INDEX_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* Writes output_dir/index.html. Errors: WRITE, MEMORY. */
 burnish_status batch_write_index(const batch *b, burnish_error *error);

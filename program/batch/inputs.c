@@ -1,7 +1,7 @@
 /* Finds the input files. */
 #include "batch/inputs.h"
-#include "batch/batch.h"
 #include "batch/names.h"
+#include "batch/types.h"
 #include "import/importers.h"
 #include "import/recognise.h"
 #include "import/run.h"
@@ -56,18 +56,18 @@ static file_kind kind_of(const char *name, const char *path) {
     }
     const size_t length = strlen(name);
     for (int i = 0; i < burnish_format_count(); ++i) {
-        const char *ending = burnish_format_get_info((burnish_format)i)->extensions;
-        while (*ending) {
-            const size_t size = strcspn(ending, " ");
+        const char *extension = burnish_format_get_info((burnish_format)i)->extensions;
+        while (*extension) {
+            const size_t size = strcspn(extension, " ");
             for (int is_packed = 0; is_packed < 2; ++is_packed) {
                 const size_t tail = size + (is_packed ? 3 : 0);
                 if (size > 0 && length > tail &&
-                    strncasecmp(name + length - tail, ending, size) == 0 &&
+                    strncasecmp(name + length - tail, extension, size) == 0 &&
                     (!is_packed || strcasecmp(name + length - 3, ".gz") == 0)) {
                     return FILE_MESH;
                 }
             }
-            ending += size + (ending[size] == ' ');
+            extension += size + (extension[size] == ' ');
         }
     }
     return FILE_OTHER;

@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_INPUTS_H
 #define TOOL_BATCH_INPUTS_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* Adds the inputs from operands and --files-from. Errors: ARGUMENT, READ, MEMORY. */
 burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *error);

@@ -77,9 +77,9 @@ static burnish_status draw_many(const render_settings *settings, cli_call *call,
     }
     if (!many.output) {
         snprintf(standard, sizeof standard, "{folder}{model}.%s",
-                 picture_ending(settings->output.format == PICTURE_AUTO
-                                    ? PICTURE_PNG
-                                    : (picture_format)settings->output.format));
+                 picture_extension(settings->output.format == PICTURE_AUTO
+                                       ? PICTURE_PNG
+                                       : (picture_format)settings->output.format));
         many.output = standard;
     } else if (!many.output_dir) { /* a template names its folder itself */
         const size_t size = folder_size(many.output);
@@ -100,7 +100,7 @@ static burnish_status draw_many(const render_settings *settings, cli_call *call,
 
 /* Whether pictures are named after inputs. */
 static int is_template(const char *output) {
-    static const char *const words[] = {"{model}", "{folder}", "{ending}", "{view}"};
+    static const char *const words[] = {"{model}", "{folder}", "{extension}", "{view}"};
     for (size_t i = 0; output && i < sizeof words / sizeof *words; ++i) {
         if (strstr(output, words[i])) {
             return 1;

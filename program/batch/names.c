@@ -5,8 +5,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "batch/batch.h"
 #include "batch/names.h"
+#include "batch/types.h"
 #include "render/scene/camera.h"
 
 const char *batch_base_name(const char *path) {
@@ -23,7 +23,7 @@ enum { NAME_MAX_BYTES = 4000 };
 /* How much of the input's name is in the output's: first what the template names. While two inputs
  * share an output, the extension is added ("part.stl.png"), then all folders, then both.
  */
-enum { LEVEL_PLAIN, LEVEL_ENDING, LEVEL_FOLDERS, LEVEL_BOTH, LEVELS };
+enum { LEVEL_PLAIN, LEVEL_EXTENSION, LEVEL_FOLDERS, LEVEL_BOTH, LEVELS };
 
 /* A name under construction; size is NAME_MAX_BYTES if it is too long. */
 typedef struct name {
@@ -43,7 +43,7 @@ static void append(name *n, const char *text, size_t size) {
 
 /* The parts of an input's name. */
 typedef struct parts {
-    const char *folder, *model, *ending; /* ending: without its dot */
+    const char *folder, *model, *extension; /* extension: without its dot */
     size_t folder_size, model_size;
 } parts;
 
@@ -54,23 +54,23 @@ static parts split(const batch_item *item) {
     const char *dot = strrchr(p.model, '.');
     p.folder_size = p.model > p.folder ? (size_t)(p.model - p.folder) : 0;
     p.model_size = dot && dot > p.model ? (size_t)(dot - p.model) : strlen(p.model);
-    p.ending = p.model[p.model_size] ? p.model + p.model_size + 1 : "";
+    p.extension = p.model[p.model_size] ? p.model + p.model_size + 1 : "";
     return p;
 }
 
-static const char placeholders[] = "{model}, {folder}, {ending} and {view}";
+static const char placeholders[] = "{model}, {folder}, {extension} and {view}";
 
 static burnish_status expand_one(const batch *b, const batch_item *item, const char *word,
                                  size_t size, name *n, burnish_error *error) {
     const parts p = split(item);
     if (size == 5 && memcmp(word, "model", 5) == 0) {
         append(n, p.model,
-               item->level == LEVEL_ENDING || item->level >= LEVEL_BOTH ? strlen(p.model)
-                                                                        : p.model_size);
+               item->level == LEVEL_EXTENSION || item->level >= LEVEL_BOTH ? strlen(p.model)
+                                                                           : p.model_size);
     } else if (size == 6 && memcmp(word, "folder", 6) == 0) {
         append(n, p.folder, p.folder_size);
-    } else if (size == 6 && memcmp(word, "ending", 6) == 0) {
-        append(n, p.ending, strlen(p.ending));
+    } else if (size == 9 && memcmp(word, "extension", 9) == 0) {
+        append(n, p.extension, strlen(p.extension));
     } else if (size == 4 && memcmp(word, "view", 4) == 0) {
         const char *view = item->view >= 0 ? batch_view_name(b, item) : "view";
         append(n, view, strlen(view));

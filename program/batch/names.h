@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_NAMES_H
 #define TOOL_BATCH_NAMES_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* Gives every item its own output below output_dir and drops duplicate inputs. Errors: ARGUMENT
  * (invalid template, or no distinct names), MEMORY. */

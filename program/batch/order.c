@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/batch.h"
 #include "batch/order.h"
 #include "batch/report.h"
+#include "batch/types.h"
 
 #ifndef _WIN32
 

@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_ORDER_H
 #define TOOL_BATCH_ORDER_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* An item as a runner receives it. */
 typedef struct batch_order {

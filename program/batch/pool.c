@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/batch.h"
 #include "batch/cost.h"
 #include "batch/order.h"
 #include "batch/pool.h"
 #include "batch/report.h"
 #include "batch/runner.h"
+#include "batch/types.h"
 
 #ifndef _WIN32
 
@@ -161,14 +161,14 @@ static int end_runner(worker *w, int number) {
 /* ---- Items ---- */
 
 /* Stores the item's line and takes ownership of it. */
-static void keep_line(pool *p, uint32_t index, char *line, const batch_answer *answer) {
+static void keep_line(pool *p, uint32_t index, char *line, const batch_reply *reply) {
     batch_item *item = &p->b->list.items[index];
-    if (answer->failed == BATCH_LATE) {
+    if (reply->failed == BATCH_LATE) {
         unlink(item->output);
     }
     item->line = line;
-    item->is_kept = answer->is_kept;
-    item->has_failed = answer->failed != 0 || !line;
+    item->is_kept = reply->is_kept;
+    item->has_failed = reply->failed != 0 || !line;
     p->b->done += 1;
     p->b->kept += item->is_kept != 0;
     p->b->failed += item->has_failed != 0;
@@ -255,32 +255,32 @@ static void lose_runner(pool *p, worker *w) {
     }
     if (!item->line && item->held == 0) {
         keep_line(p, (uint32_t)index, batch_failed_line(p->b, item, 1, text, seconds),
-                  &(batch_answer){.failed = BATCH_FAILED});
+                  &(batch_reply){.failed = BATCH_FAILED});
     }
 }
 
-static void receive_answer(pool *p, worker *w) {
-    batch_answer answer;
+static void receive_reply(pool *p, worker *w) {
+    batch_reply reply;
     char *line = NULL;
-    int is_whole = channel_read(w->channel, &answer, sizeof answer) && w->item != NOTHING &&
-                   answer.index == (uint32_t)w->item && answer.size <= LINE_MAX_BYTES;
-    if (is_whole && answer.size > 0) {
-        line = malloc((size_t)answer.size + 1);
-        is_whole = line && channel_read(w->channel, line, answer.size);
+    int is_whole = channel_read(w->channel, &reply, sizeof reply) && w->item != NOTHING &&
+                   reply.index == (uint32_t)w->item && reply.size <= LINE_MAX_BYTES;
+    if (is_whole && reply.size > 0) {
+        line = malloc((size_t)reply.size + 1);
+        is_whole = line && channel_read(w->channel, line, reply.size);
     }
     if (!is_whole || !line) {
         free(line);
         lose_runner(p, w);
         return;
     }
-    line[answer.size] = 0;
+    line[reply.size] = 0;
     batch_item *item = &p->b->list.items[w->item];
     item->held -= 1;
     w->item = NOTHING;
-    if (item->line || (answer.failed && item->held > 0)) { /* another runner may still succeed */
+    if (item->line || (reply.failed && item->held > 0)) { /* another runner may still succeed */
         free(line);
     } else {
-        keep_line(p, answer.index, line, &answer);
+        keep_line(p, reply.index, line, &reply);
     }
 }
 
@@ -333,7 +333,7 @@ static burnish_status work(pool *p, struct pollfd *ready, burnish_error *error) 
         const int count = poll(ready, (nfds_t)p->count, 500);
         for (size_t i = 0; i < p->count && count > 0; ++i) {
             if (ready[i].fd >= 0 && ready[i].revents) {
-                receive_answer(p, &p->workers[i]);
+                receive_reply(p, &p->workers[i]);
             }
         }
         show_progress(p);

@@ -8,9 +8,9 @@
 #include <unistd.h>
 #endif
 
-#include "batch/batch.h"
 #include "batch/names.h"
 #include "batch/report.h"
+#include "batch/types.h"
 #include "cli/file.h"
 #include "cli/output.h"
 #include "cli/platform.h"

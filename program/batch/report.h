@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_REPORT_H
 #define TOOL_BATCH_REPORT_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* Reads the report of an earlier run and, without --report, the reports of parts, oldest first.
  * Missing reports are not an error. Errors: READ, MEMORY. */

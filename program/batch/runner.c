@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/batch.h"
 #include "batch/names.h"
 #include "batch/order.h"
 #include "batch/report.h"
 #include "batch/runner.h"
+#include "batch/types.h"
 
 #ifndef _WIN32
 
@@ -303,7 +303,7 @@ static void add_warnings(cJSON *object, facts *f, int *failed) {
 static char *done_line(const batch *b, const batch_item *item, uint64_t hash, facts *f,
                        const files *seen, double seconds) {
     const int has_format = f->format >= 0 && f->format < burnish_format_count();
-    char ending[IMPORT_ENDING_SIZE];
+    char extension[IMPORT_EXTENSION_SIZE];
     int failed = 0;
     cJSON *object = cJSON_CreateObject();
     add_hash(object, "id", item->id, &failed);
@@ -316,7 +316,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
                  cJSON_CreateString(has_format
                                         ? import_format_word(item->input,
                                                              b->settings->render.input.load.format,
-                                                             (burnish_format)f->format, ending)
+                                                             (burnish_format)f->format, extension)
                                         : ""),
                  &failed);
     cli_json_add(object, "triangles", cli_json_count((size_t)f->triangles), &failed);
@@ -355,8 +355,8 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
     settings->job.threads = 1;
 }
 
-/* Returns the line, to be freed, and fills *answer, which is sent before it. */
-static char *run_item(const runner *r, const batch_order *order, batch_answer *answer) {
+/* Returns the line, to be freed, and fills *reply, which is sent before it. */
+static char *run_item(const runner *r, const batch_order *order, batch_reply *reply) {
     const batch_item *item = &order->item;
     const double start = cli_seconds_now();
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -369,9 +369,9 @@ static char *run_item(const runner *r, const batch_order *order, batch_answer *a
         status = cli_fail(&error, BURNISH_STATUS_READ, "%.300s: can't be read: %s", item->input,
                           errno == EINVAL ? "it is no file" : strerror(errno));
     }
-    *answer = (batch_answer){.index = order->index};
+    *reply = (batch_reply){.index = order->index};
     if (status == BURNISH_STATUS_OK && is_unchanged(order, hash)) {
-        answer->is_kept = 1;
+        reply->is_kept = 1;
         return strdup(order->past);
     }
     set_item(r->b, order, &settings);
@@ -398,11 +398,11 @@ static char *run_item(const runner *r, const batch_order *order, batch_answer *a
                                         : "the program that draws ended");
     }
     if (status != BURNISH_STATUS_OK || code != 0 || !result.is_drawn) {
-        answer->failed = is_late ? BATCH_LATE : BATCH_FAILED;
+        reply->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
     const double seconds = cli_seconds_now() - start;
-    char *text = answer->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
-                                : done_line(r->b, item, hash, &result, &seen, seconds);
+    char *text = reply->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
+                               : done_line(r->b, item, hash, &result, &seen, seconds);
     release_files(&seen);
     return text;
 }
@@ -413,11 +413,11 @@ void batch_runner(const batch *b, int channel) {
     batch_order order;
     int is_there = 1;
     while (is_there && r.shared != MAP_FAILED && batch_receive_order(b, channel, &order)) {
-        batch_answer answer;
-        char *line = run_item(&r, &order, &answer);
-        answer.size = line ? (uint32_t)strlen(line) : 0;
-        is_there = cli_write_all(channel, &answer, sizeof answer) &&
-                   (!line || cli_write_all(channel, line, answer.size));
+        batch_reply reply;
+        char *line = run_item(&r, &order, &reply);
+        reply.size = line ? (uint32_t)strlen(line) : 0;
+        is_there = cli_write_all(channel, &reply, sizeof reply) &&
+                   (!line || cli_write_all(channel, line, reply.size));
         free(line);
         batch_release_order(&order);
     }

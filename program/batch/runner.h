@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_RUNNER_H
 #define TOOL_BATCH_RUNNER_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* Runs a runner: receives orders from the channel and sends report lines back. */
 void batch_runner(const batch *b, int channel);
@@ -10,10 +10,10 @@ void batch_runner(const batch *b, int channel);
 enum { BATCH_FAILED = 1, BATCH_LATE = 2 };
 
 /* Header of a runner's reply; the line follows. */
-typedef struct batch_answer {
+typedef struct batch_reply {
     uint32_t index, size;
     int32_t is_kept, failed; /* failed: BATCH_FAILED or BATCH_LATE (the output is stale) */
-} batch_answer;
+} batch_reply;
 
 /* Creates the missing folders of a path. Returns 0 on failure, with errno set. */
 int batch_make_folders(const char *path);

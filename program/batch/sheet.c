@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/batch.h"
 #include "batch/names.h"
 #include "batch/sheet.h"
+#include "batch/types.h"
 #include "burnish/sheet.h"
 
 #ifndef _WIN32
@@ -158,12 +158,12 @@ __attribute__((noreturn)) static void be_decoder(sheet *s) {
     if (status == BURNISH_STATUS_OK) {
         status = make_sheet(s, &file, &error);
     }
-    const uint64_t answer[2] = {(uint64_t)status,
-                                status == BURNISH_STATUS_OK ? file.size : strlen(error.text)};
+    const uint64_t reply[2] = {(uint64_t)status,
+                               status == BURNISH_STATUS_OK ? file.size : strlen(error.text)};
     const int sent =
-        cli_write_all(3, answer, sizeof answer) &&
+        cli_write_all(3, reply, sizeof reply) &&
         cli_write_all(3, status == BURNISH_STATUS_OK ? (const void *)file.bytes : error.text,
-                      (size_t)answer[1]);
+                      (size_t)reply[1]);
     _exit(sent ? 0 : 1);
 }
 
@@ -205,22 +205,22 @@ static void send_pictures(const sheet *s) {
 }
 
 static burnish_status receive_sheet(const sheet *s, const char *path, burnish_error *error) {
-    uint64_t answer[2];
+    uint64_t reply[2];
     char *bytes = NULL;
     burnish_status status = BURNISH_STATUS_OK;
-    if (!channel_read(s->channel, answer, sizeof answer) || answer[1] >= (uint64_t)1 << 32 ||
-        (answer[0] != BURNISH_STATUS_OK && answer[1] >= sizeof error->text) ||
-        answer[0] >= BURNISH_STATUS_COUNT) {
+    if (!channel_read(s->channel, reply, sizeof reply) || reply[1] >= (uint64_t)1 << 32 ||
+        (reply[0] != BURNISH_STATUS_OK && reply[1] >= sizeof error->text) ||
+        reply[0] >= BURNISH_STATUS_COUNT) {
         return cli_fail(error, BURNISH_STATUS_FORMAT,
                         "--sheet: the process that reads the pictures ended");
     }
-    bytes = calloc((size_t)answer[1] + 1, 1);
-    if (!bytes || !channel_read(s->channel, bytes, (size_t)answer[1])) {
+    bytes = calloc((size_t)reply[1] + 1, 1);
+    if (!bytes || !channel_read(s->channel, bytes, (size_t)reply[1])) {
         status = cli_fail(error, BURNISH_STATUS_MEMORY, "--sheet: out of memory");
-    } else if (answer[0] != BURNISH_STATUS_OK) {
-        status = cli_fail(error, (burnish_status)answer[0], "%s", bytes);
+    } else if (reply[0] != BURNISH_STATUS_OK) {
+        status = cli_fail(error, (burnish_status)reply[0], "%s", bytes);
     } else {
-        status = cli_file_write(path, bytes, (size_t)answer[1], error);
+        status = cli_file_write(path, bytes, (size_t)reply[1], error);
     }
     free(bytes);
     return status;

@@ -2,7 +2,7 @@
 #ifndef TOOL_BATCH_SHEET_H
 #define TOOL_BATCH_SHEET_H
 
-#include "batch/batch.h"
+#include "batch/types.h"
 
 /* Writes the contact sheet; a sandboxed process decodes the pictures. Errors: ARGUMENT, FORMAT, WRITE, MEMORY. */
 burnish_status batch_write_sheet(const batch *b, burnish_error *error);

@@ -21,19 +21,20 @@ const char cli_input_format_manual[] =
 #define FOREIGN_NAME(word) #word,
 static const char *const foreign[] = {CLI_OCCT_LIST(FOREIGN_NAME) CLI_ASSIMP_LIST(FOREIGN_NAME)};
 
-const char *cli_foreign_ending(int format) {
+const char *cli_foreign_extension(int format) {
     return format > CLI_FOREIGN_BEFORE && format < CLI_FOREIGN_COUNT
                ? foreign[format - CLI_FOREIGN_BEFORE - 1]
                : NULL;
 }
 
 burnish_status cli_refuse_foreign(int format, burnish_error *error) {
-    const char *ending = cli_foreign_ending(format);
-    return ending ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                             "--input-format: %s needs an importer, which is not available here; "
-                             "convert the file to glTF, OBJ, PLY or STL",
-                             ending)
-                  : BURNISH_STATUS_OK;
+    const char *extension = cli_foreign_extension(format);
+    return extension
+               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--input-format: %s needs an importer, which is not available here; "
+                          "convert the file to glTF, OBJ, PLY or STL",
+                          extension)
+               : BURNISH_STATUS_OK;
 }
 
 burnish_status cli_flag_texture_pixels(const cli_flag *flag, const char *text, void *target,
@@ -48,7 +49,7 @@ burnish_status cli_flag_texture_pixels(const cli_flag *flag, const char *text, v
 burnish_status cli_flag_input_format(const cli_flag *flag, const char *text, void *target,
                                      burnish_error *error) {
     for (int i = CLI_FOREIGN_BEFORE + 1; i < CLI_FOREIGN_COUNT; ++i) {
-        if (strcmp(cli_foreign_ending(i), text) == 0) {
+        if (strcmp(cli_foreign_extension(i), text) == 0) {
             *(int *)target = i;
             return BURNISH_STATUS_OK;
         }

@@ -23,7 +23,7 @@ typedef enum cli_foreign {
 } cli_foreign;
 
 /* The file extension of an importer's format, without the dot; NULL for a burnish_format. */
-const char *cli_foreign_ending(int format);
+const char *cli_foreign_extension(int format);
 
 /* ARGUMENT for an importer's format, in programs that run no importers; else OK. */
 burnish_status cli_refuse_foreign(int format, burnish_error *error);
@@ -41,9 +41,10 @@ typedef struct cli_input {
  * sandbox_load: the library does not know it. */
 burnish_load_options cli_load_options(const cli_input *input);
 
-#define CLI_INPUT_ENDING(name, word, endings, ...) " " endings
+#define CLI_INPUT_EXTENSION(name, word, extensions, ...) " " extensions
 #define CLI_INPUT_HELP                                                                             \
-    (&BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; - standard input; :teapot :sphere :torus :knot"[1])
+    (&BURNISH_FORMAT_LIST(                                                                         \
+        CLI_INPUT_EXTENSION) "; - standard input; :teapot :sphere :torus :knot"[1])
 
 /* Files that an input in memory can refer to. */
 typedef struct cli_companion {

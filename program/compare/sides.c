@@ -76,7 +76,7 @@ static burnish_status read_standard(compare_side *side, const burnish_load_optio
 static burnish_status read_side(compare_side *side, const burnish_mesh *first,
                                 burnish_error *error) {
     const burnish_load_options options = load_options(side, first);
-    if (strcmp(side->input, "-") == 0 && !cli_foreign_ending((int)options.format)) {
+    if (strcmp(side->input, "-") == 0 && !cli_foreign_extension((int)options.format)) {
         return read_standard(side, &options, error);
     }
     if (is_picture(side->input)) {

@@ -18,7 +18,7 @@
 
 static const import_program draco = {.name = "burnish-import-draco",
                                      .from = "-DBURNISH_IMPORT_DRACO=ON, Debian's libdraco-dev",
-                                     .endings = "",
+                                     .extensions = "",
                                      .argument = "draco",
                                      .otherwise =
                                          "export the file without KHR_draco_mesh_compression"};

@@ -8,19 +8,19 @@
 #include "import/folder.h"
 #include "import/importers.h"
 
-#define ENDING(word) "." #word " "
+#define EXTENSION(word) "." #word " "
 static const char otherwise[] = "convert the file to glTF, OBJ, PLY or STL";
 static const import_program importers[] = {
     {"burnish-import-occt", "-DBURNISH_IMPORT_OCCT=ON, Debian's libocct-data-exchange-dev",
-     " " CLI_OCCT_LIST(ENDING), NULL, otherwise},
+     " " CLI_OCCT_LIST(EXTENSION), NULL, otherwise},
     {"burnish-import-assimp", "-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev",
-     " " CLI_ASSIMP_LIST(ENDING), NULL, otherwise}};
+     " " CLI_ASSIMP_LIST(EXTENSION), NULL, otherwise}};
 
 static int lower(int c) {
     return c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c;
 }
 
-void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]) {
+void import_get_extension(const char *name, char extension[IMPORT_EXTENSION_SIZE]) {
     static const char packed[] = ".gz";
     size_t end = strlen(name), size = sizeof packed - 1, tail = 0;
     while (tail < size && tail < end && lower(name[end - 1 - tail]) == packed[size - 1 - tail]) {
@@ -32,17 +32,17 @@ void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]) {
         --first;
     }
     size = first > 0 && name[first - 1] == '.' ? end - first : 0;
-    size = size < IMPORT_ENDING_SIZE ? size : 0;
+    size = size < IMPORT_EXTENSION_SIZE ? size : 0;
     for (size_t i = 0; i < size; ++i) {
-        ending[i] = (char)lower(name[first + i]);
+        extension[i] = (char)lower(name[first + i]);
     }
-    ending[size] = 0;
+    extension[size] = 0;
 }
 
 /* The importer whose extensions contain that word: " .fbx ". */
 static const import_program *find_word(const char *word) {
     for (size_t i = 0; i < sizeof importers / sizeof *importers; ++i) {
-        if (strstr(importers[i].endings, word)) {
+        if (strstr(importers[i].extensions, word)) {
             return &importers[i];
         }
     }
@@ -52,12 +52,12 @@ static const import_program *find_word(const char *word) {
 #ifndef _WIN32
 
 const import_program *import_find(const char *name) {
-    char ending[IMPORT_ENDING_SIZE], word[IMPORT_ENDING_SIZE + 4];
-    import_get_ending(name, ending);
-    if (!*ending || *name == ':') {
+    char extension[IMPORT_EXTENSION_SIZE], word[IMPORT_EXTENSION_SIZE + 4];
+    import_get_extension(name, extension);
+    if (!*extension || *name == ':') {
         return NULL;
     }
-    snprintf(word, sizeof word, " .%s ", ending);
+    snprintf(word, sizeof word, " .%s ", extension);
     for (int i = 0; i < burnish_format_count(); ++i) {
         const burnish_format_info *info = burnish_format_get_info((burnish_format)i);
         char own[64];
@@ -70,14 +70,14 @@ const import_program *import_find(const char *name) {
 }
 
 const import_program *import_choose(const char *input, int format,
-                                    char ending[IMPORT_ENDING_SIZE]) {
-    const char *named = cli_foreign_ending(format);
-    char word[IMPORT_ENDING_SIZE + 4];
+                                    char extension[IMPORT_EXTENSION_SIZE]) {
+    const char *named = cli_foreign_extension(format);
+    char word[IMPORT_EXTENSION_SIZE + 4];
     if (!named) {
-        import_get_ending(input, ending);
+        import_get_extension(input, extension);
         return format == BURNISH_FORMAT_AUTO && strcmp(input, "-") != 0 ? import_find(input) : NULL;
     }
-    snprintf(ending, IMPORT_ENDING_SIZE, "%s", named);
+    snprintf(extension, IMPORT_EXTENSION_SIZE, "%s", named);
     snprintf(word, sizeof word, " .%s ", named);
     return *input == ':' ? NULL : find_word(word);
 }
@@ -90,17 +90,17 @@ const import_program *import_find(const char *name) {
 }
 
 const import_program *import_choose(const char *input, int format,
-                                    char ending[IMPORT_ENDING_SIZE]) {
-    (void)input, (void)format, (void)ending;
+                                    char extension[IMPORT_EXTENSION_SIZE]) {
+    (void)input, (void)format, (void)extension;
     return NULL;
 }
 
 #endif
 
 const char *import_format_word(const char *name, int requested, burnish_format format,
-                               char ending[IMPORT_ENDING_SIZE]) {
-    return format == BURNISH_FORMAT_BMS && import_choose(name, requested, ending)
-               ? ending
+                               char extension[IMPORT_EXTENSION_SIZE]) {
+    return format == BURNISH_FORMAT_BMS && import_choose(name, requested, extension)
+               ? extension
                : burnish_format_get_info(format)->name;
 }
 
@@ -163,7 +163,7 @@ burnish_status import_build(const import_program *importer, const char *name,
 }
 
 int import_may_be_other(burnish_status status, int format) {
-    return status == BURNISH_STATUS_FORMAT && !cli_foreign_ending(format);
+    return status == BURNISH_STATUS_FORMAT && !cli_foreign_extension(format);
 }
 
 const char *import_shown(const char *path) {

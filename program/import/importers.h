@@ -12,27 +12,28 @@ typedef struct import_program {
     const char *name; /* "burnish-import-assimp" */
     const char *from; /* how to get it, for a message */
     const char *
-        endings; /* lower-case extensions with a blank before and after each: " .fbx .dae "; "": none */
+        extensions; /* lower-case extensions with a blank before and after each: " .fbx .dae "; "": none */
     const char *argument;  /* its argument; NULL: the input's extension */
     const char *otherwise; /* an alternative, for a message */
 } import_program;
 
 /* The extension of a name in lower case, without the dot and without a following ".gz": "fbx"; "":
  * none, or too long. */
-enum { IMPORT_ENDING_SIZE = 12 };
-void import_get_ending(const char *name, char ending[IMPORT_ENDING_SIZE]);
+enum { IMPORT_EXTENSION_SIZE = 12 };
+void import_get_extension(const char *name, char extension[IMPORT_EXTENSION_SIZE]);
 
 /* The importer for a name's extension; NULL: burnish reads it itself, or it is unknown. */
 const import_program *import_find(const char *name);
 
 /* The importer for an input, by the format of --input-format (cli_foreign in cli/input.h) or, if
- * that is auto, by file extension. NULL: none. ending receives the importer's argument. */
-const import_program *import_choose(const char *input, int format, char ending[IMPORT_ENDING_SIZE]);
+ * that is auto, by file extension. NULL: none. extension receives the importer's argument. */
+const import_program *import_choose(const char *input, int format,
+                                    char extension[IMPORT_EXTENSION_SIZE]);
 
 /* The name of a mesh's format; for an imported file its extension, not the stream's format.
  *   requested  the value of --input-format */
 const char *import_format_word(const char *name, int requested, burnish_format format,
-                               char ending[IMPORT_ENDING_SIZE]);
+                               char extension[IMPORT_EXTENSION_SIZE]);
 
 /* An import_taker that keeps all bytes. Start from zeros; free(bytes) at the end. */
 typedef struct import_stream {

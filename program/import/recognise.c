@@ -9,7 +9,7 @@ enum { LOOKED_AT = 512 };
 
 /* Signatures by extension; one of several rows has to match. */
 static const struct {
-    const char *ending, *first;
+    const char *extension, *first;
     size_t size; /* of `first`, where it holds a 0; else 0 */
 } rows[] = {
     {"3ds", "MM", 0},  /* games of a console */
@@ -103,15 +103,15 @@ static int has_faces(const char *path) {
 
 int import_may_hold_mesh(const char *path) {
     unsigned char bytes[LOOKED_AT];
-    char ending[IMPORT_ENDING_SIZE];
+    char extension[IMPORT_EXTENSION_SIZE];
     size_t size = 0;
     int is_known = 0, fits = 0;
-    import_get_ending(path, ending);
-    if (strcmp(ending, "dxf") == 0) {
+    import_get_extension(path, extension);
+    if (strcmp(extension, "dxf") == 0) {
         return has_faces(path);
     }
     for (size_t i = 0; i < sizeof rows / sizeof *rows && !fits; ++i) {
-        if (strcmp(rows[i].ending, ending) != 0) {
+        if (strcmp(rows[i].extension, extension) != 0) {
             continue;
         }
         if (!is_known) {

@@ -43,7 +43,7 @@ enum {
 /* A run of an importer. */
 typedef struct run {
     const import_program *importer;
-    const char *name, *ending;
+    const char *name, *extension;
     burnish_error *error;
     char path[4096];
     pid_t process;
@@ -141,13 +141,13 @@ static void become(const run *r, int input, int output, int nothing, pid_t paren
 }
 
 static burnish_status start(run *r, int input, uint64_t memory) {
-    char program[64], ending[IMPORT_ENDING_SIZE];
-    char *const arguments[] = {program, ending, NULL};
+    char program[64], extension[IMPORT_EXTENSION_SIZE];
+    char *const arguments[] = {program, extension, NULL};
     int ends[2];
     const pid_t self = getpid();
     snprintf(program, sizeof program, "%s", r->importer->name);
-    snprintf(ending, sizeof ending, "%s",
-             r->importer->argument ? r->importer->argument : r->ending);
+    snprintf(extension, sizeof extension, "%s",
+             r->importer->argument ? r->importer->argument : r->extension);
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (nothing < 0 || pipe(ends) != 0) {
         const int code = errno;
@@ -273,13 +273,13 @@ static burnish_status check_head(const run *r, int input) {
                  : BURNISH_STATUS_OK;
 }
 
-burnish_status import_run(const import_program *importer, const char *name, const char *ending,
+burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error) {
     struct stat state;
     const double seconds = cli_seconds_given() > SECONDS ? cli_seconds_given() : SECONDS;
     run r = {.importer = importer,
              .name = name,
-             .ending = ending,
+             .extension = extension,
              .error = error,
              .end = cli_seconds_now() + seconds};
     burnish_status status = check_head(&r, input);
@@ -312,8 +312,8 @@ burnish_status import_run(const import_program *importer, const char *name, cons
 
 /* ---- Loading ---- */
 
-burnish_status import_run_over(const import_program *importer, const char *ending, const char *path,
-                               int held, uint64_t max_bytes, import_sink sink,
+burnish_status import_run_over(const import_program *importer, const char *extension,
+                               const char *path, int held, uint64_t max_bytes, import_sink sink,
                                burnish_error *error) {
     run r = {.importer = importer, .name = import_shown(path), .error = error};
     int input = held;
@@ -324,7 +324,7 @@ burnish_status import_run_over(const import_program *importer, const char *endin
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    status = import_run(importer, r.name, ending, input, max_bytes, sink, error);
+    status = import_run(importer, r.name, extension, input, max_bytes, sink, error);
     if (held < 0) {
         close(input);
     }
@@ -333,19 +333,19 @@ burnish_status import_run_over(const import_program *importer, const char *endin
 
 burnish_status import_load(const char *path, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error) {
-    char ending[IMPORT_ENDING_SIZE];
+    char extension[IMPORT_EXTENSION_SIZE];
     const int format = (int)options->format;
-    const import_program *importer = import_choose(path, format, ending);
+    const import_program *importer = import_choose(path, format, extension);
     burnish_load_options handed = *options;
     import_stream stream = {0};
     burnish_error native;
     *mesh = NULL;
     handed.decoder = import_decoder(path);
     if (!importer) {
-        handed.format = cli_foreign_ending(format) ? BURNISH_FORMAT_AUTO : options->format;
+        handed.format = cli_foreign_extension(format) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(path, &handed, mesh, error); /* a built-in object */
     }
-    burnish_status status = import_run_over(importer, ending, path, -1, options->max_input_bytes,
+    burnish_status status = import_run_over(importer, extension, path, -1, options->max_input_bytes,
                                             (import_sink){import_keep, &stream}, error);
     if (status == BURNISH_STATUS_OK || stream.is_short) {
         int folder = folder_open(path);

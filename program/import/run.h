@@ -16,7 +16,7 @@ typedef struct import_sink {
 
 /* Runs an importer on an open input.
  *   name   of the input, for messages
- *   ending the argument, unless the importer has a fixed one
+ *   extension the argument, unless the importer has a fixed one
  *   input  a descriptor, read from its start if it is seekable; it stays open
  *   max_bytes  a larger file is refused
  *   sink   receives the stream
@@ -24,13 +24,13 @@ typedef struct import_sink {
  * the input's size. Limits of the importer: --max-memory (default: 4 GiB plus 64 times the input's
  * size) and --max-seconds, at least 300.
  * Errors: FORMAT (no such program, it crashed), LIMIT (time, bytes), MEMORY, READ. */
-burnish_status import_run(const import_program *importer, const char *name, const char *ending,
+burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error);
 
 /* Runs import_run on `path`, or on its open descriptor `held`; -1: none. Standard input is not read
  * if the importer is not installed. */
-burnish_status import_run_over(const import_program *importer, const char *ending, const char *path,
-                               int held, uint64_t max_bytes, import_sink sink,
+burnish_status import_run_over(const import_program *importer, const char *extension,
+                               const char *path, int held, uint64_t max_bytes, import_sink sink,
                                burnish_error *error);
 
 /* As burnish_mesh_load, through the importer that import_choose returns for the path and

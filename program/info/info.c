@@ -134,8 +134,9 @@ typedef struct report {
     float low[3], high[3], size[3];
 } report;
 
-static const char *format_name(const report *r, char ending[IMPORT_ENDING_SIZE]) {
-    return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh)->format, ending);
+static const char *format_name(const report *r, char extension[IMPORT_EXTENSION_SIZE]) {
+    return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh)->format,
+                              extension);
 }
 
 /* ---- JSON ---- */
@@ -195,11 +196,11 @@ static void add_counts(cJSON *root, const burnish_mesh_facts *facts, int *failed
 static burnish_status print_json(FILE *stream, const report *r, burnish_error *error) {
     const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
     int failed = 0;
-    char ending[IMPORT_ENDING_SIZE];
+    char extension[IMPORT_EXTENSION_SIZE];
     cJSON *root = cJSON_CreateObject();
     cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
     cli_json_add(root, "input", cli_json_text(r->input), &failed);
-    cli_json_add(root, "format", cJSON_CreateString(format_name(r, ending)), &failed);
+    cli_json_add(root, "format", cJSON_CreateString(format_name(r, extension)), &failed);
     cli_json_add(root, "triangles", cli_json_count(r->facts ? r->facts->triangle_count : 0),
                  &failed);
     cli_json_add(root, "vertices",
@@ -313,8 +314,8 @@ static void print_text(FILE *stream, const report *r) {
     const size_t count = r->facts               ? r->facts->triangle_count
                          : info->line_count > 0 ? info->line_count
                                                 : info->point_count;
-    char ending[IMPORT_ENDING_SIZE];
-    fprintf(stream, "%s (%s): %zu %s%s, ", r->input, format_name(r, ending), count,
+    char extension[IMPORT_EXTENSION_SIZE];
+    fprintf(stream, "%s (%s): %zu %s%s, ", r->input, format_name(r, extension), count,
             r->facts               ? "triangle"
             : info->line_count > 0 ? "line"
                                    : "point",

@@ -9,7 +9,7 @@
 #include "picture/webp.h"
 
 typedef struct format_row {
-    const char *name, *ending, *other_ending;
+    const char *name, *extension, *other_extension;
     int uses;
     const char *library; /* a library that this build lacks; NULL: supported */
 } format_row;
@@ -36,12 +36,12 @@ static const char *const foreign[] = {"tif", "tiff", "bmp", "ppm", "pgm", "pnm",
 static const char *const moving[] = {"gif", "y4m", "apng", "mp4", "webm",
                                      "mov", "avi", "mkv",  "ogv"};
 
-const char *picture_ending(picture_format format) {
-    return rows[format].ending;
+const char *picture_extension(picture_format format) {
+    return rows[format].extension;
 }
 
 /* Lists names or extensions (with dots): "a", "a or b", "a, b or c". */
-static void list(int use, int endings, char *text, size_t size) {
+static void list(int use, int extensions, char *text, size_t size) {
     size_t used = 0;
     int left = 0;
     for (int i = 1; i < PICTURE_COUNT; ++i) {
@@ -51,8 +51,8 @@ static void list(int use, int endings, char *text, size_t size) {
     for (int i = 1; i < PICTURE_COUNT && used < size; ++i) {
         if (rows[i].uses & use) {
             --left;
-            used += (size_t)snprintf(text + used, size - used, "%s%s%s", endings ? "." : "",
-                                     endings ? rows[i].ending : rows[i].name,
+            used += (size_t)snprintf(text + used, size - used, "%s%s%s", extensions ? "." : "",
+                                     extensions ? rows[i].extension : rows[i].name,
                                      left > 1    ? ", "
                                      : left == 1 ? " or "
                                                  : "");
@@ -66,10 +66,10 @@ picture_names picture_list_names(int uses) {
     return names;
 }
 
-static int is_ending(const char *path, const char *const *endings, size_t count) {
+static int is_extension(const char *path, const char *const *extensions, size_t count) {
     const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
     for (size_t i = 0; dot && i < count; ++i) {
-        if (strcasecmp(dot + 1, endings[i]) == 0) {
+        if (strcasecmp(dot + 1, extensions[i]) == 0) {
             return 1;
         }
     }
@@ -81,47 +81,47 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
     const char *what = use & PICTURE_STILL   ? "pictures are"
                        : use & PICTURE_PLANE ? "planes are"
                                              : "turntables are";
-    char endings[96];
-    if ((use & PICTURE_LINES) && is_ending(path, moving, sizeof moving / sizeof *moving)) {
+    char extensions[96];
+    if ((use & PICTURE_LINES) && is_extension(path, moving, sizeof moving / sizeof *moving)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: \"%.200s\": only a turntable moves; write one with "
                         "--turntable=FILE, in %s",
                         flag, path, picture_list_names(PICTURE_ANIMATION).text);
     }
-    list(use, 1, endings, sizeof endings);
+    list(use, 1, extensions, sizeof extensions);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path, what,
-                    picture_list_names(use).text, endings);
+                    picture_list_names(use).text, extensions);
 }
 
 /* The format for a path's extension; AUTO: no known extension, COUNT: a format that burnish can't
  * write.
  */
-static picture_format find_ending(const char *path) {
+static picture_format find_extension(const char *path) {
     const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
     for (int i = 1; dot && i < PICTURE_COUNT; ++i) {
-        if (strcasecmp(dot + 1, rows[i].ending) == 0 ||
-            (rows[i].other_ending && strcasecmp(dot + 1, rows[i].other_ending) == 0)) {
+        if (strcasecmp(dot + 1, rows[i].extension) == 0 ||
+            (rows[i].other_extension && strcasecmp(dot + 1, rows[i].other_extension) == 0)) {
             return (picture_format)i;
         }
     }
-    return is_ending(path, foreign, sizeof foreign / sizeof *foreign) ||
-                   is_ending(path, moving, sizeof moving / sizeof *moving)
+    return is_extension(path, foreign, sizeof foreign / sizeof *foreign) ||
+                   is_extension(path, moving, sizeof moving / sizeof *moving)
                ? PICTURE_COUNT
                : PICTURE_AUTO;
 }
 
 int picture_is_name(const char *path) {
-    return find_ending(path) != PICTURE_AUTO;
+    return find_extension(path) != PICTURE_AUTO;
 }
 
 int picture_is_animation(const char *path) {
-    return is_ending(path, moving, sizeof moving / sizeof *moving);
+    return is_extension(path, moving, sizeof moving / sizeof *moving);
 }
 
 burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
                               picture_format *format, burnish_error *error) {
-    *format = wanted != PICTURE_AUTO ? wanted : find_ending(path);
+    *format = wanted != PICTURE_AUTO ? wanted : find_extension(path);
     if (*format == PICTURE_AUTO && (use & PICTURE_STILL)) {
         *format = PICTURE_PNG;
     } else if (*format == PICTURE_AUTO && use == PICTURE_ANIMATION && strcmp(path, "-") == 0) {

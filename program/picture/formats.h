@@ -28,7 +28,7 @@ typedef enum picture_use {
 } picture_use;
 
 /* The file extension of a format, without the dot: "jpg". */
-const char *picture_ending(picture_format format);
+const char *picture_extension(picture_format format);
 
 /* "PNG, JPEG or WebP": the formats for one of these uses. */
 typedef struct picture_names {

@@ -69,14 +69,14 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
     const char *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
     char *name = settings->output.derived;
-    const char *ending = picture_ending(settings->output.format == PICTURE_AUTO
-                                            ? PICTURE_PNG
-                                            : (picture_format)settings->output.format);
-    if (length == 0 || length + strlen(ending) + sizeof "." > sizeof settings->output.derived) {
+    const char *extension = picture_extension(settings->output.format == PICTURE_AUTO
+                                                  ? PICTURE_PNG
+                                                  : (picture_format)settings->output.format);
+    if (length == 0 || length + strlen(extension) + sizeof "." > sizeof settings->output.derived) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "\"%.60s\" has no name for the picture; name it with --output=FILE", input);
     }
-    snprintf(name, sizeof settings->output.derived, "%.*s.%s", (int)length, base, ending);
+    snprintf(name, sizeof settings->output.derived, "%.*s.%s", (int)length, base, extension);
     settings->output.is_derived = 1;
     return BURNISH_STATUS_OK;
 }

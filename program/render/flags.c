@@ -48,7 +48,7 @@ static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}}
 #define AXIS_100(word) ", " #word " +X"
 #define AXIS_010(word)
 #define AXIS_001(word) ", " #word " +Z"
-#define FORMAT_AXIS(name, word, endings, x, y, z) AXIS_##x##y##z(word)
+#define FORMAT_AXIS(name, word, extensions, x, y, z) AXIS_##x##y##z(word)
 /* "+Y, stl +Z": +Y is the up axis of most formats. */
 static const char format_axes[] = "+Y" BURNISH_FORMAT_LIST(FORMAT_AXIS);
 
@@ -75,7 +75,8 @@ static const cli_flag flags[] = {
          "flag the picture has the name of _INPUT_ with *.png*, in the current folder "
          "(*teapot.png* for *:teapot*), or goes to standard output when _INPUT_ is *-*. A file "
          "that already has this default name is replaced only if burnish wrote it, or with "
-         "*--overwrite*.\n*{model}*, *{folder}*, *{ending}* and *{view}* in _FILE_ are replaced by "
+         "*--overwrite*.\n*{model}*, *{folder}*, *{extension}* and *{view}* in _FILE_ are replaced "
+         "by "
          "parts of _INPUT_'s name and by the view, as in *burnish batch*. Several inputs need one "
          "of them, or *--output-dir*."},
     {CLI_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,

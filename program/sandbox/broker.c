@@ -151,8 +151,8 @@ static void send_file(broker *b, const char *name, uint64_t max_bytes) {
 
 static void import(broker *b, uint64_t max_bytes) {
     const uint64_t own = b->plan->max_input_bytes;
-    char ending[IMPORT_ENDING_SIZE];
-    const import_program *importer = import_choose(b->plan->input, b->plan->format, ending);
+    char extension[IMPORT_EXTENSION_SIZE];
+    const import_program *importer = import_choose(b->plan->input, b->plan->format, extension);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     if (!importer || b->has_imported) {
         end(b, BROKER_VIOLATION);
@@ -160,7 +160,7 @@ static void import(broker *b, uint64_t max_bytes) {
     }
     b->has_imported = 1;
     const burnish_status status =
-        import_run_over(importer, ending, b->plan->input, b->input,
+        import_run_over(importer, extension, b->plan->input, b->input,
                         max_bytes < own ? max_bytes : own, (import_sink){reply_piece, b}, &error);
     reply_status(b, status, &error);
 }
@@ -198,8 +198,8 @@ static void decode(broker *b, uint64_t size) {
 
 /* ---- The loop ---- */
 
-/* Answers one message; an unexpected one is a violation. Returns 1 for the status of a last step. */
-static int answer(broker *b, const message *head, const char *text) {
+/* Handles one message; an unexpected one is a violation. Returns 1 for the status of a last step. */
+static int handle(broker *b, const message *head, const char *text) {
     const int is_text = strlen(text) == head->size;
     if (head->kind == MESSAGE_WRITE && is_text) {
         write_output(b, text);
@@ -218,7 +218,7 @@ static int answer(broker *b, const message *head, const char *text) {
     return 0;
 }
 
-/* Answers the worker until it sends the status of a last step, which is returned. WRITE: the worker
+/* Replies to the worker until it sends the status of a last step, which is returned. WRITE: the worker
  * is gone or has violated the protocol. */
 static burnish_status serve(broker *b, burnish_error *error) {
     message head;
@@ -230,7 +230,7 @@ static burnish_status serve(broker *b, burnish_error *error) {
             end(b, BROKER_GONE);
         } else {
             text[head.size] = 0;
-            if (answer(b, &head, text)) {
+            if (handle(b, &head, text)) {
                 return head.value == BURNISH_STATUS_OK
                            ? BURNISH_STATUS_OK
                            : cli_fail(error, (burnish_status)head.value, "%s", text);

@@ -10,7 +10,7 @@ typedef enum broker_state {
     BROKER_VIOLATION /* the worker has broken the protocol, or requested what a sound worker never does */
 } broker_state;
 
-/* Answers a worker's messages (channel.h) until it is gone or violates the protocol; returns which.
+/* Replies to a worker's messages (channel.h) until it is gone or violates the protocol; returns which.
  * The broker needs 256 KiB whatever the worker sends, and memory for streams to decode within the
  * plan's limits.
  *   channel  a stream socket

@@ -168,10 +168,10 @@ burnish_status sandbox_load(const char *input, const burnish_load_options *optio
     handed.decoder = import_decoder(input);
     import_set_decode(decode_by_broker);
     const int format = (int)options->format, is_standard = strcmp(input, "-") == 0;
-    char ending[IMPORT_ENDING_SIZE];
-    const import_program *importer = import_choose(input, format, ending);
+    char extension[IMPORT_EXTENSION_SIZE];
+    const import_program *importer = import_choose(input, format, extension);
     if (!importer && (*input == ':' || is_standard)) {
-        handed.format = cli_foreign_ending(format) ? BURNISH_FORMAT_AUTO : options->format;
+        handed.format = cli_foreign_extension(format) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(input, &handed, mesh, error);
     }
     handed.referenced_files = is_standard

@@ -30,8 +30,8 @@ burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
                             burnish_error *error) {
     serve_import_request import = {
         .offset = offset, .size = size, .format = (int32_t)options->format};
-    char ending[IMPORT_ENDING_SIZE];
-    const import_program *importer = import_choose(input, (int)options->format, ending);
+    char extension[IMPORT_EXTENSION_SIZE];
+    const import_program *importer = import_choose(input, (int)options->format, extension);
     const size_t length = strlen(input), shown = sizeof import.name - 1;
     import_stream stream = {0};
     *mesh = NULL;
@@ -92,15 +92,15 @@ static int send_piece(void *context, const void *bytes, size_t size) {
 
 void serve_run_importer(const serve_settings *settings, const serve_import_request *import,
                         uint64_t request_size) {
-    char ending[IMPORT_ENDING_SIZE];
+    char extension[IMPORT_EXTENSION_SIZE];
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    const import_program *importer = import_choose(import->name, import->format, ending);
+    const import_program *importer = import_choose(import->name, import->format, extension);
     const int file = importer ? copy_mesh(import, request_size, SERVE_REQUEST) : -1;
     cli_set_child_memory(settings->render.job.max_memory);
     const burnish_status status = file < 0
                                       ? cli_fail(&error, BURNISH_STATUS_MEMORY,
                                                  "%.200s: no room for an importer", import->name)
-                                      : import_run(importer, import->name, ending, file,
+                                      : import_run(importer, import->name, extension, file,
                                                    settings->render.input.load.max_input_bytes,
                                                    (import_sink){send_piece, NULL}, &error);
     channel_send(SERVE_CHANNEL, MESSAGE_DONE, (uint64_t)status, error.text,

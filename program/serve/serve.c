@@ -34,16 +34,16 @@ static const cli_flag flags[] = {
     {CLI_FLAG("max-request-bytes", "N", "refuse larger requests", cli_flag_bytes,
               max_request_bytes),
      CLI_RANGE(1, 4294967295.0), .default_text = "256M", .common = 1,
-     .manual = "A larger request, including its files, is skipped and answered with code 5. _N_ "
+     .manual = "A larger request, including its files, is skipped; the reply has code 5. _N_ "
                "may end in *K*, *M* or *G*."},
     {CLI_FLAG("max-seconds", "N", "time limit per request", cli_flag_real, render.job.max_seconds),
      CLI_RANGE(0, 1e6), .default_text = "60", .common = 1,
-     .manual = "A request that takes longer in wall-clock time, counted from its last byte, is "
-               "answered with code 5. 0: no limit."},
+     .manual = "The reply to a request that takes longer in wall-clock time, counted from its last "
+               "byte, has code 5. 0: no limit."},
     {CLI_FLAG("max-memory", "N", "memory limit per request, such as 500M", cli_flag_bytes,
               render.job.max_memory),
      CLI_RANGE(1, 9e18), .default_text = "2G", .common = 1,
-     .manual = "A request that needs more memory is answered with code 6. The total is at most "
+     .manual = "The reply to a request that needs more memory has code 6. The total is at most "
                "this times *--jobs*. _N_ may end in *K*, *M* or *G*."},
     {CLI_SWITCH("no-sandbox", "workers may open files", no_sandbox),
      .manual = "Each request is parsed and drawn in a process of its own that can't open files or "
@@ -62,7 +62,7 @@ static const cli_flag flags[] = {
 };
 
 static const cli_example examples[] = {
-    {"burnish serve-stdio --size=256 <requests >answers", "thumbnails"},
+    {"burnish serve-stdio --size=256 <requests >replies", "thumbnails"},
     {NULL, NULL},
 };
 

@@ -41,7 +41,7 @@ typedef enum slot_state {
     SLOT_IDLE,     /* waiting for a request */
     SLOT_FILLING,  /* its request is being read */
     SLOT_WORKING,
-    SLOT_ANSWERED, /* the reply is complete, but not written */
+    SLOT_REPLIED, /* the reply is complete, but not written */
 } slot_state;
 
 /* A worker and its request. */
@@ -49,14 +49,14 @@ typedef struct slot {
     slot_state state;
     pid_t process;  /* 0: it has ended */
     pid_t importer; /* a process that runs or ran an importer for it; 0: none */
-    int channel, request, answer;
-    uint32_t id, left;    /* left: bytes of the request still to read */
-    uint64_t size;        /* of the whole request */
-    double deadline;      /* as cli_seconds_now */
-    int is_late;          /* 1: the deadline has passed */
-    char *line;           /* the reply if the worker wrote none; NULL: it is in the file */
-    size_t answer_size;   /* without the frame's head */
-    uint64_t answer_next; /* next byte to write, counted from the frame's head */
+    int channel, request, reply;
+    uint32_t id, left;   /* left: bytes of the request still to read */
+    uint64_t size;       /* of the whole request */
+    double deadline;     /* as cli_seconds_now */
+    int is_late;         /* 1: the deadline has passed */
+    char *line;          /* the reply if the worker wrote none; NULL: it is in the file */
+    size_t reply_size;   /* without the frame's head */
+    uint64_t reply_next; /* next byte to write, counted from the frame's head */
 } slot;
 
 typedef struct server {
@@ -76,13 +76,13 @@ typedef struct server {
 /* ---- Workers ---- */
 
 static void close_files(slot *s) {
-    const int files[] = {s->channel, s->request, s->answer};
+    const int files[] = {s->channel, s->request, s->reply};
     for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
         if (files[i] >= 0) {
             close(files[i]);
         }
     }
-    s->channel = s->request = s->answer = -1;
+    s->channel = s->request = s->reply = -1;
 }
 
 /* In the forked process: keeps three descriptors, numbered as in serve.h, and closes the rest. */
@@ -90,7 +90,7 @@ static void keep_descriptors(const server *v, const slot *s, int channel, pid_t 
     const int first_free = 2 * SERVE_DESCRIPTORS;
     const int held[] = {fcntl(channel, F_DUPFD_CLOEXEC, first_free),
                         fcntl(s->request, F_DUPFD_CLOEXEC, first_free),
-                        fcntl(s->answer, F_DUPFD_CLOEXEC, first_free)};
+                        fcntl(s->reply, F_DUPFD_CLOEXEC, first_free)};
     const int nothing = open("/dev/null", O_RDWR);
     (void)v; /* used only on other systems */
 #ifdef __linux__
@@ -122,8 +122,8 @@ __attribute__((noreturn)) static void become_worker(server *v, slot *s, int chan
 
 static burnish_status start_worker(server *v, slot *s, burnish_error *error) {
     int ends[2] = {-1, -1};
-    *s = (slot){.channel = -1, .request = import_unnamed_file(), .answer = import_unnamed_file()};
-    if (s->request < 0 || s->answer < 0 || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+    *s = (slot){.channel = -1, .request = import_unnamed_file(), .reply = import_unnamed_file()};
+    if (s->request < 0 || s->reply < 0 || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
         const int reason = errno;
         close_files(s);
         return cli_fail(error, BURNISH_STATUS_MEMORY, "serve-stdio: no files for a worker: %s",
@@ -188,9 +188,9 @@ static void end_importer(slot *s) {
     }
 }
 
-/* ---- Answers ---- */
+/* ---- Replies ---- */
 
-static void answer_failure(slot *s, int code, const char *text) {
+static void reply_failure(slot *s, int code, const char *text) {
     if (!s->line) {
         s->line = serve_failed_line(code, text, NULL);
     }
@@ -199,19 +199,19 @@ static void answer_failure(slot *s, int code, const char *text) {
 /* Finishes a request that was read and whose worker has ended or did not receive it. */
 static void finish(slot *s) {
     struct stat state;
-    s->state = SLOT_ANSWERED;
-    s->answer_next = 0;
-    if (!s->line && (fstat(s->answer, &state) != 0 || state.st_size <= 0 ||
+    s->state = SLOT_REPLIED;
+    s->reply_next = 0;
+    if (!s->line && (fstat(s->reply, &state) != 0 || state.st_size <= 0 ||
                      (uint64_t)state.st_size > UINT32_MAX)) {
-        answer_failure(s, burnish_status_exit_code(BURNISH_STATUS_MEMORY),
-                       "out of memory for the answer");
+        reply_failure(s, burnish_status_exit_code(BURNISH_STATUS_MEMORY),
+                      "out of memory for the reply");
     }
-    s->answer_size = s->line ? strlen(s->line) + 1 : (size_t)state.st_size;
+    s->reply_size = s->line ? strlen(s->line) + 1 : (size_t)state.st_size;
 }
 
 /* Writes the error reply for a worker that ended during its request. */
 static void describe_end(const server *v, slot *s, int state) {
-    burnish_error line = {BURNISH_STATUS_MEMORY, "the program that draws ended before its answer"};
+    burnish_error line = {BURNISH_STATUS_MEMORY, "the program that draws ended before its reply"};
     int code = sandbox_describe_end(state, &line);
     if (s->is_late) {
         code = burnish_status_exit_code(cli_fail(&line, BURNISH_STATUS_LIMIT,
@@ -220,14 +220,14 @@ static void describe_end(const server *v, slot *s, int state) {
                                                  v->settings->render.job.max_seconds.value));
     }
     if (code != 0 || !WIFEXITED(state)) {
-        answer_failure(s, code, line.text);
+        reply_failure(s, code, line.text);
     }
 }
 
 /* Reports a worker that could not start; its reply file has the reason. */
 static burnish_status fail_start(slot *s, int state, burnish_error *error) {
     char text[sizeof error->text] = "";
-    const ssize_t size = pread(s->answer, text, sizeof text - 1, 0);
+    const ssize_t size = pread(s->reply, text, sizeof text - 1, 0);
     burnish_error line = {BURNISH_STATUS_MEMORY, "serve-stdio: a worker could not start"};
     sandbox_describe_end(state, &line);
     return size > 0 ? cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s", text)
@@ -279,27 +279,27 @@ static uint32_t get32(const uint8_t *from) {
            (uint32_t)from[3] << 24;
 }
 
-/* Copies head and reply from answer_next on. Returns the byte count; -1: the file can't be read. */
-static ssize_t answer_bytes(const slot *s, char piece[PIECE]) {
+/* Copies head and reply from reply_next on. Returns the byte count; -1: the file can't be read. */
+static ssize_t reply_bytes(const slot *s, char piece[PIECE]) {
     size_t used = 0;
-    uint64_t next = s->answer_next;
+    uint64_t next = s->reply_next;
     if (next < SERVE_HEAD_BYTES) {
         uint8_t head[SERVE_HEAD_BYTES];
-        put32(head, (uint32_t)s->answer_size);
+        put32(head, (uint32_t)s->reply_size);
         put32(head + 4, s->id);
         used = SERVE_HEAD_BYTES - (size_t)next;
         memcpy(piece, head + next, used);
         next = SERVE_HEAD_BYTES;
     }
     next -= SERVE_HEAD_BYTES;
-    const size_t room = PIECE - used, left = s->answer_size - (size_t)next;
+    const size_t room = PIECE - used, left = s->reply_size - (size_t)next;
     const size_t count = left < room ? left : room;
     if (!s->line) {
-        const ssize_t taken = pread(s->answer, piece + used, count, (off_t)next);
+        const ssize_t taken = pread(s->reply, piece + used, count, (off_t)next);
         return taken < 0 || (taken == 0 && count > 0) ? -1 : (ssize_t)used + taken;
     }
     memcpy(piece + used, s->line + next, count);
-    if (next + count == s->answer_size) {
+    if (next + count == s->reply_size) {
         piece[used + count - 1] = '\n'; /* replaces the line's 0 */
     }
     return (ssize_t)(used + count);
@@ -307,10 +307,10 @@ static ssize_t answer_bytes(const slot *s, char piece[PIECE]) {
 
 /* Writes as much as standard output accepts without blocking. A worker is replaced after its reply
  * was written, unless it did not receive the request. */
-static burnish_status write_answer(server *v, burnish_error *error) {
+static burnish_status write_reply(server *v, burnish_error *error) {
     char piece[PIECE];
     slot *s = v->writing;
-    const ssize_t count = answer_bytes(s, piece);
+    const ssize_t count = reply_bytes(s, piece);
     const ssize_t written = count > 0 ? write(STDOUT_FILENO, piece, (size_t)count) : -1;
     if (written < 0 && (errno == EINTR || errno == EAGAIN)) {
         return BURNISH_STATUS_OK;
@@ -318,8 +318,8 @@ static burnish_status write_answer(server *v, burnish_error *error) {
     if (written < 0) {
         return cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
     }
-    s->answer_next += (uint64_t)written;
-    if (s->answer_next < SERVE_HEAD_BYTES + (uint64_t)s->answer_size) {
+    s->reply_next += (uint64_t)written;
+    if (s->reply_next < SERVE_HEAD_BYTES + (uint64_t)s->reply_size) {
         return BURNISH_STATUS_OK;
     }
     v->writing = NULL;
@@ -377,7 +377,7 @@ static void begin_request(server *v) {
         cli_fail(&line, BURNISH_STATUS_LIMIT,
                  "request: %lu bytes; the limit is %llu (--max-request-bytes)",
                  (unsigned long)length, (unsigned long long)v->settings->max_request_bytes);
-        answer_failure(s, burnish_status_exit_code(line.status), line.text);
+        reply_failure(s, burnish_status_exit_code(line.status), line.text);
     }
 }
 
@@ -403,8 +403,8 @@ static void keep_bytes(server *v, const char *bytes, size_t size) {
         return;
     }
     if (!s->line && !cli_write_all(s->request, bytes, size)) {
-        answer_failure(s, burnish_status_exit_code(BURNISH_STATUS_MEMORY),
-                       "out of memory for the request");
+        reply_failure(s, burnish_status_exit_code(BURNISH_STATUS_MEMORY),
+                      "out of memory for the request");
     }
     s->left -= (uint32_t)size;
     if (s->left == 0) {
@@ -459,7 +459,7 @@ static int look_at_clock(server *v) {
 
 static void choose_descriptors(server *v) {
     const int may_read = !v->has_ended && (v->filling || find(v, SLOT_IDLE));
-    v->writing = v->writing ? v->writing : find(v, SLOT_ANSWERED);
+    v->writing = v->writing ? v->writing : find(v, SLOT_REPLIED);
     v->ready[0] = (struct pollfd){may_read ? STDIN_FILENO : -1, POLLIN, 0};
     v->ready[1] = (struct pollfd){v->writing ? STDOUT_FILENO : -1, POLLOUT, 0};
     for (size_t i = 0; i < v->count; ++i) {
@@ -479,7 +479,7 @@ static burnish_status turn(server *v, burnish_error *error) {
         status = v->ready[2 + i].revents ? receive(v, &v->slots[i], error) : status;
     }
     if (status == BURNISH_STATUS_OK && v->ready[1].revents) {
-        status = write_answer(v, error);
+        status = write_reply(v, error);
     }
     if (status == BURNISH_STATUS_OK && v->ready[0].revents) {
         read_input(v);
@@ -488,7 +488,7 @@ static burnish_status turn(server *v, burnish_error *error) {
 }
 
 static int has_work(const server *v) {
-    return !v->has_ended || v->writing || find(v, SLOT_WORKING) || find(v, SLOT_ANSWERED);
+    return !v->has_ended || v->writing || find(v, SLOT_WORKING) || find(v, SLOT_REPLIED);
 }
 
 /* Closing the channels ends the idle workers. */
@@ -515,7 +515,7 @@ burnish_status serve_run(const serve_settings *settings, burnish_error *error) {
                                 ? BURNISH_STATUS_OK
                                 : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     for (size_t i = 0; v.slots && i < v.count; ++i) {
-        v.slots[i] = (slot){.channel = -1, .request = -1, .answer = -1};
+        v.slots[i] = (slot){.channel = -1, .request = -1, .reply = -1};
     }
     for (size_t i = 0; i < v.count && status == BURNISH_STATUS_OK; ++i) {
         status = start_worker(&v, &v.slots[i], error);

@@ -4,7 +4,7 @@
 
 #include "serve/serve.h"
 
-/* Answers requests until standard input ends. Errors: FORMAT (invalid frame), READ, WRITE,
+/* Replies to requests until standard input ends. Errors: FORMAT (invalid frame), READ, WRITE,
  * MEMORY (no process), ARGUMENT (no sandbox). */
 burnish_status serve_run(const serve_settings *settings, burnish_error *error);
 

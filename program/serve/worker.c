@@ -58,7 +58,7 @@ static burnish_status keep_output(const char *path, burnish_file_source *source,
             const size_t capacity = 2 * to->capacity + 2 * PIECE;
             char *grown = capacity < SIZE_MAX / 4 ? realloc(to->bytes, capacity) : NULL;
             if (!grown) {
-                return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the answer");
+                return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the reply");
             }
             to->bytes = grown;
             to->capacity = capacity;
@@ -188,13 +188,13 @@ static burnish_status load(void *context, const char *input, const burnish_load_
     burnish_load_options handed = *options;
     handed.referenced_files = cli_companion_loader(&r->companions);
     const int format = (int)options->format;
-    char ending[IMPORT_ENDING_SIZE];
+    char extension[IMPORT_EXTENSION_SIZE];
     burnish_error native;
     if (*input == ':') {
-        handed.format = cli_foreign_ending(format) ? BURNISH_FORMAT_AUTO : options->format;
+        handed.format = cli_foreign_extension(format) ? BURNISH_FORMAT_AUTO : options->format;
         return burnish_mesh_load(input, &handed, mesh, error);
     }
-    if (!import_choose(input, format, ending)) {
+    if (!import_choose(input, format, extension)) {
         return burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, error);
     }
     burnish_status status =
@@ -231,7 +231,7 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
     return status == BURNISH_STATUS_OK ? render_run(&settings, code, error) : status;
 }
 
-/* ---- The answer ---- */
+/* ---- The reply ---- */
 
 static burnish_status serve(const serve_settings *settings, const char *frame, size_t size,
                             int *code, burnish_error *error) {
@@ -248,8 +248,8 @@ static burnish_status serve(const serve_settings *settings, const char *frame, s
 }
 
 /* Writes the reply and ends the process. */
-__attribute__((noreturn)) static void answer(const serve_settings *settings, const char *frame,
-                                             size_t size) {
+__attribute__((noreturn)) static void reply(const serve_settings *settings, const char *frame,
+                                            size_t size) {
     static const char head[] = "{\"code\":0,\"report\":";
     burnish_error error;
     int code = 0;
@@ -259,15 +259,15 @@ __attribute__((noreturn)) static void answer(const serve_settings *settings, con
     }
     int is_written;
     if (status == BURNISH_STATUS_OK && code == 0) {
-        is_written = cli_write_all(SERVE_ANSWER, head, sizeof head - 1) &&
-                     cli_write_all(SERVE_ANSWER, report.bytes, strlen(report.bytes)) &&
-                     cli_write_all(SERVE_ANSWER, "}\n", 2) &&
-                     cli_write_all(SERVE_ANSWER, picture.bytes, picture.size);
+        is_written = cli_write_all(SERVE_REPLY, head, sizeof head - 1) &&
+                     cli_write_all(SERVE_REPLY, report.bytes, strlen(report.bytes)) &&
+                     cli_write_all(SERVE_REPLY, "}\n", 2) &&
+                     cli_write_all(SERVE_REPLY, picture.bytes, picture.size);
     } else {
         char *line = serve_failed_line(code != 0 ? code : burnish_status_exit_code(status),
                                        error.text, code != 0 ? report.bytes : NULL);
-        is_written = line && cli_write_all(SERVE_ANSWER, line, strlen(line)) &&
-                     cli_write_all(SERVE_ANSWER, "\n", 1);
+        is_written = line && cli_write_all(SERVE_REPLY, line, strlen(line)) &&
+                     cli_write_all(SERVE_REPLY, "\n", 1);
     }
     _exit(is_written ? 0 : burnish_status_exit_code(BURNISH_STATUS_MEMORY));
 }
@@ -307,7 +307,7 @@ void serve_work(const serve_settings *settings) {
     uint64_t size = 0;
     const burnish_status status = get_ready(settings, &error);
     if (status != BURNISH_STATUS_OK) {
-        cli_write_all(SERVE_ANSWER, error.text, strlen(error.text));
+        cli_write_all(SERVE_REPLY, error.text, strlen(error.text));
         _exit(burnish_status_exit_code(status));
     }
     if (!cli_write_all(SERVE_CHANNEL, "", 1) || !channel_read(SERVE_CHANNEL, &size, sizeof size)) {
@@ -317,7 +317,7 @@ void serve_work(const serve_settings *settings) {
     if (frame == MAP_FAILED) {
         _exit(burnish_status_exit_code(BURNISH_STATUS_MEMORY));
     }
-    answer(settings, frame, (size_t)size);
+    reply(settings, frame, (size_t)size);
 }
 
 #endif

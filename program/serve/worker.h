@@ -8,7 +8,7 @@
 enum {
     SERVE_CHANNEL = 3, /* the worker sends a byte when ready and receives the request's size */
     SERVE_REQUEST,     /* a file with the frame's bytes */
-    SERVE_ANSWER,      /* a file for the reply, or for the reason why the worker could not start */
+    SERVE_REPLY,       /* a file for the reply, or for the reason why the worker could not start */
     SERVE_DESCRIPTORS
 };
 

@@ -59,7 +59,7 @@ const cli_command view_command = {
     .name = "view",
     .operand = "INPUT",
     .summary = "show a mesh in a window",
-    .operand_help = &BURNISH_FORMAT_LIST(CLI_INPUT_ENDING) "; :teapot :sphere :torus :knot"[1],
+    .operand_help = &BURNISH_FORMAT_LIST(CLI_INPUT_EXTENSION) "; :teapot :sphere :torus :knot"[1],
     .manual = "Shows _INPUT_, a file or a built-in object, in a window, with the renderer of "
               "*burnish render* on the CPU. While something moves, the quality depends on the "
               "available time; then the picture is the same as that of *burnish render*: the key P "

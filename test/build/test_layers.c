@@ -169,9 +169,9 @@ static int check_file(const struct layer *layer, const char *path) {
 }
 
 static int is_source(const char *name) {
-    const char *ending = strrchr(name, '.');
-    return ending &&
-           (strcmp(ending, ".c") == 0 || strcmp(ending, ".h") == 0 || strcmp(ending, ".cpp") == 0);
+    const char *extension = strrchr(name, '.');
+    return extension && (strcmp(extension, ".c") == 0 || strcmp(extension, ".h") == 0 ||
+                         strcmp(extension, ".cpp") == 0);
 }
 
 /* The most files that a folder may have, and parameters of a function. */

@@ -144,10 +144,10 @@ printf 'in/a.obj\nin/a.obj\n' >list
 batch --files-from=list -d out --size=8
 check "a list: $(cat "$err")" [ "$code$(wc -l <out/burnish-batch.jsonl)" = 02 ]
 find in/sub -name '-x.obj' -print0 >list
-batch --files-from=list in/a.obj -d out --size=8 --views=front,top -o '{ending}/{model}_{view}.png'
+batch --files-from=list in/a.obj -d out --size=8 --views=front,top -o '{extension}/{model}_{view}.png'
 check "a template's pictures" [ -s out/obj/-x_front.png -a -s out/obj/a_top.png -a -s out/a.png ]
 expect 2 'burnish: --output: "../x.png" leads out of --output-dir; name the folder there' batch in -o ../x.png
-expect 2 'burnish: --output: "{name}" is none of {model}, {folder}, {ending} and {view}' batch in -o '{name}.png'
+expect 2 'burnish: --output: "{name}" is none of {model}, {folder}, {extension} and {view}' batch in -o '{name}.png'
 expect 2 'burnish: --output: {view} needs views, such as --views=front,top' batch in -o '{view}.png'
 expect 2 'burnish: --output: "in/a.obj" and another input would both be written to "out/x.png"; put {folder} or {model} into the name' \
     batch in/a.obj in/a.off -d out -o x.png
@@ -170,7 +170,7 @@ run render in/a.obj in/sub/m.obj --size=16 --views=front,top -o thumbs/{model}_{
 check "a template: $(cat "$err")" [ "$code$(ls thumbs | grep -c '^[am]_[a-z]*[.]jpg$')" = 04 ]
 run render in/a.obj in/sub/m.obj --size=16 --views=front,top -o "$PWD/thumbs/{model}_{view}.jpg" --json $memory
 check "again, whole: $(cat "$err")" [ "$code$(wc -l <"$out")" = 05 ]
-run render in/a.obj --size=16 -o 'thumbs/{model}-{ending}.png' --no-sandbox $memory
+run render in/a.obj --size=16 -o 'thumbs/{model}-{extension}.png' --no-sandbox $memory
 check "one input, a template: $(cat "$err")" [ -s thumbs/a-obj.png ]
 (cd thumbs && "$burnish" render ../in/a.obj ../in/sub/m.obj --size=16 --quiet $memory)
 check "their own names" [ -s thumbs/a.png -a -s thumbs/m.png ]

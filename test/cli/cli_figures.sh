@@ -152,10 +152,10 @@ nothing_left "a gnuplot that fails"
 
 run lobe plot curves -o kept.csv
 cp kept.csv again.csv
-check "by the ending: csv" grep -q '^series,angle_deg,value$' kept.csv
+check "by the extension: csv" grep -q '^series,angle_deg,value$' kept.csv
 check "to standard output: the same" sh -c "'$burnish' lobe plot curves --format=csv | cmp - kept.csv"
 run lobe plot curves -o script.gp
-check "by the ending: gp" grep -q 'set terminal svg' script.gp
+check "by the extension: gp" grep -q 'set terminal svg' script.gp
 check "an output that can't be written is kept as it was" sh -c "chmod 400 kept.csv; '$burnish' lobe plot curves --lobes=foo -o kept.csv; cmp kept.csv again.csv"
 rm -f kept.csv again.csv script.gp
 

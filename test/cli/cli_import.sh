@@ -64,13 +64,13 @@ size 12345'
 for there in yes no; do
     importer "touch '$bin/started'; exit 3"
     [ $there = yes ] || rm "$bin/$name"
-    for ending in fbx dae 3ds amf; do
-        printf '%s\n' "$lfs" >p.$ending
-        expect 4 "burnish: p.$ending: a Git LFS pointer, not the file; fetch the file (git lfs pull)" info p.$ending
-        expect 4 "burnish: p.$ending: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$ending -o p.png
+    for extension in fbx dae 3ds amf; do
+        printf '%s\n' "$lfs" >p.$extension
+        expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" info p.$extension
+        expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$extension -o p.png
         [ -z "$boxed" ] ||
-            expect 4 "burnish: p.$ending: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$ending --sandbox -o p.png
-        rm p.$ending
+            expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$extension --sandbox -o p.png
+        rm p.$extension
     done
     printf '%s\n' "$lfs" >p.step
     expect 4 'burnish: p.step: a Git LFS pointer, not the file; fetch the file (git lfs pull)' info p.step
@@ -105,11 +105,11 @@ for flag in --no-sandbox $boxed; do
 done
 check "the batch's importer has ended" await ended "$(cat "$bin/number")"
 
-# One that works: it gets the ending, the file as standard input, and no other descriptor.
+# One that works: it gets the extension, the file as standard input, and no other descriptor.
 importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; ls /proc/self/fd >'$bin/descriptors'; cat '$bin/all.bms'"
 gives 0 render a.fbx --size=64 --json -o p.png
 check "its format" [ "$(json format)" = fbx ]
-check "the ending" [ "$(cat "$bin/arguments")" = fbx ]
+check "the extension" [ "$(cat "$bin/arguments")" = fbx ]
 check "the file" cmp -s a.fbx "$bin/input"
 check "descriptors: $(cat "$bin/descriptors")" [ "$(wc -l <"$bin/descriptors")" -le 4 ] # ls has one of its own
 check "warnings" [ "$(cat "$err")" = "burnish: warning: a.fbx: burnish-import-assimp: text
@@ -131,14 +131,14 @@ cp a.fbx a.dat
 importer "echo \"\$*\" >'$bin/arguments'; cat >'$bin/input'; cat '$bin/all.bms'"
 same_as_fbx() { # TEXT, of a picture r.png
     check "$1: exit code $code, $(cat "$err")" [ "$code" = 0 ]
-    check "$1: the ending" [ "$(cat "$bin/arguments")" = dae ]
+    check "$1: the extension" [ "$(cat "$bin/arguments")" = dae ]
     check "$1: the file" cmp -s a.fbx "$bin/input"
     rm -f "$bin/arguments" "$bin/input"
 }
 for flag in --no-sandbox $boxed; do
     run render a.dat --input-format=dae --size=64 "$flag" --json -o q.png
-    same_as_fbx "another ending, $flag"
-    check "the same picture, another ending, $flag" cmp -s p.png q.png
+    same_as_fbx "another extension, $flag"
+    check "the same picture, another extension, $flag" cmp -s p.png q.png
     check "its format is the one named" [ "$(json format)" = dae ]
     run_with() { # FILE-OR-PIPE ARGUMENTS...
         "$burnish" "$@" >"$out" 2>"$err"

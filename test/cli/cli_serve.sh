@@ -32,27 +32,27 @@ request() {
     rm frame
 }
 
-# serve [FLAGS...]: answers the requests of the file `in`; leaves ID.line and ID.picture of each, and their ids in $order.
+# serve [FLAGS...]: replies to the requests of the file `in`; leaves ID.line and ID.picture of each, and their ids in $order.
 serve() {
-    "$burnish" serve-stdio $options "$@" <in >answers 2>"$err"
+    "$burnish" serve-stdio $options "$@" <in >replies 2>"$err"
     code=$?
     at=1
     order=
-    size=$(wc -c <answers)
+    size=$(wc -c <replies)
     while [ $at -lt "$size" ]; do
         # shellcheck disable=SC2046
-        set -- $(tail -c +$at answers | head -c 8 | od -An -tu4)
-        tail -c +$((at + 8)) answers | head -c "$1" >body
+        set -- $(tail -c +$at replies | head -c 8 | od -An -tu4)
+        tail -c +$((at + 8)) replies | head -c "$1" >body
         head -n 1 body >"$2.line"
         tail -c +$(($(wc -c <"$2.line") + 1)) body >"$2.picture"
         order="$order $2"
         at=$((at + 8 + $1))
     done
-    check "answers are whole" [ $at = $((size + 1)) ]
-    rm -f in answers body
+    check "replies are whole" [ $at = $((size + 1)) ]
+    rm -f in replies body
 }
 
-# failed ID CODE TEXT: an answer without a picture.
+# failed ID CODE TEXT: a reply without a picture.
 failed() {
     check "request $1: $(cat "$1.line")" grep -qF "{\"code\":$2,\"error\":\"$3" "$1.line"
     check "request $1: a picture" [ ! -s "$1.picture" ]
@@ -136,7 +136,7 @@ for i in 1 2 3 4 5 6 7 8 9 10 11 12; do
     request $i '{"name": "a.obj"}' a.obj
 done >in
 serve -j3 --size=16
-check "each is answered once: $order" [ "$(printf '%s\n' $order | sort -n | tr '\n' ' ')" = "1 2 3 4 5 6 7 8 9 10 11 12 " ]
+check "one reply each: $order" [ "$(printf '%s\n' $order | sort -n | tr '\n' ' ')" = "1 2 3 4 5 6 7 8 9 10 11 12 " ]
 "$burnish" render a.obj --no-libraries --size=16 --color=#ff0000 -o one.png
 for i in 2 3 4 5 6 7 8 9 10 11 12; do
     check "request $i: the same picture" cmp 1.picture $i.picture
@@ -255,13 +255,13 @@ check "the next one is drawn" [ -s 2.picture ]
 check "the importer has ended" await ended "$(cat "$bin/number")"
 rm -f ./*.line ./*.picture a.fbx a.png
 
-# An invalid frame ends the server after it has answered the requests.
+# An invalid frame ends the server after it has replied to the requests.
 request 1 '{}' a.obj >in
 printf 'GET / HTTP/1.0\r\n\r\n' >>in
 serve -j1 --size=8
 check "text: exit code $code" [ "$code" = 4 ]
 check "text: $(cat "$err")" grep -q '^burnish: standard input: request 2: does not begin with a JSON object; see docs/serve.md$' "$err"
-check "the answer before it" [ -s 1.picture ]
+check "the reply before it" [ -s 1.picture ]
 request 1 '{"name": "a.obj"}' a.obj | head -c 40 >in
 serve
 check "cut off: exit code $code: $(cat "$err")" grep -q '^burnish: standard input: request 1: incomplete$' "$err"

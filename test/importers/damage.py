@@ -9,22 +9,22 @@ import subprocess
 import sys
 import time
 
-ENDINGS = (".3ds .3mf .ac .amf .ase .b3d .blend .cob .dae .dxf .fbx .glb .hmp .ifc .iqm .lwo .lxo .md2 .md3 "
+EXTENSIONS = (".3ds .3mf .ac .amf .ase .b3d .blend .cob .dae .dxf .fbx .glb .hmp .ifc .iqm .lwo .lxo .md2 .md3 "
            ".md5mesh .mdc .mdl .ms3d .nff .ogex .q3o .sib .smd .step .igs .brep .brp .x .x3d .xgl .zgl").split()
 CODES = {0, 4, 5, 6}  # a picture, no mesh, a limit, memory
 SECONDS = 2
 
 
 def files(folder):
-    """The smallest few of each ending."""
+    """The smallest few of each extension."""
     of = {}
     for place, _, names in sorted(os.walk(folder)):
         for name in names:
-            ending = os.path.splitext(name)[1].lower()
+            extension = os.path.splitext(name)[1].lower()
             path = os.path.join(place, name)
-            if ending in ENDINGS and os.path.getsize(path) > 0:
-                of.setdefault(ending, []).append((os.path.getsize(path), path))
-    return [(ending, path) for ending in sorted(of) for _, path in sorted(of[ending])[:4]]
+            if extension in EXTENSIONS and os.path.getsize(path) > 0:
+                of.setdefault(extension, []).append((os.path.getsize(path), path))
+    return [(extension, path) for extension in sorted(of) for _, path in sorted(of[extension])[:4]]
 
 
 def damaged(data, chance):
@@ -56,10 +56,10 @@ def main():
     found = files(folder)
     codes, crashes, bad, slowest = {}, 0, 0, (0, "")
     for number in range(count):
-        ending, path = found[number % len(found)]
+        extension, path = found[number % len(found)]
         with open(path, "rb") as file:
             data = damaged(file.read(), random.Random(number))
-        name = "damaged" + ending
+        name = "damaged" + extension
         with open(name, "wb") as file:
             file.write(data)
         start = time.monotonic()

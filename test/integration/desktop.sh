@@ -25,9 +25,9 @@ update-mime-database "$share/mime" 2>mime.log || fail "update-mime-database"
 check "update-mime-database: $(grep -i burnish mime.log)" sh -c '! grep -qiE "burnish|error" mime.log'
 types=$(sed -n 's/^MimeType=//p' "$share/thumbnailers/burnish.thumbnailer")
 check "other types in the menu" grep -qx "MimeType=$types" "$share/applications/burnish.desktop"
-for ending in stl obj ply off gltf glb 3mf bms; do
-    type=$(sort -t: -k1,1nr "$share/mime/globs2" | sed -n "s/^[0-9]*:\(.*\):\*\.$ending$/\1/p" | head -n 1)
-    check "*.$ending is \"$type\", which is none of the thumbnailer's" sh -c "[ -n '$type' ] && echo ';$types' | grep -qF ';$type;'"
+for extension in stl obj ply off gltf glb 3mf bms; do
+    type=$(sort -t: -k1,1nr "$share/mime/globs2" | sed -n "s/^[0-9]*:\(.*\):\*\.$extension$/\1/p" | head -n 1)
+    check "*.$extension is \"$type\", which is none of the thumbnailer's" sh -c "[ -n '$type' ] && echo ';$types' | grep -qF ';$type;'"
 done
 
 # As gnome-desktop-thumbnail-script.c does it; the program is where the staged tree has it.
@@ -59,9 +59,9 @@ for seed in seeds/*/*; do
     tail -c +4 "$seed" >"$name.$format"
     [ "$(head -c 4 "$name.$format")" != glTF ] || mv "$name.$format" "$name.glb"
 done
-for ending in stl obj ply off gltf glb 3mf bms; do
+for extension in stl obj ply off gltf glb 3mf bms; do
     drawn=0
-    for file in files/*."$ending"; do
+    for file in files/*."$extension"; do
         "$burnish" render "$file" --no-libraries --quiet --no-background --size=128 -o wanted.png 2>/dev/null || continue
         thumbnail "$PWD/$file"
         check "$file: exit code $code: $(cat "$err")" [ $code = 0 ]
@@ -69,7 +69,7 @@ for ending in stl obj ply off gltf glb 3mf bms; do
         drawn=$((drawn + 1))
         [ $drawn -lt 2 ] || break
     done
-    check "no file drawn of .$ending" [ $drawn -gt 0 ]
+    check "no file drawn of .$extension" [ $drawn -gt 0 ]
 done
 head -c 300 "$source/test/data/colors.ply" >cut.ply
 thumbnail "$PWD/cut.ply"

@@ -198,7 +198,7 @@ check("largest error", Math.abs(burnish.theory("power", 64).maximumError), 0);
 check("no such lobe", errorOf(() => burnish.theory("enrgy", 64)).split(" ")[0], "ARGUMENT");
 check("roughness", burnish.convert("exponentFromRoughness", 0.5), 30);
 check("lobes", burnish.lobes.includes("minimax:8"), true);
-check("endings", burnish.endings.join(" ").startsWith(".gltf .glb .obj"), true);
+check("extensions", burnish.extensions.join(" ").startsWith(".gltf .glb .obj"), true);
 
 // ---- What `burnish lobe` prints ----
 

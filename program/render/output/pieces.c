@@ -54,11 +54,11 @@ typedef struct order {
     int32_t width, height, channels, count, piece, unused;
 } order;
 
-typedef struct answer {
+typedef struct reply {
     int32_t piece, unused;
     uint64_t size;
     uint64_t notes[RENDER_PIECE_NOTES];
-} answer;
+} reply;
 
 typedef struct runner {
     int channel; /* NOTHING: gone */
@@ -203,8 +203,8 @@ static void hand_out(render_pieces *f, int piece) {
 }
 
 /* Receives the runner's oldest piece. A late piece is dropped. */
-static void take_answer(render_pieces *f, runner *r) {
-    answer a;
+static void take_reply(render_pieces *f, runner *r) {
+    reply a;
     uint8_t *pixels = NULL;
     int is_whole = channel_read(r->channel, &a, sizeof a) && r->pieces[0] != NOTHING &&
                    a.piece == r->pieces[0] && a.size == f->size;
@@ -235,7 +235,7 @@ static void collect(render_pieces *f, int milliseconds) {
     if (poll(f->ready, (nfds_t)f->plan.runners, milliseconds) > 0) {
         for (int i = 0; i < f->plan.runners; ++i) {
             if (f->ready[i].fd >= 0 && f->ready[i].revents) {
-                take_answer(f, &f->runners[i]);
+                take_reply(f, &f->runners[i]);
             }
         }
     }
@@ -347,7 +347,7 @@ burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error
             break;
         }
         status = plan->draw(plan->context, o.piece, error);
-        answer a = {.piece = o.piece, .size = size};
+        reply a = {.piece = o.piece, .size = size};
         if (status == BURNISH_STATUS_OK) {
             copy_notes(plan, a.notes, NULL);
             copy_rows(plan->image, pixels, NULL);

@@ -153,9 +153,9 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const burnish_mesh *mesh = result->mesh;
     const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    char ending[IMPORT_ENDING_SIZE];
-    const char *format =
-        import_format_word(settings->input.name, settings->input.load.format, info->format, ending);
+    char extension[IMPORT_EXTENSION_SIZE];
+    const char *format = import_format_word(settings->input.name, settings->input.load.format,
+                                            info->format, extension);
     const char *source = settings->camera.up == UP_AUTO     ? "auto"
                          : settings->camera.up == UP_FORMAT ? "format"
                                                             : "flag";

@@ -104,22 +104,22 @@ static const char *describe_xml(const uint8_t *bytes, size_t size) {
     return "an XML file";
 }
 
-static const char *describe_ending(const char *name) {
+static const char *describe_extension(const char *name) {
     static const struct {
-        const char *ending, *what;
-    } endings[] = {{".igs", "an IGES file"},      {".iges", "an IGES file"},
-                   {".3ds", "a 3DS file"},        {".dxf", "a DXF drawing"},
-                   {".stp", "a STEP file"},       {".step", "a STEP file"},
-                   {".max", "a 3ds Max file"},    {".c4d", "a Cinema 4D file"},
-                   {".skp", "a SketchUp file"},   {".xyz", "an XYZ point cloud"},
-                   {".pts", "a PTS point cloud"}, {".scad", "an OpenSCAD program"}};
+        const char *extension, *what;
+    } extensions[] = {{".igs", "an IGES file"},      {".iges", "an IGES file"},
+                      {".3ds", "a 3DS file"},        {".dxf", "a DXF drawing"},
+                      {".stp", "a STEP file"},       {".step", "a STEP file"},
+                      {".max", "a 3ds Max file"},    {".c4d", "a Cinema 4D file"},
+                      {".skp", "a SketchUp file"},   {".xyz", "an XYZ point cloud"},
+                      {".pts", "a PTS point cloud"}, {".scad", "an OpenSCAD program"}};
     const size_t length = name ? strlen(name) : 0;
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; ++i) {
-        const size_t size = strlen(endings[i].ending);
+    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; ++i) {
+        const size_t size = strlen(extensions[i].extension);
         if (length >= size &&
             burnish_bytes_are_caseless((const uint8_t *)name + length - size,
-                                       (const uint8_t *)endings[i].ending, size)) {
-            return endings[i].what;
+                                       (const uint8_t *)extensions[i].extension, size)) {
+            return extensions[i].what;
         }
     }
     return NULL;
@@ -139,7 +139,8 @@ const char *burnish_describe_foreign(const uint8_t *bytes, size_t size, const ch
     if (is_windows_program(bytes, size)) {
         return "a program";
     }
-    return begins(bytes, size, start, "<?xml") ? describe_xml(bytes, size) : describe_ending(name);
+    return begins(bytes, size, start, "<?xml") ? describe_xml(bytes, size)
+                                               : describe_extension(name);
 }
 
 int burnish_is_lfs_pointer(const uint8_t *bytes, size_t size) {

@@ -22,8 +22,8 @@ static const format_row formats[BURNISH_FORMAT_COUNT] = {
     [BURNISH_FORMAT_AUTO] = {.info = {"auto", "", {0, 1, 0}, 0}},
     [BURNISH_FORMAT_BUILTIN] = {.info = {"builtin", "", {0, 1, 0}, 0}},
     [BURNISH_FORMAT_ARRAYS] = {.info = {"arrays", "", {0, 1, 0}, 0}},
-#define ROW(name, word, endings, x, y, z)                                                          \
-    [BURNISH_FORMAT_##name] = {{#word, endings, {x, y, z}, 1}, &burnish_reader_##word},
+#define ROW(name, word, extensions, x, y, z)                                                       \
+    [BURNISH_FORMAT_##name] = {{#word, extensions, {x, y, z}, 1}, &burnish_reader_##word},
     BURNISH_FORMAT_LIST(ROW)
 #undef ROW
 };
@@ -38,19 +38,19 @@ const burnish_format_info *burnish_format_get_info(burnish_format format) {
 
 /* Whether a name has one of the extensions, which blanks separate, in any case and with or without
  * ".gz". */
-static int has_ending(const char *name, const char *endings) {
+static int has_extension(const char *name, const char *extensions) {
     size_t length = strlen(name);
     if (length > 3 &&
         burnish_bytes_are_caseless((const uint8_t *)name + length - 3, (const uint8_t *)".gz", 3)) {
         length -= 3;
     }
-    while (*endings) {
-        const size_t size = strcspn(endings, " ");
+    while (*extensions) {
+        const size_t size = strcspn(extensions, " ");
         if (length >= size && burnish_bytes_are_caseless((const uint8_t *)name + length - size,
-                                                         (const uint8_t *)endings, size)) {
+                                                         (const uint8_t *)extensions, size)) {
             return 1;
         }
-        endings += size + strspn(endings + size, " ");
+        extensions += size + strspn(extensions + size, " ");
     }
     return 0;
 }
@@ -67,7 +67,7 @@ static int is_all_text(const uint8_t *bytes, size_t size) {
 /* AUTO: none. */
 static burnish_format format_of_name(const char *name) {
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0 && name; --i) {
-        if (formats[i].reader && has_ending(name, formats[i].info.extensions)) {
+        if (formats[i].reader && has_extension(name, formats[i].info.extensions)) {
             return (burnish_format)i;
         }
     }

@@ -479,8 +479,8 @@ __attribute__((format(printf, 1, 2))) static void print(const char *format, ...)
 }
 
 /* The shape as a text file, with separate vertices for each triangle. */
-static void print_shape(const char *ending) {
-    const int is_obj = strcmp(ending, "obj") == 0, is_ply = strcmp(ending, "ply") == 0;
+static void print_shape(const char *extension) {
+    const int is_obj = strcmp(extension, "obj") == 0, is_ply = strcmp(extension, "ply") == 0;
     text_size = 0;
     if (is_ply) {
         print("ply\nformat ascii 1.0\nelement vertex %zu\nproperty float x\nproperty float y\n"
