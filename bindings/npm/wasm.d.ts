@@ -21,6 +21,8 @@ export interface LoadOptions {
   up?: string;
   /** A plane "X,Y,Z,D" or [X, Y, Z, D]: everything beyond it is cut away. Several planes: an array of strings. */
   clip?: string | number[] | string[];
+  /** "auto" (default), "file" or "own": whether the normals of the file are used. */
+  normals?: "auto" | "file" | "own";
   /** Degrees below which edges are smooth. By default each edge depends on its surroundings. */
   creaseAngle?: number;
   /** Segments along a patch edge of a built-in object; default 16. */

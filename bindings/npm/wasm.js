@@ -25,8 +25,8 @@ export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 
 // Options of loading; the others are options of drawing.
 const LOADING = new Set([
-  "inputFormat", "clip", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize", "strict",
-  "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up",
+  "inputFormat", "clip", "normals", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize",
+  "strict", "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up",
 ]);
 
 // In the order of session_number, theory_number and theory_convert.

@@ -91,6 +91,17 @@ BURNISH_API burnish_material burnish_material_default(void);
  * vertex sets the normal there, so a fillet does not bend a plane. */
 #define BURNISH_CREASE_AUTO (-1.0)
 
+/* Which normals a mesh gets. */
+typedef enum burnish_normals_source {
+    BURNISH_NORMALS_AUTO, /* FILE for arrays. OWN for others if crease_angle is given. Otherwise
+                             FILE, except that an OBJ, PLY or OFF file gets OWN, with a warning, if
+                             its normals smooth the sharp edges of flat faces on more than 10 % of
+                             the area: at a corner the normal is over 35 degrees off the face, and
+                             an edge of 60 degrees or more has this normal on both sides */
+    BURNISH_NORMALS_FILE, /* those of the input; missing ones are generated */
+    BURNISH_NORMALS_OWN   /* all are generated; triangles keep their winding */
+} burnish_normals_source;
+
 /* No animation: the scene as stored in the file. */
 #define BURNISH_AT_REST (-1.0)
 
@@ -136,11 +147,12 @@ typedef struct burnish_load_options {
     double crease_angle; /* degrees, [0, 180]: generated normals are smooth across edges with a
                             smaller angle, weighted by the angles of the faces at the vertex. 0:
                             flat faces. Or BURNISH_CREASE_AUTO */
-    int tessellation;    /* of built-in objects: segments per patch edge, [1, 256] */
-    int keep_texture_coordinates; /* 1: always; 0: only if a material uses a texture. Vertices
+    burnish_normals_source normals; /* AUTO, FILE or OWN */
+    int tessellation;               /* of built-in objects: segments per patch edge, [1, 256] */
+    int keep_texture_coordinates;   /* 1: always; 0: only if a material uses a texture. Vertices
                                      with different coordinates are not welded */
-    int ignore_textures;          /* 1: no texture is loaded or used */
-    int measure;                  /* 1: compute the facts that burnish_mesh_get_facts() returns */
+    int ignore_textures;            /* 1: no texture is loaded or used */
+    int measure;                    /* 1: compute the facts that burnish_mesh_get_facts() returns */
     double point_size;    /* diameter of points and lines in a file without faces, in its units; 0:
                           from their density */
     const double *origin; /* 3 numbers in [-1e30, 1e30], subtracted from the coordinates of the file
@@ -168,9 +180,9 @@ typedef struct burnish_load_options {
     burnish_stream_decoder decoder;       /* decode NULL: files that need it fail with FORMAT */
 } burnish_load_options;
 
-/* BURNISH_CREASE_AUTO, tessellation 16, no extra texture coordinates, no facts, not strict, one
- * thread per processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles, BURNISH_TEXTURE_PIXELS_AUTO, the
- * default context and loader. */
+/* BURNISH_CREASE_AUTO, BURNISH_NORMALS_AUTO, tessellation 16, no extra texture coordinates, no
+ * facts, not strict, one thread per processor, 16 GiB, BURNISH_TRIANGLES_MAX triangles,
+ * BURNISH_TEXTURE_PIXELS_AUTO, the default context and loader. */
 BURNISH_API void burnish_load_options_init(burnish_load_options *options, uint64_t layout);
 static inline burnish_load_options burnish_load_options_default(void) {
     burnish_load_options options;

@@ -133,7 +133,7 @@ const cli_command compare_command = {
     .base = &render_command,
     .base_topics = "camera,light",
     .base_flags = "samples,background-color,no-background,cull-back-faces,views,input-format,"
-                  "crease-angle,tessellation,no-textures,max-triangles,max-texture-pixels,"
+                  "normals,crease-angle,tessellation,no-textures,max-triangles,max-texture-pixels,"
                   "max-input-bytes,max-overdraw,quiet,threads,isa",
     .examples = examples,
     .sections = sections,

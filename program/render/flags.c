@@ -45,6 +45,10 @@ static const cli_word annotation_words[] = {{"axes", BURNISH_ANNOTATION_AXES},
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
+static const cli_word normals_words[] = {{"auto", BURNISH_NORMALS_AUTO},
+                                         {"file", BURNISH_NORMALS_FILE},
+                                         {"own", BURNISH_NORMALS_OWN},
+                                         {NULL, 0}};
 #define AXIS_100(word) ", " #word " +X"
 #define AXIS_010(word)
 #define AXIS_001(word) ", " #word " +Z"
@@ -390,10 +394,19 @@ static const cli_flag flags[] = {
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
                "winding, are filled and hatched; cuts through other meshes and transparent "
                "surfaces are not. The camera frames the rest."},
+    {CLI_FLAG("normals", "NAME", "source", cli_flag_word, input.normals), .words = normals_words,
+     .default_text = "auto",
+     .manual =
+         "Source of the normals. *file* uses those of the input and generates missing ones; "
+         "*own* generates all of them. *auto*, the default, is *own* if *--crease-angle* is "
+         "given; otherwise it is *file*, except that the normals of an OBJ, PLY or OFF file are "
+         "replaced, with a warning, if they smooth the sharp edges of flat faces on more "
+         "than 10 % of the area."},
     {CLI_FLAG("crease-angle", "DEG", "smooth edges below this angle", cli_flag_real, input.crease),
      CLI_RANGE(0, 180), .default_label = "auto",
-     .manual = "For inputs without normals: edges whose faces differ by less than this angle are "
-               "smooth; 0 shades every face flat. By default each edge depends on its "
+     .manual = "Generates normals: edges whose faces differ by less than this angle are smooth; 0 "
+               "shades every face flat. Normals of the input are used only with *--normals=file*; "
+               "then the angle applies to missing ones. By default each edge depends on its "
                "surroundings: it is smooth up to 20 degrees, up to 60 between faces that bend at "
                "all their edges, as in scans, and up to 40 as a step of a curve. Chamfers and "
                "pockets stay sharp, and fillets do not bend planes."},

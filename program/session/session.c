@@ -39,9 +39,10 @@ struct session {
 const cli_command session_open_command = {
     .name = "open",
     .base = &render_command,
-    .base_flags = "input-format,clip,crease-angle,tessellation,animation-time,animation,point-size,"
-                  "strict,no-textures,no-libraries,max-triangles,max-texture-pixels,"
-                  "max-input-bytes,up,threads",
+    .base_flags =
+        "input-format,clip,normals,crease-angle,tessellation,animation-time,animation,point-size,"
+        "strict,no-textures,no-libraries,max-triangles,max-texture-pixels,"
+        "max-input-bytes,up,threads",
     .settings_size = sizeof(render_settings),
 };
 const cli_command session_draw_command = {

@@ -72,10 +72,11 @@ const cli_command view_command = {
     .flag_count = sizeof flags / sizeof *flags,
     .base = &render_command,
     .base_topics = "camera,light",
-    .base_flags = "samples,background-color,cull-back-faces,views,input-format,clip,crease-angle,"
-                  "tessellation,animation-time,animation,point-size,strict,no-textures,"
-                  "no-libraries,max-triangles,max-texture-pixels,max-input-bytes,max-overdraw,"
-                  "threads,isa",
+    .base_flags =
+        "samples,background-color,cull-back-faces,views,input-format,clip,normals,crease-angle,"
+        "tessellation,animation-time,animation,point-size,strict,no-textures,"
+        "no-libraries,max-triangles,max-texture-pixels,max-input-bytes,max-overdraw,"
+        "threads,isa",
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(view_settings),

@@ -217,12 +217,12 @@ check "a report that can't be written replaces a picture" [ "$(cat kept.png)" = 
 same "threads" "$plain" "$(hash :teapot --size=64 --threads=3)"
 same "defaults written out" "$plain" "$(hash :teapot --size=64 --samples=4 --lobe=energy:2 \
     --equation=blinn --viewer=local --margin=0.05 --camera-view-angle=30 --zoom=1 --up=+Y \
-    --crease-angle=60 --tessellation=16 --background-color=#eeeff1 --look=studio --threads=1)"
+    --normals=auto --tessellation=16 --background-color=#eeeff1 --look=studio --threads=1)"
 for flag in --samples=8 --up=+Z --azimuth=20 --elevation=-20 --zoom=2 \
     --camera-view-angle=50 --camera-orthographic --margin=0.2 --camera-direction=1,-1,0 --camera-view-up=1,1,0 \
     --camera-focal-point=0,0,0 --background-color=navy --no-background --color=gold --material=metal \
     --specular=0 --exponent=9 --lobe=power --lobe=schlick --lobe=taylor:8 --equation=phong --viewer=distant \
-    --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3 --cull-back-faces --look=plain --look=clay --occlusion=none --occlusion=9; do
+    --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3 --normals=own --crease-angle=0 --cull-back-faces --look=plain --look=clay --occlusion=none --occlusion=9; do
     differs "$flag" "$plain" "$(hash :teapot --size=64 $flag)"
 done
 lit_gltf() { # TYPE

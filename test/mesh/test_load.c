@@ -184,11 +184,60 @@ static void test_crease_auto(void) {
     }
 }
 
+/* A cube from -1 to 1 or an octahedron around it, whose file gives each vertex one normal, away from
+ * the middle. */
+static const char SMOOTH_CUBE[] =
+    "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+    "vn -1 -1 -1\nvn 1 -1 -1\nvn -1 1 -1\nvn 1 1 -1\nvn -1 -1 1\nvn 1 -1 1\nvn -1 1 1\n"
+    "vn 1 1 1\nf 1//1 3//3 4//4 2//2\nf 5//5 6//6 8//8 7//7\nf 1//1 2//2 6//6 5//5\n"
+    "f 3//3 7//7 8//8 4//4\nf 1//1 5//5 7//7 3//3\nf 2//2 4//4 8//8 6//6\n";
+
+/* Six sides with a round top: every normal is 45 degrees or more off some face, but no edge of the
+ * cone is sharp. */
+static const char SMOOTH_CONE[] =
+    "v 0 0 2\nv 2 0 0\nv 1 1.73205 0\nv -1 1.73205 0\nv -2 0 0\nv -1 -1.73205 0\n"
+    "v 1 -1.73205 0\nvn 0 0 1\nvn 1 0 1\nvn 0.5 0.866 1\nvn -0.5 0.866 1\nvn -1 0 1\n"
+    "vn -0.5 -0.866 1\nvn 0.5 -0.866 1\nf 1//1 2//2 3//3\nf 1//1 3//3 4//4\n"
+    "f 1//1 4//4 5//5\nf 1//1 5//5 6//6\nf 1//1 6//6 7//7\nf 1//1 7//7 2//2\n";
+
+static void check_normals(const char *text, const char *name, burnish_normals_source normals,
+                          double angle, size_t vertices, const char *warning) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    options.normals = normals;
+    options.crease_angle = angle;
+    if (CHECK(burnish_mesh_load_memory(text, strlen(text), name, &options, &mesh, &error) ==
+                  BURNISH_STATUS_OK,
+              "%s", error.text)) {
+        const size_t count = burnish_mesh_get_view(mesh)->vertex_count;
+        const char *found = burnish_mesh_get_warning(mesh, 0);
+        CHECK(count == vertices, "%zu vertices, not %zu", count, vertices);
+        CHECK(warning ? found && strstr(found, warning) : !found, "warning: %s",
+              found ? found : "none");
+    }
+    burnish_mesh_destroy(mesh);
+}
+
+/* Own normals give a corner of the cube three vertices; those of the file one. */
+static void test_normals_source(void) {
+    const burnish_normals_source automatic = BURNISH_NORMALS_AUTO, file = BURNISH_NORMALS_FILE;
+    const double no_angle = BURNISH_CREASE_AUTO;
+    check_normals(SMOOTH_CUBE, "a.obj", automatic, no_angle, 24, "the sharp edges of 100 %");
+    check_normals(SMOOTH_CUBE, "a.obj", file, no_angle, 8, NULL);
+    check_normals(SMOOTH_CUBE, "a.obj", BURNISH_NORMALS_OWN, no_angle, 24, NULL);
+    check_normals(SMOOTH_CUBE, "a.obj", automatic, 80, 24, NULL);
+    check_normals(SMOOTH_CUBE, "a.obj", automatic, 100, 8, NULL);
+    check_normals(SMOOTH_CUBE, "a.obj", file, 80, 8, "the crease angle has no effect");
+    check_normals(SMOOTH_CONE, "a.obj", automatic, no_angle, 7, NULL);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_companions());
     RUN(test_log());
     RUN(test_crease_auto());
+    RUN(test_normals_source());
     for (int i = 0; i < INPUTS; ++i) {
         RUN(test_stopped(i));
         RUN(test_environment(i));

@@ -6,12 +6,11 @@
 
 #define PI 3.14159265358979323846
 
-static burnish_mesh *make(const char *name, int tessellation, double crease) {
+static burnish_mesh *make(const char *name, int tessellation) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
-    options.crease_angle = crease;
     CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
     return mesh;
 }
@@ -157,7 +156,7 @@ static void test_sphere(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *mesh = make(":sphere", n, 40);
+        burnish_mesh *mesh = make(":sphere", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         topology t = examine(view);
         CHECK(t.open == 0 && t.wrong == 0, "%zu open, %zu wrong", t.open, t.wrong);
@@ -196,7 +195,7 @@ static void test_torus(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *mesh = make(":torus", n, 40);
+        burnish_mesh *mesh = make(":torus", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         topology t = examine(view);
         double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
@@ -221,7 +220,7 @@ static void test_torus(void) {
 }
 
 static void test_knot(void) {
-    burnish_mesh *mesh = make(":knot", 16, 40);
+    burnish_mesh *mesh = make(":knot", 16);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     topology t = examine(view);
     CHECK(t.open == 0 && t.wrong == 0 && euler(&t, view) == 0, "%zu open, Euler %ld", t.open,
@@ -246,7 +245,7 @@ static void test_knot(void) {
  * triangles of the spout's lip contradict the surface's normals, and are turned. */
 static void test_teapot(void) {
     for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
-        burnish_mesh *mesh = make(":teapot", n, 40);
+        burnish_mesh *mesh = make(":teapot", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         topology t = examine(view);
         size_t triangles = 32u * 2 * n * n - 8u * n;
@@ -260,7 +259,7 @@ static void test_teapot(void) {
         CHECK(burnish_mesh_get_warning_count(mesh) == 0, "%s", burnish_mesh_get_warning(mesh, 0));
         burnish_mesh_destroy(mesh);
     }
-    burnish_mesh *mesh = make(":teapot", 16, 40);
+    burnish_mesh *mesh = make(":teapot", 16);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     check_normals(view, "teapot", 0.5);
     CHECK(view->bounds_min[1] == 0 && view->bounds_max[1] == 3.15f, "%g .. %g",
@@ -296,7 +295,7 @@ static void test_arguments(void) {
         CHECK1(burnish_mesh_load(names[i], &options, &view, &error) == BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
         CHECK1(view == NULL);
-        burnish_mesh *mesh = make(names[i], 1, 40);
+        burnish_mesh *mesh = make(names[i], 1);
         check_normals(burnish_mesh_get_view(mesh), names[i], -1);
         burnish_mesh_destroy(mesh);
     }

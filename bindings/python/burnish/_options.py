@@ -24,6 +24,7 @@ class Options(TypedDict, total=False):
     input_format: str
     up: str
     clip: Union[Vector, Sequence[str]]
+    normals: str
     crease_angle: float
     tessellation: int
     animation_time: float

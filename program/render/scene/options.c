@@ -11,6 +11,7 @@ burnish_load_options render_load_options(const render_input_settings *input, int
     if (input->crease.given) {
         options.crease_angle = input->crease.value;
     }
+    options.normals = (burnish_normals_source)input->normals;
     options.threads = threads;
     options.measure = input->clip.count > 0; /* only solids are filled */
     return options;

@@ -18,6 +18,7 @@ typedef struct render_input_settings {
     const char *name;
     cli_input load;
     cli_real crease;
+    int normals; /* burnish_normals_source */
     render_clip clip;
 
     render_load_mesh *load_mesh; /* NULL: sandbox_load */

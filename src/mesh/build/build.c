@@ -104,6 +104,24 @@ static burnish_mesh *allocate_mesh(burnish_mesh_data *data, burnish_format forma
     return mesh;
 }
 
+/* Normals of OBJ, PLY and OFF often come from tools that average them across edges. Other sources
+ * state the normals that they mean, and solids for points have the right ones. */
+static burnish_normals_source choose_normals(const burnish_load_options *options,
+                                             burnish_format format, const burnish_mesh_data *data) {
+    const int is_questioned = format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
+                              format == BURNISH_FORMAT_OFF;
+    if (data->point_count + data->line_count > 0) {
+        return BURNISH_NORMALS_FILE;
+    }
+    if (options->normals != BURNISH_NORMALS_AUTO) {
+        return options->normals;
+    }
+    return format == BURNISH_FORMAT_ARRAYS                ? BURNISH_NORMALS_FILE
+           : options->crease_angle != BURNISH_CREASE_AUTO ? BURNISH_NORMALS_OWN
+           : is_questioned                                ? BURNISH_NORMALS_AUTO
+                                                          : BURNISH_NORMALS_FILE;
+}
+
 burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                                   const burnish_load_options *options, burnish_format format,
                                   burnish_mesh **mesh) {
@@ -113,6 +131,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                          .name = name,
                          .mesh = allocate_mesh(data, format),
                          .crease_angle = options->crease_angle,
+                         .normals = choose_normals(options, format, data),
                          .measure = options->measure};
     *mesh = NULL;
     burnish_build_prepare_textures(&b, options);

@@ -43,8 +43,9 @@ typedef struct burnish_builder {
     const char *name;       /* of the input */
     burnish_mesh *mesh;     /* the result */
     double crease_angle;
-    int measure;        /* 1: the mesh gets its facts */
-    int needs_tangents; /* 1: a material uses a normal texture */
+    burnish_normals_source normals; /* AUTO only for formats whose normals are questioned */
+    int measure;                    /* 1: the mesh gets its facts */
+    int needs_tangents;             /* 1: a material uses a normal texture */
 
     size_t position_count;      /* welded positions, at the head of data's positions */
     size_t triangle_count;      /* triangles with area, at the head of data's arrays */

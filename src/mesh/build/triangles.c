@@ -2,6 +2,8 @@
 #include <stdatomic.h>
 
 #include "mesh/build/builder.h"
+#include "mesh/build/corners.h"
+#include "mesh/build/creases.h"
 #include "mesh/build/measure.h"
 #include "mesh/build/normals.h"
 #include "mesh/build/triangles.h"
@@ -87,6 +89,149 @@ static void orient(const burnish_builder *b, size_t triangle, burnish_vec3 cross
 static burnish_vec3 cross_of(const burnish_builder *b, size_t triangle) {
     return burnish_face_cross(burnish_positions(b->data), b->corner_positions + 3 * triangle);
 }
+
+/* ---- whether the file's normals are believed ---- */
+
+/* Tools that average the normals of all faces at a vertex also do so at the edges of boxes and
+ * machined parts, which then look like molten tin. A triangle is molten if all of this is true:
+ *   - the file's normal at a corner is more than 35 degrees off the face;
+ *   - an edge at this corner is sharp but smooth in the file: the faces differ by 60 degrees or more
+ *     and have the same normal at the corner;
+ *   - it is flat: part of a larger flat face, or sharp at all its edges.
+ * Coarse characters also have normals far off their faces, and some sharp edges, but few flat faces.
+ */
+#define MOLTEN_COSINE 0.81915204428899178
+#define SAME_COSINE 0.999
+/* From this share of the area on, the file's normals are dropped. Of 79 public files with normals,
+ * boxes and machined parts had 11 % and more, others at most 3 %, except for one cube with wrong
+ * normals at 8 %. */
+#define MOLTEN_SHARE 0.1
+
+enum {
+    MOLTEN_SAMPLES = 1 << 15, /* triangles that are examined, spread over the mesh */
+    MOLTEN_FACES_MAX = 64     /* at a vertex; more are not searched, which bounds the time */
+};
+
+static burnish_vec3 file_normal(const burnish_builder *b, size_t corner) {
+    const float *normal = burnish_file_normal(b->data, corner);
+    return normal ? burnish_vec3_loadf(normal) : (burnish_vec3){0, 0, 0};
+}
+
+/* What the neighbours at edges of a triangle show: the file smooths a sharp edge; a neighbour is in
+ * the same plane; an edge is neither flat nor sharp. */
+enum { SMOOTHED = 1, FLAT = 2, BENT = 4 };
+
+/* The neighbours at the two edges from a corner.
+ *   unit  the normal of the corner's triangle, by winding */
+static int look_around(const burnish_builder *b, size_t corner, burnish_vec3 unit, int is_off) {
+    const size_t triangle = corner / 3, at = corner % 3;
+    const uint32_t here = b->corner_positions[corner];
+    const uint32_t after = b->corner_positions[3 * triangle + (at + 1) % 3];
+    const uint32_t before = b->corner_positions[3 * triangle + (at + 2) % 3];
+    const burnish_vec3 normal = file_normal(b, corner);
+    const uint32_t *corners = b->corners + b->first_corner[here];
+    const size_t count = b->first_corner[here + (size_t)1] - b->first_corner[here];
+    int found = 0;
+    for (size_t i = 0; i < count && count <= MOLTEN_FACES_MAX; ++i) {
+        const size_t other = corners[i] / 3, other_at = corners[i] % 3;
+        const uint32_t next = b->corner_positions[3 * other + (other_at + 1) % 3];
+        const uint32_t previous = b->corner_positions[3 * other + (other_at + 2) % 3];
+        const int is_wound_alike = next == before || previous == after;
+        const burnish_vec3 cross = cross_of(b, other);
+        if (other == triangle || (!is_wound_alike && next != after && previous != before) ||
+            !burnish_has_area(cross)) {
+            continue;
+        }
+        const double cosine =
+            burnish_vec3_dot(burnish_vec3_normalize(cross), unit) * (is_wound_alike ? 1 : -1);
+        if (cosine > BURNISH_SHARP_COSINE) {
+            found |= cosine > BURNISH_COPLANAR_COSINE ? FLAT : BENT;
+        } else if (is_off && burnish_vec3_dot(file_normal(b, corners[i]), normal) > SAME_COSINE) {
+            found |= SMOOTHED;
+        }
+    }
+    return found;
+}
+
+/* Whether a triangle is molten.
+ *   cross      of its edges, length long
+ *   by_edges   0: only the first condition, which needs no neighbours */
+static int is_molten(const burnish_builder *b, size_t triangle, burnish_vec3 cross, double length,
+                     int by_edges) {
+    const uint32_t *numbers = burnish_stream_corners(b->data, BURNISH_NORMAL) + 3 * triangle;
+    double heights[3] = {length, length, length}, least = 0;
+    int found = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (b->normals_complete || numbers[k] != BURNISH_NONE) {
+            heights[k] = burnish_vec3_dot(
+                cross, burnish_vec3_loadf(burnish_normals(b->data) + 3 * (size_t)numbers[k]));
+        }
+    }
+    const double side = heights[0] + heights[1] + heights[2] < 0 ? -1 : 1; /* of a wrong winding */
+    for (int k = 0; k < 3; ++k) {
+        heights[k] = side * heights[k] - MOLTEN_COSINE * length;
+        least = heights[k] < least ? heights[k] : least;
+    }
+    for (size_t k = 0; k < 3 && by_edges && least < 0; ++k) {
+        found |=
+            look_around(b, 3 * triangle + k, burnish_vec3_scale(cross, 1 / length), heights[k] < 0);
+    }
+    return by_edges ? (found & SMOOTHED) && ((found & FLAT) || !(found & BENT)) : least < 0;
+}
+
+/* The share of the area that is molten. */
+static double molten_share(const burnish_builder *b, int by_edges) {
+    const size_t step = b->data->triangle_count / MOLTEN_SAMPLES + 1;
+    double all = 0, molten = 0;
+    for (size_t i = 0; i < b->data->triangle_count; i += step) {
+        const burnish_vec3 cross = cross_of(b, i);
+        const double length = burnish_vec3_length(cross);
+        all += length;
+        molten += length > 0 && is_molten(b, i, cross, length, by_edges) ? length : 0;
+    }
+    return all > 0 ? molten / all : 0;
+}
+
+/* Drops the file's normals if too much is molten. Most files fail the first condition; only the
+ * others need lists of corners. */
+static burnish_status judge_normals(burnish_builder *b) {
+    const uint64_t crowded_max = b->data->crowded_max;
+    if (molten_share(b, 0) <= MOLTEN_SHARE) {
+        return BURNISH_STATUS_OK;
+    }
+    b->data->crowded_max = 0; /* crowded vertices are skipped */
+    b->triangle_count = b->data->triangle_count;
+    const burnish_status status = burnish_build_list_corners(b);
+    const double share = status == BURNISH_STATUS_OK ? molten_share(b, 1) : 0;
+    burnish_release(b->memory->context, b->corners);
+    burnish_release(b->memory->context, b->first_corner);
+    b->corners = b->first_corner = NULL;
+    b->max_faces = 0;
+    b->data->crowded_max = crowded_max;
+    if (share <= MOLTEN_SHARE) {
+        return status;
+    }
+    burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
+    b->normals_complete = 0;
+    burnish_mesh_data_warn(b->data,
+                           "%s: its normals smooth the sharp edges of %.0f %% of the surface and "
+                           "are replaced; set normals=file to keep them",
+                           burnish_show_name(b->name).text, 100 * share);
+    return b->memory->status;
+}
+
+/* Says that a given crease angle has no effect. */
+static burnish_status check_crease_angle(burnish_builder *b) {
+    if (b->crease_angle != BURNISH_CREASE_AUTO && b->normals_complete) {
+        burnish_mesh_data_warn(b->data,
+                               "%s: the crease angle has no effect, as every vertex has a normal "
+                               "already; set normals=own to generate them",
+                               burnish_show_name(b->name).text);
+    }
+    return b->memory->status;
+}
+
+/* ---- keeping ---- */
 
 /* Triangles with area move to the head of their range. If a single thread takes the ranges in turn,
  * they move to the head of the whole array. */
@@ -260,7 +405,11 @@ static burnish_status place_corners(burnish_builder *b, triangles_context *conte
 
 burnish_status burnish_build_triangles(burnish_builder *b) {
     const burnish_stream *stream = &b->data->streams[BURNISH_POSITION];
-    const int soup = is_soup(b->data);
+    if (b->normals == BURNISH_NORMALS_OWN) {
+        burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
+    }
+    const int soup = is_soup(b->data), judges = b->normals == BURNISH_NORMALS_AUTO &&
+                                                b->data->streams[BURNISH_NORMAL].count > 0;
     uint32_t *remap =
         soup ? NULL : burnish_allocate(b->memory, stream->count, sizeof *remap, "welding");
     triangles_context context = {.b = b, .remap = remap};
@@ -271,17 +420,20 @@ burnish_status burnish_build_triangles(burnish_builder *b) {
     if (status == BURNISH_STATUS_OK) {
         status = place_corners(b, &context);
     }
-    if (status == BURNISH_STATUS_OK && b->measure) {
+    if (status == BURNISH_STATUS_OK && (b->measure || judges)) {
         if (context.remap) {
             burnish_tasks_ranges(b->data->tasks, b->data->triangle_count, BURNISH_BUILD_GRAIN,
                                  weld_corners, &context);
             context.remap = NULL;
         }
         status = burnish_tasks_check(b->data->tasks, b->memory->error);
-        status = status == BURNISH_STATUS_OK ? burnish_build_measure(b) : status;
+        status = status == BURNISH_STATUS_OK && b->measure ? burnish_build_measure(b) : status;
     }
     if (status == BURNISH_STATUS_OK) {
         normalize_file_normals(b);
+        status = judges ? judge_normals(b) : check_crease_angle(b);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = keep_triangles(b, &context);
     }
     burnish_release(b->memory->context, remap);

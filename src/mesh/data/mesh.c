@@ -55,6 +55,11 @@ static burnish_status check_options(const burnish_load_options *options, burnish
             "options: crease_angle %g is not in [0, 180] degrees or BURNISH_CREASE_AUTO",
             options->crease_angle);
     }
+    if (options->normals < BURNISH_NORMALS_AUTO || options->normals > BURNISH_NORMALS_OWN) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: normals %d is not one of BURNISH_NORMALS_AUTO, _FILE, _OWN",
+                            (int)options->normals);
+    }
     if (!(options->point_size >= 0 && options->point_size <= 1e30)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: point_size %g is not in [0, 1e30]", options->point_size);

@@ -11,7 +11,6 @@ static burnish_mesh *load_kind(same_kind kind, const char *name, int strict) {
     burnish_mesh *mesh;
     burnish_error error = {0};
     options.strict = strict;
-    options.crease_angle = 30; /* glTF's is 0 */
     same_mesh(&list, kind);
     CHECK(burnish_mesh_load_memory(list.bytes, list.size, name, &options, &mesh, &error) ==
               BURNISH_STATUS_OK,

@@ -96,7 +96,7 @@ static void set_value(const layout *how, size_t row, int k, uint32_t value) {
 static burnish_status load_file(int threads, burnish_mesh **mesh, burnish_error *error) {
     burnish_load_options options = burnish_load_options_default();
     options.threads = threads;
-    options.crease_angle = 60;
+    options.normals = BURNISH_NORMALS_FILE;
     *error = (burnish_error){0};
     uint8_t *copy = malloc(file_size); /* ends where the file does, for the address sanitizer */
     if (!copy) {
@@ -113,7 +113,7 @@ static burnish_mesh *expected_mesh(const layout *how, const uint32_t *triangles,
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
-    options.crease_angle = 60;
+    options.normals = BURNISH_NORMALS_FILE;
     const burnish_mesh_description arrays =
         describe_arrays(positions, how->has_normals ? normals : NULL,
                         how->has_colors ? colors : NULL, VERTICES, triangles, count);
