@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "burnish/kernels.h"
+#include "shading/light_map.h"
 
 /* The bodies that lobes are evaluated by. */
 typedef enum burnish_lobe_body {
@@ -72,6 +73,32 @@ typedef struct burnish_point_materials {
     const float *slopes, *scales; /* family: zeta / n, and the value at the peak */
     float least_exponent;         /* smaller ones are taken as it */
 } burnish_point_materials;
+
+/* ---- Light from many directions (burnish/light.h) ---- */
+
+/* What all materials share. */
+typedef struct burnish_environment_constants {
+    int local_viewer;
+    float viewer[3];                  /* as burnish_kernels_shader has it */
+    float axes[3][3];                 /* of the maps, in the points' space */
+    const burnish_light_map *diffuse; /* NULL: no light comes from maps */
+} burnish_environment_constants;
+
+typedef struct burnish_reflecting_material {
+    float diffuse[3], reflectance[3], roughness; /* kd, F0, sqrt(alpha) */
+    int reflects;                                /* 0: only kd */
+    int is_metallic;                   /* 1: metallic-roughness: kd is what is not reflected */
+    int has_levels;                    /* 1: `specular` is BURNISH_LIGHT_LEVELS maps */
+    const burnish_light_map *specular; /* read where there are maps and it reflects */
+} burnish_reflecting_material;
+
+/* Arrays of points that differ from their material; NULL: they do not. */
+typedef struct burnish_reflecting_points {
+    const float *diffuse[3]; /* factors */
+    const float *reflectance[3], *roughness;
+    const float *open;                               /* share of the light that arrives */
+    const float *near_diffuse[3], *near_specular[3]; /* light of near lights: added to D and Spec */
+} burnish_reflecting_points;
 
 /* ---- Folding ---- */
 

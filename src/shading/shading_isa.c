@@ -1,5 +1,6 @@
 /* The table of shading kernels for the instruction set that BURNISH_VECTOR_... chooses. */
 #include "shading/each_simd.h"
+#include "shading/environment_simd.h"
 #include "shading/lobe_simd.h"
 #include "shading/shade_simd.h"
 #include "shading/shading_ops.h"
@@ -60,5 +61,7 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                    [BURNISH_LOBE_BODY_SCHLICK] = each_schlick,
                    [BURNISH_LOBE_BODY_GAUSSIAN] = each_gaussian,
                    [BURNISH_LOBE_BODY_GX] = each_gx},
+    .add_environment = add_environment,
+    .reflect_points = reflect_points,
     .normalize_array = normalize_array,
 };

@@ -29,6 +29,21 @@ struct burnish_kernels {
                                                 const burnish_point_materials *materials,
                                                 size_t count, float *const rgb[3]);
 
+    /* Adds light from many directions to the colours of count points, which `points` has without
+     * diffuse colours. Reads and writes whole vectors. */
+    void (*add_environment)(const burnish_environment_constants *constants,
+                            const burnish_reflecting_material *material,
+                            const burnish_kernels_points *points,
+                            const burnish_reflecting_points *each, size_t count,
+                            float *const rgb[3]);
+
+    /* The axes of the lobes of count points, unit vectors: R, for metallic-roughness moved toward N
+     * by alpha. roughness: NULL: the material's. Reads and writes whole vectors. */
+    void (*reflect_points)(const burnish_environment_constants *constants,
+                           const burnish_reflecting_material *material,
+                           const burnish_kernels_points *points, const float *roughness,
+                           size_t count, float *const axis[3]);
+
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
 };

@@ -1,0 +1,299 @@
+/* Light from many directions: reflections of area lights, domes and environments, as
+ * burnish/light.h says, over vectors of points. What arrives from far away comes from maps
+ * (light_map.h); what near lights send is handed over. */
+#ifndef BURNISH_SHADING_ENVIRONMENT_SIMD_H
+#define BURNISH_SHADING_ENVIRONMENT_SIMD_H
+
+#include "shading/shade_simd.h"
+
+/* ---- Maps ---- */
+
+/* A direction in a map of size 1: where it is from the middle, and whether in the second half. */
+typedef struct environment_place {
+    vf x, y;
+    vm second;
+} environment_place;
+
+BURNISH_INLINE environment_place environment_find(const vf w[3]) {
+    const vf one = vf_set(1.0f),
+             magnitude = vf_from_bits(vi_and(vf_bits(w[2]), vi_set(0x7fffffff)));
+    const vf d = vf_mul(vf_set(0.5f), vf_div(one, vf_add(one, magnitude)));
+    return (environment_place){vf_mul(w[0], d), vf_mul(w[1], d), vf_greater(vf_set(0.0f), w[2])};
+}
+
+/* A column or row: the texel before and the share of the next one. A NaN is at 0. */
+BURNISH_INLINE vf environment_texel(vf at, vf size, vf *share) {
+    const vf half = vf_set(0.5f), middle = vf_mul(vf_add(size, vf_set(1.0f)), half);
+    const vf texel = vf_min(vf_max(vf_add(vf_mul(at, size), middle), half), vf_add(size, half));
+    const vf before = vf_from_int(vi_truncate(texel));
+    *share = vf_sub(texel, before);
+    return before;
+}
+
+BURNISH_INLINE vf environment_mix(vf a, vf b, vf share) {
+    return vf_add(a, vf_mul(share, vf_sub(b, a)));
+}
+
+/* The mean of the four texels around a direction in each lane's map. */
+BURNISH_INLINE void environment_look_up(const burnish_light_map *const maps[LANES], vf size,
+                                        const environment_place *at, vf out[3]) {
+    vf x, y, texels[2][2][4];
+    int32_t first[LANES];
+    const void *from[LANES];
+    const vf column = environment_texel(at->x, size, &x);
+    const vf stride = vf_add(size, vf_set(2.0f)); /* whole numbers are exact, the index too */
+    const vf row = vf_add(environment_texel(at->y, size, &y), vf_and_mask(at->second, stride));
+    vi_store(first, vi_truncate(vf_add(vf_mul(row, stride), column)));
+    for (int below = 0; below < 2; ++below) {
+        for (int right = 0; right < 2; ++right) {
+            for (int lane = 0; lane < LANES; ++lane) {
+                const int next = below * (maps[lane]->size + 2) + right;
+                from[lane] = maps[lane]->texels + 4 * (first[lane] + next);
+            }
+            vf_load_aos4(from, texels[below][right]);
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        const vf above = environment_mix(texels[0][0][k], texels[0][1][k], x);
+        const vf below = environment_mix(texels[1][0][k], texels[1][1][k], x);
+        out[k] = environment_mix(above, below, y);
+    }
+}
+
+/* One map for all lanes. */
+BURNISH_INLINE void environment_look_up_one(const burnish_light_map *map, const vf w[3],
+                                            vf out[3]) {
+    const burnish_light_map *maps[LANES];
+    const environment_place at = environment_find(w);
+    for (int lane = 0; lane < LANES; ++lane) {
+        maps[lane] = map;
+    }
+    environment_look_up(maps, vf_set((float)map->size), &at, out);
+}
+
+/* Between the two levels next to each lane's roughness. */
+BURNISH_INLINE void environment_look_up_levels(const burnish_light_map *levels, vf roughness,
+                                               const vf w[3], vf out[3]) {
+    const vf steps = vf_set((float)(BURNISH_LIGHT_LEVELS - 1));
+    const vf at = vf_min(vf_max(vf_mul(roughness, steps), vf_set(0.0f)),
+                         vf_set((float)(BURNISH_LIGHT_LEVELS - 1) - 0x1p-10f));
+    const vi level = vi_truncate(at);
+    const vf share = vf_sub(at, vf_from_int(level));
+    const burnish_light_map *maps[2][LANES];
+    float sizes[2][LANES];
+    int32_t numbers[LANES];
+    const environment_place place = environment_find(w);
+    vf texel[2][3];
+    vi_store(numbers, level);
+    for (int lane = 0; lane < LANES; ++lane) {
+        for (int i = 0; i < 2; ++i) {
+            maps[i][lane] = &levels[numbers[lane] + i];
+            sizes[i][lane] = (float)maps[i][lane]->size;
+        }
+    }
+    for (int i = 0; i < 2; ++i) {
+        environment_look_up(maps[i], vf_load(sizes[i]), &place, texel[i]);
+    }
+    for (int k = 0; k < 3; ++k) {
+        out[k] = environment_mix(texel[0][k], texel[1][k], share);
+    }
+}
+
+/* ---- Points ---- */
+
+/* A vector of points: unit vectors toward the outside and along the lobe's axis. */
+typedef struct environment_vectors {
+    vf normal[3], axis[3], n_dot_v;
+} environment_vectors;
+
+/* is_tilted: the axis is moved toward the normal by alpha: rough surfaces reflect less from near
+ * the horizon. */
+BURNISH_INLINE void environment_load(const burnish_environment_constants *constants,
+                                     const burnish_kernels_points *points, int is_tilted,
+                                     vf roughness, size_t i, environment_vectors *at) {
+    const vf one = vf_set(1.0f), two = vf_set(2.0f);
+    vf viewer[3];
+    for (int k = 0; k < 3; ++k) {
+        at->normal[k] = vf_load(points->normal[k] + i);
+        viewer[k] = vf_set(constants->viewer[k]);
+        if (constants->local_viewer) {
+            const vf w = points->w ? vf_load(points->w + i) : one;
+            viewer[k] = vf_sub(vf_mul(viewer[k], w), vf_load(points->position[k] + i));
+        }
+    }
+    const vf inverse_n = vector_inverse_sqrt(shade_dot(at->normal, at->normal));
+    const vf inverse_v = vector_inverse_sqrt(shade_dot(viewer, viewer));
+    for (int k = 0; k < 3; ++k) {
+        at->normal[k] = vf_mul(at->normal[k], inverse_n);
+        viewer[k] = vf_mul(viewer[k], inverse_v);
+    }
+    at->n_dot_v = shade_dot(at->normal, viewer);
+    for (int k = 0; k < 3; ++k) {
+        const vf mirrored = vf_sub(vf_mul(vf_mul(two, at->n_dot_v), at->normal[k]), viewer[k]);
+        at->axis[k] = mirrored;
+        if (is_tilted) {
+            at->axis[k] = environment_mix(mirrored, at->normal[k], vf_mul(roughness, roughness));
+        }
+    }
+    if (is_tilted) {
+        const vf inverse = vector_inverse_sqrt(shade_dot(at->axis, at->axis));
+        for (int k = 0; k < 3; ++k) {
+            at->axis[k] = vf_mul(at->axis[k], inverse);
+        }
+    }
+}
+
+BURNISH_INLINE void environment_turn(const burnish_environment_constants *constants, vf v[3]) {
+    const vf from[3] = {v[0], v[1], v[2]};
+    for (int k = 0; k < 3; ++k) {
+        v[k] = shade_dot_constant(from, constants->axes[k]);
+    }
+}
+
+/* A vector of materials. */
+typedef struct environment_material {
+    vf diffuse[3], reflectance[3], roughness, open;
+} environment_material;
+
+BURNISH_INLINE void environment_material_at(const burnish_reflecting_material *material,
+                                            const burnish_reflecting_points *each, size_t i,
+                                            environment_material *at) {
+    at->roughness = each->roughness ? vf_load(each->roughness + i) : vf_set(material->roughness);
+    at->open = each->open ? vf_load(each->open + i) : vf_set(1.0f);
+    for (int k = 0; k < 3; ++k) {
+        at->diffuse[k] = vf_set(material->diffuse[k]);
+        if (each->diffuse[k]) {
+            at->diffuse[k] = vf_mul(at->diffuse[k], vf_load(each->diffuse[k] + i));
+        }
+        at->reflectance[k] = each->reflectance[k] ? vf_load(each->reflectance[k] + i)
+                                                  : vf_set(material->reflectance[k]);
+    }
+}
+
+/* Reflectance F0 A + B of uniform light (Karis 2014). A + B = 1 - 0.55 roughness. */
+BURNISH_INLINE void environment_reflectance(const environment_material *material, vf n_dot_v,
+                                            vf out[3]) {
+    const vf zero = vf_set(0.0f), r = material->roughness;
+    const vf smooth = vf_sub(vf_set(1.0f), r);
+    const vf fall = vector_exp2(vf_mul(vf_set(-9.28f), vf_max(n_dot_v, zero)));
+    const vf at_edge = vf_add(vf_mul(vf_min(vf_mul(smooth, smooth), fall), smooth),
+                              vf_sub(vf_set(0.0425f), vf_mul(vf_set(0.0275f), r)));
+    const vf scaled = vf_mul(vf_set(1.04f), at_edge);
+    const vf a = vf_sub(vf_sub(vf_set(1.04f), vf_mul(vf_set(0.572f), r)), scaled);
+    const vf b = vf_add(vf_sub(vf_mul(vf_set(0.022f), r), vf_set(0.04f)), scaled);
+    for (int k = 0; k < 3; ++k) {
+        out[k] = vf_max(vf_add(vf_mul(material->reflectance[k], a), b), zero);
+    }
+}
+
+/* The share of light that leaves after several reflections, over that after one (Fdez-Aguera, A
+ * Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting, 2019). */
+BURNISH_INLINE void environment_multiple(const environment_material *material, vf out[3]) {
+    const vf one = vf_set(1.0f), lost = vf_mul(vf_set(0.55f), material->roughness);
+    for (int k = 0; k < 3; ++k) {
+        const vf f = material->reflectance[k];
+        const vf mean = vf_add(f, vf_mul(vf_sub(one, f), vf_set(1.0f / 21.0f)));
+        const vf again = vf_mul(lost, mean);
+        out[k] = vf_div(again, vf_sub(one, again));
+    }
+}
+
+/* kd D + (F0 A + B) Spec, and for metallic-roughness the light of several reflections, kd being
+ * what is not reflected. */
+BURNISH_INLINE void environment_color(const environment_material *material, int is_metallic,
+                                      const vf reflectance[3], const vf diffuse[3],
+                                      const vf specular[3], vf out[3]) {
+    vf multiple[3], kept = vf_set(1.0f);
+    if (is_metallic) {
+        vf most = vf_set(0.0f);
+        environment_multiple(material, multiple);
+        for (int k = 0; k < 3; ++k) {
+            multiple[k] = vf_mul(reflectance[k], multiple[k]);
+            most = vf_max(most, vf_add(reflectance[k], multiple[k]));
+        }
+        kept = vf_sub(kept, vf_min(most, kept));
+    }
+    for (int k = 0; k < 3; ++k) {
+        vf matt = vf_mul(material->diffuse[k], kept);
+        if (is_metallic) {
+            matt = vf_add(matt, multiple[k]);
+        }
+        out[k] = vf_mul(vf_add(vf_mul(matt, diffuse[k]), vf_mul(reflectance[k], specular[k])),
+                        material->open);
+    }
+}
+
+BURNISH_INLINE void environment_add_near(const burnish_reflecting_points *each, size_t i,
+                                         vf diffuse[3], vf specular[3]) {
+    for (int k = 0; k < 3 && each->near_diffuse[0]; ++k) {
+        diffuse[k] = vf_add(diffuse[k], vf_load(each->near_diffuse[k] + i));
+        specular[k] = vf_add(specular[k], vf_load(each->near_specular[k] + i));
+    }
+}
+
+/* has_map: 1: one map of specular light; 0: levels. */
+BURNISH_INLINE void environment_vector(const burnish_environment_constants *constants,
+                                       const burnish_reflecting_material *material,
+                                       const burnish_kernels_points *points,
+                                       const burnish_reflecting_points *each, int has_levels,
+                                       size_t i, float *const rgb[3]) {
+    const vf zero = vf_set(0.0f);
+    environment_vectors at;
+    environment_material surface;
+    vf diffuse[3] = {zero, zero, zero}, specular[3] = {zero, zero, zero};
+    vf reflectance[3] = {zero, zero, zero}, color[3];
+    environment_material_at(material, each, i, &surface);
+    environment_load(constants, points, material->is_metallic, surface.roughness, i, &at);
+    if (constants->diffuse) {
+        environment_turn(constants, at.normal);
+        environment_look_up_one(constants->diffuse, at.normal, diffuse);
+    }
+    if (constants->diffuse && material->reflects) {
+        environment_turn(constants, at.axis);
+        if (has_levels) {
+            environment_look_up_levels(material->specular, surface.roughness, at.axis, specular);
+        } else {
+            environment_look_up_one(material->specular, at.axis, specular);
+        }
+    }
+    environment_add_near(each, i, diffuse, specular);
+    if (material->reflects) {
+        environment_reflectance(&surface, at.n_dot_v, reflectance);
+    }
+    environment_color(&surface, material->is_metallic, reflectance, diffuse, specular, color);
+    for (int k = 0; k < 3; ++k) { /* a NaN has other bits on other processors */
+        vf_store(rgb[k] + i, vf_max(vf_add(vf_load(rgb[k] + i), color[k]), zero));
+    }
+}
+
+static void add_environment(const burnish_environment_constants *constants,
+                            const burnish_reflecting_material *material,
+                            const burnish_kernels_points *points,
+                            const burnish_reflecting_points *each, size_t count,
+                            float *const rgb[3]) {
+    for (size_t i = 0; i < count; i += LANES) {
+        if (material->has_levels) {
+            environment_vector(constants, material, points, each, 1, i, rgb);
+        } else {
+            environment_vector(constants, material, points, each, 0, i, rgb);
+        }
+    }
+}
+
+/* ---- Axes ---- */
+
+static void reflect_points(const burnish_environment_constants *constants,
+                           const burnish_reflecting_material *material,
+                           const burnish_kernels_points *points, const float *roughness,
+                           size_t count, float *const axis[3]) {
+    for (size_t i = 0; i < count; i += LANES) {
+        environment_vectors at;
+        const vf r = roughness ? vf_load(roughness + i) : vf_set(material->roughness);
+        environment_load(constants, points, material->is_metallic, r, i, &at);
+        for (int k = 0; k < 3; ++k) {
+            vf_store(axis[k] + i, at.axis[k]);
+        }
+    }
+}
+
+#endif
