@@ -120,8 +120,8 @@ typedef struct burnish_render_ops {
     /* The coefficients of count points from what textures hold there: in scratch, diffuse
      * (colours), and where bit BURNISH_TEXTURE_... of `sampled` is set, specular, exponent,
      * channels 1 and 2 of sample (METALLIC_ROUGHNESS) and open (OCCLUSION); where there are
-     * normals, length. Fills ambient, diffuse, specular and exponent. Reads and writes whole
-     * vectors. */
+     * normals, length. Fills ambient, diffuse, specular and exponent; with bit
+     * BURNISH_TEXTURE_REFLECTANCE also reflectance and roughness. Reads and writes whole vectors. */
     void (*vary_points)(const struct burnish_textured_material *material, unsigned sampled,
                         size_t count, struct burnish_texture_scratch *scratch);
 

@@ -35,6 +35,7 @@ struct burnish_renderer {
     burnish_transparency transparency;
     burnish_casters casters;
     burnish_texturing texturing;
+    burnish_area area;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
     burnish_line_art line_art;
@@ -76,6 +77,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_transparency_destroy(&renderer->transparency, context);
         burnish_casters_destroy(&renderer->casters, context);
         burnish_texturing_destroy(&renderer->texturing, context);
+        burnish_area_destroy(&renderer->area, context);
         burnish_geometry_destroy(&renderer->geometry);
         burnish_release(context, renderer->shaders.items);
         burnish_release(context, renderer->shaders.lights);
@@ -241,6 +243,20 @@ static burnish_status update_shadow(drawing *d) {
     return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,
                                  &renderer->casters.mesh, &wanted, &renderer->tasks, &d->memory,
                                  &d->view.shadow);
+}
+
+/* Light from many directions. */
+static burnish_status update_area(drawing *d, burnish_texturing *texturing) {
+    burnish_renderer *renderer = d->renderer;
+    const int needed = d->target.pixels.pixels && burnish_area_is_needed(d->options);
+    d->view.shading.area = needed ? &renderer->area : NULL;
+    if (texturing) {
+        texturing->wants_reflectance = needed;
+    }
+    burnish_vec3_store(up_of(d), d->view.area.up);
+    return needed ? burnish_area_update(&renderer->area, &d->mesh, d->options, &d->view.area,
+                                        texturing, &renderer->tasks, &d->memory)
+                  : BURNISH_STATUS_OK;
 }
 
 /* The ground's shadow, where the camera sees it; before what occlusion needs, whose maps it takes.
@@ -433,6 +449,9 @@ static burnish_status draw(drawing *d) {
     }
     if (status == BURNISH_STATUS_OK) { /* first: what covers the picture too often needs no map */
         status = transform(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = update_area(d, texturing);
     }
     if (status == BURNISH_STATUS_OK) {
         status = update_shadow(d);

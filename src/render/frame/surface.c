@@ -55,6 +55,7 @@ static void shade_material(const burnish_shading *shading, const burnish_kernels
                            burnish_texture_scratch *scratch, float *const rgb[3]) {
     const burnish_kernels_shader *shader = &shading->shaders[material];
     const burnish_texturing *texturing = shading->texturing;
+    burnish_area_batch lit = {.points = points, .material = material, .count = count};
     if (texturing && texturing->materials[material].is_special) {
         const float *from[BURNISH_TEXTURE_STREAMS];
         for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
@@ -63,10 +64,15 @@ static void shade_material(const burnish_shading *shading, const burnish_kernels
         const burnish_texture_batch batch = {shading->ops, &texturing->materials[material], from,
                                              count, scratch};
         burnish_texture_shade(texturing, shader, points, &batch, rgb);
-        return;
+        lit.textured = batch.material;
+        lit.scratch = scratch;
+    } else {
+        shading->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
+            shader, points, (size_t)count, NULL, rgb);
     }
-    shading->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
-        shader, points, (size_t)count, NULL, rgb);
+    if (shading->area) {
+        burnish_area_add(shading->area, shading->kernels, &lit, rgb);
+    }
 }
 
 static int has_one_material(const burnish_fragment_batch *batch) {

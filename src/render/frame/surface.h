@@ -14,6 +14,7 @@
 #include "raster/fragments.h"
 #include "render/frame/attributes.h"
 #include "render/frame/caps.h"
+#include "render/light/area.h"
 #include "render/light/occlusion_share.h"
 #include "render/render_ops.h"
 #include "render/screen.h"
@@ -52,6 +53,7 @@ typedef struct burnish_shading {
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
     const burnish_texturing *texturing;               /* NULL: no material is special */
+    const burnish_area *area;                         /* NULL: no light from many directions */
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 

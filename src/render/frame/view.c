@@ -318,6 +318,23 @@ static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
 
 /* ---- All ---- */
 
+/* What lights of many directions need; `up` is the caller's to set. */
+static void make_area_view(const camera_frame *frame, const burnish_mesh_view *mesh,
+                           const burnish_camera *camera, const burnish_kernels_lighting *lighting,
+                           burnish_area_view *area) {
+    const burnish_vec3 reach = burnish_vec3_sub(burnish_vec3_load(camera->focal_point),
+                                                burnish_vec3_load(camera->position));
+    burnish_vec3_store(frame->right, area->axes[0]);
+    burnish_vec3_store(frame->up, area->axes[1]);
+    burnish_vec3_store(burnish_vec3_scale(frame->forward, -1), area->axes[2]);
+    burnish_vec3_store(frame->eye, area->eye);
+    burnish_vec3_store(burnish_space_center(mesh), area->origin);
+    area->scale = frame->scale;
+    area->reach = burnish_vec3_length(reach) * frame->scale;
+    area->local_viewer = lighting->local_viewer;
+    memcpy(area->viewer, lighting->viewer, sizeof area->viewer);
+}
+
 static void make_shading(const burnish_kernels_lighting *lighting,
                          const burnish_render_options *options, const burnish_shaders *shaders,
                          burnish_shading *shading) {
@@ -364,6 +381,7 @@ burnish_status burnish_view_create(const burnish_drawn_mesh *mesh,
     if (status == BURNISH_STATUS_OK) {
         burnish_vec3_store(frame.eye, view->eye);
         make_lighting(&frame, shape, options, &lighting);
+        make_area_view(&frame, shape, &options->camera, &lighting, &view->area);
         view->key = (burnish_vec3){0, 0, 0};
         if (lighting.light_count > 0 && lighting.lights[0].kind == BURNISH_LIGHT_DIRECTIONAL) {
             view->key = burnish_vec3_load(lighting.lights[0].vector);

@@ -16,6 +16,7 @@ typedef struct burnish_view {
     burnish_shading shading; /* kernels and ops are the caller's to set */
     burnish_view_distance distance;
     double eye[3]; /* in the raster's space */
+    burnish_area_view area;
     double pixel;  /* what one is wide there, about, in the middle of the mesh */
     burnish_occlusion_lookup occlusion;
     burnish_ground_view ground;

@@ -40,6 +40,9 @@ typedef struct burnish_mask {
  * row. */
 enum { BURNISH_TEXTURE_BATCH = 256 };
 
+/* Next to the slots, as a bit: points get reflectance and roughness. */
+enum { BURNISH_TEXTURE_REFLECTANCE = BURNISH_TEXTURE_SLOT_COUNT };
+
 typedef struct burnish_texture_level_taps {
     int32_t upper[BURNISH_TEXTURE_BATCH], lower[BURNISH_TEXTURE_BATCH];
     float x[BURNISH_TEXTURE_BATCH], y[BURNISH_TEXTURE_BATCH];
@@ -91,6 +94,7 @@ typedef struct burnish_texturing {
     int needs_points;   /* 1: some have textures */
     int needs_tangents; /* 1: some have normal textures */
     int has_alpha;      /* 1: some have alpha below 1 */
+    int wants_reflectance; /* 1: light comes from many directions; the caller's to set */
     int samples;        /* of a pixel */
     int smooth_samples; /* the same, where masks are decided sample by sample; 0: none is */
     const burnish_kernels *kernels; /* and ops: the caller's to set */
@@ -164,7 +168,8 @@ typedef struct burnish_texture_scratch {
     float normal[3][BURNISH_TEXTURE_BATCH], length[BURNISH_TEXTURE_BATCH];
     float ambient[3][BURNISH_TEXTURE_BATCH], diffuse[3][BURNISH_TEXTURE_BATCH];
     float specular[3][BURNISH_TEXTURE_BATCH], exponent[BURNISH_TEXTURE_BATCH];
-    float open[BURNISH_TEXTURE_BATCH];    /* of ambient light */
+    float open[BURNISH_TEXTURE_BATCH]; /* of ambient light */
+    float reflectance[3][BURNISH_TEXTURE_BATCH], roughness[BURNISH_TEXTURE_BATCH]; /* if wanted */
     float opacity[BURNISH_TEXTURE_BATCH]; /* of points of one material */
     float alpha[BURNISH_TEXTURE_BATCH];   /* of the batch: what textures leave of the opacity */
     /* What masks leave of each sample of a pixel: of points of one material, and of the batch,

@@ -131,8 +131,9 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_textu
     if (has_normals) {
         turn_normals(batch, points);
     }
-    batch->ops->vary_points(batch->material, sample_coefficients(batch), (size_t)batch->count,
-                            scratch);
+    const unsigned wanted = (unsigned)texturing->wants_reflectance << BURNISH_TEXTURE_REFLECTANCE;
+    batch->ops->vary_points(batch->material, sample_coefficients(batch) | wanted,
+                            (size_t)batch->count, scratch);
     for (int k = 0; k < 3; ++k) {
         each.ambient[k] = scratch->ambient[k];
         each.diffuse[k] = scratch->diffuse[k];

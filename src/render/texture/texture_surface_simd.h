@@ -84,6 +84,7 @@ static void turn_normals(float strength, const float *const normal[3], const flo
 /* Coefficients of a vector of points. */
 typedef struct texture_coefficients {
     vf ambient[3], diffuse[3], specular[3], exponent;
+    vf roughness; /* METALLIC_ROUGHNESS's; 0 for Phong */
 } texture_coefficients;
 
 /* Metal's parameters become coefficients: shading.h has the formulas. */
@@ -96,6 +97,7 @@ BURNISH_INLINE void texture_metal(const burnish_material *from, int has_sample, 
         roughness = vf_mul(roughness, vf_load(scratch->sample[1] + i));
         metallic = vf_mul(metallic, vf_load(scratch->sample[2] + i));
     }
+    to->roughness = roughness;
     const vf squared = vf_mul(roughness, roughness), alpha2 = vf_mul(squared, squared);
     const vf wanted = vf_sub(vf_div(two, vf_max(alpha2, vf_set(0x1p-20f))), two);
     to->exponent = vf_max(vf_min(wanted, vf_set(65536.0f)), one);
@@ -114,6 +116,7 @@ BURNISH_INLINE void texture_phong(const burnish_material *from, unsigned sampled
                                   const burnish_texture_scratch *scratch,
                                   texture_coefficients *to) {
     to->exponent = vf_set(from->exponent);
+    to->roughness = vf_set(0.0f);
     if (sampled >> BURNISH_TEXTURE_EXPONENT & 1) {
         to->exponent = vf_max(vf_mul(to->exponent, vf_load(scratch->exponent + i)), vf_set(1.0f));
     }
@@ -151,6 +154,24 @@ BURNISH_INLINE void texture_widen(const burnish_textured_material *material, siz
     }
 }
 
+/* Square root of x > 0. */
+BURNISH_INLINE vf texture_root(vf x) {
+    return vf_mul(x, vector_inverse_sqrt(x));
+}
+
+/* What light from many directions is reflected by (burnish/light.h), of coefficients that are not
+ * widened, and of the exponent that is. */
+BURNISH_INLINE void texture_reflectance(int is_metallic, const texture_coefficients *from, vf widened,
+                                        size_t i, burnish_texture_scratch *scratch) {
+    const vf one = vf_set(1.0f), two = vf_set(2.0f);
+    const vf factor = is_metallic ? one : vf_div(vf_set(8.0f), vf_add(from->exponent, vf_set(4.0f)));
+    const vf alpha = texture_root(vf_div(two, vf_add(widened, two)));
+    for (int k = 0; k < 3; ++k) {
+        vf_store(scratch->reflectance[k] + i, vf_min(vf_mul(from->specular[k], factor), one));
+    }
+    vf_store(scratch->roughness + i, vf_max(from->roughness, texture_root(alpha)));
+}
+
 static void vary_points(const burnish_textured_material *material, unsigned sampled, size_t count,
                         burnish_texture_scratch *scratch) {
     const vf one = vf_set(1.0f);
@@ -163,13 +184,18 @@ static void vary_points(const burnish_textured_material *material, unsigned samp
         } else {
             texture_phong(&material->material, sampled, i, scratch, &to);
         }
+        const texture_coefficients before = to;
         texture_widen(material, i, scratch, &to);
+        if (sampled >> BURNISH_TEXTURE_REFLECTANCE & 1) {
+            texture_reflectance(material->material.is_metallic, &before, to.exponent, i, scratch);
+        }
         if (sampled >> BURNISH_TEXTURE_OCCLUSION & 1) { /* what of the ambient light arrives */
             const vf hidden = vf_mul(strength, vf_sub(vf_load(scratch->open + i), one));
             const vf open = vf_max(vf_add(one, hidden), vf_set(0.0f));
             for (int k = 0; k < 3; ++k) {
                 to.ambient[k] = vf_mul(to.ambient[k], open);
             }
+            vf_store(scratch->open + i, open);
         }
         for (int k = 0; k < 3; ++k) {
             vf_store(scratch->ambient[k] + i, to.ambient[k]);

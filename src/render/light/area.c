@@ -1,0 +1,261 @@
+#include "render/light/area.h"
+
+#include <string.h>
+
+#include "core/vector.h"
+
+/* ---- What shines ---- */
+
+static int is_dark(const float color[3]) {
+    return !(color[0] > 0 || color[1] > 0 || color[2] > 0);
+}
+
+/* A distant light that turns its back to the object shines on nothing. */
+static int shines(const burnish_area_light *light) {
+    const burnish_vec3 u = burnish_vec3_load(light->half_u), v = burnish_vec3_load(light->half_v);
+    const double front =
+        burnish_vec3_dot(burnish_vec3_load(light->center), burnish_vec3_cross(u, v));
+    return !is_dark(light->color) && (!light->is_distant || light->is_two_sided || front < 0);
+}
+
+static int has_environment(const burnish_render_options *options) {
+    return options->environment && options->environment_strength > 0;
+}
+
+int burnish_area_is_needed(const burnish_render_options *options) {
+    int needed = options->has_dome || has_environment(options);
+    for (int i = 0; i < options->area_light_count; ++i) {
+        needed |= shines(&options->area_lights[i]);
+    }
+    return needed;
+}
+
+/* ---- Sources in the space of the maps ---- */
+
+/* Whether the maps are in camera space, where a camera that moves leaves them as they are. Else in
+ * the mesh's axes. */
+static int all_follow_camera(const burnish_render_options *options) {
+    int follow = (!options->has_dome || options->dome.follows_camera) &&
+                 (!has_environment(options) || options->environment_follows_camera);
+    for (int i = 0; i < options->area_light_count; ++i) {
+        const burnish_area_light *light = &options->area_lights[i];
+        follow &= light->follows_camera || !light->is_distant || !shines(light);
+    }
+    return follow;
+}
+
+static burnish_vec3 from_camera_space(const burnish_area_view *view, const double v[3]) {
+    const burnish_vec3 x = burnish_vec3_scale(burnish_vec3_load(view->axes[0]), v[0]);
+    const burnish_vec3 y = burnish_vec3_scale(burnish_vec3_load(view->axes[1]), v[1]);
+    const burnish_vec3 z = burnish_vec3_scale(burnish_vec3_load(view->axes[2]), v[2]);
+    return burnish_vec3_add(burnish_vec3_add(x, y), z);
+}
+
+/* A vector in the space of the maps. */
+static void store_vector(const burnish_area_view *view, int follows_camera, int in_camera_space,
+                         const double v[3], double out[3]) {
+    const int turns = follows_camera && !in_camera_space;
+    burnish_vec3_store(turns ? from_camera_space(view, v) : burnish_vec3_load(v), out);
+}
+
+static void gather_sources(const burnish_render_options *options, const burnish_area_view *view,
+                           burnish_area_light lights[BURNISH_AREA_LIGHT_MAX],
+                           burnish_light_sources *sources) {
+    static const double y[3] = {0, 1, 0};
+    const int in_camera = all_follow_camera(options);
+    double axes[3][3];
+    *sources = (burnish_light_sources){.distant = lights, .strength = options->environment_strength};
+    for (int i = 0; i < options->area_light_count; ++i) {
+        const burnish_area_light *from = &options->area_lights[i];
+        if (from->is_distant && shines(from)) {
+            burnish_area_light *to = &lights[sources->distant_count++];
+            *to = *from;
+            store_vector(view, from->follows_camera, in_camera, from->center, to->center);
+            store_vector(view, from->follows_camera, in_camera, from->half_u, to->half_u);
+            store_vector(view, from->follows_camera, in_camera, from->half_v, to->half_v);
+        }
+    }
+    if (options->has_dome) {
+        const int follows = options->dome.follows_camera;
+        sources->dome = &options->dome;
+        store_vector(view, follows, in_camera, follows ? y : view->up, sources->up);
+    }
+    if (has_environment(options)) {
+        const int follows = options->environment_follows_camera;
+        sources->environment = options->environment;
+        burnish_light_axes(follows ? y : view->up, options->environment_turn, axes);
+        for (int k = 0; k < 3; ++k) {
+            store_vector(view, follows, in_camera, axes[k], sources->environment_axes[k]);
+        }
+    }
+}
+
+static burnish_status update_maps(burnish_area *area, const burnish_render_options *options,
+                                  const burnish_area_view *view, burnish_tasks *tasks,
+                                  burnish_memory *memory) {
+    burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
+    burnish_light_sources sources;
+    burnish_status status = BURNISH_STATUS_OK;
+    gather_sources(options, view, lights, &sources);
+    area->constants.diffuse = NULL;
+    if (sources.distant_count == 0 && !sources.dome && !sources.environment) {
+        return status;
+    }
+    if (!area->maps) {
+        status = burnish_light_maps_create(memory->context, &area->maps, memory->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_light_maps_set(area->maps, &sources, options->kernels, tasks, memory->error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        area->constants.diffuse = burnish_light_maps_diffuse(area->maps);
+    }
+    for (int k = 0; k < 9; ++k) {
+        const int is_camera = all_follow_camera(options);
+        area->constants.axes[k / 3][k % 3] =
+            is_camera ? (float)view->axes[k / 3][k % 3] : (k % 4 == 0 ? 1.0f : 0.0f);
+    }
+    return status;
+}
+
+/* ---- Materials ---- */
+
+/* Whether a point's roughness is not the material's. */
+static int varies_roughness(const burnish_textured_material *material) {
+    const int slot = material->material.is_metallic ? BURNISH_TEXTURE_METALLIC_ROUGHNESS
+                                                    : BURNISH_TEXTURE_EXPONENT;
+    return material->is_varied && (material->has_normals || material->samplers[slot].levels);
+}
+
+static float clamped(float x, float low, float high) {
+    return x > low ? x < high ? x : high : low;
+}
+
+/* The maps of a material's roughness: one of its own, or levels for every roughness. */
+static burnish_status find_maps(burnish_area *area, int varies,
+                                burnish_reflecting_material *material, burnish_memory *memory) {
+    const float alpha =
+        clamped(material->roughness * material->roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
+    burnish_status status = BURNISH_STATUS_OK;
+    int i = 0;
+    if (!area->constants.diffuse || !material->reflects) {
+        return status;
+    }
+    while (!varies && i < area->alpha_count && area->alphas[i] != alpha) {
+        ++i;
+    }
+    if (!varies && i < BURNISH_LIGHT_ALPHAS_MAX) {
+        if (i == area->alpha_count) {
+            status = burnish_light_maps_need(area->maps, alpha, &area->specular[i], memory->error);
+            area->alphas[area->alpha_count++] = alpha;
+        }
+        material->specular = &area->specular[i];
+        return status;
+    }
+    if (!area->has_levels) {
+        status = burnish_light_maps_levels(area->maps, area->levels, memory->error);
+        area->has_levels = 1;
+    }
+    material->has_levels = 1;
+    material->specular = area->levels;
+    return status;
+}
+
+static burnish_reflecting_material reflecting(const burnish_material *from, int has_colors) {
+    const float base = has_colors && !from->has_diffuse ? 1.0f : 0.0f; /* vertex colours */
+    burnish_reflecting_material to = {.is_metallic = from->is_metallic,
+                                      .reflects = from->is_metallic};
+    for (int k = 0; k < 3; ++k) {
+        const float color = base > 0 ? base : from->diffuse[k];
+        const float ks = from->specular[k];
+        to.reflects |= ks > 0;
+        to.diffuse[k] = color;
+        to.reflectance[k] = clamped(8 * ks / (from->exponent + 4), 0.0f, 1.0f);
+        if (from->is_metallic) {
+            to.diffuse[k] = color * (1 - from->metallic);
+            to.reflectance[k] = from->reflectance[k] * (1 - from->metallic) + color * from->metallic;
+        }
+    }
+    to.roughness = from->is_metallic
+                       ? from->roughness
+                       : (float)burnish_sqrt(burnish_sqrt(2 / ((double)from->exponent + 2)));
+    return to;
+}
+
+static burnish_status update_materials(burnish_area *area, const burnish_drawn_mesh *mesh,
+                                       const burnish_texturing *texturing, burnish_memory *memory) {
+    const int has_colors = mesh->view->colors && !mesh->ignore_colors;
+    burnish_status status;
+    area->materials =
+        burnish_reserve_discard(memory, area->materials, &area->material_capacity,
+                                mesh->material_count, sizeof *area->materials, "materials");
+    status = memory->status;
+    area->alpha_count = area->has_levels = 0;
+    for (size_t i = 0; i < mesh->material_count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_material *from = burnish_mesh_get_material(mesh->mesh, i);
+        const burnish_textured_material *textured = texturing ? &texturing->materials[i] : NULL;
+        burnish_reflecting_material *to = &area->materials[i];
+        *to = reflecting(from, has_colors);
+        for (int k = 0; k < 3 && textured && textured->is_varied; ++k) {
+            to->diffuse[k] = 1; /* points have it */
+        }
+        if (from->is_unlit) {
+            *to = (burnish_reflecting_material){.roughness = 1};
+        }
+        status = find_maps(area, textured && varies_roughness(textured), to, memory);
+    }
+    return status;
+}
+
+burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh *mesh,
+                                   const burnish_render_options *options,
+                                   const burnish_area_view *view,
+                                   const burnish_texturing *texturing, burnish_tasks *tasks,
+                                   burnish_memory *memory) {
+    burnish_status status;
+    area->constants = (burnish_environment_constants){.local_viewer = view->local_viewer};
+    memcpy(area->constants.viewer, view->viewer, sizeof area->constants.viewer);
+    status = update_maps(area, options, view, tasks, memory);
+    return status == BURNISH_STATUS_OK ? update_materials(area, mesh, texturing, memory) : status;
+}
+
+void burnish_area_destroy(burnish_area *area, const burnish_context *context) {
+    burnish_light_maps_destroy(area->maps);
+    burnish_release(context, area->materials);
+    memset(area, 0, sizeof *area);
+}
+
+/* ---- Points ---- */
+
+/* What textures say of points. */
+static void read_textures(const burnish_area_batch *batch, burnish_kernels_points *points,
+                          burnish_reflecting_points *each) {
+    const burnish_textured_material *material = batch->textured;
+    const burnish_texture_scratch *scratch = batch->scratch;
+    for (int k = 0; k < 3; ++k) {
+        each->diffuse[k] = scratch->diffuse[k];
+        if (material->is_varied) {
+            points->normal[k] = material->has_normals ? scratch->normal[k] : points->normal[k];
+            each->reflectance[k] = scratch->reflectance[k];
+        }
+    }
+    if (material->is_varied) {
+        each->roughness = varies_roughness(material) ? scratch->roughness : NULL;
+        each->open =
+            material->samplers[BURNISH_TEXTURE_OCCLUSION].levels ? scratch->open : NULL;
+    }
+}
+
+void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
+                      const burnish_area_batch *batch, float *const rgb[3]) {
+    burnish_kernels_points points = *batch->points;
+    burnish_reflecting_points each = {.open = NULL};
+    for (int k = 0; k < 3; ++k) {
+        each.diffuse[k] = points.diffuse[k];
+    }
+    if (batch->textured) {
+        read_textures(batch, &points, &each);
+    }
+    kernels->add_environment(&area->constants, &area->materials[batch->material], &points, &each,
+                             (size_t)batch->count, rgb);
+}

@@ -1,0 +1,62 @@
+/* Area lights, domes and environments (burnish/light.h) in a frame. Distant ones become maps, once
+ * per frame or until they change; near ones are integrated for each point. */
+#ifndef BURNISH_RENDER_LIGHT_AREA_H
+#define BURNISH_RENDER_LIGHT_AREA_H
+
+#include "burnish/render.h"
+#include "core/memory.h"
+#include "environment/maps.h"
+#include "render/texture/texture.h"
+#include "shading/shading_ops.h"
+
+/* The camera, in the raster's space, in which a point p of the mesh is at (p - origin) scale. */
+typedef struct burnish_area_view {
+    double axes[3][3]; /* right, up, toward the viewer */
+    double eye[3], origin[3], scale;
+    double reach; /* from the camera to its focal point */
+    double up[3]; /* of the object, a unit vector */
+    int local_viewer;
+    float viewer[3]; /* as burnish_kernels_lighting has it */
+} burnish_area_view;
+
+/* Owned; all zero before the first frame. */
+typedef struct burnish_area {
+    burnish_environment_constants constants;
+    burnish_light_maps *maps;               /* NULL: not created yet */
+    burnish_reflecting_material *materials; /* one per material */
+    size_t material_capacity;
+    float alphas[BURNISH_LIGHT_ALPHAS_MAX]; /* of this frame's maps */
+    burnish_light_map specular[BURNISH_LIGHT_ALPHAS_MAX];
+    int alpha_count;
+    burnish_light_map levels[BURNISH_LIGHT_LEVELS];
+    int has_levels;
+} burnish_area;
+
+/* A batch that was shaded. */
+typedef struct burnish_area_batch {
+    const burnish_kernels_points *points;
+    int material, count;
+    const burnish_textured_material *textured; /* NULL: its material is not special */
+    const burnish_texture_scratch *scratch;    /* of its textures; read where it is special */
+} burnish_area_batch;
+
+/* Whether a frame has such lights. */
+int burnish_area_is_needed(const burnish_render_options *options);
+
+/* Prepares the lights of a frame.
+ *   texturing  NULL: no material is special
+ * Errors: MEMORY, CANCELLED. */
+burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh *mesh,
+                                   const burnish_render_options *options,
+                                   const burnish_area_view *view,
+                                   const burnish_texturing *texturing, burnish_tasks *tasks,
+                                   burnish_memory *memory);
+
+/* Adds their light to the colours of a batch: arrays that are readable and writable up to a
+ * multiple of 16. */
+void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
+                      const burnish_area_batch *batch, float *const rgb[3]);
+
+void burnish_area_destroy(burnish_area *area, const burnish_context *context);
+
+#endif
