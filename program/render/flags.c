@@ -7,6 +7,7 @@
 #include "render/flags.h"
 #include "render/manual.h"
 #include "render/render.h"
+#include "render/settings/lights.h"
 #include "render/settings/values.h"
 
 static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
@@ -340,11 +341,12 @@ static const cli_flag flags[] = {
      .default_text = "local", .words = viewer_words,
      .manual = "Position of the viewer for highlights: *local*, at the camera, or *distant*, "
                "infinitely far away along the camera's axis."},
-    {CLI_FLAG("light", "SPEC", "KIND:X,Y,Z[:F[:COLOR]], file; repeatable", render_flag_light,
+    {CLI_FLAG("light", "SPEC", "KIND:X,Y,Z[:...], file; repeatable", render_flag_light,
               shading.lights),
      .default_label = "key, fill, rim",
      .manual = "A light that replaces the default rig of key, fill and rim light; see *LIGHTS*. "
-               "Can be repeated up to 64 times. *file* adds the lights of the input. *none* "
+               "Can be repeated: up to 64 lights and 8 area lights. *file* adds the lights of the "
+               "input. *none* "
                "removes the rig and all lights so far."},
     {CLI_FLAG("ambient", "F|COLOR", "ambient light, linear", render_flag_ambient, shading.ambient),
      CLI_RANGE(0, 16), .default_label = "a little",

@@ -40,7 +40,17 @@ static const cli_term light_terms[] = {
                       "up, z toward the viewer."},
     {"*point*", "at that position as the camera sees it; the unit is the distance from the "
                 "camera to the focal point."},
-    {"*world-directional*, *world-point*", "the same in the scene's coordinates."},
+    {"*rect*, *disc*",
+     "a rectangular or elliptical area light, for which _WIDTH_,_HEIGHT_ follow the position: "
+     "*rect:-1,1,0:0.8,0.5*. Its intensity is its radiance: a light that filled half of the sky "
+     "with 1 would light a white surface that faces it to 1. Options after the size: *distant*, "
+     "seen in the same directions from everywhere, with the position in the directions of "
+     "*directional*; *two-sided*; *target=*_X_,_Y_,_Z_, which it faces (otherwise the focal "
+     "point, or 0,0,0 for *world-*); *upright=*_X_,_Y_,_Z_, along which its height is (otherwise "
+     "0,1,0). It casts no shadow. Parts below a surface's horizon do not light it; objects do "
+     "not block its light, except by ambient occlusion."},
+    {"*world-directional*, *world-point*, *world-rect*, *world-disc*",
+     "the same in the scene's coordinates."},
     {"*file*",
      "the lights of the input (glTF with KHR_lights_punctual), scaled together so a white surface "
      "in the middle of the object that faces them is white. Spot lights shine in all directions."},
@@ -115,7 +125,8 @@ static const cli_term json_terms[] = {
     {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
                  "(0: perspective)"},
     {"*pixels_per_unit*", "scale of a parallel projection; null in perspective"},
-    {"*lobe, equation, viewer, look, occlusion, ground, shadow, lights, samples, threads, isa*",
+    {"*lobe, equation, viewer, look, occlusion, ground, shadow, lights, area_lights, samples, "
+     "threads, isa*",
      "as used"},
     {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and "
                   "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
@@ -145,7 +156,8 @@ const cli_section render_sections[] = {
              "1000 (default 1) and a colour (default white). Lights have no falloff, and only the "
              "first one casts a shadow, with *--shadow*.",
      .terms = light_terms,
-     .closing = "For example *--light=directional:-1,1,2:0.8:#fff2e0*."},
+     .closing = "For example *--light=directional:-1,1,2:0.8:#fff2e0* or "
+                "*--light=rect:-2,1.5,1:1.5,1:distant:4*."},
     {.heading = "FORMATS",
      .text = "The pixels have the same bits on every machine, also in PNG and lossless WebP. The "
              "bytes of PNG, JPEG and WebP files, and the loss of JPEG and lossy WebP, depend on "

@@ -42,7 +42,9 @@ static const struct layer {
     {"src/render/frame", "core simd raster shading render render/light render/lines render/texture "
                          "image/text/drawing.h burnish/core.h burnish/drawing.h burnish/look.h "
                          "burnish/mesh.h burnish/render.h"},
-    {"src/render/light", "core simd raster render render/texture burnish/mesh.h burnish/render.h"},
+    {"src/render/light",
+     "core environment simd raster render render/texture shading burnish/mesh.h "
+     "burnish/render.h"},
     {"src/render/lines", "core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
     {"program/batch",

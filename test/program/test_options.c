@@ -2,6 +2,7 @@
  * defaults that agree with the library's. */
 #include "../program/render/flags.c"
 #include "../program/render/manual.c"
+#include "../program/render/settings/lights.c"
 #include "../program/render/settings/values.c"
 #include "decimal_comma.h"
 

@@ -245,6 +245,7 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "shadow", cJSON_CreateBool(cell->shadow), failed);
     cli_json_add(root, "ground", cJSON_CreateBool(cell->ground), failed);
     cli_json_add(root, "lights", cJSON_CreateNumber(options->light_count), failed);
+    cli_json_add(root, "area_lights", cJSON_CreateNumber(options->area_light_count), failed);
     cli_json_add(root, "samples", cJSON_CreateNumber(options->samples), failed);
     cli_json_add(root, "threads", cJSON_CreateNumber(cell->threads), failed);
     cli_json_add(root, "isa", cJSON_CreateString(burnish_isa_name(cell->isa)), failed);

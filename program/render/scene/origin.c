@@ -29,6 +29,12 @@ void render_subtract_origin(render_camera_settings *camera, render_clip *clip,
             subtract(light->vector, origin);
         }
     }
+    for (int i = 0; i < options->area_light_count; ++i) {
+        burnish_area_light *light = &options->area_lights[i];
+        if (!light->is_distant && !light->follows_camera) {
+            subtract(light->center, origin);
+        }
+    }
 }
 
 burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,

@@ -19,6 +19,8 @@ typedef struct render_lights {
     int of_file; /* 1: the input's own too */
     burnish_light items[BURNISH_LIGHT_MAX];
     int count;
+    burnish_area_light areas[BURNISH_AREA_LIGHT_MAX];
+    int area_count;
 } render_lights;
 
 typedef struct render_ambient {

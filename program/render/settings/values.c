@@ -163,93 +163,6 @@ burnish_status render_flag_plane(const cli_flag *flag, const char *text, void *t
     return status;
 }
 
-static void linear_of(const float srgb[3], float scale, float linear[3]) {
-    for (int k = 0; k < 3; ++k) {
-        linear[k] = burnish_srgb_decode(srgb[k]) * scale;
-    }
-}
-
-typedef struct light_word {
-    const char *name;
-    burnish_light_kind kind;
-    int follows_camera;
-} light_word;
-
-static const light_word light_words[] = {
-    {"directional", BURNISH_LIGHT_DIRECTIONAL, 1},
-    {"point", BURNISH_LIGHT_POINT, 1},
-    {"world-directional", BURNISH_LIGHT_DIRECTIONAL, 0},
-    {"world-point", BURNISH_LIGHT_POINT, 0},
-};
-
-/* Largest intensity of one light: beyond it every surface is white. */
-#define INTENSITY_MAX 1000.0
-
-/* KIND:X,Y,Z[:INTENSITY[:COLOR]]; returns NULL, or what is wrong. */
-static const char *read_light(const char *text, burnish_light *light) {
-    const char *item;
-    float srgb[3] = {1, 1, 1};
-    double intensity = 1;
-    size_t length = cli_next_item(&text, ':', &item);
-    const light_word *word = NULL;
-    for (size_t i = 0; i < sizeof light_words / sizeof *light_words; ++i) {
-        if (strlen(light_words[i].name) == length && !memcmp(light_words[i].name, item, length)) {
-            word = &light_words[i];
-        }
-    }
-    if (!word) {
-        return "the kind is one of directional, point, world-directional, world-point; or the "
-               "whole is none or file";
-    }
-    *light = (burnish_light){.kind = word->kind, .follows_camera = word->follows_camera};
-    length = text ? cli_next_item(&text, ':', &item) : 0;
-    if (length == 0 || !cli_read_reals(item, length, light->vector, 3)) {
-        return "the kind is followed by three numbers, such as directional:-1,1,2";
-    }
-    if (light->kind == BURNISH_LIGHT_DIRECTIONAL && light->vector[0] == 0 &&
-        light->vector[1] == 0 && light->vector[2] == 0) {
-        return "0,0,0 has no direction";
-    }
-    if (text) {
-        length = cli_next_item(&text, ':', &item);
-        if (!cli_read_real(item, length, &intensity) ||
-            !(intensity >= 0 && intensity <= INTENSITY_MAX)) {
-            return "the intensity is a number from 0 to 1000";
-        }
-    }
-    if (text && !cli_read_color(text, strlen(text), srgb)) {
-        return "the colour is #rgb, #rrggbb, r,g,b from 0 to 1, or a name";
-    }
-    linear_of(srgb, (float)intensity, light->color);
-    return NULL;
-}
-
-burnish_status render_flag_light(const cli_flag *flag, const char *text, void *target,
-                                 burnish_error *error) {
-    render_lights *lights = target;
-    lights->given = 1;
-    if (strcmp(text, "none") == 0) {
-        lights->count = lights->of_file = 0;
-        return BURNISH_STATUS_OK;
-    }
-    if (strcmp(text, "file") == 0) {
-        lights->of_file = 1;
-        return BURNISH_STATUS_OK;
-    }
-    if (lights->count == BURNISH_LIGHT_MAX) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d lights; omit some",
-                        flag->name, BURNISH_LIGHT_MAX);
-    }
-    const char *wrong = read_light(text, &lights->items[lights->count]);
-    if (wrong) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.60s\" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: %s", flag->name,
-                        text, wrong);
-    }
-    ++lights->count;
-    return BURNISH_STATUS_OK;
-}
-
 burnish_status render_flag_clip(const cli_flag *flag, const char *text, void *target,
                                 burnish_error *error) {
     render_clip *clip = target;
@@ -272,26 +185,6 @@ burnish_status render_flag_clip(const cli_flag *flag, const char *text, void *ta
     memcpy(plane->normal, values, sizeof plane->normal);
     plane->offset = values[3];
     return BURNISH_STATUS_OK;
-}
-
-burnish_status render_flag_ambient(const cli_flag *flag, const char *text, void *target,
-                                   burnish_error *error) {
-    render_ambient *ambient = target;
-    double value;
-    float srgb[3];
-    size_t length = strlen(text);
-    if (cli_read_real(text, length, &value) && value >= flag->low && value <= flag->high) {
-        *ambient = (render_ambient){1, {(float)value, (float)value, (float)value}};
-        return BURNISH_STATUS_OK;
-    }
-    if (cli_read_color(text, length, srgb)) {
-        ambient->given = 1;
-        linear_of(srgb, 1, ambient->linear);
-        return BURNISH_STATUS_OK;
-    }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--%s: \"%.60s\" is not a number from %g to %g, nor %s", flag->name, text,
-                    flag->low, flag->high, cli_color_forms);
 }
 
 burnish_status render_flag_occlusion(const cli_flag *flag, const char *text, void *target,

@@ -26,9 +26,7 @@ cli_handler render_flag_no_background; /* render_background */
 cli_handler render_flag_rows;          /* render_rows */
 cli_handler render_flag_views;         /* render_views */
 cli_handler render_flag_lobes;         /* render_lobes */
-cli_handler render_flag_light;         /* render_lights */
 cli_handler render_flag_clip;          /* render_clip */
-cli_handler render_flag_ambient;       /* render_ambient */
 cli_handler render_flag_occlusion;     /* render_occlusion */
 cli_handler render_flag_plane;         /* render_planes */
 cli_handler render_flag_edges;         /* render_edges */

@@ -64,7 +64,8 @@ static void gather_sources(const burnish_render_options *options, const burnish_
     static const double y[3] = {0, 1, 0};
     const int in_camera = all_follow_camera(options);
     double axes[3][3];
-    *sources = (burnish_light_sources){.distant = lights, .strength = options->environment_strength};
+    *sources =
+        (burnish_light_sources){.distant = lights, .strength = options->environment_strength};
     for (int i = 0; i < options->area_light_count; ++i) {
         const burnish_area_light *from = &options->area_lights[i];
         if (from->is_distant && shines(from)) {
@@ -105,7 +106,8 @@ static burnish_status update_maps(burnish_area *area, const burnish_render_optio
         status = burnish_light_maps_create(memory->context, &area->maps, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_light_maps_set(area->maps, &sources, options->kernels, tasks, memory->error);
+        status =
+            burnish_light_maps_set(area->maps, &sources, options->kernels, tasks, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
         area->constants.diffuse = burnish_light_maps_diffuse(area->maps);
@@ -173,7 +175,8 @@ static burnish_reflecting_material reflecting(const burnish_material *from, int 
         to.reflectance[k] = clamped(8 * ks / (from->exponent + 4), 0.0f, 1.0f);
         if (from->is_metallic) {
             to.diffuse[k] = color * (1 - from->metallic);
-            to.reflectance[k] = from->reflectance[k] * (1 - from->metallic) + color * from->metallic;
+            to.reflectance[k] =
+                from->reflectance[k] * (1 - from->metallic) + color * from->metallic;
         }
     }
     to.roughness = from->is_metallic
@@ -241,8 +244,7 @@ static void read_textures(const burnish_area_batch *batch, burnish_kernels_point
     }
     if (material->is_varied) {
         each->roughness = varies_roughness(material) ? scratch->roughness : NULL;
-        each->open =
-            material->samplers[BURNISH_TEXTURE_OCCLUSION].levels ? scratch->open : NULL;
+        each->open = material->samplers[BURNISH_TEXTURE_OCCLUSION].levels ? scratch->open : NULL;
     }
 }
 

@@ -90,13 +90,13 @@ typedef struct burnish_textured_material {
 
 /* Owned; all zero before the first frame, a later frame uses what still fits. */
 typedef struct burnish_texturing {
-    int has_some;       /* 0: no material is special, and nothing else means anything */
-    int needs_points;   /* 1: some have textures */
-    int needs_tangents; /* 1: some have normal textures */
-    int has_alpha;      /* 1: some have alpha below 1 */
+    int has_some;          /* 0: no material is special, and nothing else means anything */
+    int needs_points;      /* 1: some have textures */
+    int needs_tangents;    /* 1: some have normal textures */
+    int has_alpha;         /* 1: some have alpha below 1 */
     int wants_reflectance; /* 1: light comes from many directions; the caller's to set */
-    int samples;        /* of a pixel */
-    int smooth_samples; /* the same, where masks are decided sample by sample; 0: none is */
+    int samples;           /* of a pixel */
+    int smooth_samples;    /* the same, where masks are decided sample by sample; 0: none is */
     const burnish_kernels *kernels; /* and ops: the caller's to set */
     const burnish_render_ops *ops;
     const burnish_mesh_view *mesh;

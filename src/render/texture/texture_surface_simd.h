@@ -161,10 +161,11 @@ BURNISH_INLINE vf texture_root(vf x) {
 
 /* What light from many directions is reflected by (burnish/light.h), of coefficients that are not
  * widened, and of the exponent that is. */
-BURNISH_INLINE void texture_reflectance(int is_metallic, const texture_coefficients *from, vf widened,
-                                        size_t i, burnish_texture_scratch *scratch) {
+BURNISH_INLINE void texture_reflectance(int is_metallic, const texture_coefficients *from,
+                                        vf widened, size_t i, burnish_texture_scratch *scratch) {
     const vf one = vf_set(1.0f), two = vf_set(2.0f);
-    const vf factor = is_metallic ? one : vf_div(vf_set(8.0f), vf_add(from->exponent, vf_set(4.0f)));
+    const vf factor =
+        is_metallic ? one : vf_div(vf_set(8.0f), vf_add(from->exponent, vf_set(4.0f)));
     const vf alpha = texture_root(vf_div(two, vf_add(widened, two)));
     for (int k = 0; k < 3; ++k) {
         vf_store(scratch->reflectance[k] + i, vf_min(vf_mul(from->specular[k], factor), one));
