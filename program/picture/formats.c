@@ -88,6 +88,12 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
                         "--turntable=FILE, in %s",
                         flag, path, picture_list_names(PICTURE_ANIMATION).text);
     }
+    if (use == PICTURE_ANIMATION && is_extension(path, moving, sizeof moving / sizeof *moving)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.200s\": turntables are written as %s; for other videos use "
+                        "--turntable=- | ffmpeg -i - FILE",
+                        flag, path, picture_list_names(use).text);
+    }
     list(use, 1, extensions, sizeof extensions);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path, what,

@@ -4,7 +4,7 @@
 . "$(dirname "$0")/lib.sh"
 here=$(dirname "$(realpath "$0")")
 
-expect 2 'burnish: --turntable: "t.mp4": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t.mp4
+expect 2 'burnish: --turntable: "t.mp4": turntables are written as PNG, WebP, GIF or Y4M; for other videos use --turntable=- | ffmpeg -i - FILE' render :sphere --turntable=t.mp4
 expect 2 'burnish: --turntable: "t.jpg": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t.jpg
 expect 2 'burnish: --turntable: "t": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t
 expect 2 'burnish: --frames: "1" is not a whole number from 2 to 3600' render :sphere --turntable=t.gif --frames=1
