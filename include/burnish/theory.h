@@ -237,6 +237,46 @@ BURNISH_THEORY_API void burnish_theory_sample_direction(const burnish_theory_mod
                                                         burnish_theory_measure measure,
                                                         const double xi[2], double direction[3]);
 
+/* ---- The light of a polygon ----
+ *
+ * A light of constant radiance 1, seen as a polygon, reflected by a lobe around the mirror
+ * direction r. docs/theory.md derives the integral along the edges and shows the error of each
+ * evaluation. */
+
+typedef enum burnish_theory_polygon_method {
+    BURNISH_THEORY_POLYGON_CLOSED, /* an arctangent per edge; error 1e-16 (2 zeta - 1)^order */
+    BURNISH_THEORY_POLYGON_GAUSS,  /* Gauss-Legendre on the arc inside the lobe; zeta >= 1 */
+    BURNISH_THEORY_POLYGON_NARROW /* the lobe exactly, the factor 1/((1 + c) cos(t/2)) of the sphere
+                                    * by a polynomial; zeta >= 1. The float kernels use 4 terms */
+} burnish_theory_polygon_method;
+
+enum { BURNISH_THEORY_POLYGON_ORDER_MAX = 32, BURNISH_THEORY_POLYGON_NARROW_MAX = 8 };
+
+/* How the edges are evaluated. */
+typedef struct burnish_theory_polygon_rule {
+    burnish_theory_polygon_method method;
+    int terms; /* GAUSS: nodes per arc, [1, 64]; NARROW: points of the polynomial, [1, 8] */
+} burnish_theory_polygon_rule;
+
+/* The integral over the polygon of max(0, 1 + zeta (r.w - 1))^order d omega, in steradians.
+ * Positive if the vertices turn counter-clockwise as seen from the origin, negative if clockwise; a
+ * part that the path surrounds twice counts twice. The polygon must fit in an open hemisphere, as
+ * flat polygons do. Equal neighbours are allowed. Order 1 and zeta 1 give Lambert's formula: the
+ * irradiance from the part of the polygon above the horizon of r.
+ *   order     [1, 32], any integer
+ *   zeta      (0, 1e9]
+ *   axis      r, of any length
+ *   normal    cuts the polygon off at the horizon of this vector; NULL: not cut
+ *   vertices  count points, seen from the origin
+ *   count     fewer than 3 give 0
+ *   rule      NULL: the best, with an error below 1e-12 of the whole lobe, 2 pi/(zeta (order + 1)),
+ *             for zeta in [1/2, 65536]
+ * Returns NaN for numbers out of range or not finite, and for a vector of length 0. */
+BURNISH_THEORY_API double burnish_theory_polygon(int order, double zeta, const double axis[3],
+                                                 const double *normal, const double (*vertices)[3],
+                                                 int count,
+                                                 const burnish_theory_polygon_rule *rule);
+
 /* ---- Errors against cos^n ---- */
 
 /* How far a lobe is from cos^n, for angles from 0 to `end`. */
