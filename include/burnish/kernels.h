@@ -9,6 +9,8 @@
  *   2. Lobes over arrays of cosines: burnish_kernels_lobe_of_cosines(kernels, &lobe, n, ...).
  *   3. Lighting: start from burnish_kernels_lighting_default(), create a shader per material with
  *      burnish_kernels_shader_create(), and call burnish_kernels_shade_rgba8() or _float().
+ *   4. Polygonal lights: start from burnish_kernels_polygon_default(), and call
+ *      burnish_kernels_polygon_light().
  *
  * Vectors are stored as one float array for x, one for y and one for z. Arrays need the alignment
  * of a float; 64 bytes are fastest. They can have any length, including 0.
@@ -182,6 +184,71 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
                                                        const burnish_kernels_points *points,
                                                        size_t count, float *const rgb[3],
                                                        burnish_error *error);
+
+/* ---- Polygonal lights ----
+ *
+ * The light of a convex polygon P of radiance 1, seen from a point with normal N, over the part of
+ * P above the horizon (N.w > 0):
+ *
+ *   diffuse  = 1/pi integral of max(0, N.w) dw          Lambert's formula
+ *   specular = sum over lobes of weight / E integral of S(R.w) dw
+ *
+ * with the lobes S(c) = max(0, 1 + zeta (c - 1))^m around the axis R, such as the mirror direction,
+ * and E = 2 pi / (zeta (m + 1)), the integral of S over all directions. A light that fills the
+ * hemisphere has diffuse = 1; a light that fills a lobe's cone has specular = weight.
+ *
+ * Accuracy over random lights: diffuse 3e-7; specular, for weight 1, 2e-4 (m = 2, zeta < 4), 1e-5
+ * (zeta < 2000) and 2e-5. */
+
+#define BURNISH_POLYGON_VERTEX_MAX 16
+#define BURNISH_POLYGON_LOBE_MAX 3
+
+/* A light and the lobes that reflect it. Start from burnish_kernels_polygon_default(). */
+typedef struct burnish_kernels_polygon {
+    uint32_t cookie;  /* set by burnish_kernels_polygon_default() */
+    int is_distant;   /* 1: vertices are directions of any length, the same from all points; 0: they
+                         are positions */
+    int is_two_sided; /* 0: the light shines to the side from which the vertices are in
+                         counterclockwise order; a distant one on (0, 0, 0). 1: to both sides */
+    int vertex_count; /* [3, BURNISH_POLYGON_VERTEX_MAX] */
+    float vertices[BURNISH_POLYGON_VERTEX_MAX]
+                  [3];                      /* coordinates in [-2^40, 2^40]; corners of a flat
+                                                      and convex polygon, within 1e-4 of its size */
+    int lobe_count;                         /* [0, BURNISH_POLYGON_LOBE_MAX] */
+    int order;                              /* m of all lobes: 2, 4 or 8 */
+    float zeta[BURNISH_POLYGON_LOBE_MAX];   /* [0.5, 65536] */
+    float weight[BURNISH_POLYGON_LOBE_MAX]; /* [0, 1e6] */
+} burnish_kernels_polygon;
+
+/* A square of side 2 at z = 1 that shines toward (0, 0, 0), one-sided, with one lobe of order 2,
+ * zeta 1 and weight 1. */
+BURNISH_API void burnish_kernels_polygon_init(burnish_kernels_polygon *polygon, uint64_t layout);
+static inline burnish_kernels_polygon burnish_kernels_polygon_default(void) {
+    burnish_kernels_polygon polygon;
+    burnish_kernels_polygon_init(&polygon, BURNISH_LAYOUT(burnish_kernels_polygon));
+    return polygon;
+}
+
+/* Computes the light of a polygon at points.
+ *   kernels  NULL: burnish_kernels_best()
+ *   polygon  not NULL
+ *   points   normals of lengths in [2^-60, 2^60]; all NULL: no horizon, for light[0] = NULL only.
+ *            Positions and w as for point lights; not read for distant lights. diffuse and
+ *            first_light are not read
+ *   axis     R: x, y, z of unit vectors, not read without lobes
+ *   count    number of points
+ *   light    light[0] receives count values of diffuse in [0, 1], light[1] of specular, at least 0;
+ *            one of them may be NULL. No array overlaps an input
+ *   error    receives the message; may be NULL
+ * A point in the plane of a light gets exactly 0, also if rounding moves it out of the plane.
+ * Errors: ARGUMENT (not initialised, numbers out of range, a polygon that has no area, is not flat
+ * or not convex, a distant light seen from its edge, a missing array); nothing is written. */
+BURNISH_API burnish_status burnish_kernels_polygon_light(const burnish_kernels *kernels,
+                                                         const burnish_kernels_polygon *polygon,
+                                                         const burnish_kernels_points *points,
+                                                         const float *const axis[3], size_t count,
+                                                         float *const light[2],
+                                                         burnish_error *error);
 
 #ifdef __cplusplus
 }

@@ -186,3 +186,45 @@ burnish_status burnish_kernels_shade_float(const burnish_kernels *kernels,
                                            float *const rgb[3], burnish_error *error) {
     return shade(kernels, shader, points, count, NULL, rgb, error);
 }
+
+/* ---- Polygonal lights ---- */
+
+static int has_arrays(const float *const arrays[3]) {
+    return arrays && arrays[0] && arrays[1] && arrays[2];
+}
+
+static burnish_status check_polygon_arrays(const burnish_polygon_constants *polygon,
+                                           const burnish_kernels_points *points,
+                                           const float *const axis[3], float *const light[2],
+                                           burnish_error *error) {
+    const int has_normals = has_arrays(points->normal);
+    if (!has_normals && (light[0] || points->normal[0])) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "points: an array of normals is NULL");
+    }
+    if (!polygon->is_distant && !has_arrays(points->position)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "points: lights that are not distant need the arrays of positions");
+    }
+    if (polygon->lobe_count && !has_arrays(axis)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "axis: lobes need all three arrays");
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status burnish_kernels_polygon_light(const burnish_kernels *kernels,
+                                             const burnish_kernels_polygon *polygon,
+                                             const burnish_kernels_points *points,
+                                             const float *const axis[3], size_t count,
+                                             float *const light[2], burnish_error *error) {
+    burnish_polygon_constants constants;
+    const burnish_float_mode float_mode = burnish_float_mode_enter();
+    burnish_status status = burnish_polygon_constants_make(polygon, &constants, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_polygon_arrays(&constants, points, axis, light, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        or_best(kernels)->polygon[constants.order](&constants, points, axis, count, light);
+    }
+    burnish_float_mode_leave(float_mode);
+    return status;
+}

@@ -2,6 +2,7 @@
 #include "shading/each_simd.h"
 #include "shading/environment_simd.h"
 #include "shading/lobe_simd.h"
+#include "shading/polygon_simd.h"
 #include "shading/shade_simd.h"
 #include "shading/shading_ops.h"
 #include "simd/isa.h"
@@ -63,5 +64,6 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                    [BURNISH_LOBE_BODY_GX] = each_gx},
     .add_environment = add_environment,
     .reflect_points = reflect_points,
+    .polygon = {polygon_square, polygon_fourth, polygon_eighth},
     .normalize_array = normalize_array,
 };

@@ -3,6 +3,7 @@
 #ifndef BURNISH_SHADING_SHADING_OPS_H
 #define BURNISH_SHADING_SHADING_OPS_H
 
+#include "shading/polygon.h"
 #include "shading/shader.h"
 
 /* out[i] = lobe(in[i]); out may be in. */
@@ -14,6 +15,12 @@ typedef void burnish_lobe_function(const burnish_lobe_constants *lobe, size_t co
 typedef void burnish_shade_function(const burnish_kernels_shader *shader,
                                     const burnish_kernels_points *points, size_t count,
                                     uint8_t *rgba, float *const rgb[3]);
+
+/* The light of a polygon, as burnish_kernels_polygon_light() of burnish/kernels.h says. */
+typedef void burnish_polygon_function(const burnish_polygon_constants *polygon,
+                                      const burnish_kernels_points *points,
+                                      const float *const axis[3], size_t count,
+                                      float *const light[2]);
 
 struct burnish_kernels {
     burnish_isa isa;
@@ -43,6 +50,8 @@ struct burnish_kernels {
                            const burnish_reflecting_material *material,
                            const burnish_kernels_points *points, const float *roughness,
                            size_t count, float *const axis[3]);
+
+    burnish_polygon_function *polygon[BURNISH_POLYGON_ORDER_COUNT];
 
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);

@@ -48,6 +48,7 @@ INIT(framing)
 INIT(render_options)
 INIT(target)
 INIT(kernels_lighting)
+INIT(kernels_polygon)
 
 static void test_bounds(void) {
 #define BOUNDS(type) check_bounds(init_##type, sizeof(burnish_##type), #type)
@@ -61,6 +62,7 @@ static void test_bounds(void) {
     BOUNDS(render_options);
     BOUNDS(target);
     BOUNDS(kernels_lighting);
+    BOUNDS(kernels_polygon);
 }
 
 /* Calls with a struct of an older version: ARGUMENT, and a line that says what to do. */
@@ -102,6 +104,9 @@ static void test_refusals(void) {
     REFUSED(render_options, old, burnish_render(mesh, &old, &image, NULL, &error), "options");
     REFUSED(kernels_lighting, old, burnish_kernels_shader_create(&old, NULL, &shader, &error),
             "lighting");
+    const burnish_kernels_points points = {.w = NULL};
+    REFUSED(kernels_polygon, old,
+            burnish_kernels_polygon_light(NULL, &old, &points, NULL, 0, NULL, &error), "polygon");
     burnish_render_options options = burnish_render_options_default();
     burnish_renderer *renderer;
     options.camera = camera;

@@ -1,0 +1,216 @@
+/* Checks polygonal lights. */
+#include "shading/polygon.h"
+
+#include <string.h>
+
+#include "core/elementary.h"
+#include "core/error.h"
+#include "core/layout.h"
+
+#define COOKIE BURNISH_COOKIE(0x706f6c79, burnish_kernels_polygon)
+
+/* In parts of a polygon's size: how far a vertex can be out of the plane, or on the wrong side of an
+ * edge. */
+#define TOLERANCE 1e-4
+
+void burnish_kernels_polygon_init(burnish_kernels_polygon *polygon, uint64_t layout) {
+    const burnish_kernels_polygon defaults = {
+        .cookie = COOKIE,
+        .vertex_count = 4,
+        .vertices = {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}},
+        .lobe_count = 1,
+        .order = 2,
+        .zeta = {1},
+        .weight = {1}};
+    burnish_layout_init(polygon, layout, BURNISH_LAYOUT(burnish_kernels_polygon), &defaults);
+}
+
+static int is_within(float x, float low, float high) {
+    return x >= low && x <= high; /* not NaN */
+}
+
+static burnish_status check_lobes(const burnish_kernels_polygon *polygon, burnish_error *error) {
+    const int order = polygon->order;
+    if (polygon->lobe_count < 0 || polygon->lobe_count > BURNISH_POLYGON_LOBE_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: %d lobes; at most %d",
+                            polygon->lobe_count, BURNISH_POLYGON_LOBE_MAX);
+    }
+    if (polygon->lobe_count && order != 2 && order != 4 && order != 8) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: order %d is not 2, 4 or 8",
+                            order);
+    }
+    for (int j = 0; j < polygon->lobe_count; ++j) {
+        if (!is_within(polygon->zeta[j], 0.5f, BURNISH_LOBE_ZETA_MAX)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "polygon: zeta %g of lobe %d is not in [0.5, 65536]",
+                                (double)polygon->zeta[j], j + 1);
+        }
+        if (!is_within(polygon->weight[j], 0.0f, 1e6f)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "polygon: weight %g of lobe %d is not in [0, 1e6]",
+                                (double)polygon->weight[j], j + 1);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* Corners relative to the first one or, for a distant light, directions of unit length. */
+typedef struct shape {
+    int count;
+    double corner[BURNISH_POLYGON_VERTEX_MAX][3];
+    double normal[3]; /* unit vector toward points that see the corners counterclockwise */
+    double size;      /* largest distance of two corners */
+} shape;
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double product[3]) {
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        product[k] = a[i] * b[j] - a[j] * b[i];
+    }
+}
+
+static void subtract(const double a[3], const double b[3], double difference[3]) {
+    for (int k = 0; k < 3; ++k) {
+        difference[k] = a[k] - b[k];
+    }
+}
+
+static burnish_status read_vertices(const burnish_kernels_polygon *polygon, shape *made,
+                                    burnish_error *error) {
+    made->count = polygon->vertex_count;
+    if (made->count < 3 || made->count > BURNISH_POLYGON_VERTEX_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: %d vertices; 3 to %d",
+                            made->count, BURNISH_POLYGON_VERTEX_MAX);
+    }
+    for (int v = 0; v < made->count; ++v) {
+        double *corner = made->corner[v];
+        for (int k = 0; k < 3; ++k) {
+            if (!is_within(polygon->vertices[v][k], -0x1p40f, 0x1p40f)) {
+                return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                    "polygon: vertex %d: coordinates must be in [-2^40, 2^40]",
+                                    v + 1);
+            }
+            corner[k] = (double)polygon->vertices[v][k];
+            corner[k] -= polygon->is_distant ? 0.0 : (double)polygon->vertices[0][k];
+        }
+        const double length = burnish_sqrt(dot(corner, corner));
+        for (int k = 0; polygon->is_distant && k < 3; ++k) {
+            corner[k] /= length > 0 ? length : 1;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status find_normal(shape *made, burnish_error *error) {
+    double normal[3] = {0, 0, 0}, least = 8;
+    made->size = 0;
+    for (int v = 0; v < made->count; ++v) {
+        double part[3], d[3];
+        cross(made->corner[v], made->corner[(v + 1) % made->count], part);
+        for (int k = 0; k < 3; ++k) {
+            normal[k] += part[k];
+        }
+        for (int other = 0; other < v; ++other) {
+            subtract(made->corner[v], made->corner[other], d);
+            const double distance = burnish_sqrt(dot(d, d));
+            made->size = distance > made->size ? distance : made->size;
+            least = v == 1 || distance < least ? distance : least;
+        }
+    }
+    const double length = burnish_sqrt(dot(normal, normal));
+    if (!(length > TOLERANCE * TOLERANCE * made->size * made->size)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: it has no area");
+    }
+    if (!(least > TOLERANCE * TOLERANCE * made->size)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: two vertices coincide");
+    }
+    for (int k = 0; k < 3; ++k) {
+        made->normal[k] = normal[k] / length;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* On which side of an edge another corner is, as a distance; above 0 inside a convex polygon. */
+static double find_side(const shape *made, int edge, int corner, double facing) {
+    const double *a = made->corner[edge], *b = made->corner[(edge + 1) % made->count];
+    const double *c = made->corner[corner];
+    double along[3], to_c[3], normal[3];
+    subtract(b, a, along);
+    subtract(c, a, to_c);
+    cross(along, to_c, normal);
+    const double length = burnish_sqrt(dot(along, along));
+    return (facing != 0 ? -dot(normal, a) * facing : dot(normal, made->normal)) / length;
+}
+
+/* facing: of a distant light, 1 if (0, 0, 0) is on its bright side and -1 behind it. */
+static burnish_status check_shape(const shape *made, double facing, burnish_error *error) {
+    for (int v = 0; v < made->count; ++v) {
+        const double height = dot(made->corner[v], made->normal);
+        if (facing == 0 && (height > TOLERANCE * made->size || height < -TOLERANCE * made->size)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "polygon: vertex %d is not in the plane of the others", v + 1);
+        }
+        for (int other = 0; other < made->count; ++other) {
+            if (find_side(made, v, other, facing) < -TOLERANCE * made->size) {
+                return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                    "polygon: not convex, at the edge after vertex %d", v + 1);
+            }
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* The product of the normal and the vertices, which a distant light has to see from a side. */
+static burnish_status find_facing(const shape *made, double *facing, burnish_error *error) {
+    double sum = 0;
+    for (int v = 0; v < made->count; ++v) {
+        sum -= dot(made->normal, made->corner[v]) / made->count;
+    }
+    *facing = sum > 0 ? 1 : -1;
+    return sum * *facing > TOLERANCE
+               ? BURNISH_STATUS_OK
+               : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "polygon: (0, 0, 0) is in the plane of a distant light");
+}
+
+burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *polygon,
+                                              burnish_polygon_constants *constants,
+                                              burnish_error *error) {
+    shape made;
+    double facing = 0, offset = 0;
+    burnish_status status =
+        burnish_layout_check(polygon, COOKIE, "polygon", "kernels_polygon", error);
+    status = status == BURNISH_STATUS_OK ? check_lobes(polygon, error) : status;
+    status = status == BURNISH_STATUS_OK ? read_vertices(polygon, &made, error) : status;
+    status = status == BURNISH_STATUS_OK ? find_normal(&made, error) : status;
+    if (status == BURNISH_STATUS_OK && polygon->is_distant) {
+        status = find_facing(&made, &facing, error);
+    }
+    status = status == BURNISH_STATUS_OK ? check_shape(&made, facing, error) : status;
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    *constants = (burnish_polygon_constants){.vertex_count = made.count,
+                                             .is_distant = polygon->is_distant != 0,
+                                             .is_two_sided = polygon->is_two_sided != 0,
+                                             .order = polygon->order == 8 ? 2 : polygon->order == 4,
+                                             .lobe_count = polygon->lobe_count};
+    memcpy(constants->zeta, polygon->zeta, sizeof constants->zeta);
+    memcpy(constants->weight, polygon->weight, sizeof constants->weight);
+    for (int v = 0; v < made.count; ++v) {
+        for (int k = 0; k < 3; ++k) {
+            const double x = polygon->is_distant ? made.corner[v][k] : polygon->vertices[v][k];
+            constants->vertex[made.count - 1 - v][k] = (float)x;
+            offset += made.normal[k] * x / made.count;
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        constants->normal[k] = (float)made.normal[k];
+    }
+    constants->offset = (float)offset;
+    return BURNISH_STATUS_OK;
+}

@@ -1,0 +1,536 @@
+/* Polygonal lights: values against integrals in double precision over the half-spaces of a polygon,
+ * bits on all instruction sets and for all lengths, exact cases, refused arguments.
+ *
+ * --trials 3000 tries more lights and prints the largest errors. */
+#include <math.h>
+#include <stdint.h>
+
+#include "burnish/kernels.h"
+#include "kernels_input.h"
+#define BURNISH_VECTOR_SCALAR
+#include "simd/vector_math.h"
+
+enum { PLANES_MAX = BURNISH_POLYGON_VERTEX_MAX + 1 };
+
+/* ---- Reference ---- */
+
+typedef struct vec {
+    double x[3];
+} vec;
+
+static double dot(vec a, vec b) {
+    return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
+}
+
+static vec cross(vec a, vec b) {
+    return (vec){{a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2],
+                  a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
+}
+
+static vec sum(vec a, double factor, vec b) {
+    return (vec){{a.x[0] + factor * b.x[0], a.x[1] + factor * b.x[1], a.x[2] + factor * b.x[2]}};
+}
+
+static vec unit(vec a) {
+    const double length = sqrt(dot(a, a));
+    return (vec){{a.x[0] / length, a.x[1] / length, a.x[2] / length}};
+}
+
+static vec of_floats(const float *x) {
+    return (vec){{(double)x[0], (double)x[1], (double)x[2]}};
+}
+
+/* The directions w with plane.w > 0 for all planes, an axis, and what is integrated around it: a
+ * lobe, or the cosine if order is 0. */
+typedef struct region {
+    int count, order;
+    double zeta;
+    vec plane[PLANES_MAX];
+    vec axis, across, up;
+} region;
+
+/* The antiderivative over the angle from the axis, so that the whole lobe is 1, and the hemisphere
+ * is 1 for the cosine. */
+static double antiderivative(const region *given, double angle) {
+    if (given->order == 0) {
+        return pow(sin(fmin(angle, M_PI / 2)), 2);
+    }
+    const double u = fmax(0, 1 - 2 * given->zeta * pow(sin(angle / 2), 2));
+    return 1 - pow(u, given->order + 1);
+}
+
+/* The integral along the meridian of an azimuth: the region is convex, so an interval of it. */
+static double meridian(const region *given, double azimuth) {
+    const double c = cos(azimuth), s = sin(azimuth);
+    double low = 0, high = M_PI;
+    for (int i = 0; i < given->count && low < high; ++i) {
+        const vec n = given->plane[i];
+        const double at_axis = dot(n, given->axis);
+        const double beside = c * dot(n, given->across) + s * dot(n, given->up);
+        const double middle = atan2(beside, at_axis); /* above 0 within pi/2 of it */
+        if (middle >= 0) {
+            low = fmax(low, middle - M_PI / 2);
+            high = fmin(high, middle + M_PI / 2);
+        } else { /* two intervals of the half circle: only one can be left */
+            if (high > middle + M_PI / 2 && low < middle + 3 * M_PI / 2) {
+                if (middle + M_PI / 2 > low) {
+                    high = middle + M_PI / 2;
+                } else {
+                    low = middle + 3 * M_PI / 2;
+                }
+            }
+        }
+    }
+    return low < high ? antiderivative(given, high) - antiderivative(given, low) : 0;
+}
+
+static double simpson(const region *given, double from, double to, const double at[3], int depth) {
+    const double middle = (from + to) / 2, width = (to - from) / 6;
+    const double whole = width * (at[0] + 4 * at[1] + at[2]);
+    const double quarter[2] = {meridian(given, (from + middle) / 2),
+                               meridian(given, (middle + to) / 2)};
+    const double halves = width / 2 * (at[0] + 4 * quarter[0] + 2 * at[1] + 4 * quarter[1] + at[2]);
+    if (depth >= 48 || (depth >= 5 && fabs(halves - whole) < 1e-10 * (to - from))) {
+        return halves + (halves - whole) / 15;
+    }
+    const double left[3] = {at[0], quarter[0], at[1]}, right[3] = {at[1], quarter[1], at[2]};
+    return simpson(given, from, middle, left, depth + 1) +
+           simpson(given, middle, to, right, depth + 1);
+}
+
+static double integral(region *given, vec axis) {
+    given->axis = unit(axis);
+    given->across =
+        unit(cross(given->axis, fabs(axis.x[0]) < 0.5 ? (vec){{1, 0, 0}} : (vec){{0, 1, 0}}));
+    given->up = cross(given->axis, given->across);
+    double total = 0;
+    enum { PARTS = 16 };
+    for (int i = 0; i < PARTS; ++i) { /* of irrational ends, so that kinks are not hit */
+        const double from = 0.1234567 + 2 * M_PI * i / PARTS, to = from + 2 * M_PI / PARTS;
+        const double at[3] = {meridian(given, from), meridian(given, (from + to) / 2),
+                              meridian(given, to)};
+        total += simpson(given, from, to, at, 0);
+    }
+    return total / (2 * M_PI);
+}
+
+/* A point as the kernels get it. */
+typedef struct place {
+    float normal[3], position[3], w, axis[3];
+} place;
+
+/* diffuse, and specular of lobe 0. */
+static void reference(const burnish_kernels_polygon *polygon, const place *at, double light[2]) {
+    region made = {.order = 0};
+    vec corner[BURNISH_POLYGON_VERTEX_MAX], middle = {{0, 0, 0}};
+    const int count = polygon->vertex_count;
+    for (int v = 0; v < count; ++v) {
+        corner[v] = of_floats(polygon->vertices[v]);
+        if (!polygon->is_distant) {
+            corner[v] = sum(corner[v], -1 / (double)at->w, of_floats(at->position));
+        }
+        middle = sum(middle, 1, unit(corner[v]));
+    }
+    const double side = dot(cross(corner[0], corner[1]), middle);
+    light[0] = light[1] = 0;
+    if (side > 0 && !polygon->is_two_sided) {
+        return;
+    }
+    for (int v = 0; v < count; ++v) {
+        const vec n = unit(cross(corner[v], corner[(v + 1) % count]));
+        made.plane[made.count++] = sum((vec){{0, 0, 0}}, side > 0 ? 1 : -1, n);
+    }
+    made.plane[made.count++] = unit(of_floats(at->normal));
+    light[0] = integral(&made, of_floats(at->normal));
+    made.order = polygon->order;
+    made.zeta = (double)polygon->zeta[0];
+    light[1] = integral(&made, of_floats(at->axis));
+}
+
+/* ---- Random lights and points ---- */
+
+static vec random_unit_vec(uint64_t *state) {
+    vec a;
+    double squared;
+    do {
+        for (int k = 0; k < 3; ++k) {
+            a.x[k] = (double)test_uniform_float(state, -1, 1);
+        }
+        squared = dot(a, a);
+    } while (squared > 1 || squared < 0.01);
+    return unit(a);
+}
+
+static void to_floats(vec a, float *x) {
+    for (int k = 0; k < 3; ++k) {
+        x[k] = (float)a.x[k];
+    }
+}
+
+/* A polygon inscribed in an ellipse around a point at distance 1 or so. */
+static burnish_kernels_polygon random_polygon(int order, float zeta, uint64_t *state) {
+    burnish_kernels_polygon polygon = burnish_kernels_polygon_default();
+    const vec center = random_unit_vec(state), u = random_unit_vec(state),
+              v = unit(cross(u, random_unit_vec(state)));
+    const double size = pow(2, (double)test_uniform_float(state, -5, 2)),
+                 ratio = (double)test_uniform_float(state, 0.1f, 1),
+                 start = (double)test_uniform_float(state, 0, 6);
+    polygon.order = order;
+    polygon.zeta[0] = zeta;
+    polygon.is_distant = test_random32(state) % 4 == 0;
+    polygon.is_two_sided = (int)(test_random32(state) % 2);
+    polygon.vertex_count = 3 + (int)(test_random32(state) % 6);
+    for (int i = 0; i < polygon.vertex_count; ++i) {
+        const double angle = start + 2 * M_PI * i / polygon.vertex_count;
+        const vec corner = sum(sum(center, size * cos(angle), u), ratio * size * sin(angle), v);
+        to_floats(corner, polygon.vertices[i]);
+    }
+    return polygon;
+}
+
+/* Half of the axes point near the light, so that narrow lobes meet it. */
+static place random_place(const burnish_kernels_polygon *polygon, uint64_t *state) {
+    place at = {.w = test_uniform_float(state, 0.5f, 2)};
+    vec position = sum((vec){{0, 0, 0}}, (double)(0.8f * at.w), random_unit_vec(state));
+    to_floats(position, at.position);
+    vec axis = random_unit_vec(state), normal = random_unit_vec(state);
+    if (test_random32(state) % 2) {
+        axis = (vec){{0, 0, 0}};
+        for (int v = 0; v < polygon->vertex_count; ++v) {
+            axis = sum(axis, pow((double)test_uniform_float(state, 0, 1), 2),
+                       of_floats(polygon->vertices[v]));
+        }
+    }
+    to_floats(unit(axis), at.axis);
+    if (dot(normal, axis) < 0) {
+        normal = sum((vec){{0, 0, 0}}, -1, normal);
+    }
+    to_floats(normal, at.normal);
+    return at;
+}
+
+static void kernel(const burnish_kernels *kernels, const burnish_kernels_polygon *polygon,
+                   const place *at, float light[2]) {
+    burnish_kernels_points points = {.w = &at->w};
+    const float *axis[3];
+    float *const out[2] = {&light[0], &light[1]};
+    burnish_error error;
+    for (int k = 0; k < 3; ++k) {
+        points.normal[k] = &at->normal[k];
+        points.position[k] = &at->position[k];
+        axis[k] = &at->axis[k];
+    }
+    light[0] = light[1] = NAN;
+    CHECK(burnish_kernels_polygon_light(kernels, polygon, &points, axis, 1, out, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+}
+
+/* ---- Values ---- */
+
+/* The largest errors of 2 (m + 1) random lights' shares of a lobe, by zeta. */
+static const struct {
+    float zeta;
+    double most[3]; /* orders 2, 4, 8 */
+} ERRORS[] = {{0.5f, {2e-4, 5e-6, 5e-7}}, {0.8f, {2e-4, 5e-6, 5e-7}}, {1, {2e-4, 5e-6, 5e-7}},
+              {2, {1e-4, 2e-6, 5e-7}},    {8, {1e-5, 2e-6, 1e-6}},    {100, {3e-6, 3e-6, 2e-6}},
+              {2000, {5e-6, 5e-6, 5e-6}}, {20000, {2e-5, 2e-5, 2e-5}}};
+#define DIFFUSE_ERROR 3e-7
+
+static void test_values(int trials) {
+    for (size_t z = 0; z < sizeof ERRORS / sizeof ERRORS[0]; ++z) {
+        for (int k = 0; k < 3; ++k) {
+            uint64_t state = test_seed(77);
+            double worst[2] = {0, 0};
+            for (int trial = 0; trial < trials; ++trial) {
+                const burnish_kernels_polygon polygon =
+                    random_polygon(2 << k, ERRORS[z].zeta, &state);
+                const place at = random_place(&polygon, &state);
+                float light[2];
+                double expected[2];
+                kernel(scalar(), &polygon, &at, light);
+                reference(&polygon, &at, expected);
+                for (int i = 0; i < 2; ++i) {
+                    worst[i] = fmax(worst[i], fabs((double)light[i] - expected[i]));
+                }
+            }
+            CHECK(worst[0] <= DIFFUSE_ERROR, "diffuse: off by %.3g", worst[0]);
+            CHECK(worst[1] <= ERRORS[z].most[k], "order %d, zeta %g: off by %.3g", 2 << k,
+                  (double)ERRORS[z].zeta, worst[1]);
+            if (test_option()) {
+                printf("order %d, zeta %7g: diffuse %.2g, specular %.2g\n", 2 << k,
+                       (double)ERRORS[z].zeta, worst[0], worst[1]);
+            }
+        }
+    }
+}
+
+/* ---- Exact cases ---- */
+
+static const place AT_ZERO = {{0, 0, 1}, {0, 0, 0}, 1, {0, 0, 1}};
+
+static int near(float x, double expected, double error) {
+    return fabs((double)x - expected) <= error;
+}
+
+/* A rectangle at z = 1 that shines down. */
+static burnish_kernels_polygon rectangle(float x0, float x1, float y0, float y1) {
+    burnish_kernels_polygon polygon = burnish_kernels_polygon_default();
+    const float corners[4][2] = {{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}};
+    for (int v = 0; v < 4; ++v) {
+        polygon.vertices[v][0] = corners[v][0];
+        polygon.vertices[v][1] = corners[v][1];
+    }
+    polygon.order = 4;
+    polygon.zeta[0] = 3;
+    return polygon;
+}
+
+static void test_sides(void) {
+    const burnish_kernels_polygon sky = rectangle(-1e7f, 1e7f, -1e7f, 1e7f);
+    burnish_kernels_polygon two_sided = sky;
+    place at = AT_ZERO;
+    float light[2];
+    kernel(NULL, &sky, &at, light);
+    CHECK(near(light[0], 1, 1e-6) && near(light[1], 1, 1e-6), "a sky: %g %g", (double)light[0],
+          (double)light[1]);
+    at.normal[2] = -1;
+    kernel(NULL, &sky, &at, light);
+    CHECK(light[0] == 0 && light[1] == 0, "below the horizon: %g %g", (double)light[0],
+          (double)light[1]);
+    at.position[2] = 2;
+    kernel(NULL, &sky, &at, light);
+    CHECK(light[0] == 0 && light[1] == 0, "behind: %g %g", (double)light[0], (double)light[1]);
+    two_sided.is_two_sided = 1;
+    at.axis[2] = -1;
+    kernel(NULL, &two_sided, &at, light);
+    CHECK(near(light[0], 1, 1e-6) && near(light[1], 1, 1e-6), "behind, two-sided: %g %g",
+          (double)light[0], (double)light[1]);
+    at = AT_ZERO;
+    at.axis[0] = 1;
+    at.axis[2] = 0; /* the lobe is cut in half by the horizon */
+    kernel(NULL, &sky, &at, light);
+    CHECK(near(light[1], 0.5, 1e-6), "half of a lobe: %g", (double)light[1]);
+}
+
+/* In the plane of a light, on its edge, and in its corner; with an offset that rounds. */
+static void test_plane(void) {
+    static const float x[][2] = {{3, 0.3f}, {0.2f, 0.1f}, {1, 0.5f}, {1, 1}, {0, 1}};
+    burnish_kernels_polygon light = rectangle(-1, 1, -1, 1);
+    light.is_two_sided = 1;
+    for (int tilt = 0; tilt < 2; ++tilt) {
+        for (int v = 0; v < 4 && tilt; ++v) {
+            light.vertices[v][2] = 1 + 0.3f * light.vertices[v][0] - 0.7f * light.vertices[v][1];
+        }
+        for (size_t i = 0; i < sizeof x / sizeof x[0]; ++i) {
+            place at = AT_ZERO;
+            float sums[2];
+            at.position[0] = x[i][0];
+            at.position[1] = x[i][1];
+            at.position[2] = tilt ? 1 + 0.3f * x[i][0] - 0.7f * x[i][1] : 1;
+            kernel(NULL, &light, &at, sums);
+            CHECK(sums[0] == 0 && sums[1] == 0, "tilt %d, point %zu in the plane: %g %g", tilt, i,
+                  (double)sums[0], (double)sums[1]);
+        }
+    }
+}
+
+static void test_additivity(void) {
+    uint64_t state = test_seed(5);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const float cut = test_uniform_float(&state, -1, 2);
+        const burnish_kernels_polygon parts[3] = {
+            rectangle(-1, 2, -1, 1), rectangle(-1, cut, -1, 1), rectangle(cut, 2, -1, 1)};
+        place at = random_place(&parts[0], &state);
+        float light[3][2];
+        for (int i = 0; i < 3; ++i) {
+            kernel(NULL, &parts[i], &at, light[i]);
+        }
+        for (int k = 0; k < 2; ++k) {
+            const double both = (double)light[1][k] + (double)light[2][k];
+            CHECK(near(light[0][k], both, 2e-6), "parts: %g, not %g", both, (double)light[0][k]);
+        }
+    }
+}
+
+/* Three lobes are the sum of each, and without normals the horizon is left out. */
+static void test_lobes(void) {
+    uint64_t state = test_seed(6);
+    burnish_kernels_polygon polygon = random_polygon(8, 2, &state), one = polygon;
+    const float zeta[3] = {0.7f, 12, 100}, weight[3] = {0.25f, 0.5f, 2};
+    polygon.lobe_count = 3;
+    memcpy(polygon.zeta, zeta, sizeof zeta);
+    memcpy(polygon.weight, weight, sizeof weight);
+    for (int trial = 0; trial < 100; ++trial) {
+        const place at = random_place(&polygon, &state);
+        float light[2], part[2];
+        double expected = 0;
+        kernel(NULL, &polygon, &at, light);
+        for (int j = 0; j < 3; ++j) {
+            one.zeta[0] = zeta[j];
+            kernel(NULL, &one, &at, part);
+            expected += (double)(weight[j] * part[1]);
+        }
+        CHECK(near(light[1], expected, 1e-6), "three lobes: %g, not %g", (double)light[1],
+              expected);
+    }
+    const burnish_kernels_polygon sky = rectangle(-1e7f, 1e7f, -1e7f, 1e7f);
+    const float axis = 0, up = 1, *const axes[3] = {&axis, &axis, &up};
+    const burnish_kernels_points points = {.position = {&axis, &axis, &axis}};
+    float specular = 0;
+    float *const to[2] = {NULL, &specular};
+    CHECK(burnish_kernels_polygon_light(NULL, &sky, &points, axes, 1, to, NULL) ==
+                  BURNISH_STATUS_OK &&
+              near(specular, 1, 1e-6),
+          "without normals: %g", (double)specular);
+}
+
+/* ---- Instruction sets ---- */
+
+typedef struct input {
+    point_arrays points;
+    float axis[3][BLOCK];
+} input;
+
+static void make_input(input *made, int tame, uint64_t *state) {
+    make_points(&made->points, BLOCK, tame, state);
+    for (int i = 0; i < BLOCK; ++i) {
+        const vec axis = random_unit_vec(state);
+        for (int k = 0; k < 3; ++k) {
+            made->axis[k][i] = (float)axis.x[k];
+        }
+        if (!tame && test_random32(state) % 16 == 0) {
+            made->axis[test_random32(state) % 3][i] = awkward(state);
+        }
+    }
+}
+
+static void run(const burnish_kernels *kernels, const burnish_kernels_polygon *polygon,
+                const input *from, size_t first, size_t count, float *const light[2]) {
+    burnish_kernels_points points = points_at(&from->points, first, 0, 1);
+    const float *const axis[3] = {from->axis[0] + first, from->axis[1] + first,
+                                  from->axis[2] + first};
+    CHECK(burnish_kernels_polygon_light(kernels, polygon, &points, axis, count, light, NULL) ==
+              BURNISH_STATUS_OK,
+          "a light");
+}
+
+/* Every length, and each point alone on the scalar kernel. */
+static void test_bits(void) {
+    static input from;
+    static float light[2][80], expected[2][80];
+    float *const out[2] = {light[0], light[1]};
+    uint64_t state = test_seed(9);
+    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
+        const burnish_kernels *kernels = burnish_kernels_for((burnish_isa)isa);
+        for (int trial = 0; kernels && trial < 600; ++trial) {
+            static const float zetas[] = {0.6f, 3, 40, 900};
+            burnish_kernels_polygon polygon =
+                random_polygon(2 << trial % 3, zetas[trial % 4], &state);
+            const size_t count = (size_t)trial % 70, first = test_random32(&state) % 1000;
+            if (trial % 20 == 0) {
+                make_input(&from, trial % 40 == 0, &state);
+            }
+            polygon.lobe_count = 1 + trial % 2;
+            polygon.zeta[1] = 1.5f;
+            polygon.weight[1] = 0.5f;
+            memset(light, 0x5a, sizeof light);
+            memset(expected, 0x5a, sizeof expected);
+            run(kernels, &polygon, &from, first, count, out);
+            for (size_t i = 0; i < count; ++i) {
+                float *const to[2] = {&expected[0][i], &expected[1][i]};
+                run(scalar(), &polygon, &from, first + i, 1, to);
+            }
+            CHECK(memcmp(light, expected, sizeof light) == 0, "%s, trial %d: other bits",
+                  burnish_isa_name((burnish_isa)isa), trial);
+        }
+    }
+}
+
+/* ---- Arguments ---- */
+
+static void test_arguments(void) {
+    const float zero[3] = {0, 0, 0}, *const axes[3] = {&zero[0], &zero[1], &zero[2]};
+    const burnish_kernels_points points = {.normal = {zero, zero, zero},
+                                           .position = {zero, zero, zero}};
+    float light[2] = {7, 7};
+    float *const out[2] = {&light[0], &light[1]};
+    const burnish_kernels_polygon good = burnish_kernels_polygon_default();
+#define REFUSED(words, ...)                                                                        \
+    do {                                                                                           \
+        burnish_kernels_polygon bad = good;                                                        \
+        burnish_error error = {.text = ""};                                                        \
+        __VA_ARGS__;                                                                               \
+        CHECK(burnish_kernels_polygon_light(NULL, &bad, &points, axes, 1, out, &error) ==          \
+                      BURNISH_STATUS_ARGUMENT &&                                                   \
+                  strstr(error.text, words) && light[0] == 7,                                      \
+              "%s: \"%s\"", #__VA_ARGS__, error.text);                                             \
+    } while (0)
+    REFUSED("default", bad.cookie = 0);
+    REFUSED("2 vertices", bad.vertex_count = 2);
+    REFUSED("17 vertices", bad.vertex_count = 17);
+    REFUSED("vertex 2", bad.vertices[1][0] = NAN);
+    REFUSED("vertex 4", bad.vertices[3][2] = INFINITY);
+    REFUSED("no area", memset(bad.vertices, 0, sizeof bad.vertices));
+    REFUSED(
+        "no area", for (int v = 0; v < 4; ++v) { bad.vertices[v][0] = bad.vertices[v][1]; });
+    REFUSED("coincide", memcpy(bad.vertices[2], bad.vertices[3], sizeof bad.vertices[3]));
+    REFUSED("plane", bad.vertices[2][2] = 1.01f);
+    REFUSED("convex", bad.vertices[2][0] = bad.vertices[2][1] = -0.5f);
+    REFUSED("(0, 0, 0)", {
+        bad.is_distant = 1;
+        for (int v = 0; v < 4; ++v) {
+            bad.vertices[v][2] = 0;
+        }
+    });
+    REFUSED("4 lobes", bad.lobe_count = 4);
+    REFUSED("order 3", bad.order = 3);
+    REFUSED("zeta 0.4", bad.zeta[0] = 0.4f);
+    REFUSED("zeta nan", bad.zeta[0] = NAN);
+    REFUSED("weight -1", bad.weight[0] = -1);
+#undef REFUSED
+    burnish_kernels_points few = points;
+    few.position[1] = NULL;
+    CHECK(burnish_kernels_polygon_light(NULL, &good, &few, axes, 1, out, NULL) ==
+              BURNISH_STATUS_ARGUMENT,
+          "no positions");
+    few = (burnish_kernels_points){.position = {zero, zero, zero}};
+    CHECK(burnish_kernels_polygon_light(NULL, &good, &few, axes, 1, out, NULL) ==
+              BURNISH_STATUS_ARGUMENT,
+          "no normals");
+    CHECK(burnish_kernels_polygon_light(NULL, &good, &points, NULL, 1, out, NULL) ==
+              BURNISH_STATUS_ARGUMENT,
+          "no axes");
+}
+
+/* ---- The arctangent ---- */
+
+/* All quotients in steps of about 1e-4, from 2^-40 to 2^40, in all quadrants. */
+static void test_arctangent(void) {
+    double worst = 0;
+    for (uint32_t bits = 0x2b800000; bits < 0x53800000; bits += 997) {
+        for (int quadrant = 0; quadrant < 4; ++quadrant) {
+            const float y = quadrant & 1 ? -from_bits(bits) : from_bits(bits);
+            const float x = quadrant & 2 ? -1.5f : 1.5f;
+            const double exact = atan2((double)y, (double)x);
+            worst = fmax(worst, fabs((double)vector_atan2(y, x) - exact));
+        }
+    }
+    CHECK(worst < 2.6e-7, "off by %.3g", worst);
+    CHECK1(vector_atan2(0, 0) == 0 && vector_atan2(0, 1) == 0);
+    CHECK1(vector_atan2(0, -1) == 3.14159265358979323846f);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, "--trials");
+    const char *trials = test_option();
+    RUN(test_values(trials ? atoi(trials) : 150));
+    RUN(test_sides());
+    RUN(test_plane());
+    RUN(test_additivity());
+    RUN(test_lobes());
+    RUN(test_bits());
+    RUN(test_arguments());
+    RUN(test_arctangent());
+    return test_end("polygon");
+}
