@@ -4,7 +4,8 @@
  * Their radiance L is linear; a hemisphere of radiance 1 lights a white, matt surface to 1, as Ia
  * does. render.h adds for each point
  *   kd D(N) + Spec(R, alpha) (F0 A + B)
- * with unit vectors N (normal), V (viewer) and R = 2 (N.V) N - V:
+ * with unit vectors N (normal), V (viewer) and R = 2 (N.V) N - V, which for metallic-roughness
+ * materials is moved toward N by alpha^2:
  *   D(N)           1/pi integral of L max(0, N.w) over the directions w
  *   Spec(R, alpha) mean of L over the directions w, weighted by lobes of R.w as wide as the
  *                  highlight of a material of this alpha
@@ -13,6 +14,9 @@
  *   kd, F0, alpha  metallic-roughness: base (1 - metallic), reflectance (1 - metallic) + base
  *                  metallic, roughness^2; Phong: kd, min(1, 8 ks / (n + 4)), sqrt(2 / (n + 2)). A
  *                  Phong material with ks 0 reflects nothing
+ * Metallic-roughness materials also reflect light several times (Fdez-Aguera, A Multiple-Scattering
+ * Microfacet Model for Real-Time Image Based Lighting, 2019), and their kd is multiplied by the
+ * share that is not reflected, so a white surface in uniform light of 1 is 1.
  * For Phong materials, an area light that shrinks to solid angle W becomes a directional light of
  * colour L W / pi.
  *

@@ -106,12 +106,12 @@ typedef struct environment_vectors {
     vf normal[3], axis[3], n_dot_v;
 } environment_vectors;
 
-/* is_tilted: the axis is moved toward the normal by alpha: rough surfaces reflect less from near
- * the horizon. */
+/* is_tilted: the axis is moved toward the normal by alpha^2: rough surfaces reflect less from near
+ * the horizon (as three.js does). */
 BURNISH_INLINE void environment_load(const burnish_environment_constants *constants,
                                      const burnish_kernels_points *points, int is_tilted,
                                      vf roughness, size_t i, environment_vectors *at) {
-    const vf one = vf_set(1.0f), two = vf_set(2.0f);
+    const vf one = vf_set(1.0f), two = vf_set(2.0f), alpha = vf_mul(roughness, roughness);
     vf viewer[3];
     for (int k = 0; k < 3; ++k) {
         at->normal[k] = vf_load(points->normal[k] + i);
@@ -132,7 +132,7 @@ BURNISH_INLINE void environment_load(const burnish_environment_constants *consta
         const vf mirrored = vf_sub(vf_mul(vf_mul(two, at->n_dot_v), at->normal[k]), viewer[k]);
         at->axis[k] = mirrored;
         if (is_tilted) {
-            at->axis[k] = environment_mix(mirrored, at->normal[k], vf_mul(roughness, roughness));
+            at->axis[k] = environment_mix(mirrored, at->normal[k], vf_mul(alpha, alpha));
         }
     }
     if (is_tilted) {

@@ -45,7 +45,7 @@ struct burnish_kernels {
                             float *const rgb[3]);
 
     /* The axes of the lobes of count points, unit vectors: R, for metallic-roughness moved toward N
-     * by alpha. roughness: NULL: the material's. Reads and writes whole vectors. */
+     * by alpha^2. roughness: NULL: the material's. Reads and writes whole vectors. */
     void (*reflect_points)(const burnish_environment_constants *constants,
                            const burnish_reflecting_material *material,
                            const burnish_kernels_points *points, const float *roughness,

@@ -260,6 +260,30 @@ static void change_lights(frame *f) {
     }
 }
 
+static void change_area_lights(frame *f) {
+    burnish_render_options *o = &f->options;
+    o->area_light_count = chance(60) ? below(4) : 0;
+    for (int i = 0; i < o->area_light_count; ++i) {
+        burnish_area_light *light = &o->area_lights[i];
+        light->shape = (burnish_area_shape)below(2);
+        light->is_distant = chance(70);
+        light->is_two_sided = chance(50);
+        light->follows_camera = chance(50);
+        for (int k = 0; k < 3; ++k) {
+            light->center[k] = uniform(-1, 2);
+            light->half_u[k] = uniform(-1, 1);
+            light->half_v[k] = uniform(-1, 1);
+            light->color[k] = (float)uniform(0, 4);
+        }
+    }
+    o->has_dome = chance(40);
+    o->dome.follows_camera = chance(50);
+    for (int k = 0; k < 3; ++k) {
+        o->dome.zenith[k] = (float)uniform(0, 2);
+        o->dome.horizon[k] = (float)uniform(0.5, 1);
+    }
+}
+
 static void change_occlusion(frame *f) {
     f->options.occlusion = 2 * below(5);
     f->options.occlusion_strength = (float)uniform(0, 1);
@@ -326,12 +350,14 @@ static void change_rows(frame *f) {
 static const struct {
     const char *name;
     void (*make)(frame *f);
-} changes[] = {
-    {"material", change_material}, {"material", change_material}, {"mesh", change_mesh},
-    {"cut", change_cut},           {"camera", change_camera},     {"size", change_size},
-    {"look", change_look},         {"lights", change_lights},     {"occlusion", change_occlusion},
-    {"edges", change_edges},       {"samples", change_samples},   {"shading", change_shading},
-    {"target", change_target},     {"limit", change_limit},       {"rows", change_rows}};
+} changes[] = {{"material", change_material},   {"material", change_material},
+               {"mesh", change_mesh},           {"cut", change_cut},
+               {"camera", change_camera},       {"size", change_size},
+               {"look", change_look},           {"lights", change_lights},
+               {"occlusion", change_occlusion}, {"area lights", change_area_lights},
+               {"edges", change_edges},         {"samples", change_samples},
+               {"shading", change_shading},     {"target", change_target},
+               {"limit", change_limit},         {"rows", change_rows}};
 enum { CHANGES = sizeof changes / sizeof *changes };
 
 /* State that earlier changes may have left and that no longer applies. */

@@ -1,0 +1,322 @@
+/* Area lights and domes in whole pictures: a furnace, sums over many points of a light, lights that
+ * shrink to directional ones, refused options. */
+#include <math.h>
+
+#include "burnish/render.h"
+#include "environment/lobes.h"
+#include "support.h"
+
+enum { SIDE = 96 };
+
+static burnish_error error;
+
+/* A picture and what its pixels show. */
+static struct picture {
+    float rgba[SIDE][SIDE][4], depth[SIDE][SIDE], normal[SIDE][SIDE][3];
+} picture;
+
+static burnish_mesh *load_sphere(void) {
+    burnish_load_options load = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    load.tessellation = 64;
+    CHECK(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+          error.text);
+    return mesh;
+}
+
+/* One sample per pixel, no light, seen from +z in parallel projection or in perspective. */
+static burnish_render_options dark_options(int is_parallel) {
+    burnish_render_options options = burnish_render_options_default();
+    options.width = options.height = SIDE;
+    options.samples = 1;
+    options.camera.position[2] = 4;
+    options.camera.view_angle = 35;
+    options.camera.orthographic_height = is_parallel ? 2.2 : 0;
+    options.light_count = 0;
+    memset(options.ambient_light, 0, sizeof options.ambient_light);
+    return options;
+}
+
+static void draw(const burnish_mesh *mesh, const burnish_render_options *options) {
+    burnish_renderer *renderer;
+    burnish_target target = burnish_target_default();
+    target.pixels.pixels = (uint8_t *)picture.rgba;
+    target.pixels.width = target.pixels.height = SIDE;
+    target.pixels.stride = sizeof picture.rgba[0];
+    target.pixels.format = BURNISH_PIXELS_RGBA_FLOAT;
+    target.depth = picture.depth[0];
+    target.depth_stride = sizeof picture.depth[0];
+    target.normals = picture.normal[0][0];
+    target.normal_stride = sizeof picture.normal[0];
+    burnish_renderer_create(NULL, &renderer, &error);
+    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, NULL, &error) ==
+              BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_renderer_destroy(renderer);
+}
+
+static void set_phong(burnish_mesh *mesh, float diffuse, float specular, float exponent) {
+    burnish_material material = burnish_material_default();
+    for (int k = 0; k < 3; ++k) {
+        material.diffuse[k] = diffuse;
+        material.specular[k] = specular;
+    }
+    material.exponent = exponent;
+    material.has_diffuse = 1;
+    burnish_mesh_set_material(mesh, 0, &material, NULL);
+}
+
+static void set_metal(burnish_mesh *mesh, float metallic, float roughness) {
+    burnish_material material = burnish_material_default();
+    for (int k = 0; k < 3; ++k) {
+        material.diffuse[k] = 1;
+        material.reflectance[k] = 0.04f;
+    }
+    material.has_diffuse = material.is_metallic = 1;
+    material.metallic = metallic;
+    material.roughness = roughness;
+    burnish_mesh_set_material(mesh, 0, &material, NULL);
+}
+
+/* In uniform light of 1 everything white is 1: nothing is lost and nothing is added. */
+static void test_furnace(burnish_mesh *mesh) {
+    burnish_render_options options = dark_options(0);
+    options.has_dome = 1;
+    for (int k = 0; k < 3; ++k) {
+        options.dome.zenith[k] = options.dome.horizon[k] = options.dome.nadir[k] = 1;
+    }
+    for (int i = 0; i < 2 * 11 + 1; ++i) {
+        double least = 9, most = 0;
+        if (i < 22) {
+            set_metal(mesh, (float)(i / 11), (float)(i % 11) / 10);
+        } else {
+            set_phong(mesh, 1, 0, 20);
+        }
+        draw(mesh, &options);
+        for (int y = 0; y < SIDE; ++y) {
+            for (int x = 0; x < SIDE; ++x) {
+                if (isfinite(picture.depth[y][x])) {
+                    least = fmin(least, (double)picture.rgba[y][x][1]);
+                    most = fmax(most, (double)picture.rgba[y][x][1]);
+                }
+            }
+        }
+        CHECK(least > 1 - 1e-5 && most < 1 + 1e-5, "material %d: %g to %g", i, least, most);
+    }
+}
+
+/* ---- Sums over points of a light ---- */
+
+typedef double vec[3];
+
+static double dot(const vec a, const vec b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void normalize(vec a) {
+    const double length = sqrt(dot(a, a));
+    for (int k = 0; k < 3; ++k) {
+        a[k] /= length;
+    }
+}
+
+/* D and Spec at a point, by the midpoint rule over a light of 300 x 300 points. */
+static void integrate(const burnish_area_light *light, const vec position, const vec normal,
+                      const vec axis, double alpha, double out[2]) {
+    enum { STEPS = 300 };
+    const burnish_light_lobes lobes = burnish_light_lobes_for((float)alpha);
+    const double *u = light->half_u, *v = light->half_v;
+    const vec front = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                       u[0] * v[1] - u[1] * v[0]};
+    out[0] = out[1] = 0;
+    for (int i = 0; i < STEPS * STEPS; ++i) {
+        const double a = 2 * (i / STEPS + 0.5) / STEPS - 1, b = 2 * (i % STEPS + 0.5) / STEPS - 1;
+        vec w;
+        if (light->shape == BURNISH_AREA_DISC && a * a + b * b > 1) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            w[k] = light->center[k] + a * u[k] + b * v[k] - (light->is_distant ? 0 : position[k]);
+        }
+        const double squared = dot(w, w);
+        normalize(w);
+        const double facing = light->is_two_sided ? fabs(dot(w, front)) : fmax(0, -dot(w, front));
+        const double solid_angle = 4 * facing / squared / (STEPS * STEPS);
+        const double cosine = dot(w, normal);
+        out[0] += fmax(0, cosine) * solid_angle / 3.14159265358979323846;
+        for (int j = 0; j < lobes.count; ++j) {
+            const burnish_light_lobe *lobe = &lobes.lobe[j];
+            const double zeta = (double)lobe->zeta, c = fmax(0, 1 + zeta * (dot(w, axis) - 1));
+            const double energy = 2 * 3.14159265358979323846 / (zeta * (lobe->order + 1));
+            const int counts = light->is_distant || cosine > 0;
+            out[1] += counts * (double)lobe->weight * pow(c, lobe->order) * solid_angle / energy;
+        }
+    }
+}
+
+/* Where a pixel's point is, and toward the viewer. */
+static void find_point(const burnish_render_options *options, int x, int y, vec position,
+                       vec viewer) {
+    const burnish_camera *camera = &options->camera;
+    const double depth = (double)picture.depth[y][x], tangent = tan(35 * 3.14159265358979 / 360);
+    const double height =
+        camera->orthographic_height > 0 ? camera->orthographic_height : 2 * tangent * depth;
+    position[0] = ((x + 0.5) / SIDE - 0.5) * height;
+    position[1] = (0.5 - (y + 0.5) / SIDE) * height;
+    position[2] = camera->position[2] - depth;
+    for (int k = 0; k < 3; ++k) {
+        viewer[k] = camera->orthographic_height > 0 ? (k == 2) : camera->position[k] - position[k];
+    }
+    normalize(viewer);
+}
+
+/* The largest difference between a picture of one light and the sum, in colour per radiance, over a
+ * grid of pixels. */
+static double compare(const burnish_render_options *options, const burnish_material *material) {
+    const burnish_area_light *light = &options->area_lights[0];
+    const double n = (double)material->exponent, alpha = sqrt(2 / (n + 2)), r = sqrt(alpha);
+    const double f0 = fmin(1, 8 * (double)material->specular[0] / (n + 4));
+    double worst = 0;
+    for (int i = 0; i < SIDE * SIDE; i += 173) {
+        const int x = i % SIDE, y = i / SIDE;
+        vec position, viewer, normal, axis;
+        double sums[2];
+        if (!isfinite(picture.depth[y][x])) {
+            continue;
+        }
+        find_point(options, x, y, position, viewer);
+        for (int k = 0; k < 3; ++k) {
+            normal[k] = (double)picture.normal[y][x][k];
+        }
+        const double n_dot_v = dot(normal, viewer);
+        for (int k = 0; k < 3; ++k) {
+            axis[k] = 2 * n_dot_v * normal[k] - viewer[k];
+        }
+        integrate(light, position, normal, axis, alpha, sums);
+        const double edge =
+            fmin((1 - r) * (1 - r), exp2(-9.28 * fmax(n_dot_v, 0))) * (1 - r) + 0.0425 - 0.0275 * r;
+        const double a = 1.04 - 0.572 * r - 1.04 * edge, b = 0.022 * r - 0.04 + 1.04 * edge;
+        const double want = (double)material->diffuse[0] * sums[0] + (f0 * a + b) * sums[1];
+        const double got = (double)picture.rgba[y][x][0] / (double)light->color[0];
+        worst = fmax(worst, fabs(got - want));
+    }
+    return worst;
+}
+
+static void test_sums(burnish_mesh *mesh) {
+    static const struct {
+        burnish_area_light light;
+        double most; /* error of the maps' look-up, or of floats */
+    } cases[] = {
+        {{BURNISH_AREA_RECT, 1, 0, 0, {-2, 1.5, 1}, {-0.6, 0, -0.8}, {0, 0.8, -0.2}, {4, 4, 4}},
+         4e-3},
+        {{BURNISH_AREA_DISC, 1, 1, 1, {1, 0.5, 1}, {0.6, 0, -0.6}, {0, 0.5, 0}, {2, 2, 2}}, 6e-3},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        for (int is_parallel = 0; is_parallel < 2; ++is_parallel) {
+            for (float exponent = 4; exponent < 300; exponent *= 8) {
+                burnish_render_options options = dark_options(is_parallel);
+                options.area_lights[0] = cases[i].light;
+                options.area_light_count = 1;
+                set_phong(mesh, 0.5f, 1, exponent);
+                draw(mesh, &options);
+                const double worst = compare(&options, burnish_mesh_get_material(mesh, 0));
+                CHECK(worst < cases[i].most, "light %zu, parallel %d, exponent %g: off by %g", i,
+                      is_parallel, (double)exponent, worst);
+            }
+        }
+    }
+}
+
+/* A light that shrinks to a solid angle W lights matt surfaces as a directional one of colour L W /
+ * pi. The map of 32 texels rounds off the bend at the horizon. */
+static void test_small(burnish_mesh *mesh) {
+    static float lit[SIDE][SIDE][4];
+    burnish_render_options options = dark_options(0);
+    double worst = 0;
+    options.area_lights[0] = (burnish_area_light){.is_distant = 1,
+                                                  .center = {2, 1, 2},
+                                                  .half_u = {-0.02, 0, 0.02},
+                                                  .half_v = {-0.01, 0.04, -0.01},
+                                                  .color = {1000, 1000, 1000}};
+    options.area_light_count = 1;
+    set_phong(mesh, 1, 0, 20);
+    draw(mesh, &options);
+    memcpy(lit, picture.rgba, sizeof lit);
+    options.area_light_count = 0;
+    options.light_count = 1;
+    /* half_u and half_v are normal to each other and to the light's direction */
+    const double solid_angle = 4 * sqrt(0.0008) * sqrt(0.0018) / 9;
+    const float color = (float)(1000 * solid_angle / 3.14159265358979);
+    options.lights[0] =
+        (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {2, 1, 2}, {color, color, color}};
+    draw(mesh, &options);
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        worst = fmax(worst, fabs((double)lit[i / SIDE][i % SIDE][0] -
+                                 (double)picture.rgba[i / SIDE][i % SIDE][0]));
+    }
+    CHECK(worst < 3e-2 * (double)color, "off by %g of %g", worst, (double)color);
+}
+
+/* ---- Options ---- */
+
+static void refuse(const burnish_mesh *mesh, const burnish_render_options *options,
+                   const char *message) {
+    burnish_image image;
+    error.text[0] = 0;
+    CHECK1(burnish_render(mesh, options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, message);
+}
+
+static void test_refused(burnish_mesh *mesh) {
+    const burnish_area_light good = {
+        .center = {0, 0, 2}, .half_u = {1, 0, 0}, .half_v = {0, 1, 0}, .color = {1, 1, 1}};
+    burnish_render_options options = dark_options(0);
+    burnish_area_light *light = &options.area_lights[0];
+    options.area_light_count = 9;
+    refuse(mesh, &options, "area lights: 9 is not in [0, 8]");
+    options.area_light_count = 1;
+    *light = good;
+    light->half_v[0] = 1e9;
+    refuse(mesh, &options, "area light 1: needs two finite half sides that are not parallel");
+    *light = good;
+    light->half_u[0] = 0;
+    refuse(mesh, &options, "area light 1: needs two finite half sides that are not parallel");
+    *light = good;
+    light->half_v[1] = NAN;
+    refuse(mesh, &options, "area light 1: needs two finite half sides that are not parallel");
+    *light = good;
+    light->color[2] = -1;
+    refuse(mesh, &options, "area light 1: needs a radiance in [0, 1e6]");
+    *light = good;
+    light->is_distant = 1;
+    light->center[2] = 0;
+    refuse(mesh, &options, "area light 1: needs a finite center (not 0 for a distant light)");
+    *light = good;
+    light->shape = (burnish_area_shape)2;
+    refuse(mesh, &options, "area light 1: has a shape that does not exist");
+    options.area_light_count = 0;
+    options.has_dome = 1;
+    options.dome.nadir[0] = INFINITY;
+    refuse(mesh, &options, "dome: needs radiances in [0, 1e6]");
+    options.dome.nadir[0] = 1;
+    refuse(mesh, &options,
+           "dome: the radiance is negative between zenith, horizon and nadir; raise the horizon's");
+    options.has_dome = 0;
+    options.environment_strength = NAN;
+    refuse(mesh, &options, "environment: a strength of nan is not in [0, 1e6]");
+    options.environment_strength = 1;
+    options.environment_turn = INFINITY;
+    refuse(mesh, &options, "environment: the turn must be a finite number of degrees");
+}
+
+int main(int count, char **arguments) {
+    burnish_mesh *mesh = load_sphere();
+    test_begin(count, arguments, NULL);
+    RUN(test_furnace(mesh));
+    RUN(test_sums(mesh));
+    RUN(test_small(mesh));
+    RUN(test_refused(mesh));
+    burnish_mesh_destroy(mesh);
+    return test_end("area");
+}
