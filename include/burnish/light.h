@@ -65,8 +65,48 @@ typedef struct burnish_dome {
                                               burnish_render_options.up */
 } burnish_dome;
 
-/* An image of the light from all directions. Immutable: any number of threads may use one. */
+/* The largest radiance of an environment. */
+#define BURNISH_RADIANCE_MAX 1e6f
+
+/* The longest side of an environment's image in pixels, and the most pixels. */
+#define BURNISH_ENVIRONMENT_MAX_SIDE 32768
+#define BURNISH_ENVIRONMENT_MAX_PIXELS ((uint64_t)1 << 27)
+
+/* An image of the light from all directions. Immutable: any number of threads may use one.
+ *
+ * The image is equirectangular: the first row is up (y), the last row is down. With x and z
+ * horizontal, the middle column is x and the one at three quarters of the width is z; render.h says
+ * how these axes are turned. Each pixel has constant radiance over its range of angles. An image
+ * with more than 1024 columns or 512 rows is reduced to 1024 x 512 by solid angle, which takes 17
+ * MB; maps of light have no more detail.
+ *
+ * Values that are negative or not numbers count as 0, and values above BURNISH_RADIANCE_MAX as it;
+ * the context's log receives one warning. */
 typedef struct burnish_environment burnish_environment;
+
+/* Creates an environment from linear colours.
+ *   context        supplies memory, receives warnings; NULL: the default
+ *   width, height  [1, BURNISH_ENVIRONMENT_MAX_SIDE], usually 2:1
+ *   rgb            3 width height floats: red, green, blue of each pixel, rows from the top
+ *   environment    receives it, NULL on error; release it with burnish_environment_destroy()
+ * Errors: ARGUMENT, LIMIT, MEMORY. */
+BURNISH_API burnish_status burnish_environment_create(const burnish_context *context, int width,
+                                                      int height, const float *rgb,
+                                                      burnish_environment **environment,
+                                                      burnish_error *error);
+
+/* Creates an environment from bytes: Radiance HDR or, if the build has OpenEXR, EXR with channels
+ * R, G and B or with Y, in the first part of the file. The exposure of an HDR file is undone.
+ *   name  for messages; NULL: "environment"
+ * Errors: FORMAT, LIMIT, MEMORY; ARGUMENT (NULL, or EXR without OpenEXR). */
+BURNISH_API burnish_status burnish_environment_decode(const burnish_context *context,
+                                                      const void *bytes, size_t size,
+                                                      const char *name,
+                                                      burnish_environment **environment,
+                                                      burnish_error *error);
+
+/* NULL is allowed. */
+BURNISH_API void burnish_environment_destroy(burnish_environment *environment);
 
 #ifdef __cplusplus
 }

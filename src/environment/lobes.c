@@ -2,7 +2,28 @@
 
 #include "core/arithmetic.h"
 
+/* The polynomials are fitted to the lobe that split-sum methods integrate (Karis, Real Shading in
+ * Unreal Engine 4, 2013: N = V = R), K(c) ~ D(h) max(0, c) with h^2 = (1 + c) / 2. Energy in wrong
+ * directions: 6.2 % at alpha 0.01, 2.9 % at 0.16, 0.2 % from 0.5 on. */
+static float polynomial(const float p[5], float x) {
+    return p[0] + x * (p[1] + x * (p[2] + x * (p[3] + x * p[4])));
+}
+
 burnish_light_lobes burnish_light_lobes_for(float alpha) {
-    const float a = alpha > 0.01f ? alpha < 1.0f ? alpha : 1.0f : 0.01f;
-    return (burnish_light_lobes){1, {{8, 0.1f / (a * a) + 0.4f, 1.0f}}};
+    static const float zetas[3][5] = {{0.195991f, -0.038349f, 2.437220f, -4.349801f, 2.777889f},
+                                      {0.070456f, 0.049457f, 1.228855f, -1.088043f, 0.823176f},
+                                      {0.020008f, 0.024145f, 0.752692f, 0.344416f, -0.140196f}};
+    static const float weights[2][5] = {{0.433745f, 0.095864f, 0.223609f, -1.405286f, 0.656158f},
+                                        {0.187038f, 0.186449f, 0.333351f, 0.745939f, -0.446119f}};
+    static const int orders[3] = {4, 2, 1};
+    const float a = alpha > 0.0025f ? alpha < 1.0f ? alpha : 1.0f : 0.0025f;
+    const float second = polynomial(weights[0], a), third = polynomial(weights[1], a);
+    const float first = 1 - second - third > 0 ? 1 - second - third : 0;
+    const float share[3] = {first, second, third}, sum = first + second + third;
+    burnish_light_lobes lobes = {.count = 3};
+    for (int j = 0; j < 3; ++j) {
+        const float zeta = polynomial(zetas[j], a) / (a * a);
+        lobes.lobe[j] = (burnish_light_lobe){orders[j], zeta > 1 ? zeta : 1, share[j] / sum};
+    }
+    return lobes;
 }

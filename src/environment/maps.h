@@ -8,7 +8,7 @@
 #include "core/tasks.h"
 #include "shading/light_map.h"
 
-/* The most maps of one alpha. */
+/* The most maps of one alpha each. */
 enum { BURNISH_LIGHT_ALPHAS_MAX = 16 };
 
 /* All in the space of the maps. */
@@ -44,19 +44,19 @@ burnish_status burnish_light_maps_set(burnish_light_maps *maps,
 /* D(N) of light.h. Valid until the sources change. */
 const burnish_light_map *burnish_light_maps_diffuse(const burnish_light_maps *maps);
 
-/* Spec(R, alpha) of light.h, computed unless it has been since the sources were set, and valid until
- * they change.
+/* Spec(R, alpha) of light.h, computed unless it has been for the same sources. Valid until the next
+ * burnish_light_maps_set(), after which another map may replace it.
  *   alpha  clamped to [BURNISH_LIGHT_ALPHA_MIN, 1]
- * Errors: MEMORY, CANCELLED, LIMIT (more than BURNISH_LIGHT_ALPHAS_MAX: use the levels). */
+ * Errors: MEMORY, CANCELLED, LIMIT (more than BURNISH_LIGHT_ALPHAS_MAX since then: use the levels). */
 burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
                                        burnish_light_map *specular, burnish_error *error);
 
-/* The same for all levels. Level 0 has alpha BURNISH_LIGHT_ALPHA_MIN. */
+/* The same for all levels. Level 0 is level 1: maps have no more detail. */
 burnish_status burnish_light_maps_levels(burnish_light_maps *maps,
                                          burnish_light_map levels[BURNISH_LIGHT_LEVELS],
                                          burnish_error *error);
 
-#define BURNISH_LIGHT_ALPHA_MIN 0.02f
+#define BURNISH_LIGHT_ALPHA_MIN 0.015625f /* of level 1 */
 
 /* Axes of an environment whose y axis is `up` (not 0), turned by `degrees` about it,
  * counter-clockwise from above. For up = y and 0 degrees they are x, y, z; for another up they are

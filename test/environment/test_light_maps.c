@@ -150,7 +150,7 @@ static void test_dome(void) {
     for (float alpha = 0.1f; alpha < 1; alpha += 0.3f) {
         const burnish_light_lobes lobes = burnish_light_lobes_for(alpha);
         CHECK1(burnish_light_maps_need(maps, alpha, &map, NULL) == BURNISH_STATUS_OK);
-        compare(&sources, &lobes, &map, 1e-4, 1e-2);
+        compare(&sources, &lobes, &map, 3e-4, 1e-2);
     }
     burnish_light_maps_destroy(maps);
 }
@@ -191,7 +191,11 @@ static void test_keys(void) {
     }
     CHECK1(burnish_light_maps_need(maps, 0.99f, &second, NULL) == BURNISH_STATUS_LIMIT);
     CHECK1(burnish_light_maps_levels(maps, levels, NULL) == BURNISH_STATUS_OK);
-    CHECK1(levels[8].size >= 16);
+    CHECK1(levels[0].texels == levels[1].texels);
+    CHECK1(burnish_light_maps_set(maps, &sources, NULL, NULL, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_light_maps_need(maps, 0.5f, &first, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_light_maps_need(maps, 0.99f, &second, NULL) == BURNISH_STATUS_OK);
+    CHECK1(first.texels != second.texels);
     burnish_light_maps_destroy(maps);
 }
 

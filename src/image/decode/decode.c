@@ -92,6 +92,23 @@ burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memor
     return status;
 }
 
+burnish_status burnish_decode_floats(const burnish_encoded *from, burnish_memory *memory,
+                                     const burnish_float_sink *sink) {
+    static const uint8_t exr[4] = {0x76, 0x2f, 0x31, 0x01};
+    if (from->size >= 2 && memcmp(from->bytes, "#?", 2) == 0) {
+        return burnish_decode_hdr(from, memory, sink);
+    }
+    if (from->size < sizeof exr || memcmp(from->bytes, exr, sizeof exr) != 0) {
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: neither Radiance HDR nor EXR; convert it to one of them",
+                            from->name);
+    }
+    burnish_outside_begin();
+    const burnish_status status = burnish_decode_exr(from, memory, sink);
+    burnish_outside_end();
+    return status;
+}
+
 burnish_status burnish_image_decode(const burnish_context *context, const void *bytes, size_t size,
                                     const char *name, burnish_image *image, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(context, error);

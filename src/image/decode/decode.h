@@ -52,4 +52,25 @@ burnish_status burnish_decode_check(const burnish_encoded *from, uint64_t width,
 burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,
                                       int channels, burnish_memory *memory, burnish_image *picture);
 
+/* ---- Images of floats ---- */
+
+/* Receives an image of linear colours.
+ *   begin  its size, checked, before its pixels; an error ends decoding
+ *   add    each pixel once, in the order of the file */
+typedef struct burnish_float_sink {
+    burnish_status (*begin)(void *context, uint64_t width, uint64_t height);
+    void (*add)(void *context, int x, int y, const float rgb[3]);
+    void *context;
+} burnish_float_sink;
+
+/* Decodes Radiance HDR or EXR; from->channels is not used. Values are arbitrary, NaN included.
+ * Errors: FORMAT, LIMIT, MEMORY; ARGUMENT if this build lacks OpenEXR. */
+burnish_status burnish_decode_floats(const burnish_encoded *from, burnish_memory *memory,
+                                     const burnish_float_sink *sink);
+
+burnish_status burnish_decode_hdr(const burnish_encoded *from, burnish_memory *memory,
+                                  const burnish_float_sink *sink);
+burnish_status burnish_decode_exr(const burnish_encoded *from, burnish_memory *memory,
+                                  const burnish_float_sink *sink);
+
 #endif

@@ -1,0 +1,97 @@
+#include "environment/environment.h"
+
+#include "core/context.h"
+#include "core/float_mode.h"
+#include "environment/builder.h"
+#include "image/decode/decode.h"
+
+typedef burnish_environment_builder builder;
+
+static burnish_status begin(void *context, uint64_t width, uint64_t height) {
+    builder *b = context;
+    return burnish_environment_builder_begin(b, width, height, b->name, b->memory);
+}
+
+static void add(void *context, int x, int y, const float rgb[3]) {
+    burnish_environment_builder_add(context, x, y, rgb);
+}
+
+static void warn(const builder *b) {
+    burnish_error line;
+    if (b->clamped > 0) {
+        burnish_fail(&line, BURNISH_STATUS_FORMAT,
+                     "%.200s: %zu values are negative, above %.0f or not numbers; they are clamped",
+                     b->name, b->clamped, (double)BURNISH_RADIANCE_MAX);
+        burnish_log(b->memory->context, line.text);
+    }
+}
+
+/* Ends the builder, which has failed with `status` if that is not OK. */
+static burnish_status end(builder *b, burnish_status status, burnish_environment **environment) {
+    if (status == BURNISH_STATUS_OK) {
+        warn(b);
+        return burnish_environment_builder_end(b, environment);
+    }
+    burnish_environment_builder_cancel(b);
+    return status;
+}
+
+static burnish_status create(builder *b, int width, int height, const float *rgb,
+                             burnish_environment **environment) {
+    burnish_status status = begin(b, (uint64_t)width, (uint64_t)height);
+    for (int y = 0; y < height && status == BURNISH_STATUS_OK; ++y) {
+        for (int x = 0; x < width; ++x, rgb += 3) {
+            burnish_environment_builder_add(b, x, y, rgb);
+        }
+    }
+    return end(b, status, environment);
+}
+
+burnish_status burnish_environment_create(const burnish_context *context, int width, int height,
+                                          const float *rgb, burnish_environment **environment,
+                                          burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(context, error);
+    builder b = {.memory = &memory, .name = "environment"};
+    if (!environment || !rgb || width < 1 || height < 1) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "environment: %s",
+                            !environment ? "NULL; pass where to put it"
+                            : !rgb       ? "rgb is NULL; pass colours"
+                                         : "width and height must be at least 1");
+    }
+    *environment = NULL;
+    const burnish_float_mode before = burnish_float_mode_enter();
+    const burnish_status status = create(&b, width, height, rgb, environment);
+    burnish_float_mode_leave(before);
+    return status;
+}
+
+burnish_status burnish_environment_decode(const burnish_context *context, const void *bytes,
+                                          size_t size, const char *name,
+                                          burnish_environment **environment, burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(context, error);
+    builder b = {.memory = &memory, .name = name ? name : "environment"};
+    if (!environment || (!bytes && size > 0)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one",
+                            environment ? "bytes" : "environment");
+    }
+    *environment = NULL;
+    const burnish_float_mode before = burnish_float_mode_enter();
+    const burnish_encoded from = {.bytes = bytes,
+                                  .size = size,
+                                  .name = b.name,
+                                  .max_side = BURNISH_ENVIRONMENT_MAX_SIDE,
+                                  .max_pixels = BURNISH_ENVIRONMENT_MAX_PIXELS};
+    const burnish_float_sink sink = {begin, add, &b};
+    const burnish_status status =
+        end(&b, burnish_decode_floats(&from, &memory, &sink), environment);
+    burnish_float_mode_leave(before);
+    return status;
+}
+
+void burnish_environment_destroy(burnish_environment *environment) {
+    if (environment) {
+        const burnish_context *owner = environment->owner;
+        burnish_release(owner, environment->memory);
+        burnish_release(owner, environment);
+    }
+}
