@@ -94,13 +94,13 @@ static void lay_out(const burnish_mesh *mesh, burnish_framing framing,
     burnish_error error = {BURNISH_STATUS_OK, ""};
     annotations.kinds = kinds;
     framing.aspect = (double)width / height;
-    CHECK(burnish_annotate_inset(mesh, &annotations, &framing, width, height, framing.inset,
-                                 &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
-    CHECK(burnish_camera_frame(mesh, &framing, &made->camera, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
-    CHECK1(burnish_annotation_view_make(mesh, &annotations, &made->camera, width, height,
-                                        &made->view, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(
+        burnish_annotate_inset(mesh, &annotations, &framing, width, height, framing.inset, &error),
+        error);
+    CHECK_OK(burnish_camera_frame(mesh, &framing, &made->camera, &error), error);
+    CHECK_OK(burnish_annotation_view_make(mesh, &annotations, &made->camera, width, height,
+                                          &made->view, &error),
+             error);
     made->memory = burnish_memory_of(NULL, &error);
     CHECK1(burnish_annotation_lay_out(&made->view, kinds, 1, &made->memory, &made->list) ==
            BURNISH_STATUS_OK);

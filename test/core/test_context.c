@@ -144,7 +144,7 @@ static void test_memory_of(int own) {
         options.allocator = (burnish_allocator){count_allocate, count_release, &c};
     }
     burnish_context *context = NULL;
-    CHECK1(burnish_context_create(&options, &context, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_context_create(&options, &context, &error), error);
     CHECK1(c.live == own);
     check_arrays(context);
     check_shortage(context);

@@ -72,10 +72,10 @@ static void test_refusals(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_mesh *mesh;
     burnish_error error;
-    CHECK1(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
     burnish_framing framing = burnish_framing_default();
     burnish_camera camera;
-    CHECK1(burnish_camera_frame(mesh, &framing, &camera, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_camera_frame(mesh, &framing, &camera, &error), error);
 #define REFUSED(type, value, call, what)                                                           \
     do {                                                                                           \
         burnish_##type value;                                                                      \
@@ -110,7 +110,7 @@ static void test_refusals(void) {
     burnish_render_options options = burnish_render_options_default();
     burnish_renderer *renderer;
     options.camera = camera;
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
     REFUSED(target, old, burnish_renderer_draw_into(renderer, mesh, &options, &old, NULL, &error),
             "target");
     burnish_renderer_destroy(renderer);
@@ -127,7 +127,7 @@ static void test_cookies(void) {
     burnish_mesh *mesh = NULL;
     burnish_camera camera;
     burnish_error error;
-    CHECK1(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
     CHECK1(burnish_camera_frame(mesh, &framing, &camera, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "options: not initialised; start from burnish_framing_default()");
     burnish_mesh_destroy(mesh);

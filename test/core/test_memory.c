@@ -226,8 +226,7 @@ static burnish_mesh *make_box(int mode) {
         arrays.textures = &texture;
         arrays.material_count = arrays.texture_count = 1;
     }
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     return mesh;
 }
 

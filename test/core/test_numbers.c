@@ -143,7 +143,7 @@ static void test_decimal_comma(void) {
     if (!test_decimal_comma_begin()) {
         return;
     }
-    CHECK1(read_text(BURNISH_FORMAT_OBJ, obj, &source, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(read_text(BURNISH_FORMAT_OBJ, obj, &source, &error), error);
     CHECK1(source.streams[BURNISH_POSITION].count == 3 && burnish_positions(&source)[0] == 1.5f &&
            burnish_positions(&source)[3] == 2.25f && burnish_positions(&source)[6] == 0.1f &&
            burnish_positions(&source)[7] == 1);

@@ -47,8 +47,7 @@ static burnish_comparison compare(const burnish_image *a, const burnish_image *b
     const burnish_pixels pa = burnish_image_get_pixels(a), pb = burnish_image_get_pixels(b);
     burnish_comparison found;
     burnish_error error = {0};
-    CHECK(burnish_pixels_compare(&pa, &pb, options, &found, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_pixels_compare(&pa, &pb, options, &found, &error), error);
     return found;
 }
 
@@ -323,7 +322,7 @@ static void test_context(void) {
     CHECK1(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error) ==
            BURNISH_STATUS_CANCELLED);
     c.questions = -1;
-    CHECK1(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_pixels_compare(&pixels, &pixels, &options, &found, &error), error);
     burnish_context_destroy(context);
     CHECK1(atomic_load(&c.live) == 0);
     burnish_image_destroy(&a);

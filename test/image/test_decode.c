@@ -66,9 +66,8 @@ static void test_formats(void) {
         picture_file file = {0};
         burnish_error error = {BURNISH_STATUS_OK, ""};
         if (formats[i].encode(&pixels, &options, &file, &error) == BURNISH_STATUS_OK) {
-            CHECK(burnish_image_decode(NULL, file.bytes, file.size, NULL, &decoded, &error) ==
-                      BURNISH_STATUS_OK,
-                  "%s", error.text);
+            CHECK_OK(burnish_image_decode(NULL, file.bytes, file.size, NULL, &decoded, &error),
+                     error);
             CHECK(largest_difference(&image, &decoded) <= formats[i].worst, "%zu: %d", i,
                   largest_difference(&image, &decoded));
             burnish_image_destroy(&decoded);
@@ -187,8 +186,7 @@ static void test_tga_runs(void) {
         bytes[18 + 2 * i] = 0xFF; /* 128 pixels, the last ones beyond the picture */
         bytes[19 + 2 * i] = (uint8_t)(10 * i);
     }
-    if (CHECK1(burnish_image_decode(NULL, bytes, sizeof bytes, NULL, &image, &error) ==
-               BURNISH_STATUS_OK)) {
+    if (CHECK_OK(burnish_image_decode(NULL, bytes, sizeof bytes, NULL, &image, &error), error)) {
         for (int i = 0; i < 1000; ++i) { /* rows from the bottom */
             const int at = (9 - i / 100) * 100 + i % 100;
             CHECK(image.pixels[3 * at] == 10 * (i / 128), "pixel %d", i);
@@ -346,8 +344,7 @@ static void test_odd_bmp(void) {
     CHECK_TEXT(error.text, "a.bmp: the file ends before its pixels; it is truncated");
     const size_t size = make_bmp(bytes, &plain);
     bytes[size - 4] = 200; /* the first pixel of the upper row */
-    if (CHECK1(burnish_image_decode(NULL, bytes, size, "a.bmp", &image, &error) ==
-               BURNISH_STATUS_OK)) {
+    if (CHECK_OK(burnish_image_decode(NULL, bytes, size, "a.bmp", &image, &error), error)) {
         CHECK1(memcmp(image.pixels, (const uint8_t[3]){0, 0, 0}, 3) == 0);
         burnish_image_destroy(&image);
     }
@@ -454,11 +451,9 @@ static burnish_mesh *load_text(folder *f, const char *name, const char *text,
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *mesh;
     f->asked[0] = 0;
-    CHECK1(burnish_png_encode(&pixels, NULL, &f->png, &f->png_size, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_png_encode(&pixels, NULL, &f->png, &f->png_size, &error), error);
     options.referenced_files = (burnish_file_loader){load, NULL, f};
-    CHECK(burnish_mesh_load_memory(text, strlen(text), name, &options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), name, &options, &mesh, &error), error);
     burnish_release(NULL, f->png);
     burnish_image_destroy(&image);
     return mesh;
@@ -557,7 +552,7 @@ static void test_side_by_side(void) {
         static byte_list binary;
         uint8_t *png;
         size_t size;
-        CHECK1(burnish_png_encode(&pixels, NULL, &png, &size, &error) == BURNISH_STATUS_OK);
+        CHECK_OK(burnish_png_encode(&pixels, NULL, &png, &size, &error), error);
         binary.size = 0;
         put_floats(&binary, 9, (const float[]){0, 0, 0, 1, 0, 0, 0, 1, 0});
         put(&binary, png, size);
@@ -581,9 +576,9 @@ static void test_side_by_side(void) {
         for (int i = 0; i < 2; ++i) {
             options.threads = i == 0 ? 1 : 4;
             meshes[0][i] = load_text(&f, "m.obj", obj, &options);
-            CHECK(burnish_mesh_load_memory(glb.bytes, glb.size, "m.glb", &options, &meshes[1][i],
-                                           &error) == BURNISH_STATUS_OK,
-                  "%s", error.text);
+            CHECK_OK(burnish_mesh_load_memory(glb.bytes, glb.size, "m.glb", &options, &meshes[1][i],
+                                              &error),
+                     error);
         }
         for (int i = 0; i < 2; ++i) {
             check_same(meshes[i][0], meshes[i][1], limit);

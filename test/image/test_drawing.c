@@ -22,14 +22,14 @@ static burnish_mesh *load(const char *name) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = NULL;
     options.measure = 1;
-    CHECK1(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
+    CHECK_OK(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error), error);
     return mesh;
 }
 
 static void cut(burnish_mesh *mesh, double x, double y, double z, double offset) {
     const burnish_clip_plane plane = {{x, y, z}, offset};
-    CHECK(burnish_mesh_clip(mesh, &plane, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
 }
 
 static burnish_render_options make_options(const burnish_mesh *mesh, int orthographic) {
@@ -40,7 +40,7 @@ static burnish_render_options make_options(const burnish_mesh *mesh, int orthogr
     options.height = HEIGHT;
     framing.aspect = (double)WIDTH / HEIGHT;
     framing.orthographic = orthographic;
-    CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_camera_frame(mesh, &framing, &options.camera, &error), error);
     return options;
 }
 
@@ -84,9 +84,7 @@ static void draw_groups(const char *text, const burnish_image *image) {
         }
         const burnish_ink ink = burnish_ink_of(color, opacity ? strtof(opacity, NULL) : 1);
         burnish_memory memory = burnish_memory_of(NULL, &error);
-        CHECK(burnish_strokes_draw(&pixels, strokes, count, &ink, NULL, &memory) ==
-                  BURNISH_STATUS_OK,
-              "%s", error.text);
+        CHECK_OK(burnish_strokes_draw(&pixels, strokes, count, &ink, NULL, &memory), error);
     }
 }
 
@@ -106,8 +104,8 @@ static size_t count_differences(const burnish_image *a, const burnish_image *b, 
 static char *svg_of(const burnish_drawing *drawing, double dots_per_inch) {
     char *text = NULL;
     size_t size = 0;
-    CHECK1(burnish_drawing_encode_svg(drawing, NULL, NULL, dots_per_inch, &text, &size, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_drawing_encode_svg(drawing, NULL, NULL, dots_per_inch, &text, &size, &error),
+             error);
     return text;
 }
 
@@ -136,19 +134,19 @@ static void test_annotations(int orthographic) {
     CHECK1(burnish_annotate_inset(mesh, &annotations, &framing, WIDTH, HEIGHT, framing.inset,
                                   &error) == BURNISH_STATUS_OK &&
            burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error), error);
     CHECK1(burnish_image_create(NULL, &expected, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK &&
            burnish_image_create(NULL, &drawn, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
     fill_white(&expected);
     fill_white(&drawn);
     const burnish_pixels pixels = burnish_image_get_pixels(&expected);
-    CHECK1(burnish_annotate(mesh, &annotations, &options.camera, &pixels, &left_out[0], &error) ==
-           BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, &left_out[1],
-                                    &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_annotate(mesh, &annotations, &options.camera, &pixels, &left_out[0], &error),
+             error);
+    CHECK_OK(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error), error);
+    CHECK_OK(burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, &left_out[1],
+                                      &error),
+             error);
     char *text = svg_of(drawing, 0);
     draw_groups(text, &drawn);
     CHECK1(left_out[0] == left_out[1]);
@@ -222,13 +220,12 @@ static void find_truth(const burnish_mesh *mesh, const burnish_render_options *o
     burnish_render_options plain = *options;
     plain.edges = 0;
     plain.samples = 1;
-    CHECK1(burnish_image_create(NULL, image, WIDTH, HEIGHT, 3, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_image_create(NULL, image, WIDTH, HEIGHT, 3, &error), error);
     target.pixels = burnish_image_get_pixels(image);
     target.normals = normals[0];
     target.normal_stride = WIDTH * sizeof *normals;
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_draw_into(renderer, mesh, &plain, &target, NULL, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &plain, &target, NULL, &error), error);
     memset(t, 0, sizeof *t);
     for (int i = 0; i < WIDTH * HEIGHT; ++i) {
         const uint8_t *p = image->pixels + 3 * (size_t)i;
@@ -302,16 +299,15 @@ static void test_areas(int orthographic) {
     for (int k = 0; k < 3; ++k) {
         grey.ambient[k] = 0.8F;
     }
-    CHECK1(burnish_mesh_set_material(mesh, 0, &grey, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_set_material(mesh, 0, &grey, &error), error);
     const burnish_render_options options = make_options(mesh, orthographic);
     find_truth(mesh, &options, planes, &image, &t);
     CHECK(t.count[1] > 5000 && t.count[2] > 2000 && t.count[3] > 2000, "%g %g %g", t.count[1],
           t.count[2], t.count[3]);
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &edged, NULL, &error) ==
-           BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &edged, NULL, &error), error);
+    CHECK_OK(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error), error);
+    CHECK_OK(burnish_renderer_trace(renderer, mesh, &options, drawing, &error), error);
     char *text = svg_of(drawing, 0);
     int areas[4] = {0}, hatched = 0, kind = 0;
     const char *end = strstr(text, "<g ");
@@ -359,22 +355,20 @@ static void test_sheet(void) {
     burnish_drawing *drawings[CELLS], *drawn_sheet = NULL, *other = NULL;
     burnish_sheet_cell cells[CELLS];
     for (int i = 0; i < CELLS; ++i) {
-        CHECK1(burnish_image_create(NULL, &images[i], W, H, 3, &error) == BURNISH_STATUS_OK);
+        CHECK_OK(burnish_image_create(NULL, &images[i], W, H, 3, &error), error);
         memset(images[i].pixels, 100 + i, W * H * 3);
-        CHECK1(burnish_drawing_create(NULL, W, H, &drawings[i], &error) == BURNISH_STATUS_OK);
+        CHECK_OK(burnish_drawing_create(NULL, W, H, &drawings[i], &error), error);
         cells[i] = (burnish_sheet_cell){.image = &images[i], .label = labels[i]};
     }
-    CHECK1(burnish_image_sheet(&sheet, cells, CELLS, COLUMNS, white, ink, &error) ==
-           BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_sheet(cells, drawings, CELLS, COLUMNS, ink, &drawn_sheet, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_image_sheet(&sheet, cells, CELLS, COLUMNS, white, ink, &error), error);
+    CHECK_OK(burnish_drawing_sheet(cells, drawings, CELLS, COLUMNS, ink, &drawn_sheet, &error),
+             error);
     char *text = svg_of(drawn_sheet, 254);
     char head[160];
     snprintf(head, sizeof head, "width=\"%gmm\" height=\"%gmm\" viewBox=\"0 0 %d %d\"",
              sheet.width / 10.0, sheet.height / 10.0, sheet.width, sheet.height);
     CHECK(strstr(text, head), "%s is not in %.200s", head, text);
-    CHECK1(burnish_image_create(NULL, &drawn, sheet.width, sheet.height, 3, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_image_create(NULL, &drawn, sheet.width, sheet.height, 3, &error), error);
     fill_white(&drawn);
     draw_groups(text, &drawn);
     const char *tag = strstr(text, "<svg x=");
@@ -394,7 +388,7 @@ static void test_sheet(void) {
     burnish_release(NULL, text);
     burnish_drawing_destroy(drawn_sheet);
 
-    CHECK1(burnish_drawing_create(NULL, W, H + 1, &other, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_drawing_create(NULL, W, H + 1, &other, &error), error);
     images[0] = (burnish_image){.width = W, .height = H, .channels = 3};
     cells[0].image = &images[0];
     CHECK1(burnish_drawing_sheet(cells, &other, 1, 1, ink, &drawn_sheet, &error) ==
@@ -432,12 +426,12 @@ static void test_font(void) {
     burnish_image image = {0}, sheet = {0};
     burnish_drawing *drawing, *drawn = NULL;
     size_t wrong = 0, dark = 0;
-    CHECK1(burnish_image_create(NULL, &image, W, H, 3, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_create(NULL, W, H, &drawing, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_image_create(NULL, &image, W, H, 3, &error), error);
+    CHECK_OK(burnish_drawing_create(NULL, W, H, &drawing, &error), error);
     fill_white(&image);
     const burnish_sheet_cell cell = {&image, "abc", &font};
-    CHECK1(burnish_image_sheet(&sheet, &cell, 1, 1, white, ink, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_sheet(&cell, &drawing, 1, 1, ink, &drawn, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_image_sheet(&sheet, &cell, 1, 1, white, ink, &error), error);
+    CHECK_OK(burnish_drawing_sheet(&cell, &drawing, 1, 1, ink, &drawn, &error), error);
     char *text = svg_of(drawn, 0);
     const char *label = strstr(text, "<path aria-label=\"abc\" fill=\"#000000\" d=\"");
     if (CHECK1(label)) {
@@ -466,7 +460,7 @@ static void test_arguments(void) {
            BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_drawing_encode_svg(NULL, NULL, NULL, 0, &text, &size, &error) ==
            BURNISH_STATUS_ARGUMENT);
-    CHECK1(burnish_drawing_create(NULL, 1000, 700, &drawing, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_drawing_create(NULL, 1000, 700, &drawing, &error), error);
     CHECK1(burnish_drawing_encode_svg(drawing, NULL, NULL, 0.5, &text, &size, &error) ==
            BURNISH_STATUS_ARGUMENT);
     text = svg_of(drawing, 300);
@@ -503,9 +497,9 @@ static void test_memory(void) {
         size_t size;
         target.depth = depth;
         target.depth_stride = 64 * sizeof *depth;
-        CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
-        CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
-               BURNISH_STATUS_OK);
+        CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+        CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error),
+                 error);
         atomic_store(&counted.left, failures);
         annotations.context = context;
         status = burnish_drawing_create(context, 64, 48, &drawing, &error);

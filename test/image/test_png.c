@@ -444,8 +444,8 @@ static void test_write_view(void) {
     uint8_t *bytes = NULL, found[4000];
     size_t size = 0;
     options.dots_per_inch = 300;
-    CHECK1(burnish_png_encode(&view, &options, &bytes, &size, &error) == BURNISH_STATUS_OK);
-    CHECK(burnish_png_write(&view, PATH, &options, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_png_encode(&view, &options, &bytes, &size, &error), error);
+    CHECK_OK(burnish_png_write(&view, PATH, &options, &error), error);
     FILE *file = fopen(PATH, "rb");
     if (CHECK(file != NULL, "no file")) {
         CHECK(fread(found, 1, sizeof found, file) == size && memcmp(found, bytes, size) == 0,
@@ -470,9 +470,9 @@ static size_t stream_pieces(const burnish_pixels *pixels, const burnish_png_opti
     burnish_error error = {BURNISH_STATUS_OK, ""};
     uint64_t state = test_seed(most);
     size_t size = 0;
-    CHECK(burnish_png_stream_create(pixels->width, pixels->height, pixels->format, options, &stream,
-                                    &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_png_stream_create(pixels->width, pixels->height, pixels->format, options,
+                                       &stream, &error),
+             error);
     for (int row = 0; row < pixels->height;) {
         burnish_pixels piece = *pixels;
         uint8_t *bytes = NULL;
@@ -480,8 +480,7 @@ static size_t stream_pieces(const burnish_pixels *pixels, const burnish_png_opti
         const int left = pixels->height - row, wanted = 1 + (int)(test_random32(&state) % most);
         piece.height = wanted < left ? wanted : left;
         piece.pixels += (size_t)row * piece.stride;
-        CHECK(burnish_png_stream_add(stream, &piece, &bytes, &count, &error) == BURNISH_STATUS_OK,
-              "%s", error.text);
+        CHECK_OK(burnish_png_stream_add(stream, &piece, &bytes, &count, &error), error);
         if (CHECK1(count <= room - size && (count > 0) == (bytes != NULL)) && bytes) {
             memcpy(file + size, bytes, count);
         }

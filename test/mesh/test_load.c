@@ -78,7 +78,7 @@ static void test_companions(void) {
     const burnish_load_options options = options_of(&box, NULL);
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
-    if (CHECK(load(0, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text)) {
+    if (CHECK_OK(load(0, &options, &mesh, &error), error)) {
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         CHECK1(burnish_mesh_get_material(mesh, 0)->diffuse[0] == 1);
         CHECK1(burnish_mesh_get_material(mesh, 0)->exponent == 30.3f);
@@ -174,9 +174,9 @@ static void test_crease_auto(void) {
         burnish_mesh *mesh = NULL;
         burnish_error error = {BURNISH_STATUS_OK, ""};
         options.crease_angle = cases[i].angle;
-        if (CHECK(burnish_mesh_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
-                                           &options, &mesh, &error) == BURNISH_STATUS_OK,
-                  "%s", error.text)) {
+        if (CHECK_OK(burnish_mesh_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
+                                              &options, &mesh, &error),
+                     error)) {
             size_t count = burnish_mesh_get_view(mesh)->vertex_count;
             CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
         }

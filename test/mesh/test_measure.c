@@ -104,7 +104,7 @@ static burnish_mesh *load(const char *name, int tessellation, int threads) {
     options.measure = 1;
     options.tessellation = tessellation;
     options.threads = threads;
-    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
     return mesh;
 }
 

@@ -46,8 +46,7 @@ static burnish_mesh *soup(double crease, int turned) {
         cube_point(corners[i], positions + 3 * i);
     }
     arrays.positions = (burnish_array){positions, 36, 0};
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -63,9 +62,9 @@ static burnish_mesh *plain(const float *positions, size_t vertex_count, const ui
                            size_t triangle_count, double crease) {
     burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(create(describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count),
-                 crease, &mesh, &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(create(describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count),
+                    crease, &mesh, &error),
+             error);
     return mesh;
 }
 
@@ -243,9 +242,8 @@ static void test_given_normals(void) {
     const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
     burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(create(describe_arrays(positions, normals, NULL, 4, indices, 2), 40, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(create(describe_arrays(positions, normals, NULL, 4, indices, 2), 40, &mesh, &error),
+             error);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const float *n = view->normals;
     /* Both triangles are turned, and the made normals follow. */
@@ -281,9 +279,9 @@ static void test_many_normals(void) {
         }
         burnish_mesh *mesh = NULL;
         burnish_error error = {BURNISH_STATUS_OK, ""};
-        CHECK(create(describe_arrays(positions, normals, NULL, 3 * sides, indices, sides), 40,
-                     &mesh, &error) == BURNISH_STATUS_OK,
-              "%s", error.text);
+        CHECK_OK(create(describe_arrays(positions, normals, NULL, 3 * sides, indices, sides), 40,
+                        &mesh, &error),
+                 error);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         CHECK(view->vertex_count == 3 * sides, "%u sides: %zu vertices", sides, view->vertex_count);
         CHECK(near(view->bounds_min, 9.5, 9.5, 10, 0.501) && view->bounds_max[2] == 11,
@@ -323,9 +321,7 @@ static burnish_mesh *load_named(const char *tail, size_t triangles) {
     options.keep_texture_coordinates = 1;
     burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_mesh_load_memory(text, size, "named.obj", &options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_mesh_load_memory(text, size, "named.obj", &options, &mesh, &error), error);
     free(text);
     return mesh;
 }

@@ -36,8 +36,7 @@ static burnish_mesh *create(const burnish_mesh_description *arrays, int texture_
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
     options.keep_texture_coordinates = texture_coordinates;
-    CHECK(burnish_mesh_create(arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(arrays, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -192,7 +191,7 @@ static void test_material_numbers(void) {
     burnish_mesh *mesh;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const uint16_t numbers[4] = {2, 1, 0, 2}, zeros[4] = {0};
-    CHECK(build_materials(3, numbers, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(build_materials(3, numbers, &mesh, &error), error);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK1(view->triangle_count == 3 && burnish_mesh_get_material_count(mesh) == 3);
     const uint16_t *kept = view->triangle_materials;
@@ -203,13 +202,13 @@ static void test_material_numbers(void) {
     CHECK1(burnish_mesh_get_material(mesh, 3) == NULL);
     burnish_mesh_destroy(mesh);
 
-    CHECK1(build_materials(1, zeros, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(build_materials(1, zeros, &mesh, &error), error);
     CHECK1(burnish_mesh_get_view(mesh)->triangle_materials == NULL);
     CHECK1(burnish_mesh_get_material_count(mesh) == 1);
     CHECK1(burnish_mesh_get_material(mesh, 0)->exponent == 10);
     burnish_mesh_destroy(mesh);
 
-    CHECK1(build_materials(0, zeros, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(build_materials(0, zeros, &mesh, &error), error);
     burnish_material grey = burnish_material_default();
     CHECK1(burnish_mesh_get_material_count(mesh) == 1);
     CHECK1(memcmp(burnish_mesh_get_material(mesh, 0), &grey, sizeof grey) == 0);
@@ -230,7 +229,7 @@ static void test_set_material(void) {
     m.exponent = 65536;
     m.diffuse[1] = 1;
     m.specular[2] = 0;
-    CHECK1(burnish_mesh_set_material(mesh, 0, &m, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_set_material(mesh, 0, &m, &error), error);
     CHECK1(memcmp(burnish_mesh_get_material(mesh, 0), &m, sizeof m) == 0);
     CHECK1(burnish_mesh_set_material(mesh, 1, &m, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "index: 1 is out of range, the mesh has 1 material");

@@ -335,7 +335,7 @@ static void test_process(int closes) {
             pause();
         }
     }
-    CHECK(status == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(status, error);
     CHECK(code == (closes ? burnish_status_exit_code(BURNISH_STATUS_MEMORY) : 1), "%d", code);
     CHECK_TEXT(ended.text, closes ? "out of memory: the system ended the program"
                                   : "the sandbox ended the program: it requested what drawing "

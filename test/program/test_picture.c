@@ -79,7 +79,7 @@ static void test_jpeg(void) {
         burnish_error error;
         const picture_options options = {.quality = CASES[i].quality};
         struct jpeg_decompress_struct codec;
-        CHECK1(encode(PICTURE_JPEG, &image, options, &file, &error) == BURNISH_STATUS_OK);
+        CHECK_OK(encode(PICTURE_JPEG, &image, options, &file, &error), error);
         uint8_t *pixels = decode_jpeg(&file, &codec);
         CHECK(codec.output_width == 157 && codec.output_height == 91 && codec.density_unit == 0,
               "not the header");
@@ -103,7 +103,7 @@ static void test_jpeg_density(void) {
     burnish_error error;
     struct jpeg_decompress_struct codec;
     picture_options options = {.dots_per_inch = 299.7};
-    CHECK1(encode(PICTURE_JPEG, &image, options, &file, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(encode(PICTURE_JPEG, &image, options, &file, &error), error);
     free(decode_jpeg(&file, &codec));
     CHECK(codec.density_unit == 1 && codec.X_density == 300 && codec.Y_density == 300,
           "%d x %d per unit %d", codec.X_density, codec.Y_density, codec.density_unit);
@@ -136,7 +136,7 @@ static void test_webp(void) {
             burnish_error error;
             const picture_options options = {.quality = quality};
             int width = 0, height = 0;
-            CHECK1(encode(PICTURE_WEBP, &image, options, &file, &error) == BURNISH_STATUS_OK);
+            CHECK_OK(encode(PICTURE_WEBP, &image, options, &file, &error), error);
             uint8_t *pixels = channels == 4 ? WebPDecodeRGBA(file.bytes, file.size, &width, &height)
                                             : WebPDecodeRGB(file.bytes, file.size, &width, &height);
             if (CHECK(pixels && width == 157 && height == 91, "%d x %d pixels", width, height)) {

@@ -170,8 +170,7 @@ static void test_kinds(void) {
                 continue;
             }
             write_png(&k, i / 10, &f);
-            CHECK(picture_decode_png("x.png", f.bytes, f.size, &image, &error) == BURNISH_STATUS_OK,
-                  "%s", error.text);
+            CHECK_OK(picture_decode_png("x.png", f.bytes, f.size, &image, &error), error);
             check_pixels(&k, &image);
             burnish_image_destroy(&image);
         }

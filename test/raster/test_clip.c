@@ -17,7 +17,7 @@ static burnish_mesh *load_with(const char *name, int tessellation, int measure,
     options.tessellation = tessellation;
     options.measure = measure;
     options.context = context;
-    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -32,7 +32,7 @@ static burnish_clip_plane plane_of(double x, double y, double z, double offset) 
 static void cut(burnish_mesh *mesh, double x, double y, double z, double offset) {
     const burnish_clip_plane plane = plane_of(x, y, z, offset);
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_mesh_clip(mesh, &plane, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
 }
 
 /* ---- Volumes ---- */
@@ -71,8 +71,7 @@ static burnish_mesh *make_box(int is_inside_out, const uint8_t *colors,
     const burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, faces, 12);
     options.measure = 1;
     options.context = context;
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -279,9 +278,7 @@ static void draw(const burnish_mesh *mesh, const burnish_render_options *options
     target.normals = to->normals[0][0];
     target.normal_stride = sizeof to->normals[0];
     CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, NULL, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, options, &target, NULL, &error), error);
     burnish_renderer_destroy(renderer);
 }
 

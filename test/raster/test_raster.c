@@ -99,9 +99,9 @@ static void check_each_sample_once(const char *name, const burnish_raster_view *
     burnish_geometry geometry = {0};
     memset(coverage, 0, sizeof coverage);
     burnish_error error;
-    if (!CHECK(update_geometry(&geometry, burnish_raster_ops_for(BURNISH_ISA_SCALAR), view, mesh,
-                               &error) == BURNISH_STATUS_OK,
-               "%s", error.text)) {
+    if (!CHECK_OK(update_geometry(&geometry, burnish_raster_ops_for(BURNISH_ISA_SCALAR), view, mesh,
+                                  &error),
+                  error)) {
         return;
     }
     count_coverage(view, &geometry, coverage);

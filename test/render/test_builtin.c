@@ -11,7 +11,7 @@ static burnish_mesh *make(const char *name, int tessellation) {
     burnish_mesh *mesh = NULL;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
-    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
     return mesh;
 }
 

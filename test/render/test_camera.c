@@ -93,8 +93,7 @@ static void extent(const burnish_mesh *mesh, const burnish_camera *camera, doubl
 static burnish_camera fit(const burnish_mesh *mesh, const burnish_framing *options, int touches) {
     burnish_camera camera = {{0}, {0}, {0}, 0, 0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_camera_frame(mesh, options, &camera, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_camera_frame(mesh, options, &camera, &error), error);
     double e[4], free_side = 2 * options->margin * fmin(options->aspect, 1);
     double limit_x = options->aspect - free_side, limit_y = 1 - free_side;
     extent(mesh, &camera, e);
@@ -129,7 +128,7 @@ static void test_insets(void) {
             options.orthographic = projection > 0;
             options.orthographic_height = projection == 2 ? 12 : 0;
             memcpy(options.inset, cases[i], sizeof options.inset);
-            CHECK1(burnish_camera_frame(mesh, &options, &camera, &error) == BURNISH_STATUS_OK);
+            CHECK_OK(burnish_camera_frame(mesh, &options, &camera, &error), error);
             CHECK1(projection < 2 || camera.orthographic_height == 12);
             extent(mesh, &camera, e);
             for (int k = 0; k < 4; ++k) {

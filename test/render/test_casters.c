@@ -34,8 +34,7 @@ static void draw_card(const burnish_material *card, float right, uint8_t alpha, 
     arrays.triangle_materials = (burnish_array){triangle_materials, 4, 0};
     arrays.textures = &texture;
     arrays.texture_count = 1;
-    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     options.width = options.height = SIZE;
     options.camera = (burnish_camera){{3, -6, 5}, {0, 0, 0}, {0, 0, 1}, 45, 0};
     options.light_count = 1;

@@ -45,7 +45,7 @@ static burnish_mesh *load(const char *name) {
     burnish_load_options options = burnish_load_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *mesh;
-    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -100,8 +100,7 @@ static void test_plate(void) {
     burnish_mesh *mesh;
     const double height = 5;
     double worst = 0;
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     float *pixels = draw(mesh, height, 1, 1, NULL);
     for (int i = 0; i < SIZE; ++i) {
         const double x = (i - SIZE / 2) * height / SIZE;
@@ -130,8 +129,7 @@ static void test_light(void) {
     burnish_mesh *mesh;
     const double height = 4;
     double edges[2] = {0, 0}, before = 1;
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     float *sky = draw(mesh, height, 0, 1, NULL);
     casts_shadow = 1;
     float *both = draw(mesh, height, 0, 1, NULL);
@@ -197,8 +195,7 @@ static burnish_image draw_along(const burnish_mesh *mesh, const double direction
     options.width = options.height = 64;
     options.ground = ground;
     options.occlusion = 8;
-    CHECK(burnish_render(mesh, &options, &image, report, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_render(mesh, &options, &image, report, &error), error);
     return image;
 }
 

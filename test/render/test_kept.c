@@ -147,8 +147,7 @@ static burnish_mesh *make_quads(void) {
     arrays.texture_count = TEXTURES;
     burnish_load_options load = burnish_load_options_default();
     burnish_mesh *mesh = NULL;
-    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     return mesh;
 }
 
@@ -161,8 +160,7 @@ static burnish_mesh *make_mesh(void) {
     }
     load.tessellation = 3;
     load.measure = 1; /* cuts are filled */
-    CHECK(burnish_mesh_load(names[below(3)], &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_load(names[below(3)], &load, &mesh, &error), error);
     return mesh;
 }
 
@@ -216,8 +214,7 @@ static void change_material(frame *f) {
     if (!burnish_mesh_get_view(mesh)->texture_coordinates) {
         memset(material.textures, 0, sizeof material.textures);
     }
-    CHECK(burnish_mesh_set_material(mesh, i, &material, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_set_material(mesh, i, &material, &error), error);
 }
 
 static void change_cut(frame *f) {
@@ -240,10 +237,10 @@ static void change_size(frame *f) {
 
 static void change_look(frame *f) {
     const burnish_look look = (burnish_look)below(BURNISH_LOOK_COUNT);
-    CHECK1(burnish_render_options_set_look(&f->options, look, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_render_options_set_look(&f->options, look, &error), error);
     f->options.occlusion = f->options.occlusion ? 6 : 0;
     if (chance(10)) {
-        CHECK1(burnish_look_set_materials(look, f->meshes[f->mesh], &error) == BURNISH_STATUS_OK);
+        CHECK_OK(burnish_look_set_materials(look, f->meshes[f->mesh], &error), error);
     }
 }
 
@@ -316,7 +313,7 @@ static void change_samples(frame *f) {
 
 static void change_shading(frame *f) {
     static const char *const lobes[] = {"taylor:2", "minimax:4", "power", "lyon:4", "zeta20"};
-    CHECK1(burnish_lobe_spec_parse(lobes[below(5)], &f->options.lobe, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_lobe_spec_parse(lobes[below(5)], &f->options.lobe, &error), error);
     f->options.specular_model = (burnish_specular_model)below(2);
     f->options.local_viewer = chance(50);
     f->options.ignore_colors = chance(30);
@@ -368,9 +365,7 @@ static void settle(frame *f) {
         o->first_row = o->row_count = 0;
     }
     f->framing.aspect = (double)o->width / o->height;
-    CHECK(burnish_camera_frame(f->meshes[f->mesh], &f->framing, &o->camera, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_camera_frame(f->meshes[f->mesh], &f->framing, &o->camera, &error), error);
     for (int k = 0; k < 3; ++k) {
         o->camera.position[k] += f->nearer * (o->camera.focal_point[k] - o->camera.position[k]);
     }
@@ -451,7 +446,7 @@ static int check_frame(burnish_renderer *kept, counts *c, const frame *f, int se
         (ours.status == BURNISH_STATUS_MEMORY || ours.status == BURNISH_STATUS_CANCELLED)) {
         return 1; /* the frames after it count */
     }
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
     draw(renderer, f, &fresh);
     const char *what = difference(&ours, &fresh);
     if (!what && ours.status == BURNISH_STATUS_OK &&
@@ -481,7 +476,7 @@ static void test_sequence(int number) {
     burnish_renderer *kept = NULL;
     state = test_seed(1000 + (uint64_t)number);
     frame f = first_frame();
-    int is_same = CHECK1(burnish_renderer_create(context, &kept, &error) == BURNISH_STATUS_OK);
+    int is_same = CHECK_OK(burnish_renderer_create(context, &kept, &error), error);
     for (int i = 0; i < FRAMES && is_same; ++i) {
         for (int k = 0, count = below(4); k < 3; ++k) {
             const int change = below(CHANGES);

@@ -26,15 +26,13 @@ static burnish_mesh *mesh_of(const shape *s) {
     load.measure = 1;
     const burnish_mesh_description arrays =
         describe_arrays(s->points, NULL, NULL, s->point_count, s->corners, s->triangle_count);
-    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     return mesh;
 }
 
 static burnish_render_options make_options(const double position[3], double height, int edges) {
     burnish_render_options options = burnish_render_options_default();
-    CHECK1(burnish_render_options_set_look(&options, BURNISH_LOOK_DRAWING, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_render_options_set_look(&options, BURNISH_LOOK_DRAWING, &error), error);
     memcpy(options.camera.position, position, sizeof options.camera.position);
     options.camera.orthographic_height = height;
     options.camera.view_up[1] = 0;
@@ -48,10 +46,9 @@ static burnish_render_options make_options(const double position[3], double heig
 /* Draws and leaves the renderer, whose lines the test looks at. */
 static const burnish_lines *draw(burnish_mesh *mesh, const burnish_render_options *options,
                                  burnish_renderer **renderer, burnish_image *image) {
-    CHECK1(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_create(NULL, renderer, &error) == BURNISH_STATUS_OK);
-    CHECK(burnish_renderer_draw(*renderer, mesh, options, image, NULL, &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error), error);
+    CHECK_OK(burnish_renderer_create(NULL, renderer, &error), error);
+    CHECK_OK(burnish_renderer_draw(*renderer, mesh, options, image, NULL, &error), error);
     return burnish_renderer_get_lines(*renderer);
 }
 
@@ -151,7 +148,7 @@ static void test_cube(double height, int is_cut) {
     burnish_image image = {0};
     if (is_cut) {
         const burnish_clip_plane plane = {{0, 0, 1}, 1};
-        CHECK1(burnish_mesh_clip(mesh, &plane, &error) == BURNISH_STATUS_OK);
+        CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
     }
     const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
     int seen = 0, hidden = 0;
@@ -250,7 +247,7 @@ static burnish_mesh *load(const char *name, int tessellation) {
     burnish_mesh *mesh = NULL;
     options.tessellation = tessellation;
     options.measure = 1;
-    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -309,7 +306,7 @@ static void test_no_lines(void) {
     burnish_mesh *mesh = NULL;
     options.camera.view_up[1] = 1;
     options.camera.view_up[2] = 0;
-    CHECK1(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
     CHECK1(draw(mesh, &options, &renderer, &image)->line_count == 0);
     burnish_image_destroy(&image);
     burnish_renderer_destroy(renderer);
@@ -335,13 +332,11 @@ static void test_grid(void) {
     CHECK(fabs(length_of_lines(lines) - expected) < 0.01 * expected, "%g pixels, expected %g",
           length_of_lines(lines), expected);
     options.edges = BURNISH_EDGES_BOUNDARIES;
-    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
     CHECK(fabs(length_of_lines(lines) - 4 * N * pixel) < 1, "%g pixels of boundary",
           length_of_lines(lines));
     options.edges = BURNISH_EDGES_CREASES | BURNISH_EDGES_MATERIALS;
-    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
     CHECK(lines->line_count == 0, "%zu lines on a plane", lines->line_count);
     options.edges = 0;
     CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
@@ -443,9 +438,8 @@ static void test_ink(void) {
     burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error);
     memset(options.edge_color, 0, sizeof options.edge_color);
     options.edge_width = 3;
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error), error);
     const burnish_lines *lines = burnish_renderer_get_lines(renderer);
     double ink = 0, expected = 0;
     for (int i = 0; i < SIZE * SIZE; ++i) {
@@ -474,13 +468,14 @@ static void test_svg(void) {
     burnish_image image = {0};
     char *text = NULL;
     size_t size = 0, found = 0;
-    CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_camera_frame(mesh, &framing, &options.camera, &error), error);
     const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
     burnish_drawing *drawing = NULL;
-    CHECK1(burnish_drawing_create(NULL, SIZE, SIZE, &drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_trace(renderer, mesh, &options, drawing, &error) == BURNISH_STATUS_OK);
-    CHECK1(burnish_drawing_encode_svg(drawing, "a<b>&\"c\n", options.background, 0, &text, &size,
-                                      &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_drawing_create(NULL, SIZE, SIZE, &drawing, &error), error);
+    CHECK_OK(burnish_renderer_trace(renderer, mesh, &options, drawing, &error), error);
+    CHECK_OK(burnish_drawing_encode_svg(drawing, "a<b>&\"c\n", options.background, 0, &text, &size,
+                                        &error),
+             error);
     CHECK1(strlen(text) == size && strstr(text, "<title>a&lt;b&gt;&amp;&quot;c </title>") &&
            strstr(text, "width=\"400\" height=\"400\" viewBox=\"0 0 400 400\"") &&
            strstr(text, "fill=\"#ffffff\""));
@@ -574,7 +569,7 @@ static burnish_mesh *random_mesh(void) {
     }
     const burnish_mesh_description arrays =
         describe_arrays(positions[0], NULL, NULL, 60, corners[0], 150);
-    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -582,8 +577,7 @@ static burnish_mesh *random_mesh(void) {
 
 static uint64_t hash_of(const burnish_mesh *mesh, const burnish_render_options *options) {
     burnish_image image;
-    CHECK(burnish_render(mesh, options, &image, NULL, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_render(mesh, options, &image, NULL, &error), error);
     const uint64_t hash = burnish_image_hash(&image);
     burnish_image_destroy(&image);
     return hash;
@@ -631,14 +625,13 @@ static void test_shortage(void) {
             burnish_renderer *renderer;
             burnish_image image = {0};
             c.left = c.questions = -1;
-            CHECK1(burnish_renderer_create(context, &renderer, &error) == BURNISH_STATUS_OK);
+            CHECK_OK(burnish_renderer_create(context, &renderer, &error), error);
             c.left = mode == 0 ? i : -1;
             c.questions = mode == 1 ? i : -1;
             status = burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error);
             refused += status == (mode == 0 ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_CANCELLED);
             c.left = c.questions = -1;
-            CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
-                   BURNISH_STATUS_OK);
+            CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
             CHECK(burnish_image_hash(&image) == expected, "mode %d, %d", mode, i);
             burnish_image_destroy(&image);
             burnish_renderer_destroy(renderer);

@@ -65,8 +65,7 @@ static burnish_mesh *mesh_of(const scene *s) {
     arrays.triangle_materials = (burnish_array){triangle_materials, triangles, 0};
     arrays.textures = s->textures;
     arrays.texture_count = 2;
-    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     return mesh;
 }
 
@@ -306,8 +305,7 @@ static void test_bits(void) {
                 burnish_error error;
                 s.options.kernels = burnish_kernels_for((burnish_isa)isa);
                 s.options.threads = threads[t];
-                CHECK(burnish_render(mesh, &s.options, &image, NULL, &error) == BURNISH_STATUS_OK,
-                      "%s", error.text);
+                CHECK_OK(burnish_render(mesh, &s.options, &image, NULL, &error), error);
                 const uint64_t hash = burnish_image_hash(&image);
                 first = first ? first : hash;
                 CHECK(hash == first, "isa %d, %d threads: %016llx, not %016llx", isa, threads[t],

@@ -63,8 +63,7 @@ static void test_wall(int directions, double tolerance) {
     double worst = 0;
     arrays.up_axis[0] = arrays.up_axis[1] = 0;
     arrays.up_axis[2] = 1;
-    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     float *open = draw(mesh, down, 0), *occluded = draw(mesh, down, directions);
     int first = SIZE, last = 0;
     for (int x = 0; x < SIZE; ++x) { /* the floor's columns */
@@ -98,8 +97,7 @@ static void test_sphere(void) {
     burnish_mesh *mesh;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     double worst = 0;
-    CHECK(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
     float *open = draw(mesh, along, 0), *occluded = draw(mesh, along, 64);
     for (int i = 0; i < SIZE * SIZE; ++i) {
         const double lost = 1 - (double)(occluded[4 * i] / open[4 * i]);
@@ -156,8 +154,7 @@ static void test_exposure(void) {
     options.width = options.height = 200;
     options.transparent = 1;
     burnish_camera_frame(mesh, &framing, &options.camera, &error);
-    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_render(mesh, &options, &image, NULL, &error), error);
     for (int i = 0; i < 4 * 200 * 200; ++i) {
         const int code = i % 4 < 3 ? image.pixels[i] : 0;
         brightest = code > brightest ? code : brightest;

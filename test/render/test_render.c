@@ -41,7 +41,7 @@ static burnish_mesh *load(const char *name, int tessellation) {
     burnish_mesh *scene;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
-    CHECK(burnish_mesh_load(name, &options, &scene, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &scene, &error), error);
     return scene;
 }
 
@@ -60,8 +60,7 @@ static void set_material(burnish_mesh *scene, float diffuse, float specular, flo
 static void render(const burnish_mesh *scene, const burnish_render_options *options,
                    burnish_image *image, burnish_render_report *report) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK(burnish_render(scene, options, image, report, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_render(scene, options, image, report, &error), error);
 }
 
 typedef struct lobe_case {
@@ -209,8 +208,7 @@ static burnish_mesh *make_scene(const float *positions, const uint8_t *colors, s
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const burnish_mesh_description arrays =
         describe_arrays(positions, NULL, colors, vertex_count, indices, triangle_count);
-    CHECK(burnish_mesh_create(&arrays, &options, &scene, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &scene, &error), error);
     return scene;
 }
 

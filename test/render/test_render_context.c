@@ -11,8 +11,7 @@ static burnish_mesh *load_knot(void) {
     burnish_mesh *mesh;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = 12;
-    CHECK(burnish_mesh_load(":knot", &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_load(":knot", &options, &mesh, &error), error);
     return mesh;
 }
 

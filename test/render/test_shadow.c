@@ -47,8 +47,7 @@ static void test_edge(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *mesh;
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     float *lit = draw(mesh, light, 0), *shaded = draw(mesh, light, 1);
     const float *row = shaded + 4 * SIZE * (SIZE / 2), *open = lit + 4 * SIZE * (SIZE / 2);
     double edge = 0;
@@ -79,8 +78,7 @@ static void test_convex(void) {
     burnish_load_options load = burnish_load_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_mesh *mesh;
-    CHECK(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
     for (int l = 0; l < 3; ++l) {
         float *lit = draw(mesh, lights[l], 0), *shaded = draw(mesh, lights[l], 1);
         double worst = 0;
@@ -152,12 +150,11 @@ static void test_cutoffs_again(void) {
     options.shadow = 1;
     options.occlusion = 8;
     burnish_renderer_create(NULL, &kept, &error);
-    if (CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-              error.text)) {
+    if (CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error)) {
         uint64_t hashes[4];
         for (int i = 0; i < 4; ++i) {
             materials[1].alpha_cutoff = cutoffs[i];
-            CHECK1(burnish_mesh_set_material(mesh, 1, &materials[1], &error) == BURNISH_STATUS_OK);
+            CHECK_OK(burnish_mesh_set_material(mesh, 1, &materials[1], &error), error);
             check_kept_renderer(kept, &image, mesh, &options, "a cutoff");
             hashes[i] = burnish_image_hash(&image);
         }

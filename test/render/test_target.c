@@ -18,7 +18,7 @@ static burnish_mesh *load(const char *name, int tessellation) {
     burnish_mesh *mesh;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     options.tessellation = tessellation;
-    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -168,8 +168,7 @@ static burnish_mesh *make_mesh(const float *positions, size_t vertex_count, cons
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const burnish_mesh_description arrays =
         describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count);
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -272,9 +271,8 @@ static void draw_planes(const burnish_mesh *mesh, const burnish_render_options *
     burnish_renderer *renderer;
     burnish_error error = {BURNISH_STATUS_OK, ""};
     CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &p->target, report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, options, &p->target, report, &error),
+             error);
     burnish_renderer_destroy(renderer);
 }
 

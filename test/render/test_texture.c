@@ -44,8 +44,7 @@ static void open_scene(scene *s, const burnish_material *material, const burnish
     arrays.material_count = 1;
     arrays.textures = textures;
     arrays.texture_count = count;
-    CHECK(burnish_mesh_create(&arrays, &load, &s->mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &s->mesh, &error), error);
     s->options = burnish_render_options_default();
     s->options.width = s->options.height = SIZE;
     s->options.samples = 1;
@@ -457,8 +456,7 @@ static void test_tangents(void) {
     arrays.materials = &material;
     arrays.textures = &texture;
     arrays.material_count = arrays.texture_count = 1;
-    CHECK(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK(view->vertex_count == 8 && view->tangents, "%zu vertices", view->vertex_count);
     for (size_t i = 0; i < 3 * view->triangle_count && view->tangents; ++i) {
@@ -474,7 +472,7 @@ static void test_tangents(void) {
     burnish_mesh_destroy(mesh);
     arrays.texture_coordinates.items = NULL;
     arrays.texture_coordinates.count = 0;
-    CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     CHECK1(!burnish_mesh_get_view(mesh)->tangents && burnish_mesh_get_warning_count(mesh) == 1 &&
            burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_NORMAL].texture == 0);
     burnish_mesh_destroy(mesh);
@@ -520,8 +518,7 @@ static void test_bits(void) {
                 burnish_image image = {0};
                 s.options.kernels = burnish_kernels_for((burnish_isa)isa);
                 s.options.threads = threads[t];
-                CHECK(burnish_render(s.mesh, &s.options, &image, NULL, &error) == BURNISH_STATUS_OK,
-                      "%s", error.text);
+                CHECK_OK(burnish_render(s.mesh, &s.options, &image, NULL, &error), error);
                 const uint64_t hash = burnish_image_hash(&image);
                 first = first ? first : hash;
                 CHECK(hash == first, "isa %d, %d threads: %016llx, not %016llx", isa, threads[t],
@@ -593,7 +590,7 @@ static void test_refused(void) {
     CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_LIMIT);
     load.max_texture_pixels = 1;
     load.ignore_textures = 1;
-    CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
     CHECK1(burnish_mesh_get_texture_count(mesh) == 0 && !burnish_mesh_get_texture(mesh, 0));
     burnish_mesh_destroy(mesh);
 }

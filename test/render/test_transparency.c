@@ -62,8 +62,7 @@ static burnish_mesh *make_squares(const stack *s, uint64_t *state) {
     const burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh;
     burnish_error error;
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -399,7 +398,7 @@ static burnish_mesh *load(const char *name) {
     burnish_mesh *mesh;
     burnish_error error;
     options.tessellation = 6;
-    CHECK(burnish_mesh_load(name, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -442,9 +441,7 @@ static void draw_planes(burnish_renderer *renderer, const burnish_mesh *mesh,
     target.triangle_stride = sizeof to->triangles[0];
     target.coverage = to->coverage[0];
     target.coverage_stride = sizeof to->coverage[0];
-    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error), error);
 }
 
 /* Planes show the nearest triangle, transparent or not; the pixels with planes are those without.

@@ -310,9 +310,7 @@ static int draw(burnish_renderer *renderer, const burnish_mesh *mesh,
     }
     recording.count = 0;
     options->kernels = kernels;
-    return CHECK(burnish_renderer_draw(renderer, mesh, options, image, NULL, &error) ==
-                     BURNISH_STATUS_OK,
-                 "%s", error.text);
+    return CHECK_OK(burnish_renderer_draw(renderer, mesh, options, image, NULL, &error), error);
 }
 
 static void check_frame(gpu_device *gpu, const char *folder, int order) {

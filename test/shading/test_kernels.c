@@ -275,8 +275,7 @@ static void check_errors(void) {
               strstr(error.text, "light 1"),
           "lights count from 1: \"%s\"", error.text);
     good.local_viewer = 1;
-    CHECK(burnish_kernels_shader_create(&good, NULL, &shader, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_kernels_shader_create(&good, NULL, &shader, &error), error);
     CHECK(burnish_kernels_shade_rgba8(scalar(), shader, &points, 1, pixel, &error) ==
               BURNISH_STATUS_ARGUMENT,
           "a local viewer needs positions");

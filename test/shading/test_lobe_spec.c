@@ -290,8 +290,7 @@ static void check_choice_is_drawn(void) {
             CHECK1(burnish_theory_choose((double)(float)n, epsilons[i / 2], i % 2, &model, NULL,
                                          NULL, NULL) == BURNISH_STATUS_OK);
             burnish_lobe_spec_name(&model.lobe, name, sizeof name);
-            if (!CHECK(burnish_lobe_spec_parse(name, &options.lobe, &error) == BURNISH_STATUS_OK,
-                       "%s", error.text)) {
+            if (!CHECK_OK(burnish_lobe_spec_parse(name, &options.lobe, &error), error)) {
                 continue;
             }
             CHECK(burnish_render(sphere, &options, &image, &report, &error) == BURNISH_STATUS_OK &&

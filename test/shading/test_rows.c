@@ -17,7 +17,7 @@ static burnish_mesh *load(const char *name, int measure) {
     burnish_mesh *mesh = NULL;
     load.tessellation = 8;
     load.measure = measure;
-    CHECK(burnish_mesh_load(name, &load, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(burnish_mesh_load(name, &load, &mesh, &error), error);
     return mesh;
 }
 
@@ -29,7 +29,7 @@ static burnish_mesh *make_glass(void) {
     burnish_mesh *mesh = load(":teapot", 0);
     burnish_material material = *burnish_mesh_get_material(mesh, 0);
     material.transparency = 0.4f;
-    CHECK1(burnish_mesh_set_material(mesh, 0, &material, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_set_material(mesh, 0, &material, &error), error);
     return mesh;
 }
 
@@ -37,7 +37,7 @@ static burnish_mesh *make_cut(void) {
     burnish_mesh *mesh = load(":knot", 1);
     const burnish_clip_plane planes[2] = {{{0.2, 0.1, 1}, 0.1}, {{1, 0.3, 0}, 0.4}};
     for (int i = 0; i < 2; ++i) {
-        CHECK(burnish_mesh_clip(mesh, &planes[i], &error) == BURNISH_STATUS_OK, "%s", error.text);
+        CHECK_OK(burnish_mesh_clip(mesh, &planes[i], &error), error);
     }
     return mesh;
 }
@@ -72,8 +72,7 @@ static burnish_mesh *make_textured(void) {
     arrays.material_count = 1;
     arrays.textures = &texture;
     arrays.texture_count = 1;
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     burnish_mesh_destroy(shape);
     free(coordinates);
     free(colors);
@@ -114,7 +113,7 @@ enum { SCENES = sizeof scenes / sizeof *scenes };
 static burnish_render_options make_options(const scene *s, const burnish_mesh *mesh) {
     burnish_render_options options = burnish_render_options_default();
     burnish_framing framing = burnish_framing_default();
-    CHECK1(burnish_render_options_set_look(&options, s->look, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_render_options_set_look(&options, s->look, &error), error);
     options.width = WIDTH;
     options.height = HEIGHT;
     options.samples = s->samples;
@@ -125,8 +124,7 @@ static burnish_render_options make_options(const scene *s, const burnish_mesh *m
     options.cull_back_faces = s->cull;
     framing.aspect = (double)WIDTH / HEIGHT;
     framing.orthographic = s->parallel;
-    CHECK(burnish_camera_frame(mesh, &framing, &options.camera, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_camera_frame(mesh, &framing, &options.camera, &error), error);
     for (int k = 0; s->is_near && k < 3; ++k) { /* into the object */
         options.camera.position[k] =
             0.8 * options.camera.focal_point[k] + 0.2 * options.camera.position[k];
@@ -167,9 +165,7 @@ static burnish_render_report draw_rows(burnish_renderer *renderer, const burnish
     const burnish_target target = target_of(to, format, first, count);
     part.first_row = first;
     part.row_count = count;
-    CHECK(burnish_renderer_draw_into(renderer, mesh, &part, &target, &report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &part, &target, &report, &error), error);
     return report;
 }
 
@@ -221,7 +217,7 @@ static void test_scene(const scene *s) {
     burnish_renderer *renderer = NULL;
     planes *whole = malloc(sizeof *whole);
     burnish_target target = target_of(whole, s->format, 0, HEIGHT);
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         options.kernels = burnish_kernels_for((burnish_isa)isa);
         for (int threads = 1; options.kernels && threads <= 3; threads += 2) {
@@ -229,9 +225,8 @@ static void test_scene(const scene *s) {
             const int is_best = options.kernels == burnish_kernels_best() && threads == 1;
             memset(whole, 0x5a, sizeof *whole);
             options.threads = threads;
-            CHECK(burnish_renderer_draw_into(renderer, mesh, &options, &target, &report, &error) ==
-                      BURNISH_STATUS_OK,
-                  "%s", error.text);
+            CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, &report, &error),
+                     error);
             CHECK(report.covered_pixels > 1000, "%s: it is blank", s->name);
             for (int i = 0; i < 5; ++i) { /* rows one by one take their time */
                 if (is_best || (i < 4 && (i + isa + threads / 2) % 2 == 0)) {
@@ -256,8 +251,7 @@ static void test_scenes(void) {
 static uint64_t hash_of(burnish_renderer *renderer, const burnish_mesh *mesh,
                         const burnish_render_options *options) {
     burnish_image image = {0};
-    CHECK(burnish_renderer_draw(renderer, mesh, options, &image, NULL, &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_renderer_draw(renderer, mesh, options, &image, NULL, &error), error);
     const uint64_t hash = burnish_image_hash(&image);
     burnish_image_destroy(&image);
     return hash;
@@ -281,15 +275,15 @@ static void test_changes(void) {
     options[5].edges = 0;
     options[6].samples = 1;
     options[7].first_row = options[7].row_count = 0;
-    CHECK1(burnish_renderer_create(NULL, &kept, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &kept, &error), error);
     for (int i = 0; i < DRAWN; ++i) {
         const int at = (int)(test_random32(&state) % PICTURES);
         burnish_renderer *fresh = NULL;
-        CHECK1(burnish_renderer_create(NULL, &fresh, &error) == BURNISH_STATUS_OK);
+        CHECK_OK(burnish_renderer_create(NULL, &fresh, &error), error);
         if (i == DRAWN / 2) { /* opaque from now on */
             burnish_material material = *burnish_mesh_get_material(meshes[1], 0);
             material.transparency = 0;
-            CHECK1(burnish_mesh_set_material(meshes[1], 0, &material, &error) == BURNISH_STATUS_OK);
+            CHECK_OK(burnish_mesh_set_material(meshes[1], 0, &material, &error), error);
         }
         CHECK(hash_of(kept, meshes[at == 1], &options[at]) ==
                   hash_of(fresh, meshes[at == 1], &options[at]),
@@ -322,14 +316,14 @@ static void test_refusals(void) {
                            "from 0 on means all");
     options.first_row = 200;
     options.row_count = 3;
-    CHECK1(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_render(mesh, &options, &image, NULL, &error), error);
     CHECK1(image.width == WIDTH && image.height == 3);
     burnish_image_destroy(&image);
 
     burnish_renderer *renderer = NULL;
     planes *p = malloc(sizeof *p);
     burnish_target target = target_of(p, BURNISH_PIXELS_RGB8, 0, HEIGHT);
-    CHECK1(burnish_renderer_create(NULL, &renderer, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
     CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error) ==
            BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "target: 70 x 203 pixels, but the options ask for 70 x 3");

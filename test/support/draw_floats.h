@@ -14,9 +14,7 @@ static inline void draw_floats(const burnish_mesh *mesh, const burnish_render_op
     target.pixels = (burnish_pixels){options->width, options->height, BURNISH_PIXELS_RGBA_FLOAT,
                                      16 * (size_t)options->width, (uint8_t *)pixels};
     CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error), error);
     burnish_renderer_destroy(renderer);
 }
 

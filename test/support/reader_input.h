@@ -127,7 +127,7 @@ static inline burnish_status read_text(burnish_format format, const char *text,
 static inline void read_good_text(burnish_format format, const char *text,
                                   burnish_mesh_data *mesh) {
     burnish_error error;
-    CHECK(read_text(format, text, mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    CHECK_OK(read_text(format, text, mesh, &error), error);
 }
 
 /* Exactly these warnings, `count` texts. */

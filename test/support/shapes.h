@@ -69,8 +69,7 @@ static inline burnish_mesh_facts measure_arrays(const burnish_mesh_description *
     burnish_error error = {0};
     options.measure = 1;
     options.threads = threads;
-    if (CHECK(burnish_mesh_create(arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-              error.text) &&
+    if (CHECK_OK(burnish_mesh_create(arrays, &options, &mesh, &error), error) &&
         CHECK1(burnish_mesh_get_facts(mesh))) {
         facts = *burnish_mesh_get_facts(mesh);
     }

@@ -33,6 +33,9 @@ static const char *test_extra; /* the value of the program's own option, or NULL
      (condition) ? 1                                                                               \
                  : (++test_failures, printf("%s:%d: %s\n", __FILE__, __LINE__, #condition), 0))
 
+/* A call that succeeds; on failure prints its error. */
+#define CHECK_OK(call, error) CHECK((call) == BURNISH_STATUS_OK, "%s", (error).text)
+
 #define CHECK_TEXT(actual, expected)                                                               \
     CHECK(strcmp((actual), (expected)) == 0, "got \"%s\", expected \"%s\"", (actual), (expected))
 

@@ -40,7 +40,7 @@
 /* Reads a model that is valid except for at most one warning; returns 1 if it could be read. */
 static inline int read_fine(const char *model, const char *warning, burnish_mesh_data *s) {
     burnish_error e;
-    const int is_fine = CHECK(read_3mf(model, s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    const int is_fine = CHECK_OK(read_3mf(model, s, &e), e);
     check_warning(s, warning);
     return is_fine;
 }

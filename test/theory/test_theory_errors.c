@@ -10,8 +10,7 @@ static const double HALF_PI = 1.57079632679489661923;
 static burnish_theory_model model_of(const char *words, double n) {
     burnish_theory_model model = {0};
     burnish_error error = {0};
-    CHECK(burnish_theory_model_parse(words, n, &model, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_theory_model_parse(words, n, &model, &error), error);
     return model;
 }
 

@@ -80,8 +80,7 @@ static double wrong_share(double tolerance, double crease_angle) {
     burnish_mesh *mesh = NULL;
     size_t wrong = 0;
     options.crease_angle = crease_angle;
-    if (!CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-               error.text)) {
+    if (!CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error)) {
         return 1;
     }
     /* Fewer than 4,096 triangles keep their order. */
@@ -518,9 +517,7 @@ static burnish_mesh *load_shape(const char *name) {
     burnish_error error = {0};
     burnish_mesh *mesh = NULL;
     print_shape(name + 2);
-    CHECK(burnish_mesh_load_memory(text, text_size, name, &options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_mesh_load_memory(text, text_size, name, &options, &mesh, &error), error);
     return mesh;
 }
 

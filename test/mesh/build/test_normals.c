@@ -49,8 +49,7 @@ static void check_angle(double crease, size_t vertices, uint64_t expected) {
         burnish_error error = {0};
         options.crease_angle = crease;
         options.threads = threads[t];
-        if (!CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-                   error.text)) {
+        if (!CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error)) {
             return;
         }
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);

@@ -39,9 +39,7 @@ static void test_weld(void) {
         burnish_tasks tasks;
         burnish_memory memory = burnish_memory_of(NULL, &error);
         burnish_tasks_begin(&tasks, NULL, threads);
-        CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, welded, &unique) ==
-                  BURNISH_STATUS_OK,
-              "%s", error.text);
+        CHECK_OK(burnish_weld(positions, COUNT, &tasks, &memory, remap, welded, &unique), error);
         CHECK(unique == expected, "%d threads: %zu of %zu", threads, unique, expected);
         for (size_t i = 0; i < COUNT; ++i) {
             next += remap[i] == next;
@@ -111,9 +109,7 @@ static void test_weld_hostile(void) {
         burnish_tasks tasks;
         burnish_memory memory = burnish_memory_of(NULL, &error);
         burnish_tasks_begin(&tasks, NULL, threads);
-        CHECK(burnish_weld(positions, COUNT, &tasks, &memory, remap, welded, &unique) ==
-                  BURNISH_STATUS_OK,
-              "%s", error.text);
+        CHECK_OK(burnish_weld(positions, COUNT, &tasks, &memory, remap, welded, &unique), error);
         CHECK(unique == different, "%zu of %zu", unique, different);
         CHECK1(memcmp(remap, expected, COUNT * sizeof *remap) == 0);
     }

@@ -136,7 +136,7 @@ static void test_production(void) {
                                        "<object id='2'><components><component objectid='1'/>"
                                        "</components></object>",
                                        ITEM_1)));
-    CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_OK(run_3mf(zip, &s, &e), e);
     check_warning(&s, "mesh.3mf: the part \"none.model\" is not in the archive; its objects are "
                       "missing");
     CHECK1(s.triangle_count == 8 && corner_is(&s, 0, 2, 2, 0, 0) && corner_is(&s, 4, 2, 7, 0, 0));
@@ -327,7 +327,7 @@ static void test_textures(void) {
     }
     zip_list *zip = begin_3mf(model);
     put_part(zip, "3d/T.PNG", png, size, 0);
-    CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_OK(run_3mf(zip, &s, &e), e);
     if (CHECK1(size > 0 && s.triangle_count == 5 && s.texture_count == 1 &&
                s.material_count == 2)) {
         const burnish_texture_use *use = &material_of(&s, 0)->textures[BURNISH_TEXTURE_COLOR];
@@ -355,9 +355,7 @@ static void test_mesh(void) {
                                     "<item objectid='1' transform='-1 0 0 0 1 0 0 0 1 -9 0 0'/>"));
     end_zip(zip, 0);
     options.measure = 1;
-    CHECK(burnish_mesh_load_memory(zip->bytes, zip->size, NULL, &options, &mesh, &e) ==
-              BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(burnish_mesh_load_memory(zip->bytes, zip->size, NULL, &options, &mesh, &e), e);
     const burnish_mesh_facts *facts = mesh ? burnish_mesh_get_facts(mesh) : NULL;
     if (CHECK1(facts)) {
         CHECK1(facts->is_solid && fabs(facts->volume - 8) < 1e-9 && facts->shell_count == 2);

@@ -121,8 +121,7 @@ static void test_limits(void) {
     CHECK_TEXT(e.text, "mesh.3mf: more than 7 triangles; raise the limit or simplify the mesh");
     burnish_mesh_data_destroy(&s);
     options.max_triangles = 8;
-    CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e), e);
     burnish_mesh_data_destroy(&s);
 
     /* what unpacks to more than it may; a tag without an end; elements in elements */

@@ -102,7 +102,7 @@ static void test_all_parts(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh;
     burnish_error error = {0};
-    if (!CHECK(load(&s.list, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text)) {
+    if (!CHECK_OK(load(&s.list, &options, &mesh, &error), error)) {
         return;
     }
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
@@ -150,7 +150,7 @@ static void test_least(void) {
         put_floats(&list, places, 9);
         put_words(&list, indices, 3 * triangles);
         close_stream(&list);
-        CHECK(load(&list, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s", error.text);
+        CHECK_OK(load(&list, &options, &mesh, &error), error);
         const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
         CHECK1(view && view->up_axis[1] == 1 && !view->colors);
         CHECK1(view && (triangles ? view->triangle_count == 1 : view->triangle_count > 3));
@@ -286,7 +286,7 @@ static void test_textures(void) {
     burnish_mesh *mesh;
     burnish_error error = {0};
     options.max_texture_pixels = TEXELS - 1;
-    CHECK1(load(&s.list, &options, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(load(&s.list, &options, &mesh, &error), error);
     CHECK1(burnish_mesh_get_texture_count(mesh) == 0);
     CHECK_TEXT(burnish_mesh_get_warning_count(mesh) == 1 ? burnish_mesh_get_warning(mesh, 0) : "",
                "a: texture \"abc\" was skipped: too many texels; raise the limit or make textures "
@@ -294,7 +294,7 @@ static void test_textures(void) {
     burnish_mesh_destroy(mesh);
     options = burnish_load_options_default();
     options.ignore_textures = 1;
-    CHECK1(load(&s.list, &options, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK_OK(load(&s.list, &options, &mesh, &error), error);
     CHECK1(burnish_mesh_get_texture_count(mesh) == 0 && burnish_mesh_get_warning_count(mesh) == 0);
     burnish_mesh_destroy(mesh);
 }

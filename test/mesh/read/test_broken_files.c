@@ -207,7 +207,7 @@ static void test_mtl_messages(void) {
         burnish_mtl library = {0};
         burnish_error error = {0};
         char warning[300];
-        CHECK1(read_mtl(cases[i].text, &library, warning, &error) == BURNISH_STATUS_OK);
+        CHECK_OK(read_mtl(cases[i].text, &library, warning, &error), error);
         CHECK_TEXT(warning, cases[i].message);
         burnish_mtl_destroy(NULL, &library);
     }
@@ -266,8 +266,8 @@ static void test_limits(void) {
            BURNISH_STATUS_LIMIT);
     burnish_mesh_data_destroy(&source);
     options.max_triangles = 3;
-    CHECK1(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source, &error),
+             error);
     burnish_mesh_data_destroy(&source);
 }
 
@@ -538,11 +538,10 @@ static void test_extreme_sizes(void) {
             fit.orthographic = orthographic;
             options.width = options.height = 32;
             options.threads = 1;
-            CHECK(burnish_mesh_load_memory(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load,
-                                           &scene, &error) == BURNISH_STATUS_OK,
-                  "%s", error.text);
-            CHECK(burnish_camera_frame(scene, &fit, &options.camera, &error) == BURNISH_STATUS_OK,
-                  "%s", error.text);
+            CHECK_OK(burnish_mesh_load_memory(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load,
+                                              &scene, &error),
+                     error);
+            CHECK_OK(burnish_camera_frame(scene, &fit, &options.camera, &error), error);
             CHECK(burnish_render(scene, &options, &image, &report, &error) == cases[i].status,
                   "%zu, %d: %s", i, orthographic, error.text);
             if (cases[i].status == BURNISH_STATUS_OK) {

@@ -306,15 +306,13 @@ static void test_crowded(void) {
     burnish_error error;
     size_t most, triangles;
     byte_list few = make_shared(STRIP, POINTS, 40), many = make_shared(STRIP, POINTS, 60);
-    CHECK(load(&few, "few.glb", options, &most, &triangles, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(load(&few, "few.glb", options, &most, &triangles, &error), error);
     CHECK1(triangles > 0);
     CHECK1(load(&many, "many.glb", options, &most, &triangles, &error) == BURNISH_STATUS_LIMIT);
     CHECK(strstr(error.text, "many.glb: too many triangles meet in the same vertices: "), "%s",
           error.text);
     options.max_triangles = 10000000;
-    CHECK(load(&many, "many.glb", options, &most, &triangles, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(load(&many, "many.glb", options, &most, &triangles, &error), error);
     free(few.bytes);
     free(many.bytes);
 }

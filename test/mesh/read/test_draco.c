@@ -94,12 +94,12 @@ static void test_values(void) {
     CHECK1(binary.size == 104);
     seen.calls = seen.releases = 0;
     /* two primitives of one stream: it is decoded once */
-    CHECK(read_draco(DRACO("104", "104",
-                           PRIMITIVE("'POSITION':0,'COLOR_0':2", 0,
-                                     "'POSITION':7,'COLOR_0':2") "," PRIMITIVE("'POSITION':0", 0,
-                                                                               "'POSITION':7")),
-                     &binary, &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(read_draco(DRACO("104", "104",
+                              PRIMITIVE("'POSITION':0,'COLOR_0':2", 0,
+                                        "'POSITION':7,'COLOR_0':2") "," PRIMITIVE("'POSITION':0", 0,
+                                                                                  "'POSITION':7")),
+                        &binary, &s, &e),
+             e);
     CHECK1(seen.calls == 1 && seen.releases == 1);
     CHECK1(seen.request[0] == 104 && seen.request[1] == 0 &&
            memcmp(seen.request + 4, binary.bytes, 104) == 0);
@@ -114,12 +114,13 @@ static void test_values(void) {
 static void test_plain(void) {
     burnish_mesh_data s;
     burnish_error e;
-    CHECK(read_gltf("$head$triangle_accessors,'meshes':[{'primitives':[{'attributes':{'POSITION':0}"
-                    ",'extensions':{"
-                    "'KHR_draco_mesh_compression':{'bufferView':0,'attributes':{}}}}]}],"
-                    "'nodes':[{'mesh':0}]}",
-                    &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(
+        read_gltf("$head$triangle_accessors,'meshes':[{'primitives':[{'attributes':{'POSITION':0}"
+                  ",'extensions':{"
+                  "'KHR_draco_mesh_compression':{'bufferView':0,'attributes':{}}}}]}],"
+                  "'nodes':[{'mesh':0}]}",
+                  &s, &e),
+        e);
     CHECK1(s.triangle_count == 1);
     burnish_mesh_data_destroy(&s);
 }

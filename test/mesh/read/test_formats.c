@@ -12,9 +12,7 @@ static burnish_mesh *load_kind(same_kind kind, const char *name, int strict) {
     burnish_error error = {0};
     options.strict = strict;
     same_mesh(&list, kind);
-    CHECK(burnish_mesh_load_memory(list.bytes, list.size, name, &options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_mesh_load_memory(list.bytes, list.size, name, &options, &mesh, &error), error);
     return mesh;
 }
 
@@ -178,8 +176,8 @@ static void test_garbage(void) {
     for (int i = 0; i < 8; ++i) {
         memcpy(list.bytes + 84 + 50 * i + 12 + 8, "\1\0\0\0", 4);
     }
-    CHECK1(burnish_mesh_load_memory(list.bytes, list.size, "a.stl", &options, &mesh, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_load_memory(list.bytes, list.size, "a.stl", &options, &mesh, &error),
+             error);
     burnish_mesh_destroy(mesh);
 }
 

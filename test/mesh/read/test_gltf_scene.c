@@ -100,8 +100,7 @@ static void test_morph_targets(void) {
                  "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1},"
                  "'targets':[{'POSITION':2,'NORMAL':3},{}]}%s}]",
                  cases[i].weights);
-        if (!CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
-                   "%s", e.text)) {
+        if (!CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e), e)) {
             continue;
         }
         CHECK1(corner_is(&s, 0, 1, 1, 0, cases[i].z) && corner_is(&s, 0, 2, 0, 2, 0));
@@ -137,8 +136,7 @@ static void test_skin(void) {
         "'inverseBindMatrices':2}],'nodes':[{'mesh':0,'skin':0,'translation':[100,0,"
         "0]},{},{'translation':[1,0,0],'rotation':[0,0,0.70710678118654757,"
         "0.70710678118654757]}]";
-    CHECK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK, "%s",
-          e.text);
+    CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e), e);
     /* (5, 0, 0); (1, 0, 0) + (0, 1, 0); the middle of (2, 0, 0) and (1, 1, 0) */
     CHECK1(corner_is(&s, 0, 0, 5, 0, 0) && corner_is(&s, 0, 1, 1, 1, 0) &&
            corner_is(&s, 0, 2, 1.5, 0.5, 0));
@@ -156,14 +154,14 @@ static void test_instances(void) {
     burnish_mesh_data s;
     burnish_error e;
     put_floats(&binary, sizeof floats / sizeof *floats, floats);
-    CHECK(read_posed("'bufferViews':[$view(0,84)],'accessors':[$accessor(0,5126,3,VEC3),"
-                     "$part(36,5126,2,VEC3),$part(60,5126,2,VEC3)],"
-                     "'extensionsRequired':['EXT_mesh_gpu_instancing'],$mesh('POSITION':0),"
-                     "'nodes':[{'mesh':0,'translation':[0,0,5],"
-                     "'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':1,"
-                     "'SCALE':2}}}}]",
-                     &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(read_posed("'bufferViews':[$view(0,84)],'accessors':[$accessor(0,5126,3,VEC3),"
+                        "$part(36,5126,2,VEC3),$part(60,5126,2,VEC3)],"
+                        "'extensionsRequired':['EXT_mesh_gpu_instancing'],$mesh('POSITION':0),"
+                        "'nodes':[{'mesh':0,'translation':[0,0,5],"
+                        "'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':1,"
+                        "'SCALE':2}}}}]",
+                        &binary, BURNISH_AT_REST, NULL, &s, &e),
+             e);
     CHECK1(s.triangle_count == 2 && corner_is(&s, 0, 1, 12, 0, 5) &&
            corner_is(&s, 0, 2, 10, 4, 5) && corner_is(&s, 1, 2, 19, 0, 5) &&
            corner_is(&s, 1, 1, 20, 2, 5)); /* a mirror */
@@ -215,19 +213,17 @@ static void test_animation(void) {
     burnish_mesh_data s;
     burnish_error e;
     for (size_t i = 0; i < sizeof moments / sizeof *moments; ++i) {
-        CHECK(read_posed(rest, &binary, moments[i].time, moments[i].animation, &s, &e) ==
-                  BURNISH_STATUS_OK,
-              "%s", e.text);
+        CHECK_OK(read_posed(rest, &binary, moments[i].time, moments[i].animation, &s, &e), e);
         CHECK(corner_is(&s, 0, 0, moments[i].x, 0, 0), "%zu: %g", i,
               (double)burnish_positions(&s)[0]);
         burnish_mesh_data_destroy(&s);
     }
-    CHECK1(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_OK);
+    CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e), e);
     CHECK1(corner_is(&s, 0, 0, 0, 7, 0));
     burnish_mesh_data_destroy(&s);
     /* From no turn to one of 90 degrees about z, whose quaternion has the other sign. */
     for (int quarter = 0; quarter <= 4; ++quarter) {
-        CHECK1(read_posed(rest, &binary, 1 + quarter / 2.0, "turn", &s, &e) == BURNISH_STATUS_OK);
+        CHECK_OK(read_posed(rest, &binary, 1 + quarter / 2.0, "turn", &s, &e), e);
         const double angle = quarter * acos(0) / 4;
         CHECK(corner_is(&s, 0, 1, cos(angle), 7 + sin(angle), 0), "%d", quarter);
         burnish_mesh_data_destroy(&s);

@@ -26,7 +26,7 @@ static void test_values(void) {
     static const char text[] = " {\"a\" : [1, -2.5e-1,0 ,true,false,null,{}, []],\n"
                                "\"b\":{\"c\":\"x\\n\\u00e9\\ud83d\\ude00\\\"\\/\"},\"a\":7 } \n";
     json_case c;
-    CHECK(parse(&c, text, sizeof text - 1) == BURNISH_STATUS_OK, "%s", c.error.text);
+    CHECK_OK(parse(&c, text, sizeof text - 1), c.error);
     const burnish_json *j = &c.json;
     const uint32_t a = burnish_json_member(j, 0, "a"), b = burnish_json_member(j, 0, "b");
     CHECK1(j->nodes[0].kind == BURNISH_JSON_OBJECT && j->nodes[0].size == 3);

@@ -236,7 +236,7 @@ static burnish_status read_with_library(const char *text, const char *library, b
 
 static void read_good_with(const char *text, const char *library, burnish_mesh_data *s) {
     burnish_error e;
-    CHECK(read_with_library(text, library, s, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_OK(read_with_library(text, library, s, &e), e);
 }
 
 static void test_mtl(void) {
@@ -247,7 +247,7 @@ static void test_mtl(void) {
     burnish_mtl mtl = {0};
     burnish_error e = {0};
     burnish_material grey = burnish_material_default();
-    CHECK(read_mtl(library, &mtl, NULL, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_OK(read_mtl(library, &mtl, NULL, &e), e);
     if (CHECK1(mtl.count == 5)) {
         const burnish_material *red = &mtl.entries[0].material, *dull = &mtl.entries[1].material;
         const burnish_material *matt = &mtl.entries[2].material, *bare = &mtl.entries[3].material;
@@ -377,10 +377,10 @@ static void check_libraries(const char *lines, size_t opened, const char *warnin
     burnish_error e;
     snprintf(text, sizeof text, "%susemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", lines);
     libraries_opened = 0;
-    CHECK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
-                                .load_companion = count_library},
-                  &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
+                                   .load_companion = count_library},
+                     &s, &e),
+             e);
     CHECK(libraries_opened == opened, "%zu of %zu: %s", libraries_opened, opened, lines);
     if (CHECK(s.warning_count == (warning != NULL), "%zu", s.warning_count) && warning) {
         CHECK_TEXT(s.warnings[0], warning);
@@ -414,10 +414,10 @@ static void test_library_line(void) {
     }
     strcpy(text + 7 + 2 * NAMES, "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     libraries_opened = 0;
-    CHECK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
-                                .load_companion = count_library},
-                  &s, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
+                                   .load_companion = count_library},
+                     &s, &e),
+             e);
     CHECK(libraries_opened == 1, "%zu", libraries_opened);
     burnish_mesh_data_destroy(&s);
 }
@@ -503,13 +503,14 @@ static void test_undrawn(void) {
                    "mesh.obj: texture \"my parts/mars.png\" was skipped: mars.png: No "
                    "such file (and 2 more like it)");
     burnish_mesh_data_destroy(&s);
-    CHECK1(read_text(BURNISH_FORMAT_PLY,
-                     "ply\nformat ascii 1.0\ncomment TextureFile moon.png\nelement vertex 3\n"
-                     "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
-                     "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
-                     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                     "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n",
-                     &s, &e) == BURNISH_STATUS_OK);
+    CHECK_OK(read_text(BURNISH_FORMAT_PLY,
+                       "ply\nformat ascii 1.0\ncomment TextureFile moon.png\nelement vertex 3\n"
+                       "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                       "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+                       "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                       "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n",
+                       &s, &e),
+             e);
     check_warnings(&s, 1,
                    "mesh.ply:3: texture \"moon.png\" was skipped: vertices have no "
                    "s and t, faces no texcoord");

@@ -8,9 +8,7 @@ static burnish_mesh *load(const char *text, const char *warning) {
     burnish_error error = {0};
     burnish_load_options options = burnish_load_options_default();
     options.keep_texture_coordinates = 1;
-    CHECK(burnish_mesh_load_memory(text, strlen(text), "a.off", &options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), "a.off", &options, &mesh, &error), error);
     const size_t count = mesh ? burnish_mesh_get_warning_count(mesh) : 0;
     CHECK(count == (warning != NULL), "%zu warnings", count);
     if (warning && count > 0) {
@@ -169,9 +167,8 @@ static void test_long_wrapped(void) {
         burnish_mesh *mesh;
         burnish_error error;
         options.threads = threads;
-        if (CHECK(burnish_mesh_load_memory(text, size, "a.off", &options, &mesh, &error) ==
-                      BURNISH_STATUS_OK,
-                  "%s", error.text)) {
+        if (CHECK_OK(burnish_mesh_load_memory(text, size, "a.off", &options, &mesh, &error),
+                     error)) {
             CHECK1(burnish_mesh_get_view(mesh)->triangle_count == FACES &&
                    burnish_mesh_get_view(mesh)->bounds_max[0] == FACES / 2);
             burnish_mesh_destroy(mesh);
@@ -242,9 +239,8 @@ static void test_threads(void) {
         burnish_load_options options = burnish_load_options_default();
         burnish_error error = {0};
         options.threads = threads[i];
-        CHECK(burnish_mesh_load_memory(text, size, "a.off", &options, &meshes[i], &error) ==
-                  BURNISH_STATUS_OK,
-              "%s", error.text);
+        CHECK_OK(burnish_mesh_load_memory(text, size, "a.off", &options, &meshes[i], &error),
+                 error);
         if (!meshes[i] || !meshes[0]) {
             continue;
         }

@@ -368,7 +368,7 @@ static void test_given(void) {
     options.origin = wrong;
     CHECK1(burnish_mesh_load(":torus", &options, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
     options.origin = other;
-    if (CHECK1(burnish_mesh_load(":torus", &options, &mesh, &error) == BURNISH_STATUS_OK)) {
+    if (CHECK_OK(burnish_mesh_load(":torus", &options, &mesh, &error), error)) {
         CHECK1(burnish_mesh_get_view(mesh)->bounds_max[1] < -4e6f);
         burnish_mesh_destroy(mesh);
     }
@@ -391,9 +391,9 @@ static void test_floats(void) {
     }
     for (int given = 0; given < 2; ++given) {
         options.origin = given ? origin : NULL;
-        if (CHECK(burnish_mesh_load_memory(bytes, sizeof bytes, "a.stl", &options, &mesh, &error) ==
-                      BURNISH_STATUS_OK,
-                  "%s", error.text)) {
+        if (CHECK_OK(
+                burnish_mesh_load_memory(bytes, sizeof bytes, "a.stl", &options, &mesh, &error),
+                error)) {
             const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
             CHECK1(view->bounds_min[0] == (given ? 0 : 4096.0f) && view->bounds_min[1] == 8);
             CHECK1(view->origin[0] == (given ? 4096 : 0));
@@ -422,9 +422,8 @@ static void test_once(void) {
     burnish_error error = {0};
     int times = 0;
     options.referenced_files = (burnish_file_loader){load_library, NULL, &times};
-    if (!CHECK(burnish_mesh_load_memory(obj, sizeof obj - 1, "a.obj", &options, &mesh, &error) ==
-                   BURNISH_STATUS_OK,
-               "%s", error.text)) {
+    if (!CHECK_OK(burnish_mesh_load_memory(obj, sizeof obj - 1, "a.obj", &options, &mesh, &error),
+                  error)) {
         return;
     }
     CHECK1(times == 1);

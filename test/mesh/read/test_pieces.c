@@ -490,9 +490,7 @@ static void test_descriptor(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
-    CHECK(burnish_mesh_load_descriptor(descriptor, "a", &options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_mesh_load_descriptor(descriptor, "a", &options, &mesh, &error), error);
     CHECK1(lseek(descriptor, 0, SEEK_CUR) == (off_t)file_size);
     burnish_mesh_destroy(mesh);
     CHECK1(lseek(descriptor, 50, SEEK_SET) == 50);

@@ -117,8 +117,7 @@ static burnish_mesh *expected_mesh(const layout *how, const uint32_t *triangles,
     const burnish_mesh_description arrays =
         describe_arrays(positions, how->has_normals ? normals : NULL,
                         how->has_colors ? colors : NULL, VERTICES, triangles, count);
-    CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-          error.text);
+    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
     return mesh;
 }
 

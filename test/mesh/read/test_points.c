@@ -8,9 +8,7 @@
 static burnish_mesh *load(const char *name, const char *text, const burnish_load_options *options) {
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
-    CHECK(burnish_mesh_load_memory(text, strlen(text), name, options, &mesh, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), name, options, &mesh, &error), error);
     CHECK1(!mesh || burnish_mesh_get_warning_count(mesh) == 0);
     return mesh;
 }
@@ -180,8 +178,7 @@ static void test_limits(void) {
     CHECK1(mesh != NULL);
     burnish_mesh_destroy(mesh);
     static const char ends[] = "v 0 0 0\nv 3.4028235e38 -3.4028235e38 0\n"; /* the range's */
-    CHECK1(burnish_mesh_load_memory(ends, strlen(ends), "a.obj", &options, &mesh, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_load_memory(ends, strlen(ends), "a.obj", &options, &mesh, &error), error);
     const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
     CHECK1(view && view->bounds_max[0] == FLT_MAX && view->bounds_min[1] == -FLT_MAX);
     burnish_mesh_destroy(mesh);

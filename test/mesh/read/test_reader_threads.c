@@ -147,9 +147,9 @@ static void test_stl_binary(void) {
     burnish_error error;
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, NULL, 3);
-    CHECK(read_as(&(reader_run){BURNISH_FORMAT_STL, t.bytes, t.size, &options, .tasks = &tasks},
-                  &source, &error) == BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(read_as(&(reader_run){BURNISH_FORMAT_STL, t.bytes, t.size, &options, .tasks = &tasks},
+                     &source, &error),
+             error);
     size_t wrong = 0;
     for (size_t i = 0; i < COUNT && source.triangle_count == COUNT; ++i) {
         wrong += memcmp(burnish_positions(&source) + 9 * i, t.bytes + 84 + 50 * i + 12, 36) != 0;

@@ -32,9 +32,8 @@ static void test_binary_stl(void) {
             byte_list list = {.size = 0};
             put_stl(&list, headers[h], 3);
             put(&list, "xyz", more);
-            CHECK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e) ==
-                      BURNISH_STATUS_OK,
-                  "%s", e.text);
+            CHECK_OK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e),
+                     e);
             CHECK1(s.triangle_count == 3 && position_is(&s, 7, 3, 0, 0) &&
                    position_is(&s, 8, 2, 1, 0.5f));
             CHECK1(s.warning_count == (more > 0));
@@ -85,9 +84,7 @@ static void test_stl_colors(void) {
             list.bytes[84 + 50 * k + 48] = (uint8_t)cases[i].attributes[k];
             list.bytes[84 + 50 * k + 49] = (uint8_t)(cases[i].attributes[k] >> 8);
         }
-        CHECK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e) ==
-                  BURNISH_STATUS_OK,
-              "%s", e.text);
+        CHECK_OK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e), e);
         const int is_plain = !cases[i].materials && cases[i].expected[0][0] == 0;
         const uint8_t *rgba = burnish_colors(&s);
         CHECK(s.warning_count == 0 && s.material_count == (size_t)cases[i].materials &&
@@ -249,9 +246,9 @@ static void test_ply_elements(void) {
         size += (size_t)sprintf(text + size, i % 2 ? "2 0 1\n3 0 1 2\n" : "3 0 1 2\n");
     }
     burnish_tasks_begin(&tasks, NULL, 2);
-    CHECK(read_as(&(reader_run){BURNISH_FORMAT_PLY, text, size, &options, .tasks = &tasks}, &s,
-                  &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(
+        read_as(&(reader_run){BURNISH_FORMAT_PLY, text, size, &options, .tasks = &tasks}, &s, &e),
+        e);
     CHECK(s.triangle_count == ELEMENTS, "%zu", s.triangle_count);
     burnish_mesh_data_destroy(&s);
     free(text);
@@ -360,8 +357,7 @@ static void test_files(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *scene = NULL;
     burnish_error e = {0};
-    CHECK(burnish_mesh_load(TEST_DATA_DIR "/cube.obj", &options, &scene, &e) == BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(burnish_mesh_load(TEST_DATA_DIR "/cube.obj", &options, &scene, &e), e);
     if (scene) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
         CHECK1(burnish_mesh_get_material_count(scene) == 2 &&
@@ -370,15 +366,13 @@ static void test_files(void) {
         CHECK1(burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_OBJ);
     }
     burnish_mesh_destroy(scene);
-    CHECK(burnish_mesh_load(":sphere", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_OK(burnish_mesh_load(":sphere", &options, &scene, &e), e);
     CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_BUILTIN);
     burnish_mesh_destroy(scene);
 
     byte_list list = {.size = 0};
     put_ply(&list, 1);
-    CHECK(burnish_mesh_load_memory(list.bytes, list.size, NULL, &options, &scene, &e) ==
-              BURNISH_STATUS_OK,
-          "%s", e.text);
+    CHECK_OK(burnish_mesh_load_memory(list.bytes, list.size, NULL, &options, &scene, &e), e);
     CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_PLY);
     burnish_mesh_destroy(scene);
 }
@@ -395,7 +389,7 @@ static void test_standard_input(void) {
         return;
     }
     options.format = BURNISH_FORMAT_OBJ;
-    CHECK(burnish_mesh_load("-", &options, &scene, &e) == BURNISH_STATUS_OK, "%s", e.text);
+    CHECK_OK(burnish_mesh_load("-", &options, &scene, &e), e);
     if (scene && CHECK1(burnish_mesh_get_warning_count(scene) == 1)) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
         CHECK_TEXT(burnish_mesh_get_warning(scene, 0),

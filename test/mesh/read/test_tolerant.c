@@ -41,9 +41,7 @@ static burnish_mesh *load_tolerantly(const char *name, const void *bytes, size_t
     burnish_mesh_destroy(none);
     options = options_of(0);
     error = (burnish_error){0};
-    if (!CHECK(burnish_mesh_load_memory(bytes, size, name, &options, &mesh, &error) ==
-                   BURNISH_STATUS_OK,
-               "%s", error.text)) {
+    if (!CHECK_OK(burnish_mesh_load_memory(bytes, size, name, &options, &mesh, &error), error)) {
         return NULL;
     }
     const size_t count = burnish_mesh_get_warning_count(mesh);
@@ -316,8 +314,7 @@ static void test_ply_comments(void) {
     burnish_error error;
     /* Later messages about the header have its line. */
     snprintf(text, sizeof text, "%s%s", PLY_HEAD("comment TextureFile b.png\n"), cases[0].body);
-    CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
-           BURNISH_STATUS_OK);
+    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error), error);
     CHECK1(burnish_mesh_get_warning_count(mesh) == 2);
     CHECK(strstr(burnish_mesh_get_warning(mesh, 1), "a.ply:3: texture \"b.png\" was skipped"), "%s",
           burnish_mesh_get_warning(mesh, 1));
@@ -403,8 +400,7 @@ static int finds_library(const char *line, int ignore_referenced_files, const ch
     options.ignore_referenced_files = ignore_referenced_files;
     snprintf(text, sizeof text, "mtllib %s\n" TRIANGLE "usemtl a\nf 1 2 3\n", line);
     write_file("in.obj", text);
-    if (!CHECK(burnish_mesh_load("in.obj", &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
-               error.text)) {
+    if (!CHECK_OK(burnish_mesh_load("in.obj", &options, &mesh, &error), error)) {
         return 0;
     }
     const int found = color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 1, 0, 0);
