@@ -453,10 +453,6 @@ int session_up_number(const session *s) {
     return (int)render_up_in_use(s->mesh, &s->settings.camera, (double[3]){0});
 }
 
-const char *session_up(const session *s) {
-    return render_up_name(s->mesh, &s->settings.camera);
-}
-
 const char *session_warning(const session *s, size_t index) {
     return index < s->result.warning_count ? s->result.warnings[index] : NULL;
 }

@@ -86,8 +86,7 @@ const burnish_render_report *session_report(const session *s);
 burnish_camera session_camera(const session *s); /* in coordinates of the file */
 const burnish_mesh *session_mesh(const session *s);
 void session_bounds(const session *s, double minimum[3], double maximum[3]); /* the same */
-const char *session_up(const session *s); /* "+Y": the axis in use */
-int session_up_number(const session *s);  /* the same as render_up */
+int session_up_number(const session *s); /* the axis in use, a render_up */
 
 /* Warning number `index`, the warnings of loading first; NULL past the last. */
 const char *session_warning(const session *s, size_t index);

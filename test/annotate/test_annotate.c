@@ -12,16 +12,13 @@
 static burnish_mesh *block(const float low[3], const float high[3], const float up[3]) {
     static const uint32_t indices[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
                                          2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-    const burnish_load_options options = burnish_load_options_default();
     float positions[24];
-    burnish_mesh *mesh = NULL;
     for (int i = 0; i < 24; ++i) {
         positions[i] = (i / 3) >> (i % 3) & 1 ? high[i % 3] : low[i % 3];
     }
     burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 12);
     memcpy(arrays.up_axis, up, sizeof arrays.up_axis);
-    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, NULL) == BURNISH_STATUS_OK);
-    return mesh;
+    return create_mesh(&arrays, NULL);
 }
 
 static burnish_mesh *block_of(float x, float y, float z) {

@@ -8,6 +8,7 @@
 #include "burnish/kernels.h"
 #include "burnish/mesh.h"
 #include "burnish/render.h"
+#include "mesh_arrays.h"
 #include "support.h"
 
 #define OTHER                                                                                      \
@@ -70,9 +71,8 @@ static void test_refusals(void) {
     static uint8_t pixel[4] = {1, 2, 3, 4};
     const burnish_pixels pixels = {1, 1, BURNISH_PIXELS_RGBA8, 4, pixel};
     burnish_load_options load = burnish_load_options_default();
-    burnish_mesh *mesh;
     burnish_error error;
-    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
+    burnish_mesh *mesh = load_mesh(":sphere", &load);
     burnish_framing framing = burnish_framing_default();
     burnish_camera camera;
     CHECK_OK(burnish_camera_frame(mesh, &framing, &camera, &error), error);
@@ -124,10 +124,9 @@ static void test_cookies(void) {
     const burnish_target target = burnish_target_default();
     CHECK1(framing.cookie != load.cookie && framing.cookie != target.cookie);
     framing.cookie ^= 1;
-    burnish_mesh *mesh = NULL;
     burnish_camera camera;
     burnish_error error;
-    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
+    burnish_mesh *mesh = load_mesh(":sphere", &load);
     CHECK1(burnish_camera_frame(mesh, &framing, &camera, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text, "options: not initialised; start from burnish_framing_default()");
     burnish_mesh_destroy(mesh);

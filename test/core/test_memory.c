@@ -206,9 +206,6 @@ static burnish_mesh *make_box(int mode) {
     static const uint32_t FACES[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                        2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
     uint8_t colors[32];
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error;
     for (int i = 0; i < 32; ++i) {
         colors[i] = (uint8_t)(40 + 6 * i);
     }
@@ -226,8 +223,7 @@ static burnish_mesh *make_box(int mode) {
         arrays.textures = &texture;
         arrays.material_count = arrays.texture_count = 1;
     }
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, NULL);
 }
 
 static burnish_render_options box_options(int samples, int threads) {

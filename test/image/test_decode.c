@@ -3,6 +3,7 @@
 #include "burnish/image.h"
 #include "burnish/mesh.h"
 #include "gltf_input.h"
+#include "mesh_arrays.h"
 #include "picture/formats.h"
 #include "picture/jpeg.h"
 #include "picture/webp.h"
@@ -449,11 +450,10 @@ static burnish_mesh *load_text(folder *f, const char *name, const char *text,
     burnish_image image = make_picture(4);
     const burnish_pixels pixels = burnish_image_get_pixels(&image);
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
     f->asked[0] = 0;
     CHECK_OK(burnish_png_encode(&pixels, NULL, &f->png, &f->png_size, &error), error);
     options.referenced_files = (burnish_file_loader){load, NULL, f};
-    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), name, &options, &mesh, &error), error);
+    burnish_mesh *mesh = load_bytes(text, strlen(text), name, &options);
     burnish_release(NULL, f->png);
     burnish_image_destroy(&image);
     return mesh;
@@ -576,9 +576,7 @@ static void test_side_by_side(void) {
         for (int i = 0; i < 2; ++i) {
             options.threads = i == 0 ? 1 : 4;
             meshes[0][i] = load_text(&f, "m.obj", obj, &options);
-            CHECK_OK(burnish_mesh_load_memory(glb.bytes, glb.size, "m.glb", &options, &meshes[1][i],
-                                              &error),
-                     error);
+            meshes[1][i] = load_bytes(glb.bytes, glb.size, "m.glb", &options);
         }
         for (int i = 0; i < 2; ++i) {
             check_same(meshes[i][0], meshes[i][1], limit);

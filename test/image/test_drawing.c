@@ -11,6 +11,7 @@
 #include "core/srgb.h"
 #include "counting_context.h"
 #include "image/text/strokes.h"
+#include "mesh_arrays.h"
 #include "svg_path.h"
 
 enum { WIDTH = 480, HEIGHT = 360 };
@@ -20,9 +21,8 @@ static svg_path path;
 
 static burnish_mesh *load(const char *name) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
     options.measure = 1;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
+    burnish_mesh *mesh = load_mesh(name, &options);
     CHECK_OK(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error), error);
     return mesh;
 }

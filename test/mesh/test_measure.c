@@ -99,13 +99,10 @@ static void test_normals(void) {
 
 static burnish_mesh *load(const char *name, int tessellation, int threads) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {0};
     options.measure = 1;
     options.tessellation = tessellation;
     options.threads = threads;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
-    return mesh;
+    return load_mesh(name, &options);
 }
 
 static burnish_mesh_facts facts_of(const char *name, int tessellation) {
@@ -220,9 +217,8 @@ static void test_threads(void) {
 
 static void test_unasked(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
     CHECK1(!options.measure);
-    CHECK1(burnish_mesh_load(":sphere", &options, &mesh, NULL) == BURNISH_STATUS_OK);
+    burnish_mesh *mesh = load_mesh(":sphere", &options);
     CHECK1(!burnish_mesh_get_facts(mesh) && !burnish_mesh_get_facts(NULL));
     burnish_mesh_destroy(mesh);
 }

@@ -135,10 +135,9 @@ static void test_cut(void) {
     const burnish_clip_plane plane = {{0, 0, 1}, 0.25};
     burnish_mesh_description arrays = burnish_mesh_description_default();
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
     options.measure = 1;
     arrays.positions = (burnish_array){s.points, s.corner_count, 0};
-    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, NULL) == BURNISH_STATUS_OK);
+    burnish_mesh *mesh = create_mesh(&arrays, &options);
     CHECK1(burnish_mesh_clip(mesh, &plane, NULL) == BURNISH_STATUS_OK);
     CHECK1(burnish_mesh_get_view(mesh)->inside == BURNISH_INSIDE_BACK);
     burnish_mesh_destroy(mesh);

@@ -36,8 +36,6 @@ static void cube_point(uint32_t number, float p[3]) {
 static burnish_mesh *soup(double crease, int turned) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh_description arrays = burnish_mesh_description_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh = NULL;
     uint32_t corners[36];
     float positions[3 * 36];
     options.crease_angle = crease;
@@ -46,8 +44,7 @@ static burnish_mesh *soup(double crease, int turned) {
         cube_point(corners[i], positions + 3 * i);
     }
     arrays.positions = (burnish_array){positions, 36, 0};
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, &options);
 }
 
 static burnish_status create(burnish_mesh_description arrays, double crease, burnish_mesh **mesh,
@@ -319,9 +316,7 @@ static burnish_mesh *load_named(const char *tail, size_t triangles) {
     }
     burnish_load_options options = burnish_load_options_default();
     options.keep_texture_coordinates = 1;
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK_OK(burnish_mesh_load_memory(text, size, "named.obj", &options, &mesh, &error), error);
+    burnish_mesh *mesh = load_bytes(text, size, "named.obj", &options);
     free(text);
     return mesh;
 }

@@ -33,11 +33,8 @@ static void make_cone(void) {
 
 static burnish_mesh *create(const burnish_mesh_description *arrays, int texture_coordinates) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {0};
     options.keep_texture_coordinates = texture_coordinates;
-    CHECK_OK(burnish_mesh_create(arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(arrays, &options);
 }
 
 /* All attributes of a vertex in one struct, with padding. */

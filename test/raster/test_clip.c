@@ -12,13 +12,10 @@ static const double PI = 3.14159265358979323846;
 static burnish_mesh *load_with(const char *name, int tessellation, int measure,
                                const burnish_context *context) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error;
     options.tessellation = tessellation;
     options.measure = measure;
     options.context = context;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
-    return mesh;
+    return load_mesh(name, &options);
 }
 
 static burnish_mesh *load(const char *name) {
@@ -63,16 +60,13 @@ static burnish_mesh *make_box(int is_inside_out, const uint8_t *colors,
                                        2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
     uint32_t faces[36];
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error;
     for (int i = 0; i < 36; ++i) {
         faces[i] = FACES[i % 3 && is_inside_out ? i / 3 * 3 + 3 - i % 3 : i];
     }
     const burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, faces, 12);
     options.measure = 1;
     options.context = context;
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, &options);
 }
 
 /* A box of 2 x 4 x 6, cut by its own axes and by a corner. */
@@ -213,13 +207,12 @@ static void test_attributes(void) {
     const burnish_material materials[2] = {{.exponent = 1}, {.exponent = 2}};
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh_description arrays = describe_arrays(positions, normals, colors, 3, faces, 1);
-    burnish_mesh *mesh;
     arrays.texture_coordinates = (burnish_array){coordinates, 3, 0};
     arrays.triangle_materials = (burnish_array){triangle_materials, 1, 0};
     arrays.materials = materials;
     arrays.material_count = 2;
     options.keep_texture_coordinates = 1;
-    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, NULL) == BURNISH_STATUS_OK);
+    burnish_mesh *mesh = create_mesh(&arrays, &options);
     cut(mesh, 1, 0, 0, 1);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK(view->triangle_count == 2 && view->vertex_count == 4, "%zu, %zu", view->triangle_count,

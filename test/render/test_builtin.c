@@ -2,18 +2,10 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
+#include "mesh_arrays.h"
 #include "support.h"
 
 #define PI 3.14159265358979323846
-
-static burnish_mesh *make(const char *name, int tessellation) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    options.tessellation = tessellation;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
-    return mesh;
-}
 
 typedef struct edge {
     float from[3], to[3];
@@ -156,7 +148,7 @@ static void test_sphere(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *mesh = make(":sphere", n);
+        burnish_mesh *mesh = load_tessellated(":sphere", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         topology t = examine(view);
         CHECK(t.open == 0 && t.wrong == 0, "%zu open, %zu wrong", t.open, t.wrong);
@@ -195,7 +187,7 @@ static void test_torus(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *mesh = make(":torus", n);
+        burnish_mesh *mesh = load_tessellated(":torus", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         topology t = examine(view);
         double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
@@ -220,7 +212,7 @@ static void test_torus(void) {
 }
 
 static void test_knot(void) {
-    burnish_mesh *mesh = make(":knot", 16);
+    burnish_mesh *mesh = load_tessellated(":knot", 16);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     topology t = examine(view);
     CHECK(t.open == 0 && t.wrong == 0 && euler(&t, view) == 0, "%zu open, Euler %ld", t.open,
@@ -245,7 +237,7 @@ static void test_knot(void) {
  * triangles of the spout's lip contradict the surface's normals, and are turned. */
 static void test_teapot(void) {
     for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
-        burnish_mesh *mesh = make(":teapot", n);
+        burnish_mesh *mesh = load_tessellated(":teapot", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         topology t = examine(view);
         size_t triangles = 32u * 2 * n * n - 8u * n;
@@ -259,7 +251,7 @@ static void test_teapot(void) {
         CHECK(burnish_mesh_get_warning_count(mesh) == 0, "%s", burnish_mesh_get_warning(mesh, 0));
         burnish_mesh_destroy(mesh);
     }
-    burnish_mesh *mesh = make(":teapot", 16);
+    burnish_mesh *mesh = load_tessellated(":teapot", 16);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     check_normals(view, "teapot", 0.5);
     CHECK(view->bounds_min[1] == 0 && view->bounds_max[1] == 3.15f, "%g .. %g",
@@ -295,7 +287,7 @@ static void test_arguments(void) {
         CHECK1(burnish_mesh_load(names[i], &options, &view, &error) == BURNISH_STATUS_LIMIT);
         CHECK(strstr(error.text, names[i]) && strstr(error.text, "100"), "%s", error.text);
         CHECK1(view == NULL);
-        burnish_mesh *mesh = make(names[i], 1);
+        burnish_mesh *mesh = load_tessellated(names[i], 1);
         check_normals(burnish_mesh_get_view(mesh), names[i], -1);
         burnish_mesh_destroy(mesh);
     }

@@ -23,16 +23,13 @@ static burnish_mesh *builtin(const char *name) {
 }
 
 static burnish_mesh *triangles(const float *positions, size_t triangle_count) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
     uint32_t indices[64];
     for (uint32_t i = 0; i < 64; ++i) {
         indices[i] = i;
     }
     const burnish_mesh_description arrays =
         describe_arrays(positions, NULL, NULL, 3 * triangle_count, indices, triangle_count);
-    CHECK1(burnish_mesh_create(&arrays, &options, &mesh, NULL) == BURNISH_STATUS_OK);
-    return mesh;
+    return create_mesh(&arrays, NULL);
 }
 
 static double dot(const double a[3], const double b[3]) {
@@ -367,12 +364,9 @@ static void test_up_of_format(void) {
     static const char STL[] = "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                               "vertex 0 0 1\nendloop\nendfacet\nendsolid\n";
     static const double Z[3] = {0, 0, 1};
-    burnish_load_options load = burnish_load_options_default();
     burnish_framing options = burnish_framing_default();
     burnish_camera own, told;
-    burnish_mesh *mesh = NULL;
-    CHECK1(burnish_mesh_load_memory(STL, sizeof STL - 1, "a.stl", &load, &mesh, NULL) ==
-           BURNISH_STATUS_OK);
+    burnish_mesh *mesh = load_bytes(STL, sizeof STL - 1, "a.stl", NULL);
     CHECK1(burnish_mesh_get_view(mesh)->up_axis[2] == 1);
     CHECK1(burnish_camera_frame(mesh, &options, &own, NULL) == BURNISH_STATUS_OK);
     memcpy(options.up, Z, sizeof Z);

@@ -41,17 +41,9 @@ static const float *pixel_at(const float *pixels, int x, int y) {
     return pixels + 4 * ((size_t)y * SIZE + (size_t)x);
 }
 
-static burnish_mesh *load(const char *name) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
-    return mesh;
-}
-
 /* A ball on the ground hides (R/d)^2 cos of the sky, d from its centre: R^3 / d^3. */
 static void test_ball(void) {
-    burnish_mesh *mesh = load(":sphere");
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     burnish_render_report report;
     const double height = 6;
     float *pixels = draw(mesh, height, 0, 1, &report);
@@ -95,12 +87,9 @@ static void test_plate(void) {
                                       1,  0, 0,  0, 0.05f, 0,  0, 0, 0, 0.05f};
     static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6};
     burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 7, indices, 3);
-    burnish_load_options options = burnish_load_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
     const double height = 5;
     double worst = 0;
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
     float *pixels = draw(mesh, height, 1, 1, NULL);
     for (int i = 0; i < SIZE; ++i) {
         const double x = (i - SIZE / 2) * height / SIZE;
@@ -124,12 +113,9 @@ static void test_light(void) {
                                       .5f,  0, 0,    0,   0.001f, 0,    0,   0, 0,   0.001f};
     static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6};
     burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 7, indices, 3);
-    burnish_load_options options = burnish_load_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
     const double height = 4;
     double edges[2] = {0, 0}, before = 1;
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
     float *sky = draw(mesh, height, 0, 1, NULL);
     casts_shadow = 1;
     float *both = draw(mesh, height, 0, 1, NULL);
@@ -161,7 +147,7 @@ static void test_light(void) {
 
 /* Over white, a transparent picture is the opaque one. */
 static void test_transparent(void) {
-    burnish_mesh *mesh = load(":teapot");
+    burnish_mesh *mesh = load_mesh(":teapot", NULL);
     float *opaque = draw(mesh, 9, 0, 4, NULL), *clear = draw(mesh, 9, 1, 4, NULL);
     double worst = 0;
     int partly = 0;
@@ -206,7 +192,7 @@ static void test_directions(void) {
         int parallel, is_seen;
     } cases[] = {{{0, -1, -2}, 0, 1}, {{0, 1, -2}, 0, 0}, {{0, 0, -1}, 0, 1},
                  {{0, -1, -2}, 1, 1}, {{0, 1, -2}, 1, 0}, {{0, 0, -1}, 1, 0}};
-    burnish_mesh *mesh = load(":torus");
+    burnish_mesh *mesh = load_mesh(":torus", NULL);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_render_report report;
         burnish_image with = draw_along(mesh, cases[i].direction, cases[i].parallel, 1, &report);
@@ -235,12 +221,12 @@ static void test_renderer_again(void) {
     options.height = 100;
     options.occlusion = 6;
     options.ground = 1;
-    burnish_mesh *mesh = load(frames[0].name);
+    burnish_mesh *mesh = load_mesh(frames[0].name, NULL);
     burnish_renderer_create(NULL, &kept, &error);
     for (size_t i = 0; i < sizeof frames / sizeof *frames; ++i) {
         if (i > 0 && strcmp(frames[i].name, frames[i - 1].name) != 0) {
             burnish_mesh_destroy(mesh);
-            mesh = load(frames[i].name);
+            mesh = load_mesh(frames[i].name, NULL);
         }
         options.up[2] = frames[i].is_turned;
         options.shadow = frames[i].shadow;
@@ -255,7 +241,7 @@ static void test_renderer_again(void) {
 static void test_refusals(void) {
     burnish_render_options options = burnish_render_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh = load(":sphere");
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     burnish_image image;
     options.camera.position[2] = 5;
     options.ground = 2;

@@ -145,23 +145,18 @@ static burnish_mesh *make_quads(void) {
     arrays.material_count = MATERIALS;
     arrays.textures = textures;
     arrays.texture_count = TEXTURES;
-    burnish_load_options load = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, NULL);
 }
 
 static burnish_mesh *make_mesh(void) {
     static const char *const names[] = {":knot", ":torus", ":sphere"};
     burnish_load_options load = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
     if (chance(75)) {
         return make_quads();
     }
     load.tessellation = 3;
     load.measure = 1; /* cuts are filled */
-    CHECK_OK(burnish_mesh_load(names[below(3)], &load, &mesh, &error), error);
-    return mesh;
+    return load_mesh(names[below(3)], &load);
 }
 
 /* ---- Changes ---- */

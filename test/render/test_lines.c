@@ -21,13 +21,11 @@ enum { SIZE = 400 };
 static burnish_error error;
 
 static burnish_mesh *mesh_of(const shape *s) {
-    burnish_mesh *mesh = NULL;
     burnish_load_options load = burnish_load_options_default();
     load.measure = 1;
     const burnish_mesh_description arrays =
         describe_arrays(s->points, NULL, NULL, s->point_count, s->corners, s->triangle_count);
-    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, &load);
 }
 
 static burnish_render_options make_options(const double position[3], double height, int edges) {
@@ -244,11 +242,9 @@ static void test_step(void) {
 
 static burnish_mesh *load(const char *name, int tessellation) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
     options.tessellation = tessellation;
     options.measure = 1;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
-    return mesh;
+    return load_mesh(name, &options);
 }
 
 /* In perspective the silhouette of a sphere at distance d has the radius of tan(asin(r / d)). */
@@ -299,14 +295,12 @@ static shape *make_grid(int n) {
 /* No edge becomes a line, in a renderer that had no lines before: no array exists. */
 static void test_no_lines(void) {
     static const double position[3] = {0, 0, 10};
-    burnish_load_options load = burnish_load_options_default();
     burnish_render_options options = make_options(position, 3, BURNISH_EDGES_MATERIALS);
     burnish_renderer *renderer;
     burnish_image image = {0};
-    burnish_mesh *mesh = NULL;
     options.camera.view_up[1] = 1;
     options.camera.view_up[2] = 0;
-    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     CHECK1(draw(mesh, &options, &renderer, &image)->line_count == 0);
     burnish_image_destroy(&image);
     burnish_renderer_destroy(renderer);
@@ -553,7 +547,6 @@ static void test_edges(burnish_mesh *mesh) {
 static burnish_mesh *random_mesh(void) {
     static float positions[60][3];
     static uint32_t corners[150][3];
-    burnish_mesh *mesh = NULL;
     burnish_load_options options = burnish_load_options_default();
     uint32_t seed = 7;
     options.measure = 1;
@@ -569,8 +562,7 @@ static burnish_mesh *random_mesh(void) {
     }
     const burnish_mesh_description arrays =
         describe_arrays(positions[0], NULL, NULL, 60, corners[0], 150);
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, &options);
 }
 
 /* ---- Bits, memory, cancelling ---- */

@@ -56,17 +56,13 @@ static burnish_mesh *mesh_of(const scene *s) {
     const size_t vertices = s->has_red ? 8 : 4, triangles = s->has_red ? 4 : 2;
     burnish_mesh_description arrays =
         describe_arrays(positions, NULL, NULL, vertices, indices, triangles);
-    burnish_load_options load = burnish_load_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh = NULL;
     arrays.texture_coordinates = (burnish_array){coordinates, vertices, 0};
     arrays.materials = s->materials;
     arrays.material_count = 2;
     arrays.triangle_materials = (burnish_array){triangle_materials, triangles, 0};
     arrays.textures = s->textures;
     arrays.texture_count = 2;
-    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, NULL);
 }
 
 static void draw(scene *s) {

@@ -57,13 +57,10 @@ static void test_wall(int directions, double tolerance) {
     static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4};
     static const double down[] = {0, 0, -1};
     burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 6, indices, 4);
-    burnish_load_options load = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
     double worst = 0;
     arrays.up_axis[0] = arrays.up_axis[1] = 0;
     arrays.up_axis[2] = 1;
-    CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
     float *open = draw(mesh, down, 0), *occluded = draw(mesh, down, directions);
     int first = SIZE, last = 0;
     for (int x = 0; x < SIZE; ++x) { /* the floor's columns */
@@ -93,11 +90,8 @@ static void test_wall(int directions, double tolerance) {
 /* A convex surface hides nothing of itself. */
 static void test_sphere(void) {
     static const double along[] = {1, -2, 3};
-    burnish_load_options load = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
     double worst = 0;
-    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     float *open = draw(mesh, along, 0), *occluded = draw(mesh, along, 64);
     for (int i = 0; i < SIZE * SIZE; ++i) {
         const double lost = 1 - (double)(occluded[4 * i] / open[4 * i]);
@@ -112,7 +106,6 @@ static void test_sphere(void) {
 /* A renderer that drew one mesh must not use its maps for another. */
 static void test_renderer_again(void) {
     static const char *const names[] = {":knot", ":torus", ":knot"};
-    burnish_load_options load = burnish_load_options_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_renderer *kept;
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -121,8 +114,7 @@ static void test_renderer_again(void) {
     options.occlusion = 12;
     burnish_renderer_create(NULL, &kept, &error);
     for (int i = 0; i < 3; ++i) {
-        burnish_mesh *mesh;
-        burnish_mesh_load(names[i], &load, &mesh, &error);
+        burnish_mesh *mesh = load_mesh(names[i], NULL);
         check_kept_renderer(kept, &image, mesh, &options, names[i]);
         burnish_mesh_destroy(mesh);
     }
@@ -133,14 +125,12 @@ static void test_renderer_again(void) {
 /* Whatever its colour, no surface is cut off in the default rig of the command, and a fully lit
  * white one is near 0.9 of white. */
 static void test_exposure(void) {
-    burnish_load_options load = burnish_load_options_default();
     burnish_framing framing = burnish_framing_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
     burnish_image image = {0};
     int brightest = 0;
-    burnish_mesh_load(":sphere", &load, &mesh, &error);
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     burnish_material material = *burnish_mesh_get_material(mesh, 0);
     CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_STUDIO, &error) ==
                   BURNISH_STATUS_OK &&
@@ -165,12 +155,10 @@ static void test_exposure(void) {
 }
 
 static void test_refusals(void) {
-    burnish_load_options load = burnish_load_options_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
     burnish_image image;
-    burnish_mesh_load(":sphere", &load, &mesh, &error);
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     options.camera.position[2] = 5;
     for (int occlusion = -2; occlusion <= BURNISH_OCCLUSION_MAX + 1;
          occlusion += BURNISH_OCCLUSION_MAX + 3) {

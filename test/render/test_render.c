@@ -36,15 +36,6 @@ static void set_single_light(burnish_render_options *options, const double vecto
     memset(options->ambient_light, 0, sizeof options->ambient_light);
 }
 
-static burnish_mesh *load(const char *name, int tessellation) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *scene;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    options.tessellation = tessellation;
-    CHECK_OK(burnish_mesh_load(name, &options, &scene, &error), error);
-    return scene;
-}
-
 static void set_material(burnish_mesh *scene, float diffuse, float specular, float exponent) {
     burnish_material material = burnish_material_default();
     for (int i = 0; i < 3; ++i) {
@@ -203,13 +194,9 @@ static void check_highlight_everywhere(burnish_mesh *sphere, burnish_specular_mo
 
 static burnish_mesh *make_scene(const float *positions, const uint8_t *colors, size_t vertex_count,
                                 const uint32_t *indices, size_t triangle_count) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *scene;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
     const burnish_mesh_description arrays =
         describe_arrays(positions, NULL, colors, vertex_count, indices, triangle_count);
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &scene, &error), error);
-    return scene;
+    return create_mesh(&arrays, NULL);
 }
 
 static const uint32_t QUAD[6] = {0, 1, 2, 0, 2, 3};
@@ -421,7 +408,7 @@ static void check_hidden_share(void) {
 
 static void check_threads(void) {
     static const int THREADS[] = {1, 2, 7, 64};
-    burnish_mesh *scene = load(":knot", 16);
+    burnish_mesh *scene = load_tessellated(":knot", 16);
     uint64_t first = 0;
     burnish_render_report first_report = {0};
     for (int i = 0; i < 4; ++i) {
@@ -452,7 +439,7 @@ static void check_threads(void) {
 /* A renderer draws what burnish_render draws, whatever it drew before: other meshes, sizes,
  * samples, threads, lobes, with and without colours and alpha. */
 static void check_renderer(burnish_mesh *sphere) {
-    burnish_mesh *const scenes[] = {load(":knot", 16), sphere, make_surface(0, 0)};
+    burnish_mesh *const scenes[] = {load_tessellated(":knot", 16), sphere, make_surface(0, 0)};
     burnish_renderer *renderer;
     burnish_image image = {0};
     CHECK(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK, "a renderer");
@@ -589,7 +576,7 @@ static void check_errors(burnish_mesh *sphere) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    burnish_mesh *sphere = load(":sphere", 96);
+    burnish_mesh *sphere = load_tessellated(":sphere", 96);
     RUN(check_highlight_width(sphere));
     RUN(check_highlight_everywhere(sphere, BURNISH_SPECULAR_BLINN));
     RUN(check_highlight_everywhere(sphere, BURNISH_SPECULAR_PHONG));

@@ -3,17 +3,9 @@
 #include "burnish/kernels.h"
 #include "burnish/render.h"
 #include "counting_context.h"
+#include "mesh_arrays.h"
 
 enum { WIDTH = 131, HEIGHT = 77 };
-
-static burnish_mesh *load_knot(void) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    options.tessellation = 12;
-    CHECK_OK(burnish_mesh_load(":knot", &options, &mesh, &error), error);
-    return mesh;
-}
 
 static burnish_render_options make_options(const burnish_mesh *mesh, int width, int height,
                                            int threads) {
@@ -30,7 +22,7 @@ static burnish_render_options make_options(const burnish_mesh *mesh, int width, 
 
 /* Cancelled at every question, then drawn as if nothing had been. */
 static void test_cancel(int threads) {
-    burnish_mesh *mesh = load_knot();
+    burnish_mesh *mesh = load_tessellated(":knot", 12);
     burnish_render_options options = make_options(mesh, 640, 480, threads);
     counts c;
     burnish_context *context = make_context(&c);
@@ -139,7 +131,7 @@ static uint64_t hash_kernels(void) {
 }
 
 static void test_environment(int threads) {
-    burnish_mesh *mesh = load_knot();
+    burnish_mesh *mesh = load_tessellated(":knot", 12);
     const uint64_t picture = hash_picture(mesh, threads), kernels = hash_kernels();
     for (int mode = 1; mode < 8; ++mode) {
         set_mode(mode);

@@ -44,10 +44,7 @@ static void test_edge(void) {
     static const uint32_t indices[] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7};
     static const double light[] = {-1, 1, 0};
     burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 4);
-    burnish_load_options options = burnish_load_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
     float *lit = draw(mesh, light, 0), *shaded = draw(mesh, light, 1);
     const float *row = shaded + 4 * SIZE * (SIZE / 2), *open = lit + 4 * SIZE * (SIZE / 2);
     double edge = 0;
@@ -75,10 +72,7 @@ static void test_edge(void) {
 /* Convex shapes hide no light from themselves: no acne. */
 static void test_convex(void) {
     static const double lights[][3] = {{0.3, 1, 0.2}, {-1, 0.5, 0.3}, {1, 0.1, 0}};
-    burnish_load_options load = burnish_load_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
-    CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &error), error);
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     for (int l = 0; l < 3; ++l) {
         float *lit = draw(mesh, lights[l], 0), *shaded = draw(mesh, lights[l], 1);
         double worst = 0;
@@ -96,7 +90,6 @@ static void test_convex(void) {
 /* A renderer that drew another mesh or light draws what a new one does. */
 static void test_renderer_again(void) {
     static const char *const names[] = {":knot", ":torus", ":torus", ":knot"};
-    burnish_load_options load = burnish_load_options_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_renderer *kept;
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -105,8 +98,7 @@ static void test_renderer_again(void) {
     options.shadow = 1;
     burnish_renderer_create(NULL, &kept, &error);
     for (int i = 0; i < 4; ++i) {
-        burnish_mesh *mesh;
-        burnish_mesh_load(names[i], &load, &mesh, &error);
+        burnish_mesh *mesh = load_mesh(names[i], NULL);
         options.lights[0].vector[0] = i > 1 ? 1 : -1;
         check_kept_renderer(kept, &image, mesh, &options, names[i]);
         burnish_mesh_destroy(mesh);
@@ -167,12 +159,10 @@ static void test_cutoffs_again(void) {
 }
 
 static void test_refusals(void) {
-    burnish_load_options load = burnish_load_options_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh;
     burnish_image image;
-    burnish_mesh_load(":sphere", &load, &mesh, &error);
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
     options.camera.position[2] = 5;
     options.shadow = 2;
     CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,

@@ -13,15 +13,6 @@ enum { WIDTH = 131, HEIGHT = 77, PADDING = 20, GUARD = 64, MAX_PIXEL = 16 };
 
 static const uint8_t GUARD_BYTE = 0x5a;
 
-static burnish_mesh *load(const char *name, int tessellation) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    options.tessellation = tessellation;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
-    return mesh;
-}
-
 /* A dim picture, whose light nothing clamps. */
 static burnish_render_options make_options(const burnish_mesh *mesh, int samples) {
     burnish_render_options options = burnish_render_options_default();
@@ -144,7 +135,7 @@ static void check_format(burnish_renderer *renderer, const burnish_mesh *mesh,
 }
 
 static void test_formats(int samples) {
-    burnish_mesh *mesh = load(":knot", 12);
+    burnish_mesh *mesh = load_tessellated(":knot", 12);
     burnish_renderer *renderer;
     CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
     for (int i = 0; i < 2 * (BURNISH_PIXELS_RGBA_FLOAT + 1); ++i) {
@@ -163,13 +154,9 @@ static void test_formats(int samples) {
 
 static burnish_mesh *make_mesh(const float *positions, size_t vertex_count, const uint32_t *indices,
                                size_t triangle_count) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
     const burnish_mesh_description arrays =
         describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count);
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, NULL);
 }
 
 /* Ten times white on a white quad is 10 in floats, also where samples are mixed. */
@@ -279,7 +266,7 @@ static void draw_planes(const burnish_mesh *mesh, const burnish_render_options *
 /* The unit sphere at the origin, seen along -z: depth and normal by Pythagoras. */
 static void test_sphere(int samples, double orthographic_height) {
     enum { SIZE = 160 };
-    burnish_mesh *mesh = load(":sphere", 256);
+    burnish_mesh *mesh = load_tessellated(":sphere", 256);
     burnish_render_options options = burnish_render_options_default();
     planes p = make_planes(SIZE, SIZE, 0);
     double worst_depth = 0, worst_normal = 0, worst_length = 0;
@@ -482,7 +469,7 @@ static void test_plain_reference(int samples) {
 /* Planes do not depend on threads, on the instruction set or on pixels being drawn. Pixels do not
  * depend on planes. */
 static void test_independence(int samples) {
-    burnish_mesh *mesh = load(":knot", 12);
+    burnish_mesh *mesh = load_tessellated(":knot", 12);
     burnish_render_options options = make_options(mesh, samples);
     burnish_image image;
     uint64_t first = 0;
@@ -511,7 +498,7 @@ static void test_independence(int samples) {
 /* ---- Arguments ---- */
 
 static void test_errors(void) {
-    burnish_mesh *mesh = load(":knot", 8);
+    burnish_mesh *mesh = load_tessellated(":knot", 8);
     burnish_render_options options = make_options(mesh, 1);
     planes p = make_planes(WIDTH, HEIGHT, 1);
     const burnish_target good = p.target;

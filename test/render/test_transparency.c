@@ -59,11 +59,7 @@ static burnish_mesh *make_squares(const stack *s, uint64_t *state) {
         (burnish_array){triangle_materials, 2 * (size_t)s->count, sizeof *triangle_materials};
     arrays.materials = materials;
     arrays.material_count = (size_t)s->count;
-    const burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error;
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, NULL);
 }
 
 /* Ambient light of 1 and nothing else: every surface has its material's colour. Half of the picture
@@ -393,15 +389,6 @@ static void test_layers(int scenes) {
 
 /* ---- Pictures ---- */
 
-static burnish_mesh *load(const char *name) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error;
-    options.tessellation = 6;
-    CHECK_OK(burnish_mesh_load(name, &options, &mesh, &error), error);
-    return mesh;
-}
-
 static void set_transparency(burnish_mesh *mesh, float value) {
     burnish_material material = *burnish_mesh_get_material(mesh, 0);
     material.transparency = value;
@@ -448,7 +435,7 @@ static void draw_planes(burnish_renderer *renderer, const burnish_mesh *mesh,
  * A renderer draws glass, stone and glass again as a fresh one does. */
 static void test_planes(int samples) {
     static drawn_planes stone, glass, again;
-    burnish_mesh *mesh = load(":knot");
+    burnish_mesh *mesh = load_tessellated(":knot", 6);
     burnish_render_options options = options_for(mesh, samples);
     burnish_render_report opaque, transparent;
     burnish_renderer *renderer, *fresh;
@@ -486,7 +473,7 @@ static void test_planes(int samples) {
 static void test_bits(int samples) {
     static const burnish_isa isas[] = {BURNISH_ISA_SCALAR, BURNISH_ISA_SSE2, BURNISH_ISA_AVX2,
                                        BURNISH_ISA_AVX512, BURNISH_ISA_NEON};
-    burnish_mesh *mesh = load(":knot");
+    burnish_mesh *mesh = load_tessellated(":knot", 6);
     burnish_render_options options = options_for(mesh, samples);
     uint64_t expected = 0;
     set_transparency(mesh, 0.7f);
@@ -516,11 +503,9 @@ static void test_vertex_alpha(void) {
     static float pixels[SIZE * SIZE][4];
     const uint8_t colors[16] = {255, 255, 255, 0,   255, 255, 255, 255,
                                 255, 255, 255, 255, 255, 255, 255, 0};
-    const burnish_load_options load_options = burnish_load_options_default();
     const burnish_mesh_description arrays = describe_arrays(positions, NULL, colors, 4, faces, 2);
     burnish_render_options options = square_options(4, 0);
-    burnish_mesh *mesh;
-    CHECK1(burnish_mesh_create(&arrays, &load_options, &mesh, NULL) == BURNISH_STATUS_OK);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
     CHECK1(burnish_mesh_get_view(mesh)->has_transparent_colors);
     options.transparent = 1;
     draw_floats(mesh, &options, pixels[0], NULL);
@@ -536,7 +521,7 @@ static void test_vertex_alpha(void) {
 }
 
 static void test_material_check(void) {
-    burnish_mesh *mesh = load(":sphere");
+    burnish_mesh *mesh = load_tessellated(":sphere", 6);
     burnish_material material = *burnish_mesh_get_material(mesh, 0);
     burnish_error error;
     static const float wrong[] = {-0.1f, 1.1f, NAN, INFINITY};

@@ -14,11 +14,9 @@ static burnish_error error;
 
 static burnish_mesh *load(const char *name, int measure) {
     burnish_load_options load = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
     load.tessellation = 8;
     load.measure = measure;
-    CHECK_OK(burnish_mesh_load(name, &load, &mesh, &error), error);
-    return mesh;
+    return load_mesh(name, &load);
 }
 
 static burnish_mesh *make_plain(void) {
@@ -64,7 +62,6 @@ static burnish_mesh *make_textured(void) {
                                                       view->indices, view->triangle_count);
     burnish_material material = burnish_material_default();
     const burnish_texture texture = {NULL, TEXTURE, TEXTURE, texels, 1};
-    const burnish_load_options options = burnish_load_options_default();
     material.textures[BURNISH_TEXTURE_COLOR].texture = 1;
     material.alpha_mode = BURNISH_ALPHA_BLEND;
     arrays.texture_coordinates = (burnish_array){coordinates, count, 0};
@@ -72,7 +69,7 @@ static burnish_mesh *make_textured(void) {
     arrays.material_count = 1;
     arrays.textures = &texture;
     arrays.texture_count = 1;
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
+    mesh = create_mesh(&arrays, NULL);
     burnish_mesh_destroy(shape);
     free(coordinates);
     free(colors);

@@ -1,10 +1,11 @@
-/* For tests: meshes from packed arrays. */
+/* For tests: meshes from files, from memory and from packed arrays. */
 #ifndef BURNISH_TEST_MESH_ARRAYS_H
 #define BURNISH_TEST_MESH_ARRAYS_H
 
 #include <string.h>
 
 #include "burnish/mesh.h"
+#include "support.h"
 
 /* normals and colors may be NULL. */
 static inline burnish_mesh_description describe_arrays(const float *positions, const float *normals,
@@ -17,6 +18,35 @@ static inline burnish_mesh_description describe_arrays(const float *positions, c
     arrays.colors = (burnish_array){colors, colors ? vertex_count : 0, 0};
     arrays.indices = (burnish_array){indices, 3 * triangle_count, 0};
     return arrays;
+}
+
+/* Meshes that must be made; NULL after a failed check. options: NULL for the defaults. */
+#define MADE_MESH(make)                                                                            \
+    const burnish_load_options defaults = burnish_load_options_default();                          \
+    burnish_mesh *mesh = NULL;                                                                     \
+    burnish_error error = {0};                                                                     \
+    options = options ? options : &defaults;                                                       \
+    CHECK_OK(make, error);                                                                         \
+    return mesh
+
+static inline burnish_mesh *load_mesh(const char *name, const burnish_load_options *options) {
+    MADE_MESH(burnish_mesh_load(name, options, &mesh, &error));
+}
+
+static inline burnish_mesh *load_tessellated(const char *name, int tessellation) {
+    burnish_load_options options = burnish_load_options_default();
+    options.tessellation = tessellation;
+    return load_mesh(name, &options);
+}
+
+static inline burnish_mesh *load_bytes(const void *bytes, size_t size, const char *name,
+                                       const burnish_load_options *options) {
+    MADE_MESH(burnish_mesh_load_memory(bytes, size, name, options, &mesh, &error));
+}
+
+static inline burnish_mesh *create_mesh(const burnish_mesh_description *arrays,
+                                        const burnish_load_options *options) {
+    MADE_MESH(burnish_mesh_create(arrays, options, &mesh, &error));
 }
 
 static inline int same_arrays(const void *a, const void *b, size_t size) {

@@ -80,12 +80,6 @@ static double tipping(const burnish_mesh_view *view, int axis, const double cent
     return rise > 0 ? least / rise : least > 0 ? DBL_MAX : -1;
 }
 
-double render_tipping(const burnish_mesh_view *view, int axis) {
-    double center[3];
-    find_center(view, center);
-    return tipping(view, axis, center);
-}
-
 int render_stands_otherwise(const burnish_mesh_view *view) {
     const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
     double center[3];

@@ -8,8 +8,4 @@
  * one. 0 for formats with another axis. */
 int render_stands_otherwise(const burnish_mesh_view *view);
 
-/* Stability of an object on axis 0 to 2: the tangent of the angle by which it can lean before it
- * falls; negative if it falls. */
-double render_tipping(const burnish_mesh_view *view, int axis);
-
 #endif

@@ -513,12 +513,8 @@ static void print_shape(const char *extension) {
 }
 
 static burnish_mesh *load_shape(const char *name) {
-    const burnish_load_options options = burnish_load_options_default();
-    burnish_error error = {0};
-    burnish_mesh *mesh = NULL;
     print_shape(name + 2);
-    CHECK_OK(burnish_mesh_load_memory(text, text_size, name, &options, &mesh, &error), error);
-    return mesh;
+    return load_bytes(text, text_size, name, NULL);
 }
 
 /* One part as STL, OBJ and PLY has the same normals, bit for bit. */

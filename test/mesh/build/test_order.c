@@ -69,7 +69,6 @@ static burnish_mesh *build_sheet(const sheet_mesh *sheet, int threads) {
     burnish_mesh_description arrays =
         describe_arrays(sheet->positions, sheet->normals, sheet->colors, SHEET_VERTICES,
                         sheet->indices, SHEET_TRIANGLES);
-    burnish_mesh *mesh = NULL;
     for (size_t i = 0; i < SHEET_TRIANGLES; ++i) {
         numbers[i] = (uint16_t)(sheet_number(sheet->positions, sheet->indices + 3 * i) % 7);
     }
@@ -80,8 +79,7 @@ static burnish_mesh *build_sheet(const sheet_mesh *sheet, int threads) {
     arrays.material_count = 7;
     arrays.triangle_materials = (burnish_array){numbers, SHEET_TRIANGLES, 0};
     options.threads = threads;
-    burnish_mesh_create(&arrays, &options, &mesh, NULL);
-    return mesh;
+    return create_mesh(&arrays, &options);
 }
 
 /* The triangles of a large mesh are ordered in space, each with its material, colours and normals,

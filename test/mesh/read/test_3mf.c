@@ -3,6 +3,7 @@
 
 #include "core/srgb.h"
 #include "decimal_comma.h"
+#include "mesh_arrays.h"
 #include "threemf_input.h"
 
 static const float points[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}};
@@ -349,13 +350,11 @@ static void test_textures(void) {
 /* The size of a solid, its winding, +Z up, and its unit through the public door. */
 static void test_mesh(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error e = {0};
     zip_list *zip = begin_3mf(MODEL("<object id='1'>" MESH "</object>", ITEM_1
                                     "<item objectid='1' transform='-1 0 0 0 1 0 0 0 1 -9 0 0'/>"));
     end_zip(zip, 0);
     options.measure = 1;
-    CHECK_OK(burnish_mesh_load_memory(zip->bytes, zip->size, NULL, &options, &mesh, &e), e);
+    burnish_mesh *mesh = load_bytes(zip->bytes, zip->size, NULL, &options);
     const burnish_mesh_facts *facts = mesh ? burnish_mesh_get_facts(mesh) : NULL;
     if (CHECK1(facts)) {
         CHECK1(facts->is_solid && fabs(facts->volume - 8) < 1e-9 && facts->shell_count == 2);

@@ -7,6 +7,7 @@
 
 #include "burnish/render.h"
 #include "mesh/build/normals.h"
+#include "mesh_arrays.h"
 #include "reader_input.h"
 
 /* RLIMIT_AS is meaningless with the address sanitizer's shadow memory. */
@@ -533,14 +534,11 @@ static void test_extreme_sizes(void) {
             burnish_render_options options = burnish_render_options_default();
             burnish_render_report report = {0};
             burnish_image image = {0};
-            burnish_mesh *scene = NULL;
             burnish_error error = {0};
             fit.orthographic = orthographic;
             options.width = options.height = 32;
             options.threads = 1;
-            CHECK_OK(burnish_mesh_load_memory(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load,
-                                              &scene, &error),
-                     error);
+            burnish_mesh *scene = load_bytes(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load);
             CHECK_OK(burnish_camera_frame(scene, &fit, &options.camera, &error), error);
             CHECK(burnish_render(scene, &options, &image, &report, &error) == cases[i].status,
                   "%zu, %d: %s", i, orthographic, error.text);

@@ -1,6 +1,7 @@
 /* One object in all formats: the same picture, and warnings for files with wrong names. */
 #include "burnish/look.h"
 #include "draw_floats.h"
+#include "mesh_arrays.h"
 #include "same_mesh.h"
 
 enum { SIZE = 32, KINDS = SAME_COUNT - !BURNISH_HAS_3MF };
@@ -8,12 +9,9 @@ enum { SIZE = 32, KINDS = SAME_COUNT - !BURNISH_HAS_3MF };
 static burnish_mesh *load_kind(same_kind kind, const char *name, int strict) {
     static byte_list list;
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {0};
     options.strict = strict;
     same_mesh(&list, kind);
-    CHECK_OK(burnish_mesh_load_memory(list.bytes, list.size, name, &options, &mesh, &error), error);
-    return mesh;
+    return load_bytes(list.bytes, list.size, name, &options);
 }
 
 /* A file without colours has the grey of the look, whatever its format. */
@@ -176,8 +174,7 @@ static void test_garbage(void) {
     for (int i = 0; i < 8; ++i) {
         memcpy(list.bytes + 84 + 50 * i + 12 + 8, "\1\0\0\0", 4);
     }
-    CHECK_OK(burnish_mesh_load_memory(list.bytes, list.size, "a.stl", &options, &mesh, &error),
-             error);
+    mesh = load_bytes(list.bytes, list.size, "a.stl", NULL);
     burnish_mesh_destroy(mesh);
 }
 

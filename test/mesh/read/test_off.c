@@ -4,11 +4,9 @@
 #include "reader_input.h"
 
 static burnish_mesh *load(const char *text, const char *warning) {
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {0};
     burnish_load_options options = burnish_load_options_default();
     options.keep_texture_coordinates = 1;
-    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), "a.off", &options, &mesh, &error), error);
+    burnish_mesh *mesh = load_bytes(text, strlen(text), "a.off", &options);
     const size_t count = mesh ? burnish_mesh_get_warning_count(mesh) : 0;
     CHECK(count == (warning != NULL), "%zu warnings", count);
     if (warning && count > 0) {
@@ -237,10 +235,8 @@ static void test_threads(void) {
     for (int i = 0; i < 3; ++i) {
         static const int threads[] = {1, 2, 7};
         burnish_load_options options = burnish_load_options_default();
-        burnish_error error = {0};
         options.threads = threads[i];
-        CHECK_OK(burnish_mesh_load_memory(text, size, "a.off", &options, &meshes[i], &error),
-                 error);
+        meshes[i] = load_bytes(text, size, "a.off", &options);
         if (!meshes[i] || !meshes[0]) {
             continue;
         }

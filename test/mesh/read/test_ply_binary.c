@@ -111,14 +111,11 @@ static burnish_status load_file(int threads, burnish_mesh **mesh, burnish_error 
 
 static burnish_mesh *expected_mesh(const layout *how, const uint32_t *triangles, size_t count) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {0};
     options.normals = BURNISH_NORMALS_FILE;
     const burnish_mesh_description arrays =
         describe_arrays(positions, how->has_normals ? normals : NULL,
                         how->has_colors ? colors : NULL, VERTICES, triangles, count);
-    CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error);
-    return mesh;
+    return create_mesh(&arrays, &options);
 }
 
 static const layout LAYOUTS[] = {

@@ -6,9 +6,7 @@
 #include "reader_input.h"
 
 static burnish_mesh *load(const char *name, const char *text, const burnish_load_options *options) {
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {0};
-    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), name, options, &mesh, &error), error);
+    burnish_mesh *mesh = load_bytes(text, strlen(text), name, options);
     CHECK1(!mesh || burnish_mesh_get_warning_count(mesh) == 0);
     return mesh;
 }
@@ -178,7 +176,7 @@ static void test_limits(void) {
     CHECK1(mesh != NULL);
     burnish_mesh_destroy(mesh);
     static const char ends[] = "v 0 0 0\nv 3.4028235e38 -3.4028235e38 0\n"; /* the range's */
-    CHECK_OK(burnish_mesh_load_memory(ends, strlen(ends), "a.obj", &options, &mesh, &error), error);
+    mesh = load_bytes(ends, strlen(ends), "a.obj", &options);
     const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
     CHECK1(view && view->bounds_max[0] == FLT_MAX && view->bounds_min[1] == -FLT_MAX);
     burnish_mesh_destroy(mesh);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <unistd.h>
 
+#include "mesh_arrays.h"
 #include "reader_input.h"
 
 /* ---- STL ---- */
@@ -354,10 +355,7 @@ static void test_ply_face_coordinates(void) {
 }
 
 static void test_files(void) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *scene = NULL;
-    burnish_error e = {0};
-    CHECK_OK(burnish_mesh_load(TEST_DATA_DIR "/cube.obj", &options, &scene, &e), e);
+    burnish_mesh *scene = load_mesh(TEST_DATA_DIR "/cube.obj", NULL);
     if (scene) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
         CHECK1(burnish_mesh_get_material_count(scene) == 2 &&
@@ -366,13 +364,13 @@ static void test_files(void) {
         CHECK1(burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_OBJ);
     }
     burnish_mesh_destroy(scene);
-    CHECK_OK(burnish_mesh_load(":sphere", &options, &scene, &e), e);
+    scene = load_mesh(":sphere", NULL);
     CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_BUILTIN);
     burnish_mesh_destroy(scene);
 
     byte_list list = {.size = 0};
     put_ply(&list, 1);
-    CHECK_OK(burnish_mesh_load_memory(list.bytes, list.size, NULL, &options, &scene, &e), e);
+    scene = load_bytes(list.bytes, list.size, NULL, NULL);
     CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_PLY);
     burnish_mesh_destroy(scene);
 }
@@ -380,8 +378,6 @@ static void test_files(void) {
 /* Standard input through a pipe, in pieces that grow the buffer. */
 static void test_standard_input(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *scene = NULL;
-    burnish_error e = {0};
     FILE *pipe =
         popen("head -c 300000 /dev/zero | tr '\\0' '#'; echo; cat " TEST_DATA_DIR "/cube.obj", "r");
     int saved = dup(STDIN_FILENO);
@@ -389,7 +385,7 @@ static void test_standard_input(void) {
         return;
     }
     options.format = BURNISH_FORMAT_OBJ;
-    CHECK_OK(burnish_mesh_load("-", &options, &scene, &e), e);
+    burnish_mesh *scene = load_mesh("-", &options);
     if (scene && CHECK1(burnish_mesh_get_warning_count(scene) == 1)) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
         CHECK_TEXT(burnish_mesh_get_warning(scene, 0),

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "burnish/mesh.h"
+#include "mesh_arrays.h"
 #include "reader_input.h"
 
 static const char *library; /* the text of every material library */
@@ -310,11 +311,10 @@ static void test_ply_comments(void) {
         burnish_mesh_destroy(mesh);
     }
     burnish_load_options options = options_of(0);
-    burnish_mesh *mesh;
     burnish_error error;
     /* Later messages about the header have its line. */
     snprintf(text, sizeof text, "%s%s", PLY_HEAD("comment TextureFile b.png\n"), cases[0].body);
-    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error), error);
+    burnish_mesh *mesh = load_bytes(text, strlen(text), "a.ply", &options);
     CHECK1(burnish_mesh_get_warning_count(mesh) == 2);
     CHECK(strstr(burnish_mesh_get_warning(mesh, 1), "a.ply:3: texture \"b.png\" was skipped"), "%s",
           burnish_mesh_get_warning(mesh, 1));
