@@ -3,7 +3,6 @@
 
 #include "burnish/look.h"
 #include "draw_floats.h"
-#include "kept_renderer.h"
 #include "mesh_arrays.h"
 #include "support.h"
 
@@ -103,25 +102,6 @@ static void test_sphere(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A renderer that drew one mesh must not use its maps for another. */
-static void test_renderer_again(void) {
-    static const char *const names[] = {":knot", ":torus", ":knot"};
-    burnish_render_options options = burnish_render_options_default();
-    burnish_renderer *kept;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_image image = {0};
-    options.width = options.height = 150;
-    options.occlusion = 12;
-    burnish_renderer_create(NULL, &kept, &error);
-    for (int i = 0; i < 3; ++i) {
-        burnish_mesh *mesh = load_mesh(names[i], NULL);
-        check_kept_renderer(kept, &image, mesh, &options, names[i]);
-        burnish_mesh_destroy(mesh);
-    }
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(kept);
-}
-
 /* Whatever its colour, no surface is cut off in the default rig of the command, and a fully lit
  * white one is near 0.9 of white. */
 static void test_exposure(void) {
@@ -187,7 +167,6 @@ int main(int count, char **arguments) {
     RUN(test_wall(72, 0.065));
     RUN(test_wall(54, 0.065));
     RUN(test_sphere());
-    RUN(test_renderer_again());
     RUN(test_exposure());
     RUN(test_refusals());
     return test_end("occlusion");

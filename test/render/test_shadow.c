@@ -87,26 +87,6 @@ static void test_convex(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A renderer that drew another mesh or light draws what a new one does. */
-static void test_renderer_again(void) {
-    static const char *const names[] = {":knot", ":torus", ":torus", ":knot"};
-    burnish_render_options options = burnish_render_options_default();
-    burnish_renderer *kept;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_image image = {0};
-    options.width = options.height = 100;
-    options.shadow = 1;
-    burnish_renderer_create(NULL, &kept, &error);
-    for (int i = 0; i < 4; ++i) {
-        burnish_mesh *mesh = load_mesh(names[i], NULL);
-        options.lights[0].vector[0] = i > 1 ? 1 : -1;
-        check_kept_renderer(kept, &image, mesh, &options, names[i]);
-        burnish_mesh_destroy(mesh);
-    }
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(kept);
-}
-
 /* The holes of a mask cast no shadow, also after its cutoff changes. */
 static void test_cutoffs_again(void) {
     static const float positions[] = {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0,
@@ -182,7 +162,6 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_edge());
     RUN(test_convex());
-    RUN(test_renderer_again());
     RUN(test_cutoffs_again());
     RUN(test_refusals());
     return test_end("shadow");
