@@ -15,6 +15,8 @@ float everyFunction(vec3 N, vec3 L, vec3 V, float n) {
     sum += burnishLit(N, L, V, zeta, 4).y + burnishLitPhong(N, L, V, zeta, 4).y;
     sum += burnishLitPoint(N, L, V, zeta, 4).y + burnishLighting(N, L, V, N, N, V, n).x;
 #ifndef BURNISH_EXACT // area lights do not have the CPU's bits
+    sum += burnishRectLightGgx(L, N, V, 1, N, V, n).y + burnishDiscLightGgx(L, N, V, 1, N, V, n).y;
+    sum += burnishGgxAlbedo(lambda, n).x;
     sum += burnishRectLight(L, N, V, 1, N, V, zeta, 4).y + burnishDiscLight(L, N, V, 2, N, V, zeta, 4).x;
 #endif
     return sum;

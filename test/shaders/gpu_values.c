@@ -127,7 +127,7 @@ static void check_area(gpu_device *gpu, const char *folder, const char *name, co
     char path[512];
     gpu_program program;
     gpu_buffer in, out;
-    double largest[2] = {0, 0}; /* of parallelograms, of discs */
+    double largest[AREA_SHAPES] = {0};
     snprintf(path, sizeof path, "%s/%s.spv", folder, name);
     gpu_program_create(gpu, path, &program);
     gpu_buffer_create(gpu, AREA_CASES_MAX * sizeof(area_case), &in);
@@ -135,18 +135,18 @@ static void check_area(gpu_device *gpu, const char *folder, const char *name, co
     const area_case *cases = in.data;
     const float *values = out.data;
     const int count = read_area_cases(csv, in.data);
-    CHECK(count > 200, "%s: %d cases", csv, count);
+    CHECK(count > 300, "%s: %d cases", csv, count);
     gpu_run(gpu, &program, (const gpu_buffer *[]){&in, &out, &in}, NULL, 0, (uint32_t)count);
     for (int i = 0; i < count; ++i) {
         const area_case *one = &cases[i];
         const float error =
             fmaxf(fabsf(values[2 * i] - one->diffuse), fabsf(values[2 * i + 1] - one->specular));
-        const int is_disc = one->is_disc != 0.0f;
-        largest[is_disc] = fmax(largest[is_disc], (double)error);
-        CHECK(error <= (is_disc ? AREA_ERROR_DISC : AREA_ERROR_RECT), "%s, case %d: %g", name, i,
-              (double)error);
+        const int shape = (int)one->shape;
+        largest[shape] = fmax(largest[shape], (double)error);
+        CHECK(error <= AREA_ERRORS[shape], "%s, case %d: %g", name, i, (double)error);
     }
-    printf("%-34s %10d values, errors %.1e, discs %.1e\n", name, count, largest[0], largest[1]);
+    printf("%-34s %10d values, errors %.1e, discs %.1e, GGX %.3f\n", name, count,
+           largest[AREA_RECT], largest[AREA_DISC], largest[AREA_GGX]);
     gpu_buffer_destroy(gpu, &in);
     gpu_buffer_destroy(gpu, &out);
     gpu_program_destroy(gpu, &program);

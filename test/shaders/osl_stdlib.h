@@ -6,6 +6,7 @@
 
 typedef float3 vector;
 using std::abs;
+using std::exp2;
 using std::max;
 using std::min;
 using std::pow;

@@ -250,15 +250,15 @@ static void check_lighting() {
 static void check_area(const char *path) {
     static area_case cases[AREA_CASES_MAX];
     const int count = read_area_cases(path, cases);
-    check(count > 200, path, count, 201);
+    check(count > 300, path, count, 301);
     for (int i = 0; i < count; ++i) {
         const area_case &one = cases[i];
         const auto of = [](const float *v) { return vector(v[0], v[1], v[2]); };
         const auto light = [&](int sides, vector halfV) {
-            return areaLight(one.is_disc != 0, sides, (int)one.order, one.zeta, of(one.center), of(one.half_u), halfV, of(one.normal),
+            return areaLight((int)one.shape, sides, (int)one.order, one.zeta, of(one.center), of(one.half_u), halfV, of(one.normal),
                              of(one.axis));
         };
-        const float most = one.is_disc != 0 ? AREA_ERROR_DISC : AREA_ERROR_RECT;
+        const float most = AREA_ERRORS[(int)one.shape];
         const vec2 actual = light((int)one.sides, of(one.half_v));
         check(std::fabs(actual.x - one.diffuse) <= most, "area, diffuse", (double)actual.x, (double)one.diffuse);
         check(std::fabs(actual.y - one.specular) <= most, "area, specular", (double)actual.y, (double)one.specular);

@@ -5,20 +5,20 @@
 // Copyright (c) the burnish authors
 
 #include "burnishEdge.glsl"
+#include "burnishGgx.glsl"
 
 #ifndef FNC_LIGHTING_AREA_BURNISH_AREA_LIGHT
 #define FNC_LIGHTING_AREA_BURNISH_AREA_LIGHT
 
 // The light of a parallelogram or an ellipse of radiance 1 as vec2(diffuse, specular):
 //   diffuse   1 / pi times the integral of max(0, N.w) over the light, at most 1
-//   specular  its mean under the lobe of order m = 2, 4, 8, 16 or 32 and slope zeta >= 1 around R:
-//             1 where the light fills the lobe
-// Both leave out what is below the horizon of N. The corners are center +- halfU +- halfV, seen from the
-// surface; N and R have unit length. The light shines to the side of cross(halfU, halfV): sides is 1,
-// or 2 if it shines to both.
+//   specular  its mean under a lobe: 1 where the light fills the lobe
+// Both leave out what is below the horizon of N. The corners are center +- halfU +- halfV, seen from
+// the surface; N, R and V have unit length. The light shines to the side of cross(halfU, halfV): sides
+// is 1, or 2 if it shines to both.
 
-// The two parts of an edge, of which diffuse is 2 pi and specular 2 pi times too large. s is R.n.
-vec2 burnishEdgeLight(vec3 a, vec3 b, vec3 n, float s, vec3 N, vec3 R, float zeta, int order) {
+// The specular part of an edge, 2 pi times too large. s is R.n; lobe is burnishGgxLobes'.
+float burnishEdgeSpecular(vec3 a, vec3 b, vec3 n, float s, vec3 R, vec3 lobe, int order) {
     vec3 nearest = R - n * s;
     float k = max(sqrt(dot(nearest, nearest)), 0.0001);
     nearest = nearest * (1.0 / k);
@@ -29,41 +29,53 @@ vec2 burnishEdgeLight(vec3 a, vec3 b, vec3 n, float s, vec3 N, vec3 R, float zet
     float ya = dot(a, across) * lengthA;
     float xb = dot(b, nearest) * lengthB;
     float yb = dot(b, across) * lengthB;
-    return vec2(burnishEdgeDiffuse(a, b, n, N), burnishEdgeLobe(s, k, xa, ya, xb, yb, zeta, order));
+    float result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+    if (lobe.z > 0.0) {
+        result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+    }
+    return result;
 }
 
-// A regular polygon of `count` corners in the coordinates of halfU and halfV: `corner`, and that
-// turned again and again by `turn`, (cosine, sine).
+// A regular polygon in the coordinates of halfU and halfV: 4 corners at (+-1, +-1), or 12 around a disc
+// with its area. The lobes are seen through the map p + across (across.p) stretch.
 vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N, vec3 R,
-                         float zeta, int order, vec2 corner, vec2 turn, int count) {
+                         vec3 across, float stretch, vec3 lobe, int order, int corners) {
     vec3 up = halfV;
     float side = dot(cross(halfU, halfV), center);
     if (side < 0.0) {
         up = -halfV;
     }
-    vec2 at = corner;
+    vec2 at = vec2(1.0, 1.0);
+    vec2 turn = vec2(0.0, 1.0);
+    if (corners == 12) {
+        at = vec2(1.02332671, 0.0);
+        turn = vec2(0.866025404, 0.5);
+    }
     vec3 a = center + halfU * at.x + up * at.y;
     vec3 leaves = N;
     vec3 enters = N;
     float isCut = 0.0;
     float isSeen = 0.0;
     float isInside = 1.0;
-    vec2 sum = vec2(0.0, 0.0);
-    for (int i = 0; i < count + 1; i = i + 1) {
+    float diffuse = 0.0;
+    float specular = 0.0;
+    for (int i = 0; i < corners + 1; i = i + 1) {
         vec2 next = vec2(turn.x * at.x - turn.y * at.y, turn.y * at.x + turn.x * at.y);
         vec3 edge = halfU * (next.x - at.x) + up * (next.y - at.y);
         vec3 b = a + edge;
         vec3 start = a;
         vec3 end = b;
         vec3 n = cross(a, edge);
-        n = n * inversesqrt(max(dot(n, n), 1.0e-30));
+        vec3 m = cross(a + across * (stretch * dot(a, across)),
+                       edge + across * (stretch * dot(edge, across)));
         float heightA = dot(a, N);
         float heightB = dot(b, N);
         float isUp = step(0.0, max(heightA, heightB));
-        if (i == count) { // what the horizon cuts off is replaced by an edge along it
+        if (i == corners) { // what the horizon cuts off is replaced by an edge along it
             start = leaves;
             end = enters;
             n = N;
+            m = N;
             isUp = isCut;
         } else {
             if (heightA < 0.0 && heightB >= 0.0) {
@@ -77,7 +89,10 @@ vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N,
             }
         }
         if (isUp > 0.0) {
-            float s = dot(n, R);
+            n = n * inversesqrt(max(dot(n, n), 1.0e-30));
+            diffuse = diffuse + burnishEdgeDiffuse(start, end, n, N);
+            m = m * inversesqrt(max(dot(m, m), 1.0e-30));
+            float s = dot(m, R);
             if (s < 0.0) {
                 isInside = 0.0;
             }
@@ -85,7 +100,9 @@ vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N,
                 s = 1.0e-15;
             }
             isSeen = 1.0;
-            sum = sum + burnishEdgeLight(start, end, n, s, N, R, zeta, order);
+            start = start + across * (stretch * dot(start, across));
+            end = end + across * (stretch * dot(end, across));
+            specular = specular + burnishEdgeSpecular(start, end, m, s, R, lobe, order);
         }
         a = b;
         at = next;
@@ -93,24 +110,41 @@ vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N,
     if (sides == 1 && side >= 0.0) {
         isSeen = 0.0;
     }
-    float diffuse = clamp(sum.x * 0.159154943, 0.0, 1.0);
-    float specular = clamp(isInside + sum.y * 0.159154943, 0.0, 1.0);
+    diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);
+    specular = clamp(isInside + specular * 0.159154943, 0.0, 1.0);
     return vec2(isSeen * diffuse, isSeen * specular);
 }
 
+// Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.
 vec2 burnishRectLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N, vec3 R, float zeta,
                       int order) {
-    vec2 corner = vec2(1.0, 1.0);
-    vec2 turn = vec2(0.0, 1.0);
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 4);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3(zeta, 1.0, 0.0),
+                               order, 4);
 }
 
-// The disc is a polygon of 12 corners with its area.
 vec2 burnishDiscLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N, vec3 R, float zeta,
                       int order) {
-    vec2 corner = vec2(1.02332671, 0.0);
-    vec2 turn = vec2(0.866025404, 0.5);
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 12);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3(zeta, 1.0, 0.0),
+                               order, 12);
+}
+
+// Under GGX, seen from V. Multiply the specular part by F0 x + y of burnishGgxAlbedo.
+vec2 burnishRectLightGgx(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N, vec3 V,
+                         float roughness) {
+    vec3 R = burnishGgxAxis(N, V, roughness);
+    vec3 across = burnishGgxAcross(N, V);
+    float stretch = burnishGgxStretch(dot(N, V), roughness);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, across, stretch,
+                               burnishGgxLobes(roughness), 4, 4);
+}
+
+vec2 burnishDiscLightGgx(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N, vec3 V,
+                         float roughness) {
+    vec3 R = burnishGgxAxis(N, V, roughness);
+    vec3 across = burnishGgxAcross(N, V);
+    float stretch = burnishGgxStretch(dot(N, V), roughness);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, across, stretch,
+                               burnishGgxLobes(roughness), 4, 12);
 }
 
 #endif

@@ -9,15 +9,15 @@
 #ifndef FNC_LIGHTING_AREA_BURNISH_EDGE
 #define FNC_LIGHTING_AREA_BURNISH_EDGE
 
-// Parts of the light of a polygon that belong to one of its edges: an arc from a to b of the great
-// circle with unit normal n, which points into the polygon.
+// What an edge adds to the light of a polygon: an arc from a to b of the great circle with unit normal n,
+// which points into the polygon.
 
 // Lambert's: its sum is 2 times the integral of max(0, N.w).
 float burnishEdgeDiffuse(vec3 a, vec3 b, vec3 n, vec3 N) {
     return burnishArctangent(dot(n, cross(a, b)), dot(a, b)) * dot(n, N);
 }
 
-// 1 + u + ... + u^m
+// 1 + u + ... + u^m for m = 1, 2, 4 or 8
 float burnishPowerSum(float u, int order) {
     float sum = 1.0 + u;
     float power = u * u;
@@ -29,7 +29,10 @@ float burnishPowerSum(float u, int order) {
         sum = sum * (1.0 + power);
         power = power * power;
     }
-    return sum + power;
+    if (order >= 2) {
+        sum = sum + power;
+    }
+    return sum;
 }
 
 // (1 + u + ... + u^m) / (1 + c) at two points of the arc, whose gaps are 1 - c.

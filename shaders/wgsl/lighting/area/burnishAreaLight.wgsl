@@ -5,18 +5,18 @@
 // Copyright (c) the burnish authors
 
 #include "burnishEdge.wgsl"
+#include "burnishGgx.wgsl"
 
 // The light of a parallelogram or an ellipse of radiance 1 as vec2(diffuse, specular):
 //   diffuse   1 / pi times the integral of max(0, N.w) over the light, at most 1
-//   specular  its mean under the lobe of order m = 2, 4, 8, 16 or 32 and slope zeta >= 1 around R:
-//             1 where the light fills the lobe
-// Both leave out what is below the horizon of N. The corners are center +- halfU +- halfV, seen from the
-// surface; N and R have unit length. The light shines to the side of cross(halfU, halfV): sides is 1,
-// or 2 if it shines to both.
+//   specular  its mean under a lobe: 1 where the light fills the lobe
+// Both leave out what is below the horizon of N. The corners are center +- halfU +- halfV, seen from
+// the surface; N, R and V have unit length. The light shines to the side of cross(halfU, halfV): sides
+// is 1, or 2 if it shines to both.
 
-// The two parts of an edge, of which diffuse is 2 pi and specular 2 pi times too large. s is R.n.
-fn burnishEdgeLight(a: vec3f, b: vec3f, n: vec3f, s: f32, N: vec3f, R: vec3f, zeta: f32,
-                    order: i32) -> vec2f {
+// The specular part of an edge, 2 pi times too large. s is R.n; lobe is burnishGgxLobes'.
+fn burnishEdgeSpecular(a: vec3f, b: vec3f, n: vec3f, s: f32, R: vec3f, lobe: vec3f,
+                       order: i32) -> f32 {
     var nearest = R - n * s;
     let k = max(sqrt(dot(nearest, nearest)), 0.0001);
     nearest = nearest * (1.0 / k);
@@ -27,42 +27,53 @@ fn burnishEdgeLight(a: vec3f, b: vec3f, n: vec3f, s: f32, N: vec3f, R: vec3f, ze
     let ya = dot(a, across) * lengthA;
     let xb = dot(b, nearest) * lengthB;
     let yb = dot(b, across) * lengthB;
-    return vec2f(burnishEdgeDiffuse(a, b, n, N), burnishEdgeLobe(s, k, xa, ya, xb, yb, zeta,
-                 order));
+    var result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+    if (lobe.z > 0.0) {
+        result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+    }
+    return result;
 }
 
-// A regular polygon of `count` corners in the coordinates of halfU and halfV: `corner`, and that
-// turned again and again by `turn`, (cosine, sine).
+// A regular polygon in the coordinates of halfU and halfV: 4 corners at (+-1, +-1), or 12 around a disc
+// with its area. The lobes are seen through the map p + across (across.p) stretch.
 fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
-                       zeta: f32, order: i32, corner: vec2f, turn: vec2f, count: i32) -> vec2f {
+                       across: vec3f, stretch: f32, lobe: vec3f, order: i32, corners: i32) -> vec2f {
     var up = halfV;
     let side = dot(cross(halfU, halfV), center);
     if (side < 0.0) {
         up = -halfV;
     }
-    var at = corner;
+    var at = vec2f(1.0, 1.0);
+    var turn = vec2f(0.0, 1.0);
+    if (corners == 12) {
+        at = vec2f(1.02332671, 0.0);
+        turn = vec2f(0.866025404, 0.5);
+    }
     var a = center + halfU * at.x + up * at.y;
     var leaves = N;
     var enters = N;
     var isCut = 0.0;
     var isSeen = 0.0;
     var isInside = 1.0;
-    var sum = vec2f(0.0, 0.0);
-    for (var i: i32 = 0; i < count + 1; i = i + 1) {
+    var diffuse = 0.0;
+    var specular = 0.0;
+    for (var i: i32 = 0; i < corners + 1; i = i + 1) {
         let next = vec2f(turn.x * at.x - turn.y * at.y, turn.y * at.x + turn.x * at.y);
         let edge = halfU * (next.x - at.x) + up * (next.y - at.y);
         let b = a + edge;
         var start = a;
         var end = b;
         var n = cross(a, edge);
-        n = n * inverseSqrt(max(dot(n, n), 1.0e-30));
+        var m = cross(a + across * (stretch * dot(a, across)), edge + across * (stretch * dot(edge,
+                      across)));
         let heightA = dot(a, N);
         let heightB = dot(b, N);
         var isUp = step(0.0, max(heightA, heightB));
-        if (i == count) { // what the horizon cuts off is replaced by an edge along it
+        if (i == corners) { // what the horizon cuts off is replaced by an edge along it
             start = leaves;
             end = enters;
             n = N;
+            m = N;
             isUp = isCut;
         } else {
             if (heightA < 0.0 && heightB >= 0.0) {
@@ -76,7 +87,10 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
             }
         }
         if (isUp > 0.0) {
-            var s = dot(n, R);
+            n = n * inverseSqrt(max(dot(n, n), 1.0e-30));
+            diffuse = diffuse + burnishEdgeDiffuse(start, end, n, N);
+            m = m * inverseSqrt(max(dot(m, m), 1.0e-30));
+            var s = dot(m, R);
             if (s < 0.0) {
                 isInside = 0.0;
             }
@@ -84,7 +98,9 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
                 s = 1.0e-15;
             }
             isSeen = 1.0;
-            sum = sum + burnishEdgeLight(start, end, n, s, N, R, zeta, order);
+            start = start + across * (stretch * dot(start, across));
+            end = end + across * (stretch * dot(end, across));
+            specular = specular + burnishEdgeSpecular(start, end, m, s, R, lobe, order);
         }
         a = b;
         at = next;
@@ -92,22 +108,39 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
     if (sides == 1 && side >= 0.0) {
         isSeen = 0.0;
     }
-    let diffuse = clamp(sum.x * 0.159154943, 0.0, 1.0);
-    let specular = clamp(isInside + sum.y * 0.159154943, 0.0, 1.0);
+    diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);
+    specular = clamp(isInside + specular * 0.159154943, 0.0, 1.0);
     return vec2f(isSeen * diffuse, isSeen * specular);
 }
 
+// Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.
 fn burnishRectLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
                     zeta: f32, order: i32) -> vec2f {
-    let corner = vec2f(1.0, 1.0);
-    let turn = vec2f(0.0, 1.0);
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 4);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3f(zeta, 1.0, 0.0),
+                               order, 4);
 }
 
-// The disc is a polygon of 12 corners with its area.
 fn burnishDiscLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
                     zeta: f32, order: i32) -> vec2f {
-    let corner = vec2f(1.02332671, 0.0);
-    let turn = vec2f(0.866025404, 0.5);
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, zeta, order, corner, turn, 12);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3f(zeta, 1.0, 0.0),
+                               order, 12);
+}
+
+// Under GGX, seen from V. Multiply the specular part by F0 x + y of burnishGgxAlbedo.
+fn burnishRectLightGgx(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, V: vec3f,
+                       roughness: f32) -> vec2f {
+    let R = burnishGgxAxis(N, V, roughness);
+    let across = burnishGgxAcross(N, V);
+    let stretch = burnishGgxStretch(dot(N, V), roughness);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, across, stretch,
+                               burnishGgxLobes(roughness), 4, 4);
+}
+
+fn burnishDiscLightGgx(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, V: vec3f,
+                       roughness: f32) -> vec2f {
+    let R = burnishGgxAxis(N, V, roughness);
+    let across = burnishGgxAcross(N, V);
+    let stretch = burnishGgxStretch(dot(N, V), roughness);
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, across, stretch,
+                               burnishGgxLobes(roughness), 4, 12);
 }

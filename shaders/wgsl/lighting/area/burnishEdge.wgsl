@@ -6,15 +6,15 @@
 
 #include "../../math/burnishArctangent.wgsl"
 
-// Parts of the light of a polygon that belong to one of its edges: an arc from a to b of the great
-// circle with unit normal n, which points into the polygon.
+// What an edge adds to the light of a polygon: an arc from a to b of the great circle with unit normal n,
+// which points into the polygon.
 
 // Lambert's: its sum is 2 times the integral of max(0, N.w).
 fn burnishEdgeDiffuse(a: vec3f, b: vec3f, n: vec3f, N: vec3f) -> f32 {
     return burnishArctangent(dot(n, cross(a, b)), dot(a, b)) * dot(n, N);
 }
 
-// 1 + u + ... + u^m
+// 1 + u + ... + u^m for m = 1, 2, 4 or 8
 fn burnishPowerSum(u: f32, order: i32) -> f32 {
     var sum = 1.0 + u;
     var power = u * u;
@@ -26,7 +26,10 @@ fn burnishPowerSum(u: f32, order: i32) -> f32 {
         sum = sum * (1.0 + power);
         power = power * power;
     }
-    return sum + power;
+    if (order >= 2) {
+        sum = sum + power;
+    }
+    return sum;
 }
 
 // (1 + u + ... + u^m) / (1 + c) at two points of the arc, whose gaps are 1 - c.
