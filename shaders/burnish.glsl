@@ -432,7 +432,7 @@ float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, 
     float gap = s * s / (1.0 + k);
     float h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
     float result = 0.0;
-    if (h > 0.0) {
+    if (h > 0.0 && k > 0.001) {
         float x = 1.0 - h;
         float y = sqrt(h * (2.0 - h));
         float x1 = xa;
@@ -540,17 +540,20 @@ vec2 burnishGgxAlbedo(float NoV, float roughness) {
 float burnishEdgeSpecular(vec3 a, vec3 b, vec3 n, float s, vec3 R, vec3 lobe, int order) {
     vec3 nearest = R - n * s;
     float k = max(sqrt(dot(nearest, nearest)), 0.0001);
-    nearest = nearest * (1.0 / k);
-    vec3 across = cross(n, nearest);
-    float lengthA = inversesqrt(max(dot(a, a), 1.0e-30));
-    float lengthB = inversesqrt(max(dot(b, b), 1.0e-30));
-    float xa = dot(a, nearest) * lengthA;
-    float ya = dot(a, across) * lengthA;
-    float xb = dot(b, nearest) * lengthB;
-    float yb = dot(b, across) * lengthB;
-    float result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
-    if (lobe.z > 0.0) {
-        result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+    float result = 0.0;
+    if (s * s * min(lobe.x, lobe.y) < 1.0 + k) {
+        nearest = nearest * (1.0 / k);
+        vec3 across = cross(n, nearest);
+        float lengthA = inversesqrt(max(dot(a, a), 1.0e-30));
+        float lengthB = inversesqrt(max(dot(b, b), 1.0e-30));
+        float xa = dot(a, nearest) * lengthA;
+        float ya = dot(a, across) * lengthA;
+        float xb = dot(b, nearest) * lengthB;
+        float yb = dot(b, across) * lengthB;
+        result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+        if (lobe.z > 0.0) {
+            result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+        }
     }
     return result;
 }
@@ -637,13 +640,13 @@ vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N,
 // Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.
 vec2 burnishRectLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N, vec3 R, float zeta,
                       int order) {
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3(zeta, 1.0, 0.0),
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3(zeta, zeta, 0.0),
                                order, 4);
 }
 
 vec2 burnishDiscLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N, vec3 R, float zeta,
                       int order) {
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3(zeta, 1.0, 0.0),
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3(zeta, zeta, 0.0),
                                order, 12);
 }
 

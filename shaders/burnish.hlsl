@@ -433,7 +433,7 @@ float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, 
     float gap = s * s / (1.0 + k);
     float h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
     float result = 0.0;
-    if (h > 0.0) {
+    if (h > 0.0 && k > 0.001) {
         float x = 1.0 - h;
         float y = sqrt(h * (2.0 - h));
         float x1 = xa;
@@ -541,17 +541,20 @@ float2 burnishGgxAlbedo(float NoV, float roughness) {
 float burnishEdgeSpecular(float3 a, float3 b, float3 n, float s, float3 R, float3 lobe, int order) {
     float3 nearest = R - n * s;
     float k = max(sqrt(dot(nearest, nearest)), 0.0001);
-    nearest = nearest * (1.0 / k);
-    float3 across = cross(n, nearest);
-    float lengthA = rsqrt(max(dot(a, a), 1.0e-30));
-    float lengthB = rsqrt(max(dot(b, b), 1.0e-30));
-    float xa = dot(a, nearest) * lengthA;
-    float ya = dot(a, across) * lengthA;
-    float xb = dot(b, nearest) * lengthB;
-    float yb = dot(b, across) * lengthB;
-    float result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
-    if (lobe.z > 0.0) {
-        result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+    float result = 0.0;
+    if (s * s * min(lobe.x, lobe.y) < 1.0 + k) {
+        nearest = nearest * (1.0 / k);
+        float3 across = cross(n, nearest);
+        float lengthA = rsqrt(max(dot(a, a), 1.0e-30));
+        float lengthB = rsqrt(max(dot(b, b), 1.0e-30));
+        float xa = dot(a, nearest) * lengthA;
+        float ya = dot(a, across) * lengthA;
+        float xb = dot(b, nearest) * lengthB;
+        float yb = dot(b, across) * lengthB;
+        result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+        if (lobe.z > 0.0) {
+            result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+        }
     }
     return result;
 }
@@ -638,13 +641,13 @@ float2 burnishRegularLight(float3 center, float3 halfU, float3 halfV, int sides,
 // Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.
 float2 burnishRectLight(float3 center, float3 halfU, float3 halfV, int sides, float3 N, float3 R,
                         float zeta, int order) {
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, float3(zeta, 1.0, 0.0),
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, float3(zeta, zeta, 0.0),
                                order, 4);
 }
 
 float2 burnishDiscLight(float3 center, float3 halfU, float3 halfV, int sides, float3 N, float3 R,
                         float zeta, int order) {
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, float3(zeta, 1.0, 0.0),
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, float3(zeta, zeta, 0.0),
                                order, 12);
 }
 

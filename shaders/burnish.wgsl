@@ -399,7 +399,7 @@ fn burnishEdgeLobe(s: f32, k: f32, xa: f32, ya: f32, xb: f32, yb: f32, zeta: f32
     let gap = s * s / (1.0 + k);
     let h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
     var result = 0.0;
-    if (h > 0.0) {
+    if (h > 0.0 && k > 0.001) {
         let x = 1.0 - h;
         let y = sqrt(h * (2.0 - h));
         var x1 = xa;
@@ -506,17 +506,20 @@ fn burnishEdgeSpecular(a: vec3f, b: vec3f, n: vec3f, s: f32, R: vec3f, lobe: vec
                        order: i32) -> f32 {
     var nearest = R - n * s;
     let k = max(sqrt(dot(nearest, nearest)), 0.0001);
-    nearest = nearest * (1.0 / k);
-    let across = cross(n, nearest);
-    let lengthA = inverseSqrt(max(dot(a, a), 1.0e-30));
-    let lengthB = inverseSqrt(max(dot(b, b), 1.0e-30));
-    let xa = dot(a, nearest) * lengthA;
-    let ya = dot(a, across) * lengthA;
-    let xb = dot(b, nearest) * lengthB;
-    let yb = dot(b, across) * lengthB;
-    var result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
-    if (lobe.z > 0.0) {
-        result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+    var result = 0.0;
+    if (s * s * min(lobe.x, lobe.y) < 1.0 + k) {
+        nearest = nearest * (1.0 / k);
+        let across = cross(n, nearest);
+        let lengthA = inverseSqrt(max(dot(a, a), 1.0e-30));
+        let lengthB = inverseSqrt(max(dot(b, b), 1.0e-30));
+        let xa = dot(a, nearest) * lengthA;
+        let ya = dot(a, across) * lengthA;
+        let xb = dot(b, nearest) * lengthB;
+        let yb = dot(b, across) * lengthB;
+        result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+        if (lobe.z > 0.0) {
+            result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
+        }
     }
     return result;
 }
@@ -603,13 +606,13 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
 // Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.
 fn burnishRectLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
                     zeta: f32, order: i32) -> vec2f {
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3f(zeta, 1.0, 0.0),
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3f(zeta, zeta, 0.0),
                                order, 4);
 }
 
 fn burnishDiscLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N: vec3f, R: vec3f,
                     zeta: f32, order: i32) -> vec2f {
-    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3f(zeta, 1.0, 0.0),
+    return burnishRegularLight(center, halfU, halfV, sides, N, R, N, 0.0, vec3f(zeta, zeta, 0.0),
                                order, 12);
 }
 

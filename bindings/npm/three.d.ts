@@ -1,4 +1,5 @@
-import type { Material } from "three";
+import type { ColorRepresentation, Material } from "three";
+import { RectAreaLight } from "three";
 
 /** The lobe that replaces cos^n. */
 export interface Lobe {
@@ -12,3 +13,12 @@ export interface Lobe {
 
 /** Adds the lobe to a MeshPhongMaterial or MeshStandardMaterial and its clones, and returns it. */
 export function useBurnish<M extends Material>(material: M, lobe?: Lobe): M;
+
+/**
+ * A RectAreaLight for WebGLRenderer that MeshStandardMaterial and MeshPhysicalMaterial integrate in the shader, without RectAreaLightUniformsLib and its tables.
+ * Width, height, intensity (nits) and lookAt are as in RectAreaLight. The first one changes all rectangular lights of the page, but not the materials with
+ * `defines: { USE_LTC: "" }`.
+ */
+export class BurnishRectLight extends RectAreaLight {
+  constructor(color?: ColorRepresentation, intensity?: number, width?: number, height?: number);
+}

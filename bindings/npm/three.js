@@ -1,12 +1,13 @@
-// burnish/three: highlights without pow in three.js' materials, for WebGLRenderer.
+// burnish/three: highlights without pow in three.js' materials, and rectangular lights without tables, for WebGLRenderer.
 //
 //   import { useBurnish } from "burnish/three";
 //   const material = useBurnish(new MeshPhongMaterial({ shininess: 60 }), { fit: "minimax", order: 4 });
+//   scene.add(new BurnishRectLight("white", 5, 2, 1)); // width 2, height 1
 //
 // In MeshPhongMaterial the lobe replaces pow( dotNH, shininess ); in MeshStandardMaterial and
 // MeshPhysicalMaterial the normalised lobe replaces GGX's distribution of normals. It throws if three.js no longer
 // contains the replaced source text.
-import { ShaderChunk } from "three";
+import { RectAreaLight, ShaderChunk } from "three";
 import glsl from "./glsl.js";
 import { checkLobe } from "./lobe.js";
 
@@ -52,11 +53,12 @@ function changedChunk(material, lobe) {
 /** Adds the lobe to the material and its clones, and returns it. An existing onBeforeCompile runs first. */
 export function useBurnish(material, options = {}) {
   const lobe = checkLobe(options, material.isMeshStandardMaterial ? "projected" : "energy");
-  const { name, source } = changedChunk(material, lobe);
+  changedChunk(material, lobe); // throws early
   const before = material.onBeforeCompile;
   const key = material.customProgramCacheKey();
   material.onBeforeCompile = function (shader, renderer) {
     before.call(this, shader, renderer);
+    const { name, source } = changedChunk(material, lobe); // now: a BurnishRectLight changes chunks
     const include = `#include <${name}>`;
     if (!shader.fragmentShader.includes(include)) {
       throw new Error(`burnish/three: the shader of ${material.type} has no ${include}; take a version of burnish that knows this three.js`);
@@ -70,4 +72,56 @@ export function useBurnish(material, options = {}) {
   };
   material.needsUpdate = true;
   return material;
+}
+
+// ---- Area lights ----
+
+const AREA = "lights_physical_pars_fragment";
+const MARK = "RE_Direct_RectArea_Burnish";
+
+// The part of GGX's light that a surface reflects: three.js' own table where it has one.
+const share = (source, normal, roughness) => (source.includes("vec2 dfg;") && normal === "geometryNormal" ? "material.dfg"
+  : `burnishGgxAlbedo( saturate( dot( ${normal}, geometryViewDir ) ), ${roughness} )`);
+
+// Follows RE_Direct_RectArea_Physical; older versions of three.js have other names for colours.
+function areaFunction(source) {
+  const specular = source.includes("specularColorBlended") ? "specularColorBlended" : "specularColor";
+  const diffuse = source.includes("diffuseContribution") ? "diffuseContribution" : "diffuseColor";
+  return `
+#if NUM_RECT_AREA_LIGHTS > 0 && ! defined( USE_LTC )
+${glsl}
+	void ${MARK}( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 center = rectAreaLight.position - geometryPosition;
+		vec3 halfU = - rectAreaLight.halfWidth; // it shines in the local negative z direction
+		vec2 light = burnishRectLightGgx( center, halfU, rectAreaLight.halfHeight, 1, geometryNormal, geometryViewDir, material.roughness );
+		vec2 share = ${share(source, "geometryNormal", "material.roughness")};
+		reflectedLight.directSpecular += rectAreaLight.color * ( material.${specular} * share.x + material.specularF90 * share.y ) * light.y;
+		reflectedLight.directDiffuse += rectAreaLight.color * material.${diffuse} * light.x;
+		#ifdef USE_CLEARCOAT
+			light = burnishRectLightGgx( center, halfU, rectAreaLight.halfHeight, 1, geometryClearcoatNormal, geometryViewDir, material.clearcoatRoughness );
+			share = ${share(source, "geometryClearcoatNormal", "material.clearcoatRoughness")};
+			clearcoatSpecularDirect += rectAreaLight.color * ( material.clearcoatF0 * share.x + material.clearcoatF90 * share.y ) * light.y;
+		#endif
+	}
+	#undef RE_Direct_RectArea
+	#define RE_Direct_RectArea ${MARK}
+#endif
+`;
+}
+
+/**
+ * A RectAreaLight that MeshStandardMaterial and MeshPhysicalMaterial integrate in the shader, without RectAreaLightUniformsLib and its tables. The first one
+ * changes all rectangular lights of the page, but not the materials with the define USE_LTC.
+ */
+export class BurnishRectLight extends RectAreaLight {
+  constructor(color, intensity, width, height) {
+    super(color, intensity, width, height);
+    const source = ShaderChunk[AREA];
+    if (!source?.includes("#define RE_Direct_RectArea")) {
+      throw new Error(`burnish/three: three.js' shader chunk "${AREA}" no longer has rectangular lights; use a version of burnish that knows this one`);
+    }
+    if (!source.includes(MARK)) {
+      ShaderChunk[AREA] = source + areaFunction(source);
+    }
+  }
 }

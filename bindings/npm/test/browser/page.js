@@ -4,6 +4,7 @@ import * as GPU from "three/webgpu";
 import { load } from "burnish/wasm";
 import { useBurnish } from "burnish/three";
 import { BurnishPhongMaterial } from "burnish/three/tsl";
+import { compareAreaLights, drawAreaLights, timeAreaLights } from "./area.js";
 
 const SIZE = 128;
 const SHININESS = 30;
@@ -94,5 +95,11 @@ async function run() {
   results.worker = await new Promise((resolve) => (worker.onmessage = ({ data }) => resolve(data)));
   return results;
 }
+
+// Called by run.mjs and figure.mjs.
+window.area = (roughnesses, width, height, samples) => compareAreaLights(roughnesses, width, height, samples)
+  .map(({ roughness, burnish, three }) => [roughness, burnish.rms, burnish.most, three.rms, three.most]);
+window.areaFigure = (roughnesses, width, height, samples) => drawAreaLights(compareAreaLights(roughnesses, width, height, samples), width, height);
+window.areaTimes = timeAreaLights;
 
 window.results = run().catch((error) => ({ error: String(error?.stack ?? error) }));

@@ -68,7 +68,7 @@ float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, 
     float gap = s * s / (1.0 + k);
     float h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
     float result = 0.0;
-    if (h > 0.0) {
+    if (h > 0.0 && k > 0.001) {
         float x = 1.0 - h;
         float y = sqrt(h * (2.0 - h));
         float x1 = xa;

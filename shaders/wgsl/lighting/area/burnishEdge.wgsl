@@ -65,7 +65,7 @@ fn burnishEdgeLobe(s: f32, k: f32, xa: f32, ya: f32, xb: f32, yb: f32, zeta: f32
     let gap = s * s / (1.0 + k);
     let h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
     var result = 0.0;
-    if (h > 0.0) {
+    if (h > 0.0 && k > 0.001) {
         let x = 1.0 - h;
         let y = sqrt(h * (2.0 - h));
         var x1 = xa;
