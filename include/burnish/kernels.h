@@ -197,11 +197,18 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
  * and E = 2 pi / (zeta (m + 1)), the integral of S over all directions. A light that fills the
  * hemisphere has diffuse = 1; a light that fills a lobe's cone has specular = weight.
  *
- * Accuracy over random lights: diffuse 3e-7; specular, for weight 1, 2e-4 (m = 2, zeta < 4), 1e-5
- * (zeta < 2000) and 2e-5. */
+ * Accuracy over random lights: diffuse 3e-7; specular, relative to the weight, 5e-5 for zeta >= 1
+ * and 2e-4 below. */
 
 #define BURNISH_POLYGON_VERTEX_MAX 16
 #define BURNISH_POLYGON_LOBE_MAX 3
+
+/* A part of a reflection. */
+typedef struct burnish_kernels_lobe {
+    int order;    /* m: 1, 2, 4, 8, 16 or 32 */
+    float zeta;   /* [0.5, 65536] */
+    float weight; /* [0, 1e6] */
+} burnish_kernels_lobe;
 
 /* A light and the lobes that reflect it. Start from burnish_kernels_polygon_default(). */
 typedef struct burnish_kernels_polygon {
@@ -211,13 +218,11 @@ typedef struct burnish_kernels_polygon {
     int is_two_sided; /* 0: the light shines to the side from which the vertices are in
                          counterclockwise order; a distant one on (0, 0, 0). 1: to both sides */
     int vertex_count; /* [3, BURNISH_POLYGON_VERTEX_MAX] */
-    float vertices[BURNISH_POLYGON_VERTEX_MAX]
-                  [3];                      /* coordinates in [-2^40, 2^40]; corners of a flat
-                                                      and convex polygon, within 1e-4 of its size */
-    int lobe_count;                         /* [0, BURNISH_POLYGON_LOBE_MAX] */
-    int order;                              /* m of all lobes: 2, 4 or 8 */
-    float zeta[BURNISH_POLYGON_LOBE_MAX];   /* [0.5, 65536] */
-    float weight[BURNISH_POLYGON_LOBE_MAX]; /* [0, 1e6] */
+    /* Corners of a flat and convex polygon, within 1e-4 of its size; coordinates in
+     * [-2^40, 2^40]. */
+    float vertices[BURNISH_POLYGON_VERTEX_MAX][3];
+    int lobe_count; /* [0, BURNISH_POLYGON_LOBE_MAX] */
+    burnish_kernels_lobe lobes[BURNISH_POLYGON_LOBE_MAX];
 } burnish_kernels_polygon;
 
 /* A square of side 2 at z = 1 that shines toward (0, 0, 0), one-sided, with one lobe of order 2,
@@ -229,13 +234,22 @@ static inline burnish_kernels_polygon burnish_kernels_polygon_default(void) {
     return polygon;
 }
 
+/* Where the lobes of points are: arrays of count floats. */
+typedef struct burnish_kernels_axes {
+    const float *axis[3]; /* R: unit vectors */
+    const float
+        *stretch[3]; /* e: for the specular part, each vertex p, relative to the point, is at
+                                p + e (e.p): a highlight that is narrower along e. Normal to N; all
+                                NULL: 0 */
+} burnish_kernels_axes;
+
 /* Computes the light of a polygon at points.
  *   kernels  NULL: burnish_kernels_best()
  *   polygon  not NULL
  *   points   normals of lengths in [2^-60, 2^60]; all NULL: no horizon, for light[0] = NULL only.
  *            Positions and w as for point lights; not read for distant lights. diffuse and
  *            first_light are not read
- *   axis     R: x, y, z of unit vectors, not read without lobes
+ *   axes     not read without lobes; may be NULL then
  *   count    number of points
  *   light    light[0] receives count values of diffuse in [0, 1], light[1] of specular, at least 0;
  *            one of them may be NULL. No array overlaps an input
@@ -246,8 +260,8 @@ static inline burnish_kernels_polygon burnish_kernels_polygon_default(void) {
 BURNISH_API burnish_status burnish_kernels_polygon_light(const burnish_kernels *kernels,
                                                          const burnish_kernels_polygon *polygon,
                                                          const burnish_kernels_points *points,
-                                                         const float *const axis[3], size_t count,
-                                                         float *const light[2],
+                                                         const burnish_kernels_axes *axes,
+                                                         size_t count, float *const light[2],
                                                          burnish_error *error);
 
 #ifdef __cplusplus

@@ -190,23 +190,25 @@ burnish_status burnish_kernels_shade_float(const burnish_kernels *kernels,
 /* ---- Polygonal lights ---- */
 
 static int has_arrays(const float *const arrays[3]) {
-    return arrays && arrays[0] && arrays[1] && arrays[2];
+    return arrays[0] && arrays[1] && arrays[2];
 }
 
 static burnish_status check_polygon_arrays(const burnish_polygon_constants *polygon,
                                            const burnish_kernels_points *points,
-                                           const float *const axis[3], float *const light[2],
+                                           const burnish_kernels_axes *axes, float *const light[2],
                                            burnish_error *error) {
-    const int has_normals = has_arrays(points->normal);
-    if (!has_normals && (light[0] || points->normal[0])) {
+    if (!has_arrays(points->normal) && (light[0] || points->normal[0])) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "points: an array of normals is NULL");
     }
     if (!polygon->is_distant && !has_arrays(points->position)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "points: lights that are not distant need the arrays of positions");
     }
-    if (polygon->lobe_count && !has_arrays(axis)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "axis: lobes need all three arrays");
+    if (polygon->lobe_count && (!axes || !has_arrays(axes->axis))) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "axes: lobes need all three arrays");
+    }
+    if (axes && axes->stretch[0] && !has_arrays(axes->stretch)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "axes: an array of stretch is NULL");
     }
     return BURNISH_STATUS_OK;
 }
@@ -214,16 +216,24 @@ static burnish_status check_polygon_arrays(const burnish_polygon_constants *poly
 burnish_status burnish_kernels_polygon_light(const burnish_kernels *kernels,
                                              const burnish_kernels_polygon *polygon,
                                              const burnish_kernels_points *points,
-                                             const float *const axis[3], size_t count,
+                                             const burnish_kernels_axes *axes, size_t count,
                                              float *const light[2], burnish_error *error) {
     burnish_polygon_constants constants;
     const burnish_float_mode float_mode = burnish_float_mode_enter();
     burnish_status status = burnish_polygon_constants_make(polygon, &constants, error);
     if (status == BURNISH_STATUS_OK) {
-        status = check_polygon_arrays(&constants, points, axis, light, error);
+        status = check_polygon_arrays(&constants, points, axes, light, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        or_best(kernels)->polygon[constants.order](&constants, points, axis, count, light);
+        const burnish_kernels_axes none = {.axis = {NULL}}, *given = axes ? axes : &none;
+        float *const diffuse[2] = {light[0], NULL}, *const specular[2] = {NULL, light[1]};
+        const int is_stretched = light[0] && given->stretch[0];
+        or_best(kernels)->polygon_light(&constants, points, given, count,
+                                        is_stretched ? specular : light);
+        if (is_stretched) {
+            constants.lobe_count = 0;
+            or_best(kernels)->polygon_light(&constants, points, &none, count, diffuse);
+        }
     }
     burnish_float_mode_leave(float_mode);
     return status;

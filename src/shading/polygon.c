@@ -13,15 +13,16 @@
  * edge. */
 #define TOLERANCE 1e-4
 
+/* From this zeta on a quadratic approximates 1 / ((1 + c) cos(t/2)) in the cap, within 2e-5. */
+#define NARROW 16.0f
+
 void burnish_kernels_polygon_init(burnish_kernels_polygon *polygon, uint64_t layout) {
     const burnish_kernels_polygon defaults = {
         .cookie = COOKIE,
         .vertex_count = 4,
         .vertices = {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}},
         .lobe_count = 1,
-        .order = 2,
-        .zeta = {1},
-        .weight = {1}};
+        .lobes = {{.order = 2, .zeta = 1, .weight = 1}}};
     burnish_layout_init(polygon, layout, BURNISH_LAYOUT(burnish_kernels_polygon), &defaults);
 }
 
@@ -29,26 +30,39 @@ static int is_within(float x, float low, float high) {
     return x >= low && x <= high; /* not NaN */
 }
 
-static burnish_status check_lobes(const burnish_kernels_polygon *polygon, burnish_error *error) {
-    const int order = polygon->order;
+static burnish_status make_lobes(const burnish_kernels_polygon *polygon,
+                                 burnish_polygon_constants *constants, burnish_error *error) {
     if (polygon->lobe_count < 0 || polygon->lobe_count > BURNISH_POLYGON_LOBE_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: %d lobes; at most %d",
                             polygon->lobe_count, BURNISH_POLYGON_LOBE_MAX);
     }
-    if (polygon->lobe_count && order != 2 && order != 4 && order != 8) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: order %d is not 2, 4 or 8",
-                            order);
-    }
+    constants->lobe_count = polygon->lobe_count;
     for (int j = 0; j < polygon->lobe_count; ++j) {
-        if (!is_within(polygon->zeta[j], 0.5f, BURNISH_LOBE_ZETA_MAX)) {
+        const burnish_kernels_lobe *lobe = &polygon->lobes[j];
+        burnish_polygon_lobe *made = &constants->lobes[j];
+        if (lobe->order != 1 && !burnish_lobe_order_is_valid(lobe->order)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "polygon: order %d of lobe %d is not 1, 2, 4, 8, 16 or 32",
+                                lobe->order, j + 1);
+        }
+        if (!is_within(lobe->zeta, 0.5f, BURNISH_LOBE_ZETA_MAX)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "polygon: zeta %g of lobe %d is not in [0.5, 65536]",
-                                (double)polygon->zeta[j], j + 1);
+                                (double)lobe->zeta, j + 1);
         }
-        if (!is_within(polygon->weight[j], 0.0f, 1e6f)) {
+        if (!is_within(lobe->weight, 0.0f, 1e6f)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "polygon: weight %g of lobe %d is not in [0, 1e6]",
-                                (double)polygon->weight[j], j + 1);
+                                (double)lobe->weight, j + 1);
+        }
+        const double least = 1.0 - 1.0 / (double)lobe->zeta, bound = least > 0 ? least : 0;
+        *made = (burnish_polygon_lobe){.zeta = lobe->zeta,
+                                       .weight = lobe->weight,
+                                       .is_narrow = lobe->zeta >= NARROW,
+                                       .least_cosine = (float)bound,
+                                       .least_cosine_squared = (float)(bound * bound)};
+        while (1 << made->squarings < lobe->order) {
+            ++made->squarings;
         }
     }
     return BURNISH_STATUS_OK;
@@ -184,7 +198,6 @@ burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *pol
     double facing = 0, offset = 0;
     burnish_status status =
         burnish_layout_check(polygon, COOKIE, "polygon", "kernels_polygon", error);
-    status = status == BURNISH_STATUS_OK ? check_lobes(polygon, error) : status;
     status = status == BURNISH_STATUS_OK ? read_vertices(polygon, &made, error) : status;
     status = status == BURNISH_STATUS_OK ? find_normal(&made, error) : status;
     if (status == BURNISH_STATUS_OK && polygon->is_distant) {
@@ -196,11 +209,7 @@ burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *pol
     }
     *constants = (burnish_polygon_constants){.vertex_count = made.count,
                                              .is_distant = polygon->is_distant != 0,
-                                             .is_two_sided = polygon->is_two_sided != 0,
-                                             .order = polygon->order == 8 ? 2 : polygon->order == 4,
-                                             .lobe_count = polygon->lobe_count};
-    memcpy(constants->zeta, polygon->zeta, sizeof constants->zeta);
-    memcpy(constants->weight, polygon->weight, sizeof constants->weight);
+                                             .is_two_sided = polygon->is_two_sided != 0};
     for (int v = 0; v < made.count; ++v) {
         for (int k = 0; k < 3; ++k) {
             const double x = polygon->is_distant ? made.corner[v][k] : polygon->vertices[v][k];
@@ -212,5 +221,5 @@ burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *pol
         constants->normal[k] = (float)made.normal[k];
     }
     constants->offset = (float)offset;
-    return BURNISH_STATUS_OK;
+    return make_lobes(polygon, constants, error);
 }

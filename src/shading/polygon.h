@@ -4,17 +4,20 @@
 
 #include "burnish/kernels.h"
 
+typedef struct burnish_polygon_lobe {
+    int squarings; /* log2 of the order */
+    int is_narrow; /* zeta is large: what is not a polynomial is nearly one */
+    float zeta, weight;
+    float least_cosine, least_cosine_squared; /* of the part of the cap with c > 0 */
+} burnish_polygon_lobe;
+
 typedef struct burnish_polygon_constants {
     int vertex_count, is_distant, is_two_sided;
-    int order; /* log2 of the lobes' order, minus 1 */
     int lobe_count;
+    burnish_polygon_lobe lobes[BURNISH_POLYGON_LOBE_MAX];
     float vertex[BURNISH_POLYGON_VERTEX_MAX][3];
     float normal[3], offset; /* unit normal of the bright side, and its product with vertices */
-    float zeta[BURNISH_POLYGON_LOBE_MAX], weight[BURNISH_POLYGON_LOBE_MAX];
 } burnish_polygon_constants;
-
-/* The orders 2, 4 and 8. */
-enum { BURNISH_POLYGON_ORDER_COUNT = 3 };
 
 /* Checks a polygon and fills *constants. Errors: ARGUMENT. */
 burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *polygon,

@@ -25,31 +25,66 @@
 #include "shading/polygon.h"
 #include "shading/shade_simd.h"
 
-/* Gauss's rule by order: one half of its nodes. */
-enum { POLYGON_PAIRS_MAX = 4 };
+/* Gauss's rule: one half of its nodes, and the weight of the middle, 0 for even numbers of nodes. */
+enum { POLYGON_PAIRS_MAX = 8 };
 typedef struct polygon_rule {
     int pairs;
+    float middle;
     float node[POLYGON_PAIRS_MAX], weight[POLYGON_PAIRS_MAX];
 } polygon_rule;
 
-static const polygon_rule POLYGON_RULES[BURNISH_POLYGON_ORDER_COUNT] = {
-    {2, {0.861136312f, 0.339981044f}, {0.347854845f, 0.652145155f}},
-    {3, {0.932469514f, 0.661209386f, 0.238619186f}, {0.171324492f, 0.360761573f, 0.467913935f}},
-    {4,
-     {0.960289856f, 0.796666477f, 0.52553241f, 0.183434642f},
-     {0.101228536f, 0.222381034f, 0.313706646f, 0.362683783f}}};
+/* For wide and narrow lobes, by order: 5 5 5 8 11 16 nodes, and 3 4 5 8 11 15. */
+static const polygon_rule POLYGON_RULES[2][6] = {
+    {
+        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
+        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
+        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
+        {4,
+         0.0f,
+         {0.960289856f, 0.796666477f, 0.52553241f, 0.183434642f},
+         {0.101228536f, 0.222381034f, 0.313706646f, 0.362683783f}},
+        {5,
+         0.272925087f,
+         {0.978228658f, 0.8870626f, 0.730152006f, 0.519096129f, 0.269543156f},
+         {0.0556685671f, 0.125580369f, 0.186290211f, 0.233193765f, 0.262804545f}},
+        {8,
+         0.0f,
+         {0.989400935f, 0.944575023f, 0.865631202f, 0.755404408f, 0.617876244f, 0.458016778f,
+          0.281603551f, 0.0950125098f},
+         {0.0271524594f, 0.0622535239f, 0.0951585117f, 0.124628971f, 0.149595989f, 0.169156519f,
+          0.182603415f, 0.18945061f}},
+    },
+    {
+        {1, 0.888888889f, {0.774596669f}, {0.555555556f}},
+        {2, 0.0f, {0.861136312f, 0.339981044f}, {0.347854845f, 0.652145155f}},
+        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
+        {4,
+         0.0f,
+         {0.960289856f, 0.796666477f, 0.52553241f, 0.183434642f},
+         {0.101228536f, 0.222381034f, 0.313706646f, 0.362683783f}},
+        {5,
+         0.272925087f,
+         {0.978228658f, 0.8870626f, 0.730152006f, 0.519096129f, 0.269543156f},
+         {0.0556685671f, 0.125580369f, 0.186290211f, 0.233193765f, 0.262804545f}},
+        {7,
+         0.202578242f,
+         {0.987992518f, 0.937273392f, 0.848206583f, 0.724417731f, 0.570972173f, 0.394151347f,
+          0.201194094f},
+         {0.030753242f, 0.0703660475f, 0.10715922f, 0.139570678f, 0.166269206f, 0.186161f,
+          0.198431485f}},
+    },
+};
 
 /* Integrals of one lobe, times 2 pi. */
-typedef struct polygon_lobe {
-    vf zeta;
+typedef struct polygon_share {
     vf smooth, azimuth;
     vm is_whole; /* the cap contains all vertices */
-} polygon_lobe;
+} polygon_share;
 
 typedef struct polygon_sums {
     vf diffuse;
     vm inside, exists; /* the axis is on the polygon's side of all edges so far; there is one */
-    polygon_lobe lobes[BURNISH_POLYGON_LOBE_MAX];
+    polygon_share lobes[BURNISH_POLYGON_LOBE_MAX];
 } polygon_sums;
 
 /* An arc of a great circle, shorter than half of it, between unit vectors. */
@@ -60,17 +95,20 @@ typedef struct polygon_edge {
     vm exists;
 } polygon_edge;
 
-/* An end of an arc: its z, and sine and cosine of its t. */
+/* An end of an arc: its z, sine and cosine of its t, and s if z > 0. */
 typedef struct polygon_end {
-    vf z, sine, cosine;
+    vf z, sine, cosine, s;
 } polygon_end;
 
 /* What all lobes need of an edge. */
 typedef struct polygon_arc {
     vf sine, cosine;    /* sin d, k */
     vf one_less_cosine; /* 1 - k */
+    vf flat, squared;   /* of the normal: x^2 + y^2, and z^2 more */
+    vf bend[3];         /* coefficients of a quadratic in s^2 near s = 0: dt / ((1 + c) ds) */
     polygon_end from, to;
-    vm right; /* the axis is not on the polygon's side */
+    vm passes; /* the arc contains t = 0 */
+    vm right;  /* the axis is not on the polygon's side */
     vm exists;
 } polygon_arc;
 
@@ -111,101 +149,127 @@ BURNISH_INLINE void polygon_normalize(vf a[3]) {
 
 /* ---- Lobes ---- */
 
-BURNISH_INLINE polygon_end polygon_end_of(const vf end[3], const vf n[3], vf inverse_flat,
-                                          vf by_cosine) {
-    const vf sine = vf_sub(vf_mul(end[0], n[1]), vf_mul(end[1], n[0]));
-    return (polygon_end){end[2], vf_mul(sine, inverse_flat), vf_mul(end[2], by_cosine)};
-}
-
-BURNISH_INLINE polygon_arc polygon_arc_of(const polygon_edge *edge) {
-    const vf *n = edge->normal;
-    const vf flat = vf_max(vf_add(vf_mul(n[0], n[0]), vf_mul(n[1], n[1])), vf_set(0x1p-80f));
-    const vf squared = vf_add(flat, vf_mul(n[2], n[2]));
-    const vf inverse = vector_inverse_sqrt(squared), inverse_flat = vector_inverse_sqrt(flat);
-    const vf by_cosine = vf_mul(vf_mul(squared, inverse), inverse_flat);
-    polygon_arc arc = {.exists = edge->exists};
-    arc.sine = vf_mul(polygon_absolute(n[2]), inverse);
-    arc.cosine = vf_mul(vf_mul(flat, inverse_flat), inverse);
-    arc.one_less_cosine = vf_div(vf_mul(arc.sine, arc.sine), vf_add(vf_set(1.0f), arc.cosine));
-    arc.from = polygon_end_of(edge->from, n, inverse_flat, by_cosine);
-    arc.to = polygon_end_of(edge->to, n, inverse_flat, by_cosine);
-    arc.right = vf_greater(vf_set(0.0f), n[2]);
-    return arc;
-}
-
 /* s = 2 sin(t/2) from the sine and a cosine that is not negative. */
 BURNISH_INLINE vf polygon_chord(vf sine, vf cosine) {
     const vf half = vf_set(0.5f), c = vf_max(cosine, vf_set(0.0f));
     return vf_mul(sine, vector_inverse_sqrt(vf_add(half, vf_mul(half, c))));
 }
 
-/* 1 + u + ... + u^m */
-BURNISH_INLINE vf polygon_powers(int order, vf u) {
+/* The sine of an end's t, times the length of (n.x, n.y). */
+BURNISH_INLINE vf polygon_along(const vf end[3], const vf n[3]) {
+    return vf_sub(vf_mul(end[0], n[1]), vf_mul(end[1], n[0]));
+}
+
+/* What tells whether an arc is in a cap. */
+BURNISH_INLINE polygon_arc polygon_arc_begin(const polygon_edge *edge) {
+    const vf *n = edge->normal, zero = vf_set(0.0f);
+    polygon_arc arc = {.exists = edge->exists, .right = vf_greater(zero, n[2])};
+    arc.flat = vf_max(vf_add(vf_mul(n[0], n[0]), vf_mul(n[1], n[1])), vf_set(0x1p-80f));
+    arc.squared = vf_add(arc.flat, vf_mul(n[2], n[2]));
+    arc.from = (polygon_end){.z = edge->from[2], .sine = polygon_along(edge->from, n)};
+    arc.to = (polygon_end){.z = edge->to[2], .sine = polygon_along(edge->to, n)};
+    arc.passes = vm_and(vf_greater(zero, arc.from.sine), vf_greater(arc.to.sine, zero));
+    return arc;
+}
+
+/* Whether an arc has a part with z > 0 in the cap. */
+BURNISH_INLINE vm polygon_reaches(const burnish_polygon_lobe *lobe, const polygon_arc *arc) {
+    const vf least = vf_set(lobe->least_cosine), bound = vf_set(lobe->least_cosine_squared);
+    const vm ends = vm_or(vf_greater(arc->from.z, least), vf_greater(arc->to.z, least));
+    const vm circle = vf_greater(arc->flat, vf_mul(bound, arc->squared));
+    return vm_and(vm_and(arc->exists, circle), vm_or(ends, arc->passes));
+}
+
+BURNISH_INLINE void polygon_end_finish(polygon_end *end, vf inverse_flat, vf by_cosine) {
+    end->sine = vf_mul(end->sine, inverse_flat);
+    end->cosine = vf_mul(end->z, by_cosine);
+    end->s = polygon_chord(end->sine, end->cosine);
+}
+
+BURNISH_INLINE void polygon_arc_finish(polygon_arc *arc, vf normal_z) {
     const vf one = vf_set(1.0f);
-    vf power = u, sum = vf_add(one, u);
-    for (int k = 0; k < order; ++k) {
-        power = vf_mul(power, power);
-        sum = vf_mul(sum, vf_add(one, power));
+    const vf inverse = vector_inverse_sqrt(arc->squared);
+    const vf inverse_flat = vector_inverse_sqrt(arc->flat);
+    const vf by_cosine = vf_mul(vf_mul(arc->squared, inverse), inverse_flat);
+    arc->sine = vf_mul(polygon_absolute(normal_z), inverse);
+    arc->cosine = vf_mul(vf_mul(arc->flat, inverse_flat), inverse);
+    const vf first = vf_div(one, vf_add(one, arc->cosine));
+    arc->one_less_cosine = vf_mul(vf_mul(arc->sine, arc->sine), first);
+    /* 1 / ((1 + c) cos(t/2)) with c = k - k s^2 / 2, to the second order */
+    const vf slope = vf_mul(vf_mul(vf_set(0.5f), arc->cosine), first);
+    arc->bend[0] = first;
+    arc->bend[1] = vf_mul(first, vf_add(vf_set(0.125f), slope));
+    arc->bend[2] =
+        vf_mul(first, vf_add(vf_set(0.0234375f), vf_mul(slope, vf_add(vf_set(0.125f), slope))));
+    polygon_end_finish(&arc->from, inverse_flat, by_cosine);
+    polygon_end_finish(&arc->to, inverse_flat, by_cosine);
+}
+
+/* 1 + u + ... + u^m, and u^m. */
+BURNISH_INLINE vf polygon_powers(int squarings, vf u, vf *power) {
+    const vf one = vf_set(1.0f);
+    vf sum = one;
+    *power = u;
+    for (int k = 0; k < squarings; ++k) {
+        sum = vf_mul(sum, vf_add(one, *power));
+        *power = vf_mul(*power, *power);
     }
-    return vf_add(sum, vf_mul(power, power));
+    return vf_add(sum, *power);
 }
 
 /* (1 + u + ... + u^m) (1 - c) dphi / (sin d ds) */
-BURNISH_INLINE vf polygon_front(int order, const polygon_arc *arc, vf zeta, vf s) {
+BURNISH_INLINE vf polygon_front(const burnish_polygon_lobe *lobe, const polygon_arc *arc, vf s) {
     const vf one = vf_set(1.0f), squared = vf_mul(s, s);
     const vf half_cosine = vf_mul(vf_set(0.5f), arc->cosine);
     const vf lambda = vf_add(arc->one_less_cosine, vf_mul(half_cosine, squared));
-    const vf u = vf_sub(one, vf_mul(zeta, lambda)), one_and_c = vf_sub(vf_set(2.0f), lambda);
-    const vf bend = vf_sub(one, vf_mul(vf_set(0.25f), squared));
-    return vf_mul(vector_inverse_sqrt(vf_mul(bend, vf_mul(one_and_c, one_and_c))),
-                  polygon_powers(order, u));
+    vf power, bend;
+    const vf sum =
+        polygon_powers(lobe->squarings, vf_sub(one, vf_mul(vf_set(lobe->zeta), lambda)), &power);
+    if (lobe->is_narrow) {
+        bend = vf_add(vf_mul(arc->bend[2], squared), arc->bend[1]);
+        return vf_mul(sum, vf_add(vf_mul(bend, squared), arc->bend[0]));
+    }
+    const vf one_and_c = vf_sub(vf_set(2.0f), lambda);
+    bend = vf_sub(one, vf_mul(vf_set(0.25f), squared));
+    return vf_mul(sum, vector_inverse_sqrt(vf_mul(bend, vf_mul(one_and_c, one_and_c))));
 }
 
 /* max(0, u)^(m+1) dphi / (sin d ds), with s from the point farthest from the axis. */
-BURNISH_INLINE vf polygon_back(int order, const polygon_arc *arc, vf zeta, vf s) {
+BURNISH_INLINE vf polygon_back(const burnish_polygon_lobe *lobe, const polygon_arc *arc, vf s) {
     const vf one = vf_set(1.0f), squared = vf_mul(s, s);
     const vf half_cosine = vf_mul(vf_set(0.5f), arc->cosine);
     const vf one_and_c =
         vf_max(vf_add(arc->one_less_cosine, vf_mul(half_cosine, squared)), vf_set(0x1p-30f));
     const vf lambda = vf_sub(vf_set(2.0f), one_and_c);
-    const vf u = vf_max(vf_sub(one, vf_mul(zeta, lambda)), vf_set(0.0f));
+    const vf u = vf_max(vf_sub(one, vf_mul(vf_set(lobe->zeta), lambda)), vf_set(0.0f));
     const vf bend = vf_sub(one, vf_mul(vf_set(0.25f), squared));
-    vf power = u;
-    for (int k = 0; k <= order; ++k) {
-        power = vf_mul(power, power);
-    }
+    vf power;
+    (void)polygon_powers(lobe->squarings, u, &power);
     return vf_mul(vf_div(vf_mul(u, power), vf_mul(one_and_c, lambda)), vector_inverse_sqrt(bend));
 }
 
+BURNISH_INLINE vf polygon_at(const burnish_polygon_lobe *lobe, int is_back, const polygon_arc *arc,
+                             vf s) {
+    return is_back ? polygon_back(lobe, arc, s) : polygon_front(lobe, arc, s);
+}
+
 /* sin d times the integral of polygon_front or polygon_back over [from, to]. */
-BURNISH_INLINE vf polygon_integral(int order, int is_back, const polygon_arc *arc, vf zeta, vf from,
-                                   vf to) {
-    const polygon_rule *rule = &POLYGON_RULES[order];
+BURNISH_INLINE vf polygon_integral(const burnish_polygon_lobe *lobe, int is_back,
+                                   const polygon_arc *arc, vf from, vf to) {
+    const polygon_rule *rule = &POLYGON_RULES[lobe->is_narrow][lobe->squarings];
     const vf half = vf_set(0.5f);
     const vf middle = vf_mul(half, vf_add(from, to)), width = vf_mul(half, vf_sub(to, from));
     vf sum = vf_set(0.0f);
+    if (rule->middle > 0.0f) {
+        sum = vf_mul(polygon_at(lobe, is_back, arc, middle), vf_set(rule->middle));
+    }
     for (int i = 0; i < rule->pairs; ++i) {
         const vf step = vf_mul(width, vf_set(rule->node[i]));
-        const vf a = vf_sub(middle, step), b = vf_add(middle, step);
-        const vf pair =
-            is_back
-                ? vf_add(polygon_back(order, arc, zeta, a), polygon_back(order, arc, zeta, b))
-                : vf_add(polygon_front(order, arc, zeta, a), polygon_front(order, arc, zeta, b));
-        sum = vf_add(sum, vf_mul(pair, vf_set(rule->weight[i])));
+        const vf before = polygon_at(lobe, is_back, arc, vf_sub(middle, step));
+        const vf after = polygon_at(lobe, is_back, arc, vf_add(middle, step));
+        sum = vf_add(sum, vf_mul(vf_add(before, after), vf_set(rule->weight[i])));
     }
     return vf_mul(vf_mul(arc->sine, width), sum);
-}
-
-/* The azimuth swept from one s to another, both with z > 0. */
-BURNISH_INLINE vf polygon_azimuth(const polygon_arc *arc, vf from, vf to) {
-    const vf one = vf_set(1.0f), half = vf_set(0.5f), quarter = vf_set(0.25f);
-    const vf a = vf_mul(from, from), b = vf_mul(to, to);
-    const vf y_a = vf_mul(from, polygon_root(vf_sub(one, vf_mul(quarter, a))));
-    const vf y_b = vf_mul(to, polygon_root(vf_sub(one, vf_mul(quarter, b))));
-    const vf x_a = vf_mul(arc->sine, vf_sub(one, vf_mul(half, a)));
-    const vf x_b = vf_mul(arc->sine, vf_sub(one, vf_mul(half, b)));
-    return vector_atan2(vf_sub(vf_mul(y_b, x_a), vf_mul(y_a, x_b)),
-                        vf_add(vf_mul(x_a, x_b), vf_mul(y_a, y_b)));
 }
 
 /* sum + x where the mask holds, x with the sign of the edge's direction around the axis. */
@@ -215,37 +279,45 @@ BURNISH_INLINE vf polygon_add_where(vm mask, const polygon_arc *arc, vf sum, vf 
 }
 
 /* The part of an arc with z > 0 in the cap. */
-BURNISH_INLINE void polygon_add_front(int order, const polygon_arc *arc, polygon_lobe *lobe) {
-    const vf zero = vf_set(0.0f), two = vf_set(2.0f), least = vf_set(0x1p-80f);
-    const vf peak = vf_sub(vf_set(1.0f), vf_mul(lobe->zeta, arc->one_less_cosine));
-    const vm reaches = vm_and(arc->exists, vf_greater(peak, zero));
+BURNISH_INLINE void polygon_add_front(const burnish_polygon_lobe *lobe, const polygon_arc *arc,
+                                      polygon_share *share) {
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f), two = vf_set(2.0f), least = vf_set(0x1p-80f);
+    const vm reaches = polygon_reaches(lobe, arc);
     if (!vm_any(reaches)) {
         return;
     }
     /* at the bound, u = 0 or c = 0 */
-    const vf slope = vf_max(vf_mul(lobe->zeta, arc->cosine), least);
-    const vf squared = vf_max(vf_min(vf_div(vf_mul(two, peak), slope), two), least);
+    const vf zeta = vf_set(lobe->zeta), peak = vf_sub(one, vf_mul(zeta, arc->one_less_cosine));
+    const vf ratio = vf_div(vf_mul(two, peak), vf_max(vf_mul(zeta, arc->cosine), least));
+    const vf squared = vf_max(vf_min(ratio, two), least);
     const vf high = polygon_root(squared), low = vf_sub(zero, high);
-    const vf start = polygon_chord(arc->from.sine, arc->from.cosine);
-    const vf end = polygon_chord(arc->to.sine, arc->to.cosine);
     const vm starts = vf_greater(arc->from.z, zero), ends = vf_greater(arc->to.z, zero);
-    const vf from = vf_blend(starts, vf_max(low, vf_min(start, high)), low);
-    const vf to = vf_blend(ends, vf_max(low, vf_min(end, high)), high);
-    const vm lit = vm_and(vm_and(reaches, vm_or(starts, ends)), vf_greater(to, from));
-    if (!vm_any(lit)) {
+    const vf from = vf_blend(starts, vf_max(low, vf_min(arc->from.s, high)), low);
+    const vf to = vf_blend(ends, vf_max(low, vf_min(arc->to.s, high)), high);
+    const vm lit = vm_and(reaches, vf_greater(to, from));
+    const vf smooth = vf_mul(zeta, polygon_integral(lobe, 0, arc, from, to));
+    share->smooth = polygon_add_where(lit, arc, share->smooth, smooth);
+    const vm partly = vm_and_not(lit, share->is_whole);
+    if (!vm_any(partly)) {
         return;
     }
-    const vf smooth = vf_mul(lobe->zeta, polygon_integral(order, 0, arc, lobe->zeta, from, to));
-    lobe->smooth = polygon_add_where(lit, arc, lobe->smooth, smooth);
-    const vm partly = vm_and_not(lit, lobe->is_whole);
-    if (vm_any(partly)) {
-        const vf azimuth = polygon_azimuth(arc, from, to);
-        lobe->azimuth = polygon_add_where(partly, arc, lobe->azimuth, azimuth);
-    }
+    const vf quarter = vf_mul(vf_set(0.25f), squared);
+    const vf high_cosine = vf_sub(one, vf_add(quarter, quarter));
+    const vf high_sine = vf_mul(high, polygon_root(vf_sub(one, quarter)));
+    const vf low_sine = vf_sub(zero, high_sine);
+    const vf y_from =
+        vf_blend(starts, vf_max(low_sine, vf_min(arc->from.sine, high_sine)), low_sine);
+    const vf y_to = vf_blend(ends, vf_max(low_sine, vf_min(arc->to.sine, high_sine)), high_sine);
+    const vf x_from = vf_mul(arc->sine, vf_max(arc->from.cosine, high_cosine));
+    const vf x_to = vf_mul(arc->sine, vf_max(arc->to.cosine, high_cosine));
+    const vf azimuth = vector_atan2(vf_sub(vf_mul(y_to, x_from), vf_mul(y_from, x_to)),
+                                    vf_add(vf_mul(x_from, x_to), vf_mul(y_from, y_to)));
+    share->azimuth = polygon_add_where(partly, arc, share->azimuth, azimuth);
 }
 
 /* The part with z < 0, in the cap if zeta < 1. */
-BURNISH_INLINE void polygon_add_back(int order, const polygon_arc *arc, polygon_lobe *lobe) {
+BURNISH_INLINE void polygon_add_back(const burnish_polygon_lobe *lobe, const polygon_arc *arc,
+                                     polygon_share *share) {
     const vf zero = vf_set(0.0f), high = vf_set(1.41421356237f), low = vf_sub(zero, high);
     const vm starts = vf_greater(zero, arc->from.z), ends = vf_greater(zero, arc->to.z);
     const vf start = polygon_chord(arc->from.sine, vf_sub(zero, arc->from.cosine));
@@ -254,8 +326,32 @@ BURNISH_INLINE void polygon_add_back(int order, const polygon_arc *arc, polygon_
     const vf to = vf_blend(ends, vf_sub(zero, end), high);
     const vm lit = vm_and(vm_and(arc->exists, vm_or(starts, ends)), vf_greater(to, from));
     if (vm_any(lit)) {
-        const vf back = polygon_integral(order, 1, arc, lobe->zeta, from, to);
-        lobe->azimuth = polygon_add_where(lit, arc, lobe->azimuth, back);
+        const vf back = polygon_integral(lobe, 1, arc, from, to);
+        share->azimuth = polygon_add_where(lit, arc, share->azimuth, back);
+    }
+}
+
+BURNISH_INLINE void polygon_add_lobes(const burnish_polygon_constants *polygon,
+                                      const polygon_edge *edge, polygon_sums *sums) {
+    polygon_arc arc = polygon_arc_begin(edge);
+    sums->inside = vm_and_not(sums->inside, vm_and(edge->exists, arc.right));
+    sums->exists = vm_or(sums->exists, edge->exists);
+    vm reaches = vf_greater(vf_set(0.0f), vf_set(0.0f));
+    for (int j = 0; j < polygon->lobe_count; ++j) {
+        reaches = vm_or(reaches, polygon_reaches(&polygon->lobes[j], &arc));
+        if (polygon->lobes[j].zeta < 1.0f) {
+            reaches = vm_or(reaches, edge->exists);
+        }
+    }
+    if (!vm_any(reaches)) {
+        return;
+    }
+    polygon_arc_finish(&arc, edge->normal[2]);
+    for (int j = 0; j < polygon->lobe_count; ++j) {
+        polygon_add_front(&polygon->lobes[j], &arc, &sums->lobes[j]);
+        if (polygon->lobes[j].zeta < 1.0f) {
+            polygon_add_back(&polygon->lobes[j], &arc, &sums->lobes[j]);
+        }
     }
 }
 
@@ -282,7 +378,7 @@ BURNISH_INLINE vf polygon_angle_by_sine(vf cosine, vf squared_sine) {
     return vf_blend(obtuse, vf_sub(vf_mul(vf_set(3.14159265358979f), root), p), p);
 }
 
-BURNISH_INLINE void polygon_add_edge(int order, const burnish_polygon_constants *polygon,
+BURNISH_INLINE void polygon_add_edge(const burnish_polygon_constants *polygon,
                                      const polygon_edge *edge, const polygon_point *at,
                                      polygon_sums *sums) {
     if (at->has_diffuse) {
@@ -291,17 +387,8 @@ BURNISH_INLINE void polygon_add_edge(int order, const burnish_polygon_constants 
         const vf diffuse = vf_mul(shade_dot(at->normal, edge->cross), angle);
         sums->diffuse = vf_add(sums->diffuse, vf_and_mask(edge->exists, diffuse));
     }
-    if (polygon->lobe_count == 0) {
-        return;
-    }
-    const polygon_arc arc = polygon_arc_of(edge);
-    sums->inside = vm_and_not(sums->inside, vm_and(edge->exists, arc.right));
-    sums->exists = vm_or(sums->exists, edge->exists);
-    for (int j = 0; j < polygon->lobe_count; ++j) {
-        polygon_add_front(order, &arc, &sums->lobes[j]);
-        if (polygon->zeta[j] < 1.0f) {
-            polygon_add_back(order, &arc, &sums->lobes[j]);
-        }
+    if (polygon->lobe_count) {
+        polygon_add_lobes(polygon, edge, sums);
     }
 }
 
@@ -333,8 +420,8 @@ BURNISH_INLINE void polygon_cut(polygon_edge *edge, vf height_a, vf height_b,
 }
 
 /* All edges; where the horizon cuts, one more along the horizon. */
-BURNISH_INLINE void polygon_edges(int order, const burnish_polygon_constants *polygon,
-                                  const polygon_point *at, polygon_sums *sums) {
+BURNISH_INLINE void polygon_edges(const burnish_polygon_constants *polygon, const polygon_point *at,
+                                  polygon_sums *sums) {
     const vf zero = vf_set(0.0f), one = vf_set(1.0f);
     const int count = polygon->vertex_count;
     const vf *a = at->vertex[count - 1];
@@ -357,14 +444,14 @@ BURNISH_INLINE void polygon_edges(int order, const burnish_polygon_constants *po
         }
         if (vm_any(edge.exists)) {
             polygon_cut(&edge, height_a, height_b, &horizon);
-            polygon_add_edge(order, polygon, &edge, at, sums);
+            polygon_add_edge(polygon, &edge, at, sums);
         }
         a = b;
         height_a = height_b;
     }
     if (vm_any(horizon.exists)) {
         polygon_cross(horizon.from, horizon.to, horizon.cross);
-        polygon_add_edge(order, polygon, &horizon, at, sums);
+        polygon_add_edge(polygon, &horizon, at, sums);
     }
 }
 
@@ -412,12 +499,14 @@ BURNISH_INLINE void polygon_turn(const vf frame[3][3], const vf from[3], vf to[3
 }
 
 BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
-                                 const burnish_kernels_points *points, const float *const axis[3],
-                                 size_t i, polygon_point *at) {
-    vf frame[3][3], position[3], normal[3], w = vf_set(1.0f);
+                                 const burnish_kernels_points *points,
+                                 const burnish_kernels_axes *axes, size_t i, polygon_point *at) {
+    vf frame[3][3], position[3], normal[3], stretch[3], w = vf_set(1.0f);
+    const float *const *axis = axes->axis;
     for (int k = 0; k < 3; ++k) {
         frame[2][k] = axis[0] ? vf_load(axis[k] + i) : vf_set(k == 2 ? 1.0f : 0.0f);
         normal[k] = at->has_horizon ? vf_load(points->normal[k] + i) : vf_set(0.0f);
+        stretch[k] = axes->stretch[0] ? vf_load(axes->stretch[k] + i) : vf_set(0.0f);
         position[k] = polygon->is_distant ? vf_set(0.0f) : vf_load(points->position[k] + i);
     }
     if (!polygon->is_distant && points->w) {
@@ -438,6 +527,12 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
             }
             to_vertex[k] = vf_sub(vf_mul(w, vertex), position[k]);
         }
+        if (axes->stretch[0]) {
+            const vf factor = shade_dot(stretch, to_vertex);
+            for (int k = 0; k < 3; ++k) {
+                to_vertex[k] = vf_add(to_vertex[k], vf_mul(stretch[k], factor));
+            }
+        }
         polygon_turn((const vf(*)[3])frame, to_vertex, at->vertex[v]);
     }
 }
@@ -453,36 +548,36 @@ BURNISH_INLINE void polygon_begin(const burnish_polygon_constants *polygon, cons
     sums->exists = vf_greater(zero, zero);
     sums->inside = at->faces;
     for (int j = 0; j < polygon->lobe_count; ++j) {
-        const vf zeta = vf_set(polygon->zeta[j]);
-        const vf u = vf_sub(vf_set(1.0f), vf_mul(zeta, vf_sub(vf_set(1.0f), lowest)));
-        const vm is_whole = vm_and(vf_greater(u, zero), vf_greater(lowest, zero));
-        sums->lobes[j] = (polygon_lobe){zeta, zero, zero, is_whole};
+        const vm is_whole = vf_greater(lowest, vf_set(polygon->lobes[j].least_cosine));
+        sums->lobes[j] = (polygon_share){zero, zero, is_whole};
     }
 }
 
 /* One vector of points. */
-BURNISH_INLINE void polygon_points(int order, const burnish_polygon_constants *polygon,
-                                   const burnish_kernels_points *points, const float *const axis[3],
-                                   size_t i, float *const light[2]) {
+BURNISH_INLINE void polygon_points(const burnish_polygon_constants *polygon,
+                                   const burnish_kernels_points *points,
+                                   const burnish_kernels_axes *axes, size_t i,
+                                   float *const light[2]) {
     const vf one = vf_set(1.0f), turn = vf_set(0.159154943091895f); /* 1 / (2 pi) */
     vf specular = vf_set(0.0f);
     polygon_point at = {.has_horizon = points->normal[0] != NULL, .has_diffuse = light[0] != NULL};
     polygon_sums sums;
-    polygon_load(polygon, points, axis, i, &at);
+    polygon_load(polygon, points, axes, i, &at);
     polygon_begin(polygon, &at, &sums);
     if (vm_any(at.faces)) {
-        polygon_edges(order, polygon, &at, &sums);
+        polygon_edges(polygon, &at, &sums);
     }
     if (light[0]) {
         vf_store(light[0] + i, vector_saturate(vf_mul(sums.diffuse, turn)));
     }
     const vf inside = vf_and_mask(vm_and(sums.inside, sums.exists), one);
     for (int j = 0; j < polygon->lobe_count; ++j) {
-        const polygon_lobe *lobe = &sums.lobes[j];
+        const polygon_share *lobe = &sums.lobes[j];
         const vf swept = vf_sub(inside, vf_mul(lobe->azimuth, turn));
         const vf share =
             vf_add(vf_and_mask(vm_not(lobe->is_whole), swept), vf_mul(lobe->smooth, turn));
-        specular = vf_add(specular, vf_mul(vf_set(polygon->weight[j]), vector_saturate(share)));
+        const vf weight = vf_set(polygon->lobes[j].weight);
+        specular = vf_add(specular, vf_mul(weight, vector_saturate(share)));
     }
     if (light[1]) {
         vf_store(light[1] + i, specular);
@@ -490,23 +585,19 @@ BURNISH_INLINE void polygon_points(int order, const burnish_polygon_constants *p
 }
 
 /* Fewer points than a vector has. */
-BURNISH_INLINE void polygon_rest(int order, const burnish_polygon_constants *polygon,
-                                 const burnish_kernels_points *points, const float *const axis[3],
-                                 size_t first, size_t count, float *const light[2]) {
-    enum { ARRAYS = 10 };
+BURNISH_INLINE void polygon_rest(const burnish_polygon_constants *polygon,
+                                 const burnish_kernels_points *points,
+                                 const burnish_kernels_axes *axes, size_t first, size_t count,
+                                 float *const light[2]) {
+    enum { ARRAYS = 13 };
     float block[ARRAYS][LANES];
     burnish_kernels_points padded = *points;
-    const float *axes[3] = {axis[0], axis[1], axis[2]};
-    const float **to[ARRAYS] = {&padded.normal[0],
-                                &padded.normal[1],
-                                &padded.normal[2],
-                                &padded.position[0],
-                                &padded.position[1],
-                                &padded.position[2],
-                                &padded.w,
-                                &axes[0],
-                                &axes[1],
-                                &axes[2]};
+    burnish_kernels_axes turned = *axes;
+    const float **to[ARRAYS] = {&padded.normal[0],   &padded.normal[1],   &padded.normal[2],
+                                &padded.position[0], &padded.position[1], &padded.position[2],
+                                &padded.w,           &turned.axis[0],     &turned.axis[1],
+                                &turned.axis[2],     &turned.stretch[0],  &turned.stretch[1],
+                                &turned.stretch[2]};
     float *const blocks[2] = {light[0] ? block[0] : NULL, light[1] ? block[1] : NULL};
     memset(block, 0, sizeof block);
     for (int k = 0; k < ARRAYS; ++k) {
@@ -515,7 +606,7 @@ BURNISH_INLINE void polygon_rest(int order, const burnish_polygon_constants *pol
             *to[k] = block[k];
         }
     }
-    polygon_points(order, polygon, &padded, axes, 0, blocks);
+    polygon_points(polygon, &padded, &turned, 0, blocks);
     for (int k = 0; k < 2; ++k) {
         if (light[k]) {
             memcpy(light[k] + first, block[k], count * sizeof(float));
@@ -523,29 +614,18 @@ BURNISH_INLINE void polygon_rest(int order, const burnish_polygon_constants *pol
     }
 }
 
-BURNISH_INLINE void polygon_array(int order, const burnish_polygon_constants *polygon,
-                                  const burnish_kernels_points *points, const float *const axis[3],
-                                  size_t count, float *const light[2]) {
+/* ---- The kernel ---- */
+
+static void polygon_light(const burnish_polygon_constants *polygon,
+                          const burnish_kernels_points *points, const burnish_kernels_axes *axes,
+                          size_t count, float *const light[2]) {
     size_t i = 0;
     for (; i + LANES <= count; i += LANES) {
-        polygon_points(order, polygon, points, axis, i, light);
+        polygon_points(polygon, points, axes, i, light);
     }
     if (i < count) {
-        polygon_rest(order, polygon, points, axis, i, count - i, light);
+        polygon_rest(polygon, points, axes, i, count - i, light);
     }
 }
-
-/* ---- The kernels ---- */
-
-#define POLYGON_FUNCTION(name, order)                                                              \
-    static void polygon_##name(const burnish_polygon_constants *polygon,                           \
-                               const burnish_kernels_points *points, const float *const axis[3],   \
-                               size_t count, float *const light[2]) {                              \
-        polygon_array(order, polygon, points, axis, count, light);                                 \
-    }
-POLYGON_FUNCTION(square, 0)
-POLYGON_FUNCTION(fourth, 1)
-POLYGON_FUNCTION(eighth, 2)
-#undef POLYGON_FUNCTION
 
 #endif

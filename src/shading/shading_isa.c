@@ -64,6 +64,6 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                    [BURNISH_LOBE_BODY_GX] = each_gx},
     .add_environment = add_environment,
     .reflect_points = reflect_points,
-    .polygon = {polygon_square, polygon_fourth, polygon_eighth},
+    .polygon_light = polygon_light,
     .normalize_array = normalize_array,
 };

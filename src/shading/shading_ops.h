@@ -16,12 +16,6 @@ typedef void burnish_shade_function(const burnish_kernels_shader *shader,
                                     const burnish_kernels_points *points, size_t count,
                                     uint8_t *rgba, float *const rgb[3]);
 
-/* The light of a polygon, as burnish_kernels_polygon_light() of burnish/kernels.h says. */
-typedef void burnish_polygon_function(const burnish_polygon_constants *polygon,
-                                      const burnish_kernels_points *points,
-                                      const float *const axis[3], size_t count,
-                                      float *const light[2]);
-
 struct burnish_kernels {
     burnish_isa isa;
 
@@ -51,7 +45,11 @@ struct burnish_kernels {
                            const burnish_kernels_points *points, const float *roughness,
                            size_t count, float *const axis[3]);
 
-    burnish_polygon_function *polygon[BURNISH_POLYGON_ORDER_COUNT];
+    /* The light of a polygon, as burnish_kernels_polygon_light() of burnish/kernels.h says, but
+     * without diffuse light where there is a stretch. axes: not NULL. */
+    void (*polygon_light)(const burnish_polygon_constants *polygon,
+                          const burnish_kernels_points *points, const burnish_kernels_axes *axes,
+                          size_t count, float *const light[2]);
 
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
