@@ -159,16 +159,19 @@ function reference(roughness, width, height, samples) {
 
 // ---- Comparison ----
 
+// First without three.js' tables.
 const KINDS = { burnish: [BurnishRectLight, {}], three: [three.RectAreaLight, { USE_LTC: "" }] };
 
 const sceneFor = (kind, roughness) => {
   const [Light, defines] = KINDS[kind];
+  if (kind === "three") {
+    RectAreaLightUniformsLib.init();
+  }
   return sceneOf(metal(roughness, defines), new Light("white", 1, LIGHT.width, LIGHT.height));
 };
 
 /** Errors and pictures of each roughness: [{ roughness, expected, burnish: { pixels, rms, most }, three }]. */
 export function compareAreaLights(roughnesses, width, height, samples) {
-  RectAreaLightUniformsLib.init();
   const renderer = new three.WebGLRenderer({ canvas: document.createElement("canvas") });
   const rows = roughnesses.map((roughness) => {
     const expected = reference(roughness, width, height, samples);
@@ -186,7 +189,6 @@ export function compareAreaLights(roughnesses, width, height, samples) {
 
 /** Least milliseconds for a picture, taken in turn: the first round compiles. */
 export function timeAreaLights(width, height, rounds) {
-  RectAreaLightUniformsLib.init();
   const renderer = new three.WebGLRenderer({ canvas: document.createElement("canvas") });
   const scenes = { none: sceneOf(metal(0.3, {}), new three.Object3D()) };
   for (const kind of Object.keys(KINDS)) {

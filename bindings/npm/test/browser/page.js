@@ -96,10 +96,12 @@ async function run() {
   return results;
 }
 
-// Called by run.mjs and figure.mjs.
-window.area = (roughnesses, width, height, samples) => compareAreaLights(roughnesses, width, height, samples)
-  .map(({ roughness, burnish, three }) => [roughness, burnish.rms, burnish.most, three.rms, three.most]);
-window.areaFigure = (roughnesses, width, height, samples) => drawAreaLights(compareAreaLights(roughnesses, width, height, samples), width, height);
+// Called by run.mjs.
+window.area = (roughnesses, width, height, samples) => {
+  const rows = compareAreaLights(roughnesses, width, height, samples);
+  const errors = ({ rms, most }) => ({ rms, most });
+  return { rows: rows.map(({ roughness, burnish, three }) => ({ roughness, burnish: errors(burnish), three: errors(three) })), png: drawAreaLights(rows, width, height) };
+};
 window.areaTimes = timeAreaLights;
 
 window.results = run().catch((error) => ({ error: String(error?.stack ?? error) }));
