@@ -95,6 +95,15 @@ BURNISH_API burnish_status burnish_environment_create(const burnish_context *con
                                                       burnish_environment **environment,
                                                       burnish_error *error);
 
+/* Creates an environment that needs no file.
+ *   name  "room": a white room with bright windows, after three.js' RoomEnvironment; "sky": a clear
+ *         sky with the sun behind the viewer's left shoulder, over grey ground
+ * Other parameters as for burnish_environment_create(). Errors: ARGUMENT, MEMORY. */
+BURNISH_API burnish_status burnish_environment_create_named(const burnish_context *context,
+                                                            const char *name,
+                                                            burnish_environment **environment,
+                                                            burnish_error *error);
+
 /* Creates an environment from bytes: Radiance HDR or, if the build has OpenEXR, EXR with channels
  * R, G and B or with Y, in the first part of the file. The exposure of an HDR file is undone.
  *   name  for messages; NULL: "environment"

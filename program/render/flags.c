@@ -348,6 +348,20 @@ static const cli_flag flags[] = {
                "Can be repeated: up to 64 lights and 8 area lights. *file* adds the lights of the "
                "input. *none* "
                "removes the rig and all lights so far."},
+    {CLI_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
+              cli_flag_text, shading.environment.name),
+     .default_label = "none", .takes_file = 1, .aliases = "hdri-file",
+     .manual = "Light from all directions, which replaces the default rig: *sky*, *room*, or an "
+               "equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces reflect "
+               "it. Lights of *--light* are added."},
+    {CLI_FLAG("environment-strength", "F", "factor of the environment's light", cli_flag_real,
+              shading.environment.strength),
+     CLI_RANGE(0, 1000), .default_text = "1", .manual = "Factor of the environment's light."},
+    {CLI_FLAG("environment-turn", "DEGREES", "turns the environment about the up axis",
+              cli_flag_real, shading.environment.turn),
+     CLI_RANGE(-3600, 3600), .default_text = "0",
+     .manual = "Turns the environment about the up axis, counter-clockwise from above. At 0 the "
+               "middle of its image is to the right of an object seen from the front."},
     {CLI_FLAG("ambient", "F|COLOR", "ambient light, linear", render_flag_ambient, shading.ambient),
      CLI_RANGE(0, 16), .default_label = "a little",
      .manual = "Ambient light: a number from 0 to 16, linear, or a colour."},

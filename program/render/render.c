@@ -284,6 +284,25 @@ static burnish_status load(render_result *result, render_settings *settings,
     return render_adjust_materials(&settings->shading, mesh, error);
 }
 
+static void warn(void *user_data, const char *line) {
+    render_result_warn(user_data, 1, "%s", line);
+}
+
+static burnish_status make_environment(render_result *result, burnish_render_options *options,
+                                       burnish_error *error) {
+    burnish_context_options logging = burnish_context_options_default();
+    burnish_context *context;
+    logging.log = warn;
+    logging.log_user_data = result;
+    burnish_status status = burnish_context_create(&logging, &context, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = render_make_environment(result->settings, context, &result->environment, error);
+        options->environment = result->environment.environment;
+        burnish_context_destroy(context);
+    }
+    return status;
+}
+
 static burnish_status render(render_result *result, render_settings *settings,
                              burnish_render_options *options, burnish_error *error) {
     burnish_image sheet = {0};
@@ -294,6 +313,9 @@ static burnish_status render(render_result *result, render_settings *settings,
         status = render_check_sheet(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
+        status = render_read_environment(settings, &result->environment, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = sandbox_close(error); /* fonts are open */
     }
     if (status == BURNISH_STATUS_OK) {
@@ -301,6 +323,9 @@ static burnish_status render(render_result *result, render_settings *settings,
     }
     if (status == BURNISH_STATUS_OK) {
         status = load(result, settings, options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = make_environment(result, options, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(NULL, &renderer, error);
@@ -323,6 +348,7 @@ static void release(render_result *result) {
     }
     free(result->cells);
     burnish_image_destroy(&result->reference.image);
+    render_release_environment(&result->environment);
     font_close(result->font);
     render_release_planes(&result->planes);
     for (size_t i = 0; i < result->warning_count; ++i) {

@@ -29,6 +29,8 @@ struct session {
     render_settings settings;
     render_result result;
     render_cell cell;
+    render_environment environment; /* of the last picture */
+    char *environment_name;
     unsigned plane_kinds; /* requested */
     session_planes planes;
 };
@@ -50,7 +52,8 @@ const cli_command session_draw_command = {
     .base = &render_command,
     .base_topics = "light",
     .base_flags = "resolution,size,cull-back-faces,samples,background-color,no-background,views,"
-                  "annotate,camera-direction,azimuth,elevation,camera,"
+                  "annotate,environment,environment-strength,environment-turn,camera-direction,"
+                  "azimuth,elevation,camera,"
                   "camera-position,camera-focal-point,camera-view-up,camera-view-angle,"
                   "zoom,camera-orthographic,camera-orthographic-height,margin,"
                   "max-overdraw,isa,threads",
@@ -191,6 +194,8 @@ void session_destroy(session *s) {
     free(s->result.warnings);
     burnish_image_destroy(&s->cell.image);
     burnish_renderer_destroy(s->renderer);
+    render_release_environment(&s->environment);
+    free(s->environment_name);
     burnish_mesh_destroy(s->mesh);
     free(s->materials);
     free(s->companions.items);
@@ -351,6 +356,23 @@ static burnish_status draw_planes(session *s, const burnish_render_options *opti
     return burnish_renderer_draw_into(s->renderer, s->mesh, options, &target, NULL, error);
 }
 
+/* Makes the environment unless the last picture had the same. */
+static burnish_status choose_environment(session *s, burnish_error *error) {
+    const char *name = s->settings.shading.environment.name;
+    if (s->environment_name && name && strcmp(s->environment_name, name) == 0) {
+        return BURNISH_STATUS_OK;
+    }
+    render_release_environment(&s->environment);
+    free(s->environment_name);
+    s->environment_name = NULL;
+    burnish_status status = render_read_environment(&s->settings, &s->environment, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = render_make_environment(&s->settings, s->context, &s->environment, error);
+    }
+    s->environment_name = status == BURNISH_STATUS_OK && name ? strdup(name) : NULL;
+    return status;
+}
+
 static burnish_status draw(session *s, burnish_error *error) {
     burnish_render_options options = render_make_options(&s->settings);
     render_room room = {.is_given = 0};
@@ -369,6 +391,10 @@ static burnish_status draw(session *s, burnish_error *error) {
         render_add_own_lights(&s->settings.shading.lights, s->mesh, &options, &warning, error);
     if (warning) {
         render_result_warn(&s->result, 1, "%s", warning);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = choose_environment(s, error);
+        options.environment = s->environment.environment;
     }
     if (status == BURNISH_STATUS_OK) {
         status = render_camera(s->mesh, &s->settings, cell->view, &room, &cell->camera, error);

@@ -29,6 +29,7 @@ burnish_status view_scene_begin(view_scene *scene, burnish_error *error) {
 
 void view_scene_end(view_scene *scene) {
     burnish_mesh_destroy(scene->mesh);
+    render_release_environment(&scene->environment);
     burnish_renderer_destroy(scene->renderer);
     burnish_context_destroy(scene->context);
 }
@@ -82,10 +83,17 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
             settings.camera.up == UP_AUTO && render_stands_otherwise(view);
         status = render_adjust_materials(&settings.shading, mesh, error);
     }
+    if (status == BURNISH_STATUS_OK && !scene->environment.environment) {
+        status = render_read_environment(&settings, &scene->environment, error);
+        if (status == BURNISH_STATUS_OK) {
+            status = render_make_environment(&settings, NULL, &scene->environment, error);
+        }
+    }
     if (status != BURNISH_STATUS_OK) {
         burnish_mesh_destroy(mesh);
         return status;
     }
+    options.environment = scene->environment.environment;
     burnish_mesh_destroy(scene->mesh);
     scene->mesh = mesh;
     scene->settings = settings;

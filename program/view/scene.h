@@ -4,6 +4,7 @@
 #define TOOL_VIEW_SCENE_H
 
 #include "render/scene/camera.h"
+#include "render/scene/environment.h"
 #include "render/settings/settings.h"
 
 /* The quality of a picture: of still pictures, and of moving ones, depending on the available time.
@@ -28,6 +29,7 @@ typedef struct view_scene {
     const char *input;
     view_section section;
     burnish_mesh *mesh;
+    render_environment environment;
     burnish_render_options options;
     double low[3], high[3]; /* bounds of the whole mesh in the file's coordinates */
     size_t triangles;       /* of the whole mesh */

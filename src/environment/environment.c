@@ -1,8 +1,12 @@
 #include "environment/environment.h"
 
+#include <string.h>
+
 #include "core/context.h"
 #include "core/float_mode.h"
 #include "environment/builder.h"
+#include "environment/room.h"
+#include "environment/sky.h"
 #include "image/decode/decode.h"
 
 typedef burnish_environment_builder builder;
@@ -61,6 +65,38 @@ burnish_status burnish_environment_create(const burnish_context *context, int wi
     *environment = NULL;
     const burnish_float_mode before = burnish_float_mode_enter();
     const burnish_status status = create(&b, width, height, rgb, environment);
+    burnish_float_mode_leave(before);
+    return status;
+}
+
+static burnish_status create_named(const burnish_context *context, const char *name,
+                                   burnish_environment **environment, burnish_error *error) {
+    enum { WIDTH = 512, HEIGHT = 256 };
+    burnish_memory memory = burnish_memory_of(context, error);
+    builder b = {.memory = &memory, .name = name};
+    float *rgb = burnish_allocate(&memory, 3 * WIDTH * HEIGHT, sizeof *rgb, name);
+    if (!rgb) {
+        return memory.status;
+    }
+    (strcmp(name, "sky") == 0 ? burnish_sky_fill : burnish_room_fill)(WIDTH, HEIGHT, rgb);
+    const burnish_status status = create(&b, WIDTH, HEIGHT, rgb, environment);
+    burnish_release(context, rgb);
+    return status;
+}
+
+burnish_status burnish_environment_create_named(const burnish_context *context, const char *name,
+                                                burnish_environment **environment,
+                                                burnish_error *error) {
+    if (!environment || !name) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "environment: NULL; pass one");
+    }
+    *environment = NULL;
+    if (strcmp(name, "sky") != 0 && strcmp(name, "room") != 0) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "environment: \"%.200s\"; expected sky or room", name);
+    }
+    const burnish_float_mode before = burnish_float_mode_enter();
+    const burnish_status status = create_named(context, name, environment, error);
     burnish_float_mode_leave(before);
     return status;
 }

@@ -7,6 +7,7 @@
 #include "picture/verdict.h"
 #include "render/output/planes.h"
 #include "render/output/tones.h"
+#include "render/scene/environment.h"
 #include "render/settings/settings.h"
 
 /* The only picture, or a cell of a sheet. */
@@ -40,6 +41,7 @@ typedef struct render_result {
     render_plane_data planes;     /* of the only cell */
     uint64_t hash;
     int columns;
+    render_environment environment;
     font *font;            /* of labels; NULL: burnish's own */
     size_t blank_cells;    /* blank cells */
     int written;           /* 1: the output is written under a temporary name */

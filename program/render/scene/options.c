@@ -93,6 +93,12 @@ burnish_render_options render_make_options(const render_settings *settings) {
     options.ignore_colors |= shading->color.given;
     options.cull_back_faces = picture->cull_back_faces;
     options.transparent = picture->background.transparent;
+    if (shading->environment.name) { /* instead of the rig */
+        options.light_count = options.area_light_count = options.has_dome = 0;
+        memset(options.ambient_light, 0, sizeof options.ambient_light);
+    }
+    options.environment_strength = (float)shading->environment.strength.value;
+    options.environment_turn = shading->environment.turn.value;
     if (shading->ambient.given) {
         memcpy(options.ambient_light, shading->ambient.linear, sizeof options.ambient_light);
     }

@@ -23,6 +23,11 @@ typedef struct render_lights {
     int area_count;
 } render_lights;
 
+typedef struct render_environment_choice {
+    const char *name; /* sky, room or a file; NULL: none */
+    cli_real strength, turn;
+} render_environment_choice;
+
 typedef struct render_ambient {
     int given;
     float linear[3];
@@ -46,6 +51,7 @@ typedef struct render_shading_settings {
     render_lobes lobes;
     int equation, viewer;
     render_lights lights;
+    render_environment_choice environment;
     render_ambient ambient;
     render_occlusion occlusion;
     int ground, shadow;

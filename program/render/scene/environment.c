@@ -1,0 +1,51 @@
+#include "render/scene/environment.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/options.h"
+#include "picture/read_png.h"
+
+static int is_file(const char *name) {
+    return name && strcmp(name, "sky") != 0 && strcmp(name, "room") != 0;
+}
+
+burnish_status render_read_environment(const render_settings *settings,
+                                       render_environment *environment, burnish_error *error) {
+    const char *name = settings->shading.environment.name;
+    *environment = (render_environment){0};
+    if (!is_file(name)) {
+        return BURNISH_STATUS_OK;
+    }
+    if (settings->picture.opens_no_font) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--environment: no file may be opened here, such as \"%.200s\"; use sky or "
+                        "room",
+                        name);
+    }
+    return picture_read_bytes(name, settings->input.load.max_input_bytes, &environment->bytes,
+                              &environment->size, error);
+}
+
+burnish_status render_make_environment(const render_settings *settings,
+                                       const burnish_context *context,
+                                       render_environment *environment, burnish_error *error) {
+    const char *name = settings->shading.environment.name;
+    if (!name) {
+        return BURNISH_STATUS_OK;
+    }
+    const burnish_status status =
+        is_file(name)
+            ? burnish_environment_decode(context, environment->bytes, environment->size, name,
+                                         &environment->environment, error)
+            : burnish_environment_create_named(context, name, &environment->environment, error);
+    free(environment->bytes);
+    environment->bytes = NULL;
+    return status;
+}
+
+void render_release_environment(render_environment *environment) {
+    free(environment->bytes);
+    burnish_environment_destroy(environment->environment);
+    *environment = (render_environment){0};
+}
