@@ -137,41 +137,33 @@ static void check_job(const picture_job *job) {
     CHECK(k < MOST_FAILURES && failed > 10, "%d of %d failed", failed, k);
 }
 
-static void write_file(const char *name, const char *text) {
-    FILE *file = fopen(name, "wb");
-    if (CHECK(file, "can't make %s", name)) {
-        CHECK1(fputs(text, file) >= 0);
-        CHECK1(fclose(file) == 0);
-    }
-}
-
 /* A file of each format in the current folder, with as much in it as the format holds. */
 static void write_inputs(void) {
     burnish_image image;
     CHECK1(burnish_image_create(NULL, &image, 5, 4, 4, NULL) == BURNISH_STATUS_OK &&
            burnish_image_write_png(&image, "memory.png", NULL) == BURNISH_STATUS_OK);
     burnish_image_destroy(&image);
-    write_file("memory.mtl", "newmtl red\nKd .8 .1 .1\nNs 20\nmap_Kd memory.png\n"
-                             "bump memory.png\nmap_Ns memory.png\nmap_d memory.png\n"
-                             "newmtl blue\nKd .1 .1 .8\n");
-    write_file("memory.obj", "mtllib memory.mtl none.mtl\nusemtl red\n"
-                             "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 0\n"
-                             "v .5 .5 1 1 1 1\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
-                             "f 1/1/1 2/2/1 3/3/1 4/1/1\nusemtl blue\n"
-                             "f 1 2 5\nf 2 3 5\nusemtl none\nf 3 4 5\nf 4 1 5\nf 1 1 2\n");
-    write_file("memory.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
-                             "property float y\nproperty float z\nproperty uchar red\n"
-                             "property uchar green\nproperty uchar blue\nelement face 4\n"
-                             "property list uchar int vertex_indices\nend_header\n"
-                             "1e6 0 0 255 0 0\n1000001 0 0 0 255 0\n" /* read twice */
-                             "1e6 1 0 0 0 255\n1e6 0 1 9 9 9\n"
-                             "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
-    write_file("memory.stl", "solid memory\n"
-                             "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 1 0 "
-                             "vertex 1 0 0 endloop endfacet\n"
-                             "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 "
-                             "vertex 0 0 1 endloop endfacet\n"
-                             "endsolid\n");
+    test_write_file("memory.mtl", "newmtl red\nKd .8 .1 .1\nNs 20\nmap_Kd memory.png\n"
+                                  "bump memory.png\nmap_Ns memory.png\nmap_d memory.png\n"
+                                  "newmtl blue\nKd .1 .1 .8\n");
+    test_write_file("memory.obj", "mtllib memory.mtl none.mtl\nusemtl red\n"
+                                  "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 0\n"
+                                  "v .5 .5 1 1 1 1\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                  "f 1/1/1 2/2/1 3/3/1 4/1/1\nusemtl blue\n"
+                                  "f 1 2 5\nf 2 3 5\nusemtl none\nf 3 4 5\nf 4 1 5\nf 1 1 2\n");
+    test_write_file("memory.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                                  "property float y\nproperty float z\nproperty uchar red\n"
+                                  "property uchar green\nproperty uchar blue\nelement face 4\n"
+                                  "property list uchar int vertex_indices\nend_header\n"
+                                  "1e6 0 0 255 0 0\n1000001 0 0 0 255 0\n" /* read twice */
+                                  "1e6 1 0 0 0 255\n1e6 0 1 9 9 9\n"
+                                  "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    test_write_file("memory.stl", "solid memory\n"
+                                  "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 1 0 "
+                                  "vertex 1 0 0 endloop endfacet\n"
+                                  "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 "
+                                  "vertex 0 0 1 endloop endfacet\n"
+                                  "endsolid\n");
 }
 
 static void check_formats(int threads) {

@@ -6,11 +6,6 @@
 #include "mesh_arrays.h"
 #include "support.h"
 
-/* 24 bits, which a float holds exactly. */
-static uint32_t random_bits(uint64_t *state) {
-    return test_random32(state) >> 8;
-}
-
 /* A unit cube's corners (bit k of the number is coordinate k) and its faces, from outside. */
 static const uint32_t cube_faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -310,7 +305,7 @@ static burnish_mesh *load_named(const char *tail, size_t triangles) {
         size += (size_t)sprintf(text + size, "f");
         for (int k = 0; k < 9; ++k) {
             size += (size_t)sprintf(text + size, "%c%u", k % 3 ? '/' : ' ',
-                                    1 + random_bits(&state) % (uint32_t)names[k % 3]);
+                                    1 + test_random32(&state) % (uint32_t)names[k % 3]);
         }
         text[size++] = '\n';
     }
@@ -394,21 +389,21 @@ static void test_wide_fans(void) {
         return;
     }
     for (int round = 0; round < ROUNDS; ++round) {
-        size_t faces = 1 + random_bits(&state) % (round % 2 ? MOST : 10);
+        size_t faces = 1 + test_random32(&state) % (round % 2 ? MOST : 10);
         const uint32_t often = round % 8 < 4 ? 8 : 2; /* faces at one edge */
         float positions[3 * (MOST + 2)], normals[3][3 * MOST];
         uint32_t triangles[3 * MOST], corners[MOST];
         int common[3];
         for (size_t i = 0; i < 3 * (MOST + 2); ++i) {
-            positions[i] = (float)(random_bits(&state) % 2001) / 1000 - 1;
+            positions[i] = (float)(test_random32(&state) % 2001) / 1000 - 1;
             positions[i] *= i % 3 == 2 && round % 2 ? 0.1f : 1;
         }
         for (size_t i = 0; i < faces; ++i) {
-            uint32_t at = random_bits(&state) % 3, first = 1 + (uint32_t)i,
+            uint32_t at = test_random32(&state) % 3, first = 1 + (uint32_t)i,
                      second = 2 + (uint32_t)i;
             second = i + 1 == faces && round % 3 ? 1 : second; /* closed, or an edge is free */
             triangles[3 * i + at] = 0;
-            triangles[3 * i + (at + 1) % 3] = random_bits(&state) % often ? first : 1;
+            triangles[3 * i + (at + 1) % 3] = test_random32(&state) % often ? first : 1;
             second = second == triangles[3 * i + (at + 1) % 3] ? MOST + 1 : second;
             triangles[3 * i + (at + 2) % 3] = second;
             corners[i] = (uint32_t)(3 * i) + at;

@@ -70,14 +70,6 @@ static void test_cancel(int threads) {
 
 /* ---- The floating-point environment ---- */
 
-static uint64_t add_hash(uint64_t hash, const void *data, size_t size) {
-    const uint8_t *bytes = data;
-    for (size_t i = 0; i < size; ++i) {
-        hash = (hash ^ bytes[i]) * UINT64_C(0x100000001B3);
-    }
-    return hash;
-}
-
 /* Every plane of a picture. */
 static uint64_t hash_picture(const burnish_mesh *mesh, int threads) {
     const burnish_render_options options = make_options(mesh, WIDTH, HEIGHT, threads);
@@ -101,9 +93,9 @@ static uint64_t hash_picture(const burnish_mesh *mesh, int threads) {
     CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, NULL) ==
            BURNISH_STATUS_OK);
     burnish_renderer_destroy(renderer);
-    uint64_t hash = add_hash(0, pixels, sizeof pixels);
-    hash = add_hash(add_hash(hash, depth, sizeof depth), coverage, sizeof coverage);
-    return add_hash(add_hash(hash, normals, sizeof normals), triangles, sizeof triangles);
+    uint64_t hash = test_add_hash(0, pixels, sizeof pixels);
+    hash = test_add_hash(test_add_hash(hash, depth, sizeof depth), coverage, sizeof coverage);
+    return test_add_hash(test_add_hash(hash, normals, sizeof normals), triangles, sizeof triangles);
 }
 
 /* The kernels' results. */
@@ -118,16 +110,16 @@ static uint64_t hash_kernels(void) {
     const burnish_kernels_points points = {.normal = {values, values, values}};
     burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
     burnish_kernels_shade_rgba8(kernels, shader, &points, 7, rgba[0], NULL);
-    uint64_t hash = add_hash(0, rgba, sizeof rgba);
+    uint64_t hash = test_add_hash(0, rgba, sizeof rgba);
     burnish_kernels_shade_float(kernels, shader, &points, 7, rgb, NULL);
-    hash = add_hash(hash, colors, sizeof colors);
+    hash = test_add_hash(hash, colors, sizeof colors);
     burnish_kernels_shader_destroy(shader);
     burnish_kernels_normalize(kernels, 6, normal, rgb);
-    hash = add_hash(hash, colors, sizeof colors);
+    hash = test_add_hash(hash, colors, sizeof colors);
     lighting.lobe.kind = BURNISH_LOBE_POWER;
     burnish_kernels_lobe_of_cosines(kernels, &lighting.lobe, 3.5f, 7, values, colors[0], NULL);
     burnish_kernels_lobe_of_lambdas(kernels, &lighting.lobe, 3.5f, 7, values, colors[1], NULL);
-    return add_hash(hash, colors, sizeof colors);
+    return test_add_hash(hash, colors, sizeof colors);
 }
 
 static void test_environment(int threads) {

@@ -162,12 +162,6 @@ typedef struct sweep_constants {
 
 enum { SWEEP_BATCH = 1 << 21 }; /* 2^15 groups: every device takes 65,535 */
 
-static float float_of_bits(uint32_t bits) {
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
 static void sweep(gpu_device *gpu, gpu_program *program, const gpu_buffer *out, int order,
                   float zeta, uint32_t step, value_tally *tally) {
     const uint64_t total = ((uint64_t)1 << 32) / step;
@@ -181,7 +175,7 @@ static void sweep(gpu_device *gpu, gpu_program *program, const gpu_buffer *out, 
         gpu_run(gpu, program, (const gpu_buffer *[]){out, out, out}, &constants, sizeof constants,
                 count);
         for (uint32_t i = 0; i < count; ++i) {
-            const float x = float_of_bits(constants.first + step * i);
+            const float x = test_float_of_bits(constants.first + step * i);
             const float expected = burnish_lobe_at_cosine(lobe, x);
             if (memcmp(&values[i], &expected, sizeof expected) != 0) {
                 compare(values[i], expected, tally, "cosine", (double)x);

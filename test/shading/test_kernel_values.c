@@ -76,7 +76,7 @@ static void check_all_floats(burnish_lobe_kind kind, int order, int has_single) 
             for (uint64_t bits = 0; bits <= UINT32_MAX;) {
                 size_t count = 0;
                 for (; count < BLOCK && bits <= UINT32_MAX; ++count, bits += 65521) {
-                    in[count] = from_bits((uint32_t)bits);
+                    in[count] = test_float_of_bits((uint32_t)bits);
                 }
                 run_lobe(scalar(), &lobe, lambda, in, count, 0, values);
                 for (size_t i = 0; i < count; ++i) {
@@ -121,7 +121,7 @@ static void check_normalize(void) {
     double worst = 0;
     for (uint32_t bits = 0x3f800000; bits < 0x40800000;) {
         for (int i = 0; i < BLOCK; ++i, bits += 3) {
-            in[0][i] = from_bits(bits);
+            in[0][i] = test_float_of_bits(bits);
         }
         burnish_kernels_normalize(scalar(), BLOCK, from, to);
         for (int i = 0; i < BLOCK; ++i) {

@@ -552,7 +552,7 @@ static void test_arctangent(void) {
     double worst = 0;
     for (uint32_t bits = 0x2b800000; bits < 0x53800000; bits += 997) {
         for (int quadrant = 0; quadrant < 4; ++quadrant) {
-            const float y = quadrant & 1 ? -from_bits(bits) : from_bits(bits);
+            const float y = quadrant & 1 ? -test_float_of_bits(bits) : test_float_of_bits(bits);
             const float x = quadrant & 2 ? -1.5f : 1.5f;
             const double exact = atan2((double)y, (double)x);
             worst = fmax(worst, fabs((double)vector_atan2(y, x) - exact));

@@ -23,12 +23,6 @@ static inline uint32_t bits_of(float x) {
     return bits;
 }
 
-static inline float from_bits(uint32_t bits) {
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
 /* Numbers that find differences: any bits, special ones, and cosines. */
 static inline float awkward(uint64_t *state) {
     static const uint32_t special[] = {0,          0x80000000, 1,          0x80000001, 0x007fffff,
@@ -36,9 +30,11 @@ static inline float awkward(uint64_t *state) {
                                        0x7f800000, 0xff800000, 0x7fc00000, 0xffc12345, 0x7f7fffff};
     uint32_t choice = test_random32(state) % 8;
     if (choice == 0) {
-        return from_bits(special[test_random32(state) % (sizeof special / sizeof special[0])]);
+        return test_float_of_bits(
+            special[test_random32(state) % (sizeof special / sizeof special[0])]);
     }
-    return choice == 1 ? from_bits(test_random32(state)) : test_uniform_float(state, -0.25f, 1.0f);
+    return choice == 1 ? test_float_of_bits(test_random32(state))
+                       : test_uniform_float(state, -0.25f, 1.0f);
 }
 
 /* The kinds that have kernels. */

@@ -91,6 +91,31 @@ static inline int test_end(const char *name) {
     return test_checks > 0 && test_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+/* ---- Bits and files ---- */
+
+/* FNV-1a of bytes after others; the hash of none is 0 or any other number. */
+static inline uint64_t test_add_hash(uint64_t hash, const void *data, size_t size) {
+    const uint8_t *bytes = data;
+    for (size_t i = 0; i < size; ++i) {
+        hash = (hash ^ bytes[i]) * UINT64_C(0x100000001B3);
+    }
+    return hash;
+}
+
+static inline float test_float_of_bits(uint32_t bits) {
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static inline void test_write_file(const char *name, const char *text) {
+    FILE *file = fopen(name, "wb");
+    if (CHECK(file, "can't make %s", name)) {
+        CHECK1(fputs(text, file) >= 0);
+        CHECK1(fclose(file) == 0);
+    }
+}
+
 /* ---- Random numbers ---- */
 
 /* The start of a sequence. The same number gives the same sequence until BURNISH_TEST_SEED says

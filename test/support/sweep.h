@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "burnish/lobe.h"
+#include "support.h"
 
 /* The meaning of the swept float. */
 typedef enum {
@@ -95,12 +96,6 @@ typedef struct {
     uint64_t compared;     /* with the exact value, whose largest differences are: */
     double absolute, relative;
 } sweep_result;
-
-static inline float sweep_float(uint32_t bits) {
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
 
 /* x clamped to [0, 1] in double; the values here are never NaN. */
 static inline double sweep_saturate(double x) {
@@ -202,13 +197,13 @@ static inline void sweep_run(const sweep_case *c, uint64_t first, uint64_t end, 
         (void)burnish_lobe_create(&lobe, c->fit, c->order, c->exponent);
     }
     for (uint64_t bits = first; bits < end; bits += stride) {
-        float x = sweep_float((uint32_t)bits);
+        float x = test_float_of_bits((uint32_t)bits);
         float value = sweep_value(c, lobe, x);
         ++result->values;
         result->outside += !(value >= 0.0f && value <= 1.0f) || (x != x && value != 0.0f);
         if (c->kind == SWEEP_FAMILY) {
             /* the next pattern is the next float away from 0; at the infinities it is a NaN */
-            float next = burnish_lobe_at_cosine(lobe, sweep_float((uint32_t)bits + 1));
+            float next = burnish_lobe_at_cosine(lobe, test_float_of_bits((uint32_t)bits + 1));
             int is_number = (bits & 0x7fffffffu) < 0x7f800000u;
             result->decreasing += is_number && (bits >> 31 ? next > value : next < value);
             result->inconsistent += value != burnish_lobe_at_lambda(lobe, 1.0f - x);

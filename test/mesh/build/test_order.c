@@ -5,11 +5,6 @@
 #include "mesh_arrays.h"
 #include "support.h"
 
-/* 24 bits, which a float holds exactly. */
-static uint32_t random_bits(uint64_t *state) {
-    return test_random32(state) >> 8;
-}
-
 /* A sheet of SHEET x SHEET squares, with their triangles in random order. Square q's corners are
  * grid point q and its neighbours. */
 enum {
@@ -42,7 +37,7 @@ static void make_sheet(sheet_mesh *mesh) {
 static void shuffle_sheet(sheet_mesh *mesh) {
     uint64_t state = test_seed(3);
     for (uint32_t i = SHEET_TRIANGLES - 1; i > 0; --i) {
-        const uint32_t j = random_bits(&state) % (i + 1);
+        const uint32_t j = test_random32(&state) % (i + 1);
         uint32_t kept[3];
         memcpy(kept, mesh->indices + 3 * i, sizeof kept);
         memcpy(mesh->indices + 3 * i, mesh->indices + 3 * j, sizeof kept);

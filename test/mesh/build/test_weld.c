@@ -2,11 +2,6 @@
 #include "mesh/build/weld.h"
 #include "support.h"
 
-/* 24 bits, which a float holds exactly. */
-static uint32_t random_bits(uint64_t *state) {
-    return test_random32(state) >> 8;
-}
-
 static int compare_positions(const void *a, const void *b) {
     return memcmp(a, b, 12);
 }
@@ -22,10 +17,10 @@ static void test_weld(void) {
     uint64_t state = test_seed(1);
     for (size_t i = 0; i < COUNT; ++i) {
         for (int k = 0; k < 3; ++k) {
-            positions[3 * i + k] = (float)random_bits(&state);
+            positions[3 * i + k] = (float)test_random32(&state);
         }
         if (i % 3 == 2) {
-            memcpy(positions + 3 * i, positions + 3 * (random_bits(&state) % i), 12);
+            memcpy(positions + 3 * i, positions + 3 * (test_random32(&state) % i), 12);
         }
     }
     memcpy(sorted, positions, COUNT * 12);
@@ -127,7 +122,8 @@ static void test_weld_heads(void) {
     uint64_t state = test_seed(3);
     size_t different = 0;
     for (uint32_t i = 0; i < COUNT; ++i) {
-        const uint32_t other = i > 0 && random_bits(&state) % 4 > 0 ? random_bits(&state) % i : i;
+        const uint32_t other =
+            i > 0 && test_random32(&state) % 4 > 0 ? test_random32(&state) % i : i;
         heads[i] = other == i ? i : heads[other];
         expected[i] = other == i ? (uint32_t)different++ : expected[other];
     }
@@ -150,9 +146,10 @@ static void test_weld_sort(void) {
     for (size_t count = 0; count < MOST; count += count < 40 ? 1 : 37) {
         uint64_t sum = 0;
         for (size_t i = 0; i < count; ++i) {
-            records[i] = (burnish_weld_record){{random_bits(&state) % 3, random_bits(&state) % 3,
-                                                random_bits(&state) % 3, random_bits(&state) % 3},
-                                               (uint32_t)i};
+            records[i] =
+                (burnish_weld_record){{test_random32(&state) % 3, test_random32(&state) % 3,
+                                       test_random32(&state) % 3, test_random32(&state) % 3},
+                                      (uint32_t)i};
         }
         burnish_weld_sort(records, count);
         int ordered = 1;

@@ -438,14 +438,6 @@ static void check_load(const char *path, const burnish_load_options *options, bu
     CHECK_TEXT(error.text, message);
 }
 
-static void write_file(const char *path, const char *text) {
-    FILE *file = fopen(path, "w");
-    if (CHECK(file, "can't write %s", path)) {
-        fputs(text, file);
-        fclose(file);
-    }
-}
-
 static void test_files(void) {
     burnish_load_options options = burnish_load_options_default();
     char folder[] = "/tmp/burnish-test-XXXXXX";
@@ -455,22 +447,22 @@ static void test_files(void) {
     check_load("missing.obj", &options, BURNISH_STATUS_READ,
                "missing.obj: can't be opened: No such file or directory");
     check_load(".", &options, BURNISH_STATUS_READ, ".: can't be read: Is a directory");
-    write_file("empty.stl", "");
+    test_write_file("empty.stl", "");
     check_load("empty.stl", &options, BURNISH_STATUS_FORMAT,
                "empty.stl: byte 0: the file is empty");
-    write_file("note.txt", "hello");
+    test_write_file("note.txt", "hello");
     check_load("note.txt", &options, BURNISH_STATUS_FORMAT,
                "note.txt: neither its name nor its first bytes identify the format; name one of "
                "gltf, obj, off, ply, stl, 3mf, bms");
-    write_file("bad.mtl", "newmtl a\nKd x\n");
-    write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
+    test_write_file("bad.mtl", "newmtl a\nKd x\n");
+    test_write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
     options.strict = 1;
     check_load("bad.obj", &options, BURNISH_STATUS_FORMAT,
                "bad.mtl:2: Kd \"x\" is not a number; write it like 1.5 or -2e-3; the statement was "
                "ignored: rejected, as loading is strict; repair the file, or allow warnings");
     options.strict = 0;
     CHECK1(mkfifo("pipe.mtl", 0600) == 0);
-    write_file("pipe.obj", "mtllib pipe.mtl\nf 1 2 3\n");
+    test_write_file("pipe.obj", "mtllib pipe.mtl\nf 1 2 3\n");
     check_load("pipe.obj", &options, BURNISH_STATUS_FORMAT,
                "pipe.obj:2: face refers to vertex 1, but the file has 0; correct the index");
     options.max_input_bytes = 4;

@@ -384,13 +384,6 @@ static void test_face_colors(void) {
 
 /* ---- Material libraries: where they are ---- */
 
-static void write_file(const char *name, const char *text) {
-    FILE *file = fopen(name, "wb");
-    if (!file || fputs(text, file) < 0 || fclose(file) != 0) {
-        abort();
-    }
-}
-
 /* Loads in.obj of the folder at hand, which names the library by a line; whether that was found. */
 static int finds_library(const char *line, int ignore_referenced_files, const char *warning) {
     char text[400];
@@ -399,7 +392,7 @@ static int finds_library(const char *line, int ignore_referenced_files, const ch
     burnish_load_options options = burnish_load_options_default();
     options.ignore_referenced_files = ignore_referenced_files;
     snprintf(text, sizeof text, "mtllib %s\n" TRIANGLE "usemtl a\nf 1 2 3\n", line);
-    write_file("in.obj", text);
+    test_write_file("in.obj", text);
     if (!CHECK_OK(burnish_mesh_load("in.obj", &options, &mesh, &error), error)) {
         return 0;
     }
@@ -417,11 +410,11 @@ static void test_libraries(void) {
     char folder[] = "/tmp/burnish-tolerant-XXXXXX";
     CHECK1(mkdtemp(folder) && chdir(folder) == 0 && mkdir("in", 0700) == 0 &&
            mkdir("in/Sub", 0700) == 0);
-    write_file("out.mtl", "newmtl a\nKd 1 0 0\n");
+    test_write_file("out.mtl", "newmtl a\nKd 1 0 0\n");
     CHECK1(chdir("in") == 0);
-    write_file("Plain.mtl", "newmtl a\nKd 1 0 0\n");
-    write_file("a b.mtl", "newmtl a\nKd 1 0 0\n");
-    write_file("Sub/c.mtl", "newmtl a\nKd 1 0 0\n");
+    test_write_file("Plain.mtl", "newmtl a\nKd 1 0 0\n");
+    test_write_file("a b.mtl", "newmtl a\nKd 1 0 0\n");
+    test_write_file("Sub/c.mtl", "newmtl a\nKd 1 0 0\n");
     CHECK1(symlink("../out.mtl", "link.mtl") == 0 && symlink("..", "up") == 0);
     static const struct {
         const char *line, *warning;
