@@ -6,6 +6,7 @@
 #include "mesh/read/formats.h"
 #include "mesh/read/io/budget.h"
 #include "support.h"
+#include "used_bytes.h"
 
 #define GLTF_HEAD "{'asset':{'version':'2.0'},"
 
@@ -47,50 +48,13 @@ static void put_word(byte_list *list, uint32_t word, int big_endian) {
     }
 }
 
-/* ---- A context that knows how much it gave ---- */
-
-typedef struct peak_memory {
-    size_t now, most;
-} peak_memory;
-
-enum { HEAD = 64 };
-
-static void *take(void *user_data, size_t size, size_t alignment) {
-    peak_memory *memory = user_data;
-    uint8_t *bytes = aligned_alloc(alignment < HEAD ? HEAD : alignment, size + HEAD);
-    if (bytes) {
-        memcpy(bytes, &size, sizeof size);
-        memory->now += size;
-        memory->most = memory->now > memory->most ? memory->now : memory->most;
-    }
-    return bytes ? bytes + HEAD : NULL;
-}
-
-static void give_back(void *user_data, void *items) {
-    peak_memory *memory = user_data;
-    uint8_t *bytes = (uint8_t *)items - HEAD;
-    size_t size;
-    memcpy(&size, bytes, sizeof size);
-    memory->now -= size;
-    free(bytes);
-}
-
-static burnish_context *make_peak(peak_memory *memory) {
-    burnish_context_options options = burnish_context_options_default();
-    burnish_context *context = NULL;
-    *memory = (peak_memory){0};
-    options.allocator = (burnish_allocator){take, give_back, memory};
-    CHECK1(burnish_context_create(&options, &context, NULL) == BURNISH_STATUS_OK);
-    return context;
-}
-
 /* ---- Files ---- */
 
 /* Loads on one thread; *most: the largest sum of memory at any time. */
 static burnish_status load(const byte_list *file, const char *name, burnish_load_options options,
                            size_t *most, size_t *triangles, burnish_error *error) {
-    peak_memory memory;
-    burnish_context *context = make_peak(&memory);
+    used_bytes memory;
+    burnish_context *context = make_counted(&memory);
     burnish_mesh *mesh;
     options.context = context;
     options.threads = 1;
@@ -201,8 +165,8 @@ static void test_faces(void) {
                                             .packed_size = 40000,
                                             .name = names[i],
                                             .options = &options};
-        peak_memory memory;
-        burnish_context *context = make_peak(&memory);
+        used_bytes memory;
+        burnish_context *context = make_counted(&memory);
         data = burnish_mesh_data_begin(context, NULL, &error);
         burnish_reader reader = {.input = &input, .mesh = &data, .error = &error};
         burnish_format format = BURNISH_FORMAT_AUTO;
@@ -331,8 +295,8 @@ static void test_sides(void) {
         put_word(&png, sides[i][1], 1);
         put(&png, "\020\006\0\0\0....", 9); /* 16 bits, RGBA; sums come later */
         put(&png, "\0\0\0\0IDAT....\0\0\0\0IEND....", 24);
-        peak_memory memory;
-        burnish_context *context = make_peak(&memory);
+        used_bytes memory;
+        burnish_context *context = make_counted(&memory);
         burnish_error error = {0};
         burnish_memory from = burnish_memory_of(context, &error);
         const burnish_encoded encoded = {.bytes = png.bytes,

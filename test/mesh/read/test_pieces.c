@@ -9,6 +9,7 @@
 #include "mesh/read/io/pieces.h"
 #include "mesh_arrays.h"
 #include "support.h"
+#include "used_bytes.h"
 
 enum { SIDE = 100, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
 
@@ -341,54 +342,14 @@ static void test_text(void) {
 
 /* ---- Memory ---- */
 
-/* Bytes that a context has handed out, and the most at any time. */
-typedef struct used_bytes {
-    atomic_size_t now, most;
-    size_t refused; /* an array of this size fails; 0: none does */
-} used_bytes;
-
-/* In front of each array: its size and where malloc's begins. */
-typedef struct array_start {
-    size_t size;
-    void *memory;
-} array_start;
-
-static void *allocate_counted(void *user_data, size_t size, size_t alignment) {
-    used_bytes *used = user_data;
-    const int is_refused =
-        used->refused && size == (used->refused + alignment - 1) / alignment * alignment;
-    char *memory = is_refused ? NULL : malloc(size + alignment + sizeof(array_start));
-    if (!memory) {
-        return NULL;
-    }
-    const size_t first = sizeof(array_start);
-    char *array =
-        memory + first + (alignment - (uintptr_t)(memory + first) % alignment) % alignment;
-    memcpy(array - first, &(array_start){size, memory}, first);
-    const size_t now = atomic_fetch_add(&used->now, size) + size;
-    for (size_t most = atomic_load(&used->most);
-         now > most && !atomic_compare_exchange_weak(&used->most, &most, now);) {
-    }
-    return array;
-}
-
-static void release_counted(void *user_data, void *array) {
-    array_start start;
-    memcpy(&start, (char *)array - sizeof start, sizeof start);
-    atomic_fetch_sub(&((used_bytes *)user_data)->now, start.size);
-    free(start.memory);
-}
-
 /* The most that a context hands out while the file is loaded, from its path or from memory. */
 static size_t peak_of(int is_in_pieces) {
-    used_bytes used = {.refused = is_in_pieces ? file_size : 0};
+    used_bytes used;
     burnish_load_options options = burnish_load_options_default();
-    burnish_context_options made = burnish_context_options_default();
-    burnish_context *context = NULL;
+    burnish_context *context = make_counted(&used);
     burnish_mesh *mesh = NULL;
     burnish_error error = {0};
-    made.allocator = (burnish_allocator){allocate_counted, release_counted, &used};
-    CHECK1(burnish_context_create(&made, &context, NULL) == BURNISH_STATUS_OK);
+    used.refused = is_in_pieces ? file_size : 0;
     options.context = context;
     options.threads = 1;
     CHECK((is_in_pieces ? burnish_mesh_load(path, &options, &mesh, &error)
@@ -422,26 +383,16 @@ static void test_memory(void) {
     check_memory("ASCII PLY");
 }
 
+static burnish_status load_path(const void *data, const burnish_load_options *options,
+                                burnish_mesh **mesh, burnish_error *error) {
+    return burnish_mesh_load(data, options, mesh, error);
+}
+
 /* Each allocation fails once. */
 static void test_allocations(void) {
     make_ply(&kinds[2]);
     save();
-    for (long k = 0, failed = 1; failed; ++k) {
-        counts counted;
-        burnish_load_options options = burnish_load_options_default();
-        burnish_mesh *mesh = NULL;
-        burnish_error error = {0};
-        options.context = make_context(&counted);
-        options.threads = 2;
-        counted.left = k;
-        const burnish_status status = burnish_mesh_load(path, &options, &mesh, &error);
-        failed = atomic_load(&counted.left) < 0;
-        CHECK(status == (failed ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_OK), "allocation %ld: %s",
-              k, error.text);
-        burnish_mesh_destroy(mesh);
-        CHECK(atomic_load(&counted.live) <= 1, "allocation %ld: not all was given back", k);
-        burnish_context_destroy((burnish_context *)options.context);
-    }
+    check_failures(load_path, path, 2, 0);
 }
 
 /* ---- Files that change, descriptors ---- */
