@@ -211,6 +211,10 @@ static void test_sums(burnish_mesh *mesh) {
         {{BURNISH_AREA_RECT, 1, 0, 0, {-2, 1.5, 1}, {-0.6, 0, -0.8}, {0, 0.8, -0.2}, {4, 4, 4}},
          4e-3},
         {{BURNISH_AREA_DISC, 1, 1, 1, {1, 0.5, 1}, {0.6, 0, -0.6}, {0, 0.5, 0}, {2, 2, 2}}, 6e-3},
+        {{BURNISH_AREA_RECT, 0, 0, 0, {0.3, 1.5, 1}, {-0.5, 0, 0}, {0, 0.2, -0.3}, {4, 4, 4}},
+         1e-4},
+        {{BURNISH_AREA_RECT, 0, 0, 1, {-1.2, 0, 0.5}, {0, 0.5, 0}, {0.2, 0, 0.6}, {4, 4, 4}}, 1e-4},
+        {{BURNISH_AREA_DISC, 0, 0, 1, {1, 1, 1}, {0.3, 0, -0.3}, {0, 0.4, 0}, {4, 4, 4}}, 1e-4},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         for (int is_parallel = 0; is_parallel < 2; ++is_parallel) {

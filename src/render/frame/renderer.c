@@ -254,6 +254,9 @@ static burnish_status update_area(drawing *d, burnish_texturing *texturing) {
         texturing->wants_reflectance = needed;
     }
     burnish_vec3_store(up_of(d), d->view.area.up);
+    for (int i = 0; i < d->options->area_light_count; ++i) {
+        d->view.shading.needs_position |= !d->options->area_lights[i].is_distant;
+    }
     return needed ? burnish_area_update(&renderer->area, &d->mesh, d->options, &d->view.area,
                                         texturing, &renderer->tasks, &d->memory)
                   : BURNISH_STATUS_OK;

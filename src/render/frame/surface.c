@@ -52,20 +52,23 @@ static void divide(int count, const float *const attribute[3], const float *inve
  * afterwards. */
 static void shade_material(const burnish_shading *shading, const burnish_kernels_points *points,
                            float (*streams)[BURNISH_SHADE_BATCH], int material, int count,
-                           burnish_texture_scratch *scratch, float *const rgb[3]) {
+                           burnish_fragment_scratch *scratch, float *const rgb[3]) {
     const burnish_kernels_shader *shader = &shading->shaders[material];
     const burnish_texturing *texturing = shading->texturing;
-    burnish_area_batch lit = {.points = points, .material = material, .count = count};
+    burnish_area_batch lit = {.points = points,
+                              .material = material,
+                              .count = count,
+                              .textures = &scratch->texture,
+                              .scratch = &scratch->near};
     if (texturing && texturing->materials[material].is_special) {
         const float *from[BURNISH_TEXTURE_STREAMS];
         for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
             from[k] = streams[k];
         }
         const burnish_texture_batch batch = {shading->ops, &texturing->materials[material], from,
-                                             count, scratch};
+                                             count, &scratch->texture};
         burnish_texture_shade(texturing, shader, points, &batch, rgb);
         lit.textured = batch.material;
-        lit.scratch = scratch;
     } else {
         shading->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
             shader, points, (size_t)count, NULL, rgb);
@@ -172,8 +175,8 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         if (material >= 0) {
             const int size = shading->ops->collect_material(material, i, batch->count, group->left,
                                                             &streams, group->starts);
-            shade_material(shading, &brought, scratch->texture.brought, material, size,
-                           &scratch->texture, light);
+            shade_material(shading, &brought, scratch->texture.brought, material, size, scratch,
+                           light);
             shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
                                            rgb);
             if (shading->texturing && shading->texturing->materials[material].is_alpha) {
@@ -230,8 +233,8 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
-        shade_material(shading, &points, scratch->texture.points, material, batch->count,
-                       &scratch->texture, rgb);
+        shade_material(shading, &points, scratch->texture.points, material, batch->count, scratch,
+                       rgb);
         if (shading->texturing && shading->texturing->materials[material].is_alpha) {
             memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
             for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {

@@ -89,6 +89,7 @@ typedef struct burnish_fragment_scratch {
     burnish_material_group group;
     burnish_share_scratch share;
     burnish_texture_scratch texture;
+    burnish_near_scratch near;
     float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */
 } burnish_fragment_scratch;
 

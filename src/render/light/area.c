@@ -91,6 +91,40 @@ static void gather_sources(const burnish_render_options *options, const burnish_
     }
 }
 
+/* ---- Near lights in the space of the points ---- */
+
+/* A position, or a vector. */
+static void store_near(const burnish_area_view *view, int follows_camera, int is_position,
+                       const double v[3], double out[3]) {
+    burnish_vec3 to = burnish_vec3_load(v);
+    if (follows_camera) {
+        to = burnish_vec3_scale(from_camera_space(view, v), view->reach);
+    } else if (is_position) {
+        to = burnish_vec3_scale(burnish_vec3_sub(to, burnish_vec3_load(view->origin)), view->scale);
+        to = burnish_vec3_sub(to, burnish_vec3_load(view->eye));
+    } else {
+        to = burnish_vec3_scale(to, view->scale);
+    }
+    burnish_vec3_store(to, out);
+}
+
+static void gather_near(const burnish_render_options *options, const burnish_area_view *view,
+                        burnish_near_lights *lights) {
+    lights->count = 0;
+    for (int i = 0; i < options->area_light_count; ++i) {
+        const burnish_area_light *from = &options->area_lights[i];
+        burnish_area_light light = *from;
+        if (!from->is_distant && shines(from)) {
+            store_near(view, from->follows_camera, 1, from->center, light.center);
+            store_near(view, from->follows_camera, 0, from->half_u, light.half_u);
+            store_near(view, from->follows_camera, 0, from->half_v, light.half_v);
+            burnish_near_lights_add(lights, &light);
+        }
+    }
+}
+
+/* ---- Maps ---- */
+
 static burnish_status update_maps(burnish_area *area, const burnish_render_options *options,
                                   const burnish_area_view *view, burnish_tasks *tasks,
                                   burnish_memory *memory) {
@@ -133,33 +167,45 @@ static float clamped(float x, float low, float high) {
     return x > low ? x < high ? x : high : low;
 }
 
-/* The maps of a material's roughness: one of its own, or levels for every roughness. */
-static burnish_status find_maps(burnish_area *area, int varies,
-                                burnish_reflecting_material *material, burnish_memory *memory) {
-    const float alpha =
-        clamped(material->roughness * material->roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
-    burnish_status status = BURNISH_STATUS_OK;
+/* The alpha of a material that reflects, among those of the frame; levels if it varies or there are
+ * too many. */
+static void find_alpha(burnish_area *area, int varies, burnish_area_material *material) {
+    const float roughness = material->reflecting.roughness;
+    const float alpha = clamped(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
     int i = 0;
-    if (!area->constants.diffuse || !material->reflects) {
-        return status;
-    }
-    while (!varies && i < area->alpha_count && area->alphas[i] != alpha) {
+    while (i < area->alpha_count && area->alphas[i] != alpha) {
         ++i;
     }
-    if (!varies && i < BURNISH_LIGHT_ALPHAS_MAX) {
-        if (i == area->alpha_count) {
-            status = burnish_light_maps_need(area->maps, alpha, &area->specular[i], memory->error);
-            area->alphas[area->alpha_count++] = alpha;
-        }
-        material->specular = &area->specular[i];
-        return status;
+    if (varies || i == BURNISH_LIGHT_ALPHAS_MAX) {
+        material->reflecting.has_levels = area->has_levels = 1;
+        material->reflecting.specular = area->levels;
+        return;
     }
-    if (!area->has_levels) {
+    material->alpha = i;
+    material->reflecting.specular = &area->specular[i];
+    if (i == area->alpha_count) {
+        area->alphas[area->alpha_count++] = alpha;
+    }
+}
+
+/* Maps and near lobes of the frame's alphas. */
+static burnish_status prepare_alphas(burnish_area *area, burnish_memory *memory) {
+    burnish_status status = BURNISH_STATUS_OK;
+    int count = area->alpha_count;
+    for (int i = 0; area->constants.diffuse && i < count && status == BURNISH_STATUS_OK; ++i) {
+        status =
+            burnish_light_maps_need(area->maps, area->alphas[i], &area->specular[i], memory->error);
+    }
+    if (status == BURNISH_STATUS_OK && area->constants.diffuse && area->has_levels) {
         status = burnish_light_maps_levels(area->maps, area->levels, memory->error);
-        area->has_levels = 1;
     }
-    material->has_levels = 1;
-    material->specular = area->levels;
+    for (int i = 0; area->has_levels && i < BURNISH_LIGHT_LEVELS; ++i) {
+        const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
+        area->alphas[count++] = clamped(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
+    }
+    if (status == BURNISH_STATUS_OK && area->near_lights.count > 0) {
+        status = burnish_near_lights_prepare(&area->near_lights, area->alphas, count, memory);
+    }
     return status;
 }
 
@@ -167,6 +213,9 @@ static burnish_reflecting_material reflecting(const burnish_material *from, int 
     const float base = has_colors && !from->has_diffuse ? 1.0f : 0.0f; /* vertex colours */
     burnish_reflecting_material to = {.is_metallic = from->is_metallic,
                                       .reflects = from->is_metallic};
+    if (from->is_unlit) {
+        return (burnish_reflecting_material){.roughness = 1};
+    }
     for (int k = 0; k < 3; ++k) {
         const float color = base > 0 ? base : from->diffuse[k];
         const float ks = from->specular[k];
@@ -197,17 +246,16 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
     for (size_t i = 0; i < mesh->material_count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_material *from = burnish_mesh_get_material(mesh->mesh, i);
         const burnish_textured_material *textured = texturing ? &texturing->materials[i] : NULL;
-        burnish_reflecting_material *to = &area->materials[i];
-        *to = reflecting(from, has_colors);
+        burnish_area_material *to = &area->materials[i];
+        *to = (burnish_area_material){.reflecting = reflecting(from, has_colors)};
         for (int k = 0; k < 3 && textured && textured->is_varied; ++k) {
-            to->diffuse[k] = 1; /* points have it */
+            to->reflecting.diffuse[k] = 1; /* points have it */
         }
-        if (from->is_unlit) {
-            *to = (burnish_reflecting_material){.roughness = 1};
+        if (to->reflecting.reflects) {
+            find_alpha(area, textured && varies_roughness(textured), to);
         }
-        status = find_maps(area, textured && varies_roughness(textured), to, memory);
     }
-    return status;
+    return status == BURNISH_STATUS_OK ? prepare_alphas(area, memory) : status;
 }
 
 burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh *mesh,
@@ -218,12 +266,14 @@ burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh 
     burnish_status status;
     area->constants = (burnish_environment_constants){.local_viewer = view->local_viewer};
     memcpy(area->constants.viewer, view->viewer, sizeof area->constants.viewer);
+    gather_near(options, view, &area->near_lights);
     status = update_maps(area, options, view, tasks, memory);
     return status == BURNISH_STATUS_OK ? update_materials(area, mesh, texturing, memory) : status;
 }
 
 void burnish_area_destroy(burnish_area *area, const burnish_context *context) {
     burnish_light_maps_destroy(area->maps);
+    burnish_near_lights_destroy(&area->near_lights, context);
     burnish_release(context, area->materials);
     memset(area, 0, sizeof *area);
 }
@@ -234,17 +284,44 @@ void burnish_area_destroy(burnish_area *area, const burnish_context *context) {
 static void read_textures(const burnish_area_batch *batch, burnish_kernels_points *points,
                           burnish_reflecting_points *each) {
     const burnish_textured_material *material = batch->textured;
-    const burnish_texture_scratch *scratch = batch->scratch;
+    const burnish_texture_scratch *textures = batch->textures;
     for (int k = 0; k < 3; ++k) {
-        each->diffuse[k] = scratch->diffuse[k];
+        each->diffuse[k] = textures->diffuse[k];
         if (material->is_varied) {
-            points->normal[k] = material->has_normals ? scratch->normal[k] : points->normal[k];
-            each->reflectance[k] = scratch->reflectance[k];
+            points->normal[k] = material->has_normals ? textures->normal[k] : points->normal[k];
+            each->reflectance[k] = textures->reflectance[k];
         }
     }
     if (material->is_varied) {
-        each->roughness = varies_roughness(material) ? scratch->roughness : NULL;
-        each->open = material->samplers[BURNISH_TEXTURE_OCCLUSION].levels ? scratch->open : NULL;
+        const int has_occlusion = material->samplers[BURNISH_TEXTURE_OCCLUSION].levels != NULL;
+        each->roughness = varies_roughness(material) ? textures->roughness : NULL;
+        each->open = has_occlusion ? textures->open : NULL;
+    }
+}
+
+/* The light of near lights that arrives. */
+static void shine(const burnish_area *area, const burnish_kernels *kernels,
+                  const burnish_area_batch *batch, const burnish_kernels_points *points,
+                  burnish_reflecting_points *each) {
+    const burnish_area_material *material = &area->materials[batch->material];
+    const burnish_reflecting_material *reflecting = &material->reflecting;
+    burnish_near_scratch *scratch = batch->scratch;
+    float *const axis[3] = {scratch->axis[0], scratch->axis[1], scratch->axis[2]};
+    burnish_near_batch near = {points, batch->count, -1, 0, each->roughness};
+    if (reflecting->reflects) {
+        kernels->reflect_points(&area->constants, reflecting, points, each->roughness,
+                                (size_t)batch->count, axis);
+        near.alpha = reflecting->has_levels ? area->alpha_count : material->alpha;
+        near.level_count = reflecting->has_levels ? BURNISH_LIGHT_LEVELS : 0;
+    }
+    if (near.level_count > 0 && !near.roughness) { /* too many alphas */
+        burnish_texture_fill(scratch->roughness, batch->count, reflecting->roughness);
+        near.roughness = scratch->roughness;
+    }
+    burnish_near_lights_shine(&area->near_lights, kernels, &near, scratch);
+    for (int k = 0; k < 3; ++k) {
+        each->near_diffuse[k] = scratch->diffuse[k];
+        each->near_specular[k] = scratch->specular[k];
     }
 }
 
@@ -258,6 +335,9 @@ void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
     if (batch->textured) {
         read_textures(batch, &points, &each);
     }
-    kernels->add_environment(&area->constants, &area->materials[batch->material], &points, &each,
-                             (size_t)batch->count, rgb);
+    if (area->near_lights.count > 0) {
+        shine(area, kernels, batch, &points, &each);
+    }
+    kernels->add_environment(&area->constants, &area->materials[batch->material].reflecting,
+                             &points, &each, (size_t)batch->count, rgb);
 }

@@ -6,6 +6,7 @@
 #include "burnish/render.h"
 #include "core/memory.h"
 #include "environment/maps.h"
+#include "render/light/area_near.h"
 #include "render/texture/texture.h"
 #include "shading/shading_ops.h"
 
@@ -19,17 +20,22 @@ typedef struct burnish_area_view {
     float viewer[3]; /* as burnish_kernels_lighting has it */
 } burnish_area_view;
 
+typedef struct burnish_area_material {
+    burnish_reflecting_material reflecting;
+    int alpha; /* its number in the alphas; not used with levels or without reflection */
+} burnish_area_material;
+
 /* Owned; all zero before the first frame. */
 typedef struct burnish_area {
     burnish_environment_constants constants;
-    burnish_light_maps *maps;               /* NULL: not created yet */
-    burnish_reflecting_material *materials; /* one per material */
+    burnish_light_maps *maps;         /* NULL: not created yet */
+    burnish_near_lights near_lights;  /* their alphas are followed by levels */
+    burnish_area_material *materials; /* one per material */
     size_t material_capacity;
-    float alphas[BURNISH_LIGHT_ALPHAS_MAX]; /* of this frame's maps */
-    burnish_light_map specular[BURNISH_LIGHT_ALPHAS_MAX];
-    int alpha_count;
+    float alphas[BURNISH_LIGHT_ALPHAS_MAX + BURNISH_LIGHT_LEVELS]; /* of this frame */
+    int alpha_count, has_levels;
+    burnish_light_map specular[BURNISH_LIGHT_ALPHAS_MAX]; /* of the alphas */
     burnish_light_map levels[BURNISH_LIGHT_LEVELS];
-    int has_levels;
 } burnish_area;
 
 /* A batch that was shaded. */
@@ -37,7 +43,8 @@ typedef struct burnish_area_batch {
     const burnish_kernels_points *points;
     int material, count;
     const burnish_textured_material *textured; /* NULL: its material is not special */
-    const burnish_texture_scratch *scratch;    /* of its textures; read where it is special */
+    const burnish_texture_scratch *textures;   /* read where it is special */
+    burnish_near_scratch *scratch;
 } burnish_area_batch;
 
 /* Whether a frame has such lights. */

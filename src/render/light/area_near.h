@@ -1,0 +1,53 @@
+/* Near area lights: their light is integrated for each point. */
+#ifndef BURNISH_RENDER_LIGHT_AREA_NEAR_H
+#define BURNISH_RENDER_LIGHT_AREA_NEAR_H
+
+#include "burnish/light.h"
+#include "core/memory.h"
+#include "shading/shading_ops.h"
+
+enum { BURNISH_NEAR_BATCH = 256 };
+
+/* A frame's lights, each with the lobes of every roughness that is drawn. Owned; all zero before
+ * the first frame. */
+typedef struct burnish_near_lights {
+    int count;
+    float color[BURNISH_AREA_LIGHT_MAX][3];
+    burnish_kernels_polygon shapes[BURNISH_AREA_LIGHT_MAX];
+    burnish_polygon_constants *polygons; /* `count` without lobes, then `count` for each alpha */
+    size_t polygon_capacity;
+} burnish_near_lights;
+
+/* Adds a light, in the space of the points. One that is so small or so far away that single
+ * precision can't hold it shines on nothing. */
+void burnish_near_lights_add(burnish_near_lights *lights, const burnish_area_light *light);
+
+/* Prepares lobes of the alphas. Errors: MEMORY. */
+burnish_status burnish_near_lights_prepare(burnish_near_lights *lights, const float *alphas,
+                                           int alpha_count, burnish_memory *memory);
+
+/* Points of a batch, at most BURNISH_NEAR_BATCH, and which lobes they have. */
+typedef struct burnish_near_batch {
+    const burnish_kernels_points *points;
+    int count;
+    int alpha;              /* number in the alphas; -1: no lobes */
+    int level_count;        /* > 0: so many alphas from `alpha` on are levels, of roughness k /
+                               (level_count - 1) */
+    const float *roughness; /* of each point; read with levels */
+} burnish_near_batch;
+
+/* A thread's arrays. */
+typedef struct burnish_near_scratch {
+    float axis[3][BURNISH_NEAR_BATCH];
+    float diffuse[3][BURNISH_NEAR_BATCH], specular[3][BURNISH_NEAR_BATCH]; /* light that arrives */
+    float light[2][BURNISH_NEAR_BATCH], roughness[BURNISH_NEAR_BATCH];
+} burnish_near_scratch;
+
+/* Light of all lights in scratch->diffuse and scratch->specular.
+ *   scratch  its axes are read unless alpha is -1 */
+void burnish_near_lights_shine(const burnish_near_lights *lights, const burnish_kernels *kernels,
+                               const burnish_near_batch *batch, burnish_near_scratch *scratch);
+
+void burnish_near_lights_destroy(burnish_near_lights *lights, const burnish_context *context);
+
+#endif
