@@ -34,68 +34,94 @@ BURNISH_INLINE vf environment_mix(vf a, vf b, vf share) {
     return vf_add(a, vf_mul(share, vf_sub(b, a)));
 }
 
-/* The mean of the four texels around a direction in each lane's map. */
-BURNISH_INLINE void environment_look_up(const burnish_light_map *const maps[LANES], vf size,
-                                        const environment_place *at, vf out[3]) {
-    vf x, y, texels[2][2][4];
+/* The first of the four texels around a direction, as a number from the map's first one, and the
+ * shares of the others. */
+typedef struct environment_tap {
     int32_t first[LANES];
-    const void *from[LANES];
-    const vf column = environment_texel(at->x, size, &x);
+    vf x, y;
+} environment_tap;
+
+BURNISH_INLINE environment_tap environment_tap_of(const environment_place *at, vf size) {
+    environment_tap tap;
     const vf stride = vf_add(size, vf_set(2.0f)); /* whole numbers are exact, the index too */
-    const vf row = vf_add(environment_texel(at->y, size, &y), vf_and_mask(at->second, stride));
-    vi_store(first, vi_truncate(vf_add(vf_mul(row, stride), column)));
-    for (int below = 0; below < 2; ++below) {
-        for (int right = 0; right < 2; ++right) {
-            for (int lane = 0; lane < LANES; ++lane) {
-                const int next = below * (maps[lane]->size + 2) + right;
-                from[lane] = maps[lane]->texels + 4 * (first[lane] + next);
-            }
-            vf_load_aos4(from, texels[below][right]);
+    const vf column = environment_texel(at->x, size, &tap.x);
+    const vf row = vf_add(environment_texel(at->y, size, &tap.y), vf_and_mask(at->second, stride));
+    vi_store(tap.first, vi_truncate(vf_add(vf_mul(row, stride), column)));
+    return tap;
+}
+
+/* The mean of four texels.
+ *   from   the first texel of each lane
+ *   below  bytes from there to the texel below */
+BURNISH_INLINE void environment_mix_texels(const environment_tap *tap,
+                                           const char *const from[LANES], const size_t below[LANES],
+                                           vf out[3]) {
+    enum { TEXEL = 4 * sizeof(float) };
+    const void *at[LANES];
+    vf left[4], right[4], upper[3];
+    for (int i = 0; i < 2; ++i) {
+        for (int lane = 0; lane < LANES; ++lane) {
+            at[lane] = from[lane] + (i ? below[lane] : 0);
         }
-    }
-    for (int k = 0; k < 3; ++k) {
-        const vf above = environment_mix(texels[0][0][k], texels[0][1][k], x);
-        const vf below = environment_mix(texels[1][0][k], texels[1][1][k], x);
-        out[k] = environment_mix(above, below, y);
+        vf_load_aos4(at, left);
+        for (int lane = 0; lane < LANES; ++lane) {
+            at[lane] = from[lane] + (i ? below[lane] : 0) + TEXEL;
+        }
+        vf_load_aos4(at, right);
+        for (int k = 0; k < 3; ++k) {
+            const vf mean = environment_mix(left[k], right[k], tap->x);
+            out[k] = i ? environment_mix(upper[k], mean, tap->y) : mean;
+            upper[k] = mean;
+        }
     }
 }
 
 /* One map for all lanes. */
 BURNISH_INLINE void environment_look_up_one(const burnish_light_map *map, const vf w[3],
                                             vf out[3]) {
-    const burnish_light_map *maps[LANES];
-    const environment_place at = environment_find(w);
+    enum { TEXEL = 4 * sizeof(float) };
+    const environment_place place = environment_find(w);
+    const environment_tap tap = environment_tap_of(&place, vf_set((float)map->size));
+    const char *texels = (const char *)map->texels, *from[LANES];
+    const size_t stride = ((size_t)map->size + 2) * TEXEL;
+    size_t below[LANES];
     for (int lane = 0; lane < LANES; ++lane) {
-        maps[lane] = map;
+        from[lane] = texels + (size_t)(uint32_t)tap.first[lane] * TEXEL;
+        below[lane] = stride;
     }
-    environment_look_up(maps, vf_set((float)map->size), &at, out);
+    environment_mix_texels(&tap, from, below, out);
 }
 
 /* Between the two levels next to each lane's roughness. */
 BURNISH_INLINE void environment_look_up_levels(const burnish_light_map *levels, vf roughness,
                                                const vf w[3], vf out[3]) {
+    enum { TEXEL = 4 * sizeof(float) };
     const vf steps = vf_set((float)(BURNISH_LIGHT_LEVELS - 1));
     const vf at = vf_min(vf_max(vf_mul(roughness, steps), vf_set(0.0f)),
                          vf_set((float)(BURNISH_LIGHT_LEVELS - 1) - 0x1p-10f));
     const vi level = vi_truncate(at);
     const vf share = vf_sub(at, vf_from_int(level));
-    const burnish_light_map *maps[2][LANES];
-    float sizes[2][LANES];
-    int32_t numbers[LANES];
     const environment_place place = environment_find(w);
-    vf texel[2][3];
+    int32_t numbers[LANES];
     vi_store(numbers, level);
-    for (int lane = 0; lane < LANES; ++lane) {
-        for (int i = 0; i < 2; ++i) {
-            maps[i][lane] = &levels[numbers[lane] + i];
-            sizes[i][lane] = (float)maps[i][lane]->size;
-        }
-    }
     for (int i = 0; i < 2; ++i) {
-        environment_look_up(maps[i], vf_load(sizes[i]), &place, texel[i]);
-    }
-    for (int k = 0; k < 3; ++k) {
-        out[k] = environment_mix(texel[0][k], texel[1][k], share);
+        const char *from[LANES];
+        float sizes[LANES];
+        size_t below[LANES];
+        vf color[3];
+        for (int lane = 0; lane < LANES; ++lane) {
+            sizes[lane] = (float)levels[numbers[lane] + i].size;
+        }
+        const environment_tap tap = environment_tap_of(&place, vf_load(sizes));
+        for (int lane = 0; lane < LANES; ++lane) {
+            const burnish_light_map *map = &levels[numbers[lane] + i];
+            from[lane] = (const char *)map->texels + (size_t)(uint32_t)tap.first[lane] * TEXEL;
+            below[lane] = ((size_t)map->size + 2) * TEXEL;
+        }
+        environment_mix_texels(&tap, from, below, color);
+        for (int k = 0; k < 3; ++k) {
+            out[k] = i ? environment_mix(out[k], color[k], share) : color[k];
+        }
     }
 }
 
