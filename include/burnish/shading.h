@@ -188,7 +188,8 @@ typedef struct burnish_material {
     float emissive[3]; /* emitted light */
     int is_unlit;      /* 1: the colour is drawn without lighting */
 
-    /* 0: a Phong material; metallic, roughness and reflectance are not used.
+    /* 0: a Phong material. The lights of light.h use metallic, roughness and reflectance if one of
+     *    them is not 0, with the base colour `ambient`; otherwise they are not used.
      * 1: a metallic-roughness material; diffuse is the base colour, and ambient, specular and
      *    exponent are not used. With the base colour, these coefficients replace them:
      *      kd = base (1 - metallic), ka = base

@@ -43,7 +43,7 @@ static const struct layer {
                          "image/text/drawing.h burnish/core.h burnish/drawing.h burnish/look.h "
                          "burnish/mesh.h burnish/render.h"},
     {"src/render/light",
-     "core environment simd raster render render/texture shading burnish/mesh.h "
+     "core environment simd raster render render/texture shading burnish/light.h burnish/mesh.h "
      "burnish/render.h"},
     {"src/render/lines", "core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},

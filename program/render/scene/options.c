@@ -30,6 +30,12 @@ burnish_status render_load(const render_input_settings *input, int threads, burn
                : status;
 }
 
+/* A highlight of the flags replaces metallic-roughness parameters, which lights would prefer. */
+static void set_phong(burnish_material *material) {
+    material->metallic = material->roughness = 0;
+    memset(material->reflectance, 0, sizeof material->reflectance);
+}
+
 /* One material, changed by the flags. */
 static burnish_material adjusted_material(const render_shading_settings *shading,
                                           burnish_material material) {
@@ -49,6 +55,10 @@ static burnish_material adjusted_material(const render_shading_settings *shading
             material.ambient[k] *= preset->diffuse;
         }
         material.exponent = preset->exponent;
+    }
+    if (!material.is_metallic &&
+        (shading->material > 0 || shading->specular.given || shading->exponent.given)) {
+        set_phong(&material);
     }
     if (shading->specular.given) {
         for (int k = 0; k < 3; ++k) {

@@ -303,6 +303,10 @@ static burnish_status read_material(bms_state *s, size_t number) {
                            .alpha_mode = flags & BURNISH_BMS_MASK    ? BURNISH_ALPHA_MASK
                                          : flags & BURNISH_BMS_BLEND ? BURNISH_ALPHA_BLEND
                                                                      : BURNISH_ALPHA_IGNORE};
+    if (!material->is_metallic) {
+        material->metallic = material->roughness = 0;
+        memset(material->reflectance, 0, sizeof material->reflectance);
+    }
     read_color(at, material->ambient);
     read_color(at + 12, material->diffuse);
     read_color(at + 24, material->specular);

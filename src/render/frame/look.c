@@ -147,6 +147,8 @@ burnish_status burnish_look_set_materials(burnish_look name, burnish_mesh *mesh,
         memset(material.textures, 0, sizeof material.textures);
         memset(material.emissive, 0, sizeof material.emissive);
         material.is_metallic = material.is_unlit = 0;
+        material.metallic = material.roughness = 0;
+        memset(material.reflectance, 0, sizeof material.reflectance);
         material.alpha_mode = BURNISH_ALPHA_IGNORE;
         for (int k = 0; k < 3; ++k) {
             material.ambient[k] = material.diffuse[k] = wanted->grey[k];

@@ -210,27 +210,23 @@ static burnish_status prepare_alphas(burnish_area *area, burnish_memory *memory)
 }
 
 static burnish_reflecting_material reflecting(const burnish_material *from, int has_colors) {
-    const float base = has_colors && !from->has_diffuse ? 1.0f : 0.0f; /* vertex colours */
-    burnish_reflecting_material to = {.is_metallic = from->is_metallic,
-                                      .reflects = from->is_metallic};
+    const int is_metallic = burnish_has_roughness(from);
+    const float *color = from->is_metallic || !is_metallic ? from->diffuse : from->ambient;
+    const float n = from->exponent, metallic = from->metallic;
+    burnish_reflecting_material to = {.is_metallic = is_metallic, .reflects = is_metallic};
     if (from->is_unlit) {
         return (burnish_reflecting_material){.roughness = 1};
     }
-    for (int k = 0; k < 3; ++k) {
-        const float color = base > 0 ? base : from->diffuse[k];
-        const float ks = from->specular[k];
-        to.reflects |= ks > 0;
-        to.diffuse[k] = color;
-        to.reflectance[k] = clamped(8 * ks / (from->exponent + 4), 0.0f, 1.0f);
-        if (from->is_metallic) {
-            to.diffuse[k] = color * (1 - from->metallic);
-            to.reflectance[k] =
-                from->reflectance[k] * (1 - from->metallic) + color * from->metallic;
-        }
+    for (int k = 0; k < 3; ++k) { /* vertex colours replace a colour that the file lacks */
+        const float base = has_colors && !from->has_diffuse ? 1.0f : color[k];
+        const float f0 = is_metallic ? from->reflectance[k] * (1 - metallic) + base * metallic
+                                     : 8 * from->specular[k] / (n + 4);
+        to.reflects |= f0 > 0;
+        to.diffuse[k] = is_metallic ? base * (1 - metallic) : base;
+        to.reflectance[k] = clamped(f0, 0.0f, 1.0f);
     }
-    to.roughness = from->is_metallic
-                       ? from->roughness
-                       : (float)burnish_sqrt(burnish_sqrt(2 / ((double)from->exponent + 2)));
+    to.roughness =
+        is_metallic ? from->roughness : (float)burnish_sqrt(burnish_sqrt(2 / ((double)n + 2)));
     return to;
 }
 

@@ -191,6 +191,13 @@ typedef struct burnish_texture_batch {
     burnish_texture_scratch *scratch;
 } burnish_texture_batch;
 
+/* Whether the lights of burnish/light.h take a material's metallic-roughness parameters. */
+static inline int burnish_has_roughness(const burnish_material *material) {
+    const float *f = material->reflectance;
+    return material->is_metallic || material->metallic > 0 || material->roughness > 0 || f[0] > 0 ||
+           f[1] > 0 || f[2] > 0;
+}
+
 /* `count` rounded up to whole vectors: lanes after the last point also read from the bands of a
  * texture. */
 static inline int burnish_texture_padded(int count) {

@@ -160,15 +160,26 @@ BURNISH_INLINE vf texture_root(vf x) {
 }
 
 /* What light from many directions is reflected by (burnish/light.h), of coefficients that are not
- * widened, and of the exponent that is. */
-BURNISH_INLINE void texture_reflectance(int is_metallic, const texture_coefficients *from,
-                                        vf widened, size_t i, burnish_texture_scratch *scratch) {
+ * widened, and of the exponent that is. Of metallic-roughness parameters without their textures only
+ * the specular colour varies. */
+BURNISH_INLINE void texture_reflectance(const burnish_material *material, unsigned sampled,
+                                        const texture_coefficients *from, vf widened, size_t i,
+                                        burnish_texture_scratch *scratch) {
     const vf one = vf_set(1.0f), two = vf_set(2.0f);
+    const int is_metallic = material->is_metallic, has_roughness = burnish_has_roughness(material);
     const vf factor =
         is_metallic ? one : vf_div(vf_set(8.0f), vf_add(from->exponent, vf_set(4.0f)));
     const vf alpha = texture_root(vf_div(two, vf_add(widened, two)));
     for (int k = 0; k < 3; ++k) {
-        vf_store(scratch->reflectance[k] + i, vf_min(vf_mul(from->specular[k], factor), one));
+        vf reflectance = vf_mul(from->specular[k], factor);
+        if (has_roughness && !is_metallic) {
+            const float metal = material->ambient[k] * material->metallic;
+            reflectance = vf_set(material->reflectance[k] * (1 - material->metallic) + metal);
+            if (sampled >> BURNISH_TEXTURE_SPECULAR & 1) {
+                reflectance = vf_mul(reflectance, vf_load(scratch->specular[k] + i));
+            }
+        }
+        vf_store(scratch->reflectance[k] + i, vf_min(reflectance, one));
     }
     vf_store(scratch->roughness + i, vf_max(from->roughness, texture_root(alpha)));
 }
@@ -188,7 +199,7 @@ static void vary_points(const burnish_textured_material *material, unsigned samp
         const texture_coefficients before = to;
         texture_widen(material, i, scratch, &to);
         if (sampled >> BURNISH_TEXTURE_REFLECTANCE & 1) {
-            texture_reflectance(material->material.is_metallic, &before, to.exponent, i, scratch);
+            texture_reflectance(&material->material, sampled, &before, to.exponent, i, scratch);
         }
         if (sampled >> BURNISH_TEXTURE_OCCLUSION & 1) { /* what of the ambient light arrives */
             const vf hidden = vf_mul(strength, vf_sub(vf_load(scratch->open + i), one));
