@@ -6,6 +6,7 @@ import { codeOf } from "./code.js";
 import { numberOf, parseCsv } from "./csv.js";
 import { whole } from "./first.js";
 import { FRONT, commandLine, darkScheme, divideByHand, draw, open, paint, turn, turnByHand } from "./picture.js";
+import { showSoftbox, watchSoftbox } from "./softbox.js";
 import { ONE_ORDER, WITHOUT_ORDER, addressOfState, at, lobeOf, mostOrder, own, settleOrder, show, state } from "./state.js";
 
 // ---- Curves, cost, code ----
@@ -38,6 +39,7 @@ const compute = latest(async () => {
   (await curves).overAngle(steps, [...lobe.values], [...other.values], [...power.values], overlay);
   at("cost").innerHTML = ROWS.map(([name, text]) =>
     `<tr><th scope="row">${name}</th><td>${text(lobe.facts, power.facts)}</td><td>${text(other.facts, power.facts)}</td></tr>`).join("");
+  showSoftbox({ zeta: lobe.facts.zeta, order: WITHOUT_ORDER.includes(state.fit) ? 2 : Number(state.order), exponent, isBlinn: state.equation === "blinn" });
   await showCode(lobe.facts);
 }, show);
 
@@ -168,6 +170,7 @@ darkScheme.addEventListener("change", () => {
   settle();
   draw(false);
 });
+watchSoftbox(settle);
 divideByHand((percent) => change("divider", percent));
 watchOverlay(() => {
   settle();

@@ -1,14 +1,13 @@
 // Three spheres under a rectangular light that can be dragged: the light's reflection in the lobe on screen, integrated by shaders/burnish.glsl for each pixel.
-import glsl from "./burnish/glsl.js";
 import { NUMBERS, at, clamp, show, state } from "./state.js";
 
 const EYE = [0, 1.25, 6];
 const TARGET = [0, 0.85, 0];
-const FIELD = 0.27; // tangent of half the vertical angle
+const FIELD = 0.245; // tangent of half the vertical angle
 const DEPTH = 1; // z of the light; it faces AIM
 const AIM = [0, 0.35, 0];
 
-const fragment = `#version 300 es
+const fragmentOf = (glsl) => `#version 300 es
 precision highp float;
 ${glsl}
 uniform vec2 size;
@@ -17,7 +16,7 @@ uniform float zeta;
 uniform int order;
 out vec4 color;
 
-const float RADIANCE = 1.5;
+const float RADIANCE = 4.0;
 
 struct Surface {
   float distance;
@@ -104,7 +103,8 @@ function light() {
 }
 
 const canvas = at("softbox-canvas");
-let draw = () => {};
+let draw = () => {}; // until the shader is compiled
+let isMoving = false;
 
 // The lobe that the shader can integrate: of order 8 at most, around the reflected direction. Blinn's half vector moves half as fast.
 function lobeFor({ zeta, order, exponent, isBlinn }) {
@@ -122,18 +122,28 @@ function compile(gl, type, text) {
   return shader;
 }
 
-function start() {
-  const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
+function fail(message) {
+  show(message, "softbox-error"); // it covers the picture
+  at("softbox-move").hidden = at("softbox-size").hidden = true;
+}
+
+async function start() {
+  const { default: glsl } = await import("./burnish/glsl.js");
+  const gl = canvas.getContext("webgl2", { antialias: false, alpha: false });
   if (!gl) {
-    show("This picture needs WebGL 2, which this browser lacks.", "softbox-error");
+    fail("This picture needs WebGL 2, which this browser lacks.");
     return;
   }
   const program = gl.createProgram();
   gl.attachShader(program, compile(gl, gl.VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"));
-  gl.attachShader(program, compile(gl, gl.FRAGMENT_SHADER, fragment));
+  gl.attachShader(program, compile(gl, gl.FRAGMENT_SHADER, fragmentOf(glsl)));
   gl.linkProgram(program);
+  const parallel = gl.getExtension("KHR_parallel_shader_compile");
+  while (parallel && !gl.getProgramParameter(program, parallel.COMPLETION_STATUS_KHR)) { // the page stays responsive
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-    show("This browser can't compile the shader of this picture.", "softbox-error");
+    fail("This browser can't compile the shader of this picture.");
     return;
   }
   gl.useProgram(program);
@@ -187,7 +197,6 @@ function place() {
     (lobe.isKnown ? "." : ": the one chosen above has no such integral.");
 }
 
-let isMoving = false;
 let rest = 0;
 let rested = () => {};
 

@@ -5,8 +5,10 @@ export const at = (id) => document.getElementById(id);
 export const DEFAULTS = {
   mesh: ":teapot", fit: "energy", order: "2", n: "40", against: "power", look: "lobes", equation: "blinn", resolution: "960,720",
   view: "split", divider: "31", azimuth: "0", elevation: "0", zoom: "1", language: "glsl",
+  boxx: "-0.75", boxy: "1.5", boxw: "1.1", boxh: "0.8",
 };
-export const NUMBERS = { n: [1, 65536], divider: [0, 100], azimuth: [-36000, 36000], elevation: [-110, 70], zoom: [0.05, 50] };
+export const NUMBERS = { n: [1, 65536], divider: [0, 100], azimuth: [-36000, 36000], elevation: [-110, 70], zoom: [0.05, 50],
+  boxx: [-2.2, 2.2], boxy: [0.2, 1.9], boxw: [0.1, 2.5], boxh: [0.1, 2.5] };
 export const WITHOUT_ORDER = ["schlick", "gx", "gaussian", "power", "shift7", "shift3"];
 export const ONE_ORDER = ["shift7", "shift3"];
 

@@ -196,6 +196,38 @@ try {
   await page.waitForFunction(() => document.getElementById("code").textContent.includes("uint16_t"));
   check("the boundary memory", await page.textContent("#code"), printed("boundary", `--lobe=energy:${await page.textContent("#order [aria-pressed='true']")}`).stdout);
 
+  // ---- Softbox: by keys and by hand ----
+  await page.locator("#softbox-canvas").scrollIntoViewIfNeeded();
+  const sphere = async () => { // the metal one: no handle is over it
+    const box = await page.locator("#softbox-canvas").boundingBox();
+    const clip = { x: box.x + 0.64 * box.width, y: box.y + 0.55 * box.height, width: 0.2 * box.width, height: 0.2 * box.height };
+    return (await page.screenshot({ clip })).toString("base64");
+  };
+  const relit = async (what, act, text) => {
+    const before = await sphere();
+    await act();
+    let after = before;
+    for (let tries = 0; tries < 100 && after === before; ++tries) {
+      await page.waitForTimeout(100);
+      after = await sphere();
+    }
+    check(`${what} lights the metal`, after !== before, true);
+    check(what, (await page.textContent("#softbox-about")).startsWith(text), true);
+  };
+  await page.focus("#softbox-move");
+  await relit("an arrow", () => page.keyboard.press("ArrowRight"), "Softbox 1.10 × 0.80 at -0.70, 1.50; ");
+  await page.focus("#softbox-size");
+  await relit("a size", () => page.keyboard.press("ArrowRight"), "Softbox 1.20 × 0.80 at -0.70, 1.50; ");
+  const move = await page.locator("#softbox-move").boundingBox();
+  await relit("a drag of the softbox", async () => {
+    await page.mouse.move(move.x + 17, move.y + 17);
+    await page.mouse.down();
+    await page.mouse.move(move.x + 117, move.y + 17, { steps: 4 });
+    await page.mouse.up();
+  }, "Softbox 1.20 × 0.80 at -0.");
+  await page.waitForFunction(() => location.hash.includes("boxw=1.2"));
+  check("no error of the softbox", await page.textContent("#softbox-error"), "");
+
   // ---- Verilog: the displayed module in a simulator, compared with the lobe ----
   const hasSimulator = spawnSync("iverilog", ["-V"]).status === 0;
   for (const [lobe, n] of hasSimulator ? [["energy:2", 40], ["taylor:8", 100], ["shift7", 21], ["minimax:4", 33.5], ["energy:2", 300]] : []) {

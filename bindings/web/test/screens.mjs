@@ -44,7 +44,7 @@ export const layoutFaults = (page) => page.evaluate(() => {
     faults.push(`the page is ${document.documentElement.scrollWidth} wide, the window ${innerWidth}`);
   }
   // Exceptions: intentional overlays of the picture, uPlot's drawings, and elements off screen until focused.
-  const isOver = (element) => element.closest(".tag, .divider, .legend, .drop, .plot, .skip") || element.matches("input[type='file']");
+  const isOver = (element) => element.closest(".tag, .divider, .handle, .legend, .drop, .plot, .skip") || element.matches("input[type='file']");
   const isVisible = (element) => element.checkVisibility({ visibilityProperty: true }) && element.getClientRects().length > 0;
   const isText = (element) => [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim());
   const all = [...document.body.querySelectorAll("*")].filter((element) => isVisible(element) && !isOver(element));
