@@ -1,6 +1,9 @@
 /* Input flags of the commands that load a mesh. */
 #include "cli/input.h"
 
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define WORD(name, word, ...)                                                                      \
@@ -100,4 +103,58 @@ static burnish_status load_companion(void *user_data, const char *name, uint64_t
 
 burnish_file_loader cli_companion_loader(cli_companions *companions) {
     return (burnish_file_loader){.load = load_companion, .user_data = companions};
+}
+
+/* Reads the rest of the stream. */
+static burnish_status read_stream(const char *path, FILE *file, uint64_t max_bytes, uint8_t **bytes,
+                                  size_t *size, burnish_error *error) {
+    size_t capacity = 0;
+    for (;;) {
+        if (*size == capacity) {
+            capacity = capacity ? 2 * capacity : 1 << 16;
+            uint8_t *grown = capacity > *size ? realloc(*bytes, capacity) : NULL;
+            if (!grown) {
+                return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: out of memory for the file",
+                                path);
+            }
+            *bytes = grown;
+        }
+        const size_t count = fread(*bytes + *size, 1, capacity - *size, file);
+        *size += count;
+        if (*size > max_bytes) {
+            return cli_fail(error, BURNISH_STATUS_LIMIT,
+                            "%.200s: larger than %llu bytes; raise --max-input-bytes", path,
+                            (unsigned long long)max_bytes);
+        }
+        if (ferror(file)) {
+            return cli_fail(error, BURNISH_STATUS_READ, "%.200s: can't be read: %s", path,
+                            strerror(errno));
+        }
+        if (count == 0) {
+            return BURNISH_STATUS_OK;
+        }
+    }
+}
+
+burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, uint8_t **bytes, size_t *size,
+                              burnish_error *error) {
+    const int standard = strcmp(path, "-") == 0;
+    FILE *file = standard ? stdin : fopen(path, "rb");
+    *bytes = NULL;
+    *size = 0;
+    if (!file) {
+        return cli_fail(error, BURNISH_STATUS_READ, "%.200s: can't be opened: %s", path,
+                        strerror(errno));
+    }
+    const burnish_status status =
+        read_stream(standard ? "standard input" : path, file, max_bytes, bytes, size, error);
+    if (!standard) {
+        fclose(file);
+    }
+    if (status != BURNISH_STATUS_OK) {
+        free(*bytes);
+        *bytes = NULL;
+        *size = 0;
+    }
+    return status;
 }

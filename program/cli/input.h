@@ -143,4 +143,9 @@ cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
         "Refuses larger inputs (exit code 5). _N_ can end in *K*, *M* or *G*, powers of 1024.",    \
     .handler = cli_flag_bytes, .offset = offsetof(type, member.max_input_bytes)
 
+/* Reads a whole file, or standard input for "-"; release *bytes with free. Errors: READ, LIMIT,
+ * MEMORY. */
+burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, uint8_t **bytes, size_t *size,
+                              burnish_error *error);
+
 #endif

@@ -20,11 +20,7 @@ int picture_is_png(const uint8_t *bytes, size_t size);
 burnish_status picture_decode_png(const char *name, const uint8_t *bytes, size_t size,
                                   burnish_image *image, burnish_error *error);
 
-/* Reads a whole file, or standard input for "-"; release *bytes with free. Errors: READ, LIMIT, MEMORY. */
-burnish_status picture_read_bytes(const char *path, uint64_t max_bytes, uint8_t **bytes,
-                                  size_t *size, burnish_error *error);
-
-/* Reads and decodes a file. Errors: as above; FORMAT if it is not a PNG file. */
+/* Reads and decodes a file. Errors: as above, and READ; FORMAT if it is not a PNG file. */
 burnish_status picture_read_png(const char *path, uint64_t max_bytes, burnish_image *image,
                                 burnish_error *error);
 

@@ -62,7 +62,7 @@ static const struct layer {
      "cli font picture render/output render/scene render/settings sandbox burnish"},
     {"program/render/output",
      "cli font import picture render/scene render/settings sandbox burnish"},
-    {"program/render/scene", "cli picture render/settings sandbox burnish"},
+    {"program/render/scene", "cli render/settings sandbox burnish"},
     {"program/render/settings", "cli picture burnish"},
     {"program/sandbox", "cli core/beneath.h core/show_name.h import burnish"},
     {"program/serve", "cli import render render/settings sandbox burnish"},

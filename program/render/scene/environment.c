@@ -3,8 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/options.h"
-#include "picture/read_png.h"
+#include "cli/input.h"
 
 static int is_file(const char *name) {
     return name && strcmp(name, "sky") != 0 && strcmp(name, "room") != 0;
@@ -23,8 +22,8 @@ burnish_status render_read_environment(const render_settings *settings,
                         "room",
                         name);
     }
-    return picture_read_bytes(name, settings->input.load.max_input_bytes, &environment->bytes,
-                              &environment->size, error);
+    return cli_read_bytes(name, settings->input.load.max_input_bytes, &environment->bytes,
+                          &environment->size, error);
 }
 
 burnish_status render_make_environment(const render_settings *settings,
