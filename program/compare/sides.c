@@ -202,7 +202,11 @@ static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
 
 static burnish_status draw(comparison *c, burnish_error *error) {
     burnish_renderer *renderer = NULL;
+    render_environment environment = {0};
     burnish_status status = choose_size(c, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = render_load_environment(&c->settings->render, NULL, &environment, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = aim(c, error);
     }
@@ -211,11 +215,13 @@ static burnish_status draw(comparison *c, burnish_error *error) {
     }
     for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
         compare_side *side = &c->sides[i];
+        side->options.environment = environment.environment;
         if (compare_is_mesh(side)) {
             status = draw_side(side, renderer, error);
         }
     }
     burnish_renderer_destroy(renderer);
+    render_release_environment(&environment);
     return status;
 }
 

@@ -11,7 +11,7 @@ cli_work render_work;
  * that do not name a file or set a limit. */
 #define RENDER_PICTURE_FLAGS                                                                       \
     "width,height,cull-back-faces,samples,background-color,no-background,views,annotate,columns,"  \
-    "labels,environment,environment-strength,environment-turn,"                                    \
+    "labels,"                                                                                      \
     "no-labels,quality,dpi,input-format,clip,crease-angle,tessellation,animation-time,animation,"  \
     "point-size,strict,no-textures,no-libraries,fail-on-blank"
 

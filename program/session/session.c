@@ -52,8 +52,7 @@ const cli_command session_draw_command = {
     .base = &render_command,
     .base_topics = "light",
     .base_flags = "resolution,size,cull-back-faces,samples,background-color,no-background,views,"
-                  "annotate,environment,environment-strength,environment-turn,camera-direction,"
-                  "azimuth,elevation,camera,"
+                  "annotate,camera-direction,azimuth,elevation,camera,"
                   "camera-position,camera-focal-point,camera-view-up,camera-view-angle,"
                   "zoom,camera-orthographic,camera-orthographic-height,margin,"
                   "max-overdraw,isa,threads",
@@ -365,10 +364,8 @@ static burnish_status choose_environment(session *s, burnish_error *error) {
     render_release_environment(&s->environment);
     free(s->environment_name);
     s->environment_name = NULL;
-    burnish_status status = render_read_environment(&s->settings, &s->environment, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = render_make_environment(&s->settings, s->context, &s->environment, error);
-    }
+    const burnish_status status =
+        render_load_environment(&s->settings, s->context, &s->environment, error);
     s->environment_name = status == BURNISH_STATUS_OK && name ? strdup(name) : NULL;
     return status;
 }

@@ -84,10 +84,7 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
         status = render_adjust_materials(&settings.shading, mesh, error);
     }
     if (status == BURNISH_STATUS_OK && !scene->environment.environment) {
-        status = render_read_environment(&settings, &scene->environment, error);
-        if (status == BURNISH_STATUS_OK) {
-            status = render_make_environment(&settings, NULL, &scene->environment, error);
-        }
+        status = render_load_environment(&settings, NULL, &scene->environment, error);
     }
     if (status != BURNISH_STATUS_OK) {
         burnish_mesh_destroy(mesh);

@@ -73,7 +73,6 @@ const cli_command view_command = {
     .base = &render_command,
     .base_topics = "camera,light",
     .base_flags =
-        "environment,environment-strength,environment-turn,"
         "samples,background-color,cull-back-faces,views,input-format,clip,normals,crease-angle,"
         "tessellation,animation-time,animation,point-size,strict,no-textures,"
         "no-libraries,max-triangles,max-texture-pixels,max-input-bytes,max-overdraw,"

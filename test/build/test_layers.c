@@ -77,8 +77,9 @@ static const struct layer {
     {"bench/load", "bench burnish"},
     {"bench/shaders", ""},
     {"bench/peers", "bench core simd shading burnish"},
-    {"bindings/wasm", "cli lobe core/error.h core/pool.h image/decode mesh/read/io/open_beside.h "
-                      "burnish wasi"},
+    {"bindings/wasm",
+     "cli lobe picture/read_png.h core/error.h core/pool.h image/decode mesh/read/io/open_beside.h "
+     "burnish wasi"},
     {"hardware/arduino/src", "burnish"},
     {"hardware/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
     {"hardware/arduino/examples/Highlight", ""},

@@ -43,6 +43,15 @@ burnish_status render_make_environment(const render_settings *settings,
     return status;
 }
 
+burnish_status render_load_environment(const render_settings *settings,
+                                       const burnish_context *context,
+                                       render_environment *environment, burnish_error *error) {
+    const burnish_status status = render_read_environment(settings, environment, error);
+    return status == BURNISH_STATUS_OK
+               ? render_make_environment(settings, context, environment, error)
+               : status;
+}
+
 void render_release_environment(render_environment *environment) {
     free(environment->bytes);
     burnish_environment_destroy(environment->environment);

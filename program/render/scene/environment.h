@@ -23,6 +23,11 @@ burnish_status render_make_environment(const render_settings *settings,
                                        const burnish_context *context,
                                        render_environment *environment, burnish_error *error);
 
+/* Both. */
+burnish_status render_load_environment(const render_settings *settings,
+                                       const burnish_context *context,
+                                       render_environment *environment, burnish_error *error);
+
 void render_release_environment(render_environment *environment);
 
 #endif
