@@ -14,6 +14,7 @@ extern const cli_command lobe_boundary_command;
 extern const cli_command lobe_choose_command;
 extern const cli_command lobe_sample_command;
 extern const cli_command lobe_fit_command;
+extern const cli_command lobe_rough_command;
 extern const cli_command lobe_plot_command;
 
 #define CLI_RIGHT_ANGLE (CLI_PI / 2)

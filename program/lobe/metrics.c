@@ -74,6 +74,14 @@ static double cosine_energy(const burnish_theory_model *model) {
     return cosine_integral(model) / cosine_integral(&power);
 }
 
+static double phong_albedo(const burnish_theory_model *model) {
+    return (model->exponent + 2) / (2 * CLI_PI) / burnish_theory_phong_factor(model);
+}
+
+static double blinn_albedo(const burnish_theory_model *model) {
+    return burnish_theory_blinn_factor_common(model->exponent) / burnish_theory_blinn_factor(model);
+}
+
 static double relative_at(const burnish_theory_model *model, double degrees) {
     return burnish_theory_relative_error(model, degrees * CLI_DEGREE);
 }
@@ -147,6 +155,11 @@ static const lobe_metric metrics[] = {
      "factor of a reflection lobe by Blinn", .of_model = burnish_theory_blinn_factor},
     {"blinn-factor-common", "blinn_factor_common_per_sr", "(n+8)/8pi", "1/sr", -5, 0,
      "the usual approximation for cos^n", .of_exponent = burnish_theory_blinn_factor_common},
+    {"phong-albedo", "phong_albedo", "Phong alb.", "", 5, 0,
+     "light reflected at normal incidence, by Phong with the factor (n + 2)/2pi",
+     .of_model = phong_albedo},
+    {"blinn-albedo", "blinn_albedo", "Blinn alb.", "", 5, 0,
+     "the same by Blinn with the factor (n + 8)/8pi", .of_model = blinn_albedo},
     {"normal-factor", "normal_factor_per_sr", "normal f.", "1/sr", -5, 0,
      "factor of a distribution of normals", .of_model = burnish_theory_normal_factor},
 

@@ -8,6 +8,7 @@
 #include "lobe/lists.h"
 #include "plot/cost.h"
 #include "plot/figures.h"
+#include "plot/light.h"
 
 static const double DEGREES = 1 / CLI_DEGREE;
 
@@ -86,7 +87,8 @@ static const plot_figure figures[] = {
               "kuijk-blake,table256,table256:linear",
      .width = 960,
      .height = 690,
-     .y_column = "maximum_error"},
+     .y_column = "maximum_error",
+     .fill = plot_fill_cost},
     {.name = "energy",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "energy",
@@ -124,6 +126,22 @@ static const plot_figure figures[] = {
      .measure = curvature_radius,
      .least_angle = 0.02,
      .has_paper_names = 1},
+    {.name = "polygon",
+     .axis = PLOT_AXIS_NONE,
+     .script = "polygon",
+     .title = "Error of the evaluations of a polygon's light against the slope",
+     .exponents = "64",
+     .lobes = "energy:8",
+     .y_column = "error",
+     .fill = plot_fill_polygon},
+    {.name = "rough",
+     .axis = PLOT_AXIS_NONE,
+     .script = "rough",
+     .title = "GGX around the mirror direction, and sums of lobes",
+     .exponents = "64",
+     .lobes = "energy:2",
+     .y_column = "value",
+     .fill = plot_fill_rough},
 };
 
 const plot_figure *plot_figure_at(size_t index) {
@@ -488,6 +506,6 @@ static burnish_status fill_curves(const plot_figure *figure, const plot_request 
 
 burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
                          burnish_error *error) {
-    return figure->measure ? fill_curves(figure, request, chart, error)
-                           : plot_fill_cost(request, chart, error);
+    return figure->fill ? figure->fill(request, chart, error)
+                        : fill_curves(figure, request, chart, error);
 }

@@ -75,7 +75,7 @@ typedef enum plot_axis {
     PLOT_AXIS_ANGLES,
     PLOT_AXIS_EXPONENTS,
     PLOT_AXIS_BITS, /* and one exponent only */
-    PLOT_AXIS_NONE  /* the figures cost and object: one exponent only */
+    PLOT_AXIS_NONE  /* with `fill`, and the figure object: one exponent only */
 } plot_axis;
 
 /* One figure. Defaults have the syntax of the flags; NULL: the figure ignores the flag.
@@ -87,12 +87,14 @@ typedef struct plot_figure {
     const char *exponents, *lobes, *bits;
     int width, height; /* px; 0: 720 x 440 */
     const char *y_column;
-    plot_metric *measure; /* NULL: see PLOT_AXIS_NONE */
-    plot_metric *points;  /* the same by another method, drawn as points; or NULL */
-    double least_angle;   /* degrees at the left end of a logarithmic axis of angles; 0: linear */
-    int is_narrow;        /* 1: more points at the ends of narrow lobes */
-    int has_paper_names;  /* 1: use the paper's names of lobes */
-    int is_ordered;       /* 1: the lobes are an ordered set */
+    plot_metric *measure;
+    /* Figures that are not curves of a metric: as plot_fill. */
+    burnish_status (*fill)(const plot_request *request, plot_chart *chart, burnish_error *error);
+    plot_metric *points; /* the same by another method, drawn as points; or NULL */
+    double least_angle;  /* degrees at the left end of a logarithmic axis of angles; 0: linear */
+    int is_narrow;       /* 1: more points at the ends of narrow lobes */
+    int has_paper_names; /* 1: use the paper's names of lobes */
+    int is_ordered;      /* 1: the lobes are an ordered set */
 } plot_figure;
 
 /* Fills a chart, in which only name, title, size and y_column are set, with the curves of a figure.

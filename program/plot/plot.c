@@ -95,7 +95,7 @@ const cli_command lobe_plot_command = {
     .summary = "the paper's figures and our own, as SVG by gnuplot",
     .operand_help =
         "the paper's error, curves, core, ratio, w1, w1-extreme, object (figures 2 to 7);\n"
-        "          cost, energy, orders, widths, radius",
+        "          cost, energy, orders, widths, radius, polygon, rough",
     .manual =
         "Computes and draws a figure. The paper's figures: *error* (2, "
         "absolute error of W against the angle), *curves* (3, cos^n, W and Schlick's function), "
@@ -105,7 +105,9 @@ const cli_command lobe_plot_command = {
         "differences).\n"
         "Other figures: *cost* (error of every lobe against its cost), *energy* (against the "
         "exponent), *orders* (error of every order), *widths* (R against the threshold), *radius* "
-        "(radius of curvature against the angle).\n"
+        "(radius of curvature against the angle), *polygon* (error of the evaluations of a "
+        "polygon's "
+        "light, for the order of the lobe), *rough* (GGX and sums of lobes).\n"
         "gnuplot draws all figures except *object*; without it the command ends with exit code 7. "
         "Output is reproducible with the same version of gnuplot.",
     .operands_max = 1,

@@ -5,7 +5,7 @@ import os
 
 from page import ROOT, Refused, csv_rows, filled, grid, read, run, table, write
 
-FIGURES = "error curves core ratio w1 w1-extreme cost energy orders widths radius".split()
+FIGURES = "error curves core ratio w1 w1-extreme cost energy orders widths radius polygon rough".split()
 
 
 def figures(burnish, folder):
@@ -149,8 +149,28 @@ def operations(page):
     return table("one value of|on|multiplications|additions, subtractions, complements|shifts|tests and branches|divisions|all", rows, left=2)
 
 
+def rough(burnish):
+    """What sums of lobes for GGX and Beckmann miss."""
+    cells = []
+    for name, distribution, lobes in [("GGX", "ggx", n) for n in (3, 2, 1)] + [("Beckmann", "beckmann", n) for n in (3, 2)]:
+        rows = csv_rows(run(burnish, "lobe", "rough", f"--distribution={distribution}", f"--lobes={lobes}", "--format=csv"))
+        for row in rows:
+            cells += [(f"{name}, {lobes}", "%.1f" % float(row[0]), "%.1f, %.1f" % (float(row[1]), float(row[2])))]
+    return grid("roughness", cells, "%s")
+
+
+def albedo(burnish):
+    """Light that the engines' factors reflect at normal incidence."""
+    cells = []
+    for metric, what in (("phong-albedo", "(n + 2)/2π, Phong"), ("blinn-albedo", "(n + 8)/8π, Blinn")):
+        cells += [(f"n = {n}", f"{what}: `{lobe}`", value) for n, lobe, value in numbers(burnish, "power,energy:2,energy:8", "8,20,100,1000", metric)]
+    return grid("factor and lobe", cells, "%.3f")
+
+
 TABLES = {
     "limits": limits,
+    "rough": rough,
+    "albedo": albedo,
     "shipped": shipped,
     "choose": choose,
     "energy": energy,

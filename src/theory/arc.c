@@ -84,7 +84,7 @@ static double closed(const burnish_arc_rule *rule, const burnish_arc_circle *cir
     return (circle->d * sum + 2 * remainder * swept) / (order + 1);
 }
 
-/* Newton's divided differences through the Chebyshev points of [0, 1], as coefficients of powers. */
+/* The polynomial through n points, by divided differences, as coefficients of powers. */
 static void interpolate(const double *x, double *f, int n, double *powers) {
     for (int j = 1; j < n; ++j) {
         for (int i = n - 1; i >= j; --i) {

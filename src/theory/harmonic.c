@@ -1,0 +1,26 @@
+/* Zonal harmonic coefficients of the family. */
+#include <math.h>
+
+#include "theory/arc.h"
+#include "theory/internal.h"
+
+double burnish_theory_zonal(int order, double zeta, int degree) {
+    burnish_arc_rule rule = {.method = BURNISH_THEORY_POLYGON_GAUSS};
+    rule.terms = (order + degree) / 2 + 1; /* exact for lobe times polynomial */
+    if (!(zeta > 0) || order < 1 || degree < 0 || rule.terms > BURNISH_ARC_NODES) {
+        return NAN;
+    }
+    burnish_arc_prepare(&rule);
+    double half = fmin(1, 0.5 / zeta),
+           sum = 0; /* of the range of c in which the lobe is positive */
+    for (int i = 0; i < rule.terms; ++i) {
+        double lambda = half * (1 - rule.nodes[i]), c = 1 - lambda, before = 0, legendre = 1;
+        for (int j = 0; j < degree; ++j) {
+            double next = ((2 * j + 1) * c * legendre - j * before) / (j + 1);
+            before = legendre;
+            legendre = next;
+        }
+        sum += rule.weights[i] * half * pow(1 - zeta * lambda, order) * legendre;
+    }
+    return 2 * BURNISH_PI * sum;
+}

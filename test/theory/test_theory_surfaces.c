@@ -1,0 +1,206 @@
+/* burnish/theory.h: harmonics, the anisotropic lobe, albedos, and sums of lobes for rough
+ * surfaces, against formulas, quadrature and Monte Carlo. */
+#include <math.h>
+
+#include "burnish/theory.h"
+#include "support.h"
+
+static const double PI = 3.14159265358979323846;
+static const int orders[] = {1, 2, 4, 8, 16, 32};
+enum { ORDERS = sizeof orders / sizeof *orders };
+static uint64_t random_state;
+
+/* The sum over k <= l of (-1)^k C(l, k) C(l + k, k) 2^-k B(k + 1, m + 1) / zeta^(k + 1). */
+static double zonal_by_sum(int order, double zeta, int degree) {
+    long double sum = 0, term = 1.0L / ((order + 1) * (long double)zeta);
+    for (int k = 0; k <= degree; ++k) {
+        sum += term;
+        term *= -(long double)(degree - k) * (degree + k + 1) /
+                (2 * (long double)zeta * (k + 1) * (k + order + 2));
+    }
+    return (double)(2 * (long double)PI * sum);
+}
+
+static void check_zonal(void) {
+    static const double zetas[] = {0.5, 0.7, 1, 3, 10, 1000, 65536};
+    for (int i = 0; i < ORDERS * 7; ++i) {
+        double zeta = zetas[i / ORDERS], whole = 2 * PI / (zeta * (orders[i % ORDERS] + 1));
+        for (int degree = 0; degree <= (zeta < 10 ? 8 : 20); ++degree) {
+            double value = burnish_theory_zonal(orders[i % ORDERS], zeta, degree);
+            double expected = zonal_by_sum(orders[i % ORDERS], zeta, degree);
+            CHECK(fabs(value - expected) < 1e-12 * whole,
+                  "order %d, zeta %g, degree %d: %g, not %g", orders[i % ORDERS], zeta, degree,
+                  value, expected);
+        }
+    }
+    /* (1 + c) / 2 is P_0 / 2 + P_1 / 2 */
+    CHECK1(fabs(burnish_theory_zonal(1, 0.5, 1) - 2 * PI / 3) < 1e-14);
+    CHECK1(fabs(burnish_theory_zonal(1, 0.5, 2)) < 1e-14);
+    CHECK1(fabs(burnish_theory_zonal(1, 0.25, 0) - 3 * PI) < 1e-14); /* the whole sphere */
+    CHECK1(isnan(burnish_theory_zonal(2, 0, 1)) && isnan(burnish_theory_zonal(0, 1, 1)));
+    CHECK1(isnan(burnish_theory_zonal(2, 1, -1)) && isnan(burnish_theory_zonal(64, 1, 64)));
+    CHECK1(!isnan(burnish_theory_zonal(32, 1, 95)));
+}
+
+/* The mean of values in a grid over cosine and azimuth of the hemisphere, times 2 pi. */
+static void check_anisotropic_integral(void) {
+    static const double slopes[][2] = {{1, 1}, {1.5, 4}, {30, 2}, {9, 9}};
+    enum { STEPS = 2000 };
+    for (int i = 0; i < 4 * ORDERS; ++i) {
+        const double *zeta = slopes[i / ORDERS];
+        int order = orders[i % ORDERS];
+        double sum = 0, expected = 2 * PI / ((order + 1) * sqrt(zeta[0] * zeta[1]));
+        for (int j = 0; j < STEPS; ++j) { /* the root of 1 - c, and half the azimuths */
+            double root = (j + 0.5) / STEPS, c = 1 - root * root, s = root * sqrt(1 + c);
+            for (int k = 0; k < 64; ++k) {
+                double phi = PI * (k + 0.5) / 64, h[3] = {s * cos(phi), s * sin(phi), c};
+                sum += 2 * root * burnish_theory_anisotropic(order, zeta, h);
+            }
+        }
+        double value = 2 * PI * sum / STEPS / 64;
+        CHECK(fabs(value / expected - 1) < 2e-4 * (order == 1 ? 5 : 1), "order %d: %g, not %g",
+              order, value, expected);
+    }
+}
+
+/* Samples: unit vectors whose u has the density of u^m, and moments of both axes. */
+static void check_anisotropic_samples(void) {
+    enum { SAMPLES = 40000 };
+    random_state = test_seed(1);
+    for (int i = 0; i < ORDERS; ++i) {
+        int order = orders[i];
+        double zeta[2] = {3 + i, 40.0}, sums[3] = {0}, squares[3] = {0}, expected[3];
+        for (int k = 0; k < SAMPLES; ++k) {
+            double h[3],
+                xi[2] = {test_uniform(&random_state, 0, 1), test_uniform(&random_state, 0, 1)};
+            burnish_theory_anisotropic_sample(order, zeta, xi, h);
+            double length = h[0] * h[0] + h[1] * h[1] + h[2] * h[2];
+            CHECK(fabs(length - 1) < 1e-14 && h[2] >= 0, "length %g", length);
+            double u = pow(burnish_theory_anisotropic(order, zeta, h), 1.0 / order);
+            CHECK(fabs(u - pow(xi[0], 1.0 / (order + 1))) < 1e-9, "u %g", u);
+            double values[3] = {u, h[0] * h[0] / (1 + h[2]), h[1] * h[1] / (1 + h[2])};
+            for (int j = 0; j < 3; ++j) {
+                sums[j] += values[j] / SAMPLES;
+                squares[j] += values[j] * values[j] / SAMPLES;
+            }
+        }
+        expected[0] = (order + 1.0) / (order + 2);
+        expected[1] = 0.5 / (zeta[0] * (order + 2));
+        expected[2] = 0.5 / (zeta[1] * (order + 2));
+        for (int j = 0; j < 3; ++j) {
+            double deviation = sqrt((squares[j] - sums[j] * sums[j]) / SAMPLES);
+            CHECK(fabs(sums[j] - expected[j]) < 5 * deviation, "order %d, moment %d: %g, not %g",
+                  order, j, sums[j], expected[j]);
+        }
+    }
+    double flat[2] = {9, 9}, none[2] = {0, 1}, h[3] = {0.28, 0, 0.96}, pole[3] = {0, 0, 1};
+    CHECK1(fabs(burnish_theory_anisotropic(8, flat, h) - burnish_theory_family(9, 8, 0.96)) <
+           1e-15);
+    CHECK1(burnish_theory_anisotropic(2, flat, pole) == 1);
+    CHECK1(isnan(burnish_theory_anisotropic(2, none, h)));
+}
+
+/* The albedo of S(N.H), order 2: 8 pi (x/3 - 5 x^2/12 + x^3/5 - x^4/30), x = 1/zeta. */
+static void check_albedo(void) {
+    for (int n = 20; n < 2000; n *= 3) {
+        burnish_theory_model model;
+        CHECK1(!burnish_theory_model_parse("energy:2", n, &model, NULL));
+        double x = 1 / model.zeta;
+        double albedo = 8 * PI * x * (1 / 3.0 - x * (5 / 12.0 - x * (0.2 - x / 30)));
+        double value = 1 / burnish_theory_blinn_factor(&model);
+        CHECK(fabs(value / albedo - 1) < 1e-12, "n=%d: %.12g, not %.12g", n, value, albedo);
+    }
+}
+
+/* Blinn's lobe is, at normal incidence, wider than Phong's with a quarter of the slope by at most
+ * m (1 - y)^(m - 1) y^2 / (2 zeta), y = 2 / (m + 1), as zeta grows. */
+static void check_blinn_and_phong(void) {
+    for (int i = 1; i < ORDERS; ++i) {
+        int m = orders[i];
+        double zeta = 4000, y = 2.0 / (m + 1), worst = 0;
+        for (int k = 0; k <= 4000; ++k) {
+            double lambda = 4 / zeta * k / 4000, h = sqrt(1 - 0.5 * lambda);
+            double blinn = fmax(0, 1 - zeta * 0.5 * lambda / (1 + h));
+            worst = fmax(worst, fabs(pow(blinn, m) - pow(1 - zeta / 4 * lambda, m)));
+        }
+        double expected = m * pow(1 - y, m - 1) * y * y / (2 * zeta);
+        CHECK(fabs(worst / expected - 1) < 2e-3, "order %d: %g, not %g", m, worst, expected);
+    }
+}
+
+/* ---- Sums of lobes ---- */
+
+/* The integral of GGX's lobe without its factor is 2 pi (b - log(1 + b)) / b^2. */
+static void check_rough_lobes(void) {
+    for (int i = 1; i < 20; ++i) {
+        double alpha = 0.05 * i, b = (1 / (alpha * alpha) - 1) / 2, lambda = 0.3, h2 = 0.85;
+        double value = burnish_theory_rough_value(BURNISH_THEORY_GGX, alpha, 0);
+        double peak = b * b / (2 * PI * (b - log1p(b)));
+        CHECK(fabs(value / peak - 1) < 1e-8, "alpha %g: %g, not %g", alpha, value, peak);
+        double squared = alpha * alpha;
+        double ggx = pow(squared / (h2 * (squared - 1) + 1), 2) * (1 - lambda);
+        value = burnish_theory_rough_value(BURNISH_THEORY_GGX, alpha, lambda);
+        CHECK(fabs(value / (peak * ggx) - 1) < 1e-8, "alpha %g: %g, not %g", alpha, value, ggx);
+        double beckmann = exp(-(1 / h2 - 1) / squared) / (h2 * h2) * (1 - lambda);
+        value = burnish_theory_rough_value(BURNISH_THEORY_BECKMANN, alpha, lambda) /
+                burnish_theory_rough_value(BURNISH_THEORY_BECKMANN, alpha, 0);
+        CHECK(fabs(value - beckmann) < 1e-12, "alpha %g: %g, not %g", alpha, value, beckmann);
+    }
+    CHECK1(burnish_theory_rough_value(BURNISH_THEORY_GGX, 0.5, 1) == 0);
+    CHECK1(fabs(burnish_theory_rough_value(BURNISH_THEORY_GGX, 1, 0.25) - 0.75 / PI) < 1e-8);
+    CHECK1(isnan(burnish_theory_rough_value(BURNISH_THEORY_GGX, 0, 0)));
+    CHECK1(isnan(burnish_theory_rough_value(BURNISH_THEORY_BECKMANN, 1.5, 0)));
+}
+
+/* The largest errors of docs/theory.md, for roughness from 0.05 to 1 and below. */
+static void check_sums(void) {
+    static const struct {
+        double small, large; /* moved, for roughness up to 0.5 and above */
+    } bounds[2][3] = {{{0.26, 0.165}, {0.116, 0.045}, {0.063, 0.017}},
+                      {{0.073, 0.38}, {0.016, 0.05}, {0.016, 0.05}}};
+    for (int i = 0; i < 2 * 3 * 42; ++i) {
+        int d = i / 126, count = i / 42 % 3 + 1;
+        double roughness = 0.02 + 0.98 * (i % 42) / 41, alpha = roughness * roughness;
+        burnish_theory_distribution kind = (burnish_theory_distribution)d;
+        burnish_theory_lobe_sum sum;
+        burnish_theory_lobe_sum_error error;
+        CHECK1(!burnish_theory_lobe_sum_fit(kind, alpha, count, &sum, NULL));
+        burnish_theory_lobe_sum_compare(kind, alpha, &sum, &error);
+        double bound = roughness <= 0.5 ? bounds[d][count - 1].small : bounds[d][count - 1].large;
+        CHECK(error.moved < bound && error.cap <= 2 * error.moved,
+              "%d, %d lobes, roughness %g: moved %g, cap %g", d, count, roughness, error.moved,
+              error.cap);
+        double weights = 0, moved = 0;
+        for (int j = 0; j < count; ++j) {
+            weights += sum.weight[j];
+            CHECK(sum.zeta[j] >= 1 && sum.weight[j] >= 0, "zeta %g", sum.zeta[j]);
+        }
+        CHECK(fabs(weights - 1) < 1e-15, "weights %g", weights);
+        for (int k = 0; k < 500 && i % 4 == 0; ++k) { /* the same in steps of lambda^(1/6) */
+            double root = (k + 0.5) / 500, lambda = pow(root, 6);
+            moved += fabs(burnish_theory_lobe_sum_value(&sum, lambda) -
+                          burnish_theory_rough_value(kind, alpha, lambda)) *
+                     PI * 6 * pow(root, 5) / 500;
+        }
+        CHECK(i % 4 || fabs(moved - error.moved) < 2e-3, "moved %g, not %g", error.moved, moved);
+    }
+    burnish_theory_lobe_sum sum;
+    burnish_error error;
+    CHECK1(burnish_theory_lobe_sum_fit(BURNISH_THEORY_GGX, 0, 3, &sum, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "alpha 0 is not in (0, 1]");
+    CHECK1(burnish_theory_lobe_sum_fit(BURNISH_THEORY_GGX, 0.5, 4, &sum, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+}
+
+int main(int count, char **arguments) {
+    test_begin(count, arguments, NULL);
+    RUN(check_zonal());
+    RUN(check_anisotropic_integral());
+    RUN(check_anisotropic_samples());
+    RUN(check_albedo());
+    RUN(check_blinn_and_phong());
+    RUN(check_rough_lobes());
+    RUN(check_sums());
+    return test_end("theory_surfaces");
+}
