@@ -224,7 +224,6 @@ BURNISH_THEORY_API double burnish_theory_pdf(const burnish_theory_model *model,
  * 1 - (1 - xi^(1/(m+1))) / zeta over solid angle and, cosine-weighted, a mixture of two power
  * densities in u (zeta >= 1). The others invert their integral numerically to 1e-12, which is about
  * 100 times slower. Except for that mixture the cosine never decreases with xi.
- *
  *   xi  [0, 1]; clamped
  * Returns a cosine in [0, 1]. */
 BURNISH_THEORY_API double burnish_theory_sample_cosine(const burnish_theory_model *model,
@@ -263,8 +262,8 @@ BURNISH_THEORY_API void burnish_theory_anisotropic_sample(int order, const doubl
 
 /* ---- The light of a polygon ----
  *
- * A polygon of radiance 1, reflected by a lobe around the mirror direction r. docs/theory.md derives
- * the integral along the edges and has the error of each evaluation. */
+ * A polygon of radiance 1, reflected by a lobe around the mirror direction r. docs/theory.md has
+ * the derivation, and the error of each evaluation. */
 
 typedef enum burnish_theory_polygon_method {
     BURNISH_THEORY_POLYGON_CLOSED, /* an arctangent per edge; error 1e-16 (2 zeta - 1)^order */
@@ -323,11 +322,11 @@ typedef struct burnish_theory_lobe_sum {
 } burnish_theory_lobe_sum;
 
 /* Fits 1 to 3 lobes, with the least energy in the wrong direction. Slopes and weights are
- * polynomials in alpha, fitted over [0.0025, 1]; below, the lobes keep their shape. For GGX 1, 2 and
- * 3 lobes move at most 26 %, 12 % and 6.3 % of the energy; docs/theory.md has the errors by alpha.
+ * polynomials in alpha, fitted over [0.0025, 1]; below, the lobes keep their shape. GGX: 1, 2 and 3
+ * lobes move at most 26 %, 12 % and 6.3 % of the energy; docs/theory.md has the errors by alpha.
  *   alpha  (0, 1]
  *   count  [1, 3]
- *   sum    receives the lobes, unchanged on error; not NULL
+ *   sum    receives the lobes; not NULL
  *   error  receives the message; may be NULL
  * Errors: ARGUMENT. */
 BURNISH_THEORY_API burnish_status
@@ -342,14 +341,14 @@ BURNISH_THEORY_API double burnish_theory_lobe_sum_value(const burnish_theory_lob
 BURNISH_THEORY_API double burnish_theory_rough_value(burnish_theory_distribution distribution,
                                                      double alpha, double lambda);
 
-/* How far a sum is from it, to about 1e-4. */
+/* How far a sum is from it, to 1e-4. */
 typedef struct burnish_theory_lobe_sum_error {
     double moved; /* energy in the wrong direction, half the integral of abs(sum - lobe) */
     double cap;   /* largest error of the energy inside a cap around c = 1 */
     double peak;  /* value at c = 1, of the lobe's */
 } burnish_theory_lobe_sum_error;
 
-/* Measures the errors; alpha in (0, 1]. */
+/* Measures a sum; alpha in (0, 1]. */
 BURNISH_THEORY_API void burnish_theory_lobe_sum_compare(burnish_theory_distribution distribution,
                                                         double alpha,
                                                         const burnish_theory_lobe_sum *sum,

@@ -154,13 +154,36 @@ check "constants give $error" grep -q "largest error  $error\$" "$out"
 run lobe choose --exponent=20 --epsilon=0.0003
 check "nothing but the power" grep -q '^power is the cheapest' "$out"
 
+# ---- Rough ----
+
+gives 0 lobe rough --roughness=0.3 --format=csv
+check "rough: energy moved away from GGX" awk -F, '
+    NR == 2 {
+        b = (1 / 0.09 ^ 2 - 1) / 2
+        whole = (b - log(1 + b)) / b ^ 2
+        for (i = 0; i < 20000; ++i) {
+            x = (i + 0.5) / 20000
+            l = x ^ 4
+            sum = -(1 - l) / (1 + b * l) ^ 2 / whole
+            for (k = 6; k < 15; k += 3) { u = 1 - $(k + 1) * l; sum += u > 0 ? $(k + 2) * $(k + 1) * ($k + 1) * u ^ $k : 0 }
+            moved += (sum < 0 ? -sum : sum) / 2 * 4 * x ^ 3 / 20000
+        }
+        exit !(100 * moved - $2 < 0.02 && $2 - 100 * moved < 0.02 && $8 + $11 + $14 > 0.9999999)
+    }' "$out"
+gives 0 lobe rough --roughness=1 --lobes=2 --distribution=beckmann
+gives 0 lobe table --lobes=power,energy:2 --exponents=20 --metrics=phong-albedo,blinn-albedo --format=csv
+number albedo power phong_albedo 1 1e-12
+number albedo power blinn_albedo "28 / (8 * pi) * 0.952039" 1e-5
+number albedo energy:2 blinn_albedo "28 / (8 * pi) * 0.99738915" 1e-8
+expect 2 'burnish: --roughness: "0" is not a number from 0.001 to 1' lobe rough --roughness=0.5,0
+
 # ---- Usage ----
 
-expect 2 'burnish: lobe: what comes next is one of table, claims, choose, fit, boundary, sample or plot; "burnish lobe --help" explains them' lobe
+expect 2 'burnish: lobe: what comes next is one of table, claims, choose, fit, boundary, sample, rough or plot; "burnish lobe --help" explains them' lobe
 expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' lobe tabel
 expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' help lobe tabel
 expect 2 'burnish: "lobe frobnicate": unknown command; "burnish lobe --help" lists the commands' lobe frobnicate
-expect 2 'burnish: lobe --format: one of table, claims, choose, fit, boundary, sample or plot comes first' lobe --format
+expect 2 'burnish: lobe --format: one of table, claims, choose, fit, boundary, sample, rough or plot comes first' lobe --format
 expect 2 'burnish: help: "x": render has no subcommands; try burnish help render' help render x
 expect 2 'burnish: lobe table: "x" is not a flag; "burnish lobe table --help" lists the flags' lobe table x
 expect 2 'burnish: --metric: unknown flag; did you mean --metrics?' lobe table --metric=zeta
