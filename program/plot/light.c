@@ -64,7 +64,6 @@ burnish_status plot_fill_polygon(const plot_request *request, plot_chart *chart,
         {{BURNISH_THEORY_POLYGON_GAUSS, 4}, "4 nodes", 0, PLOT_DOTTED},
         {{BURNISH_THEORY_POLYGON_GAUSS, 6}, "6 nodes", 0, PLOT_DASH_DOT},
         {{BURNISH_THEORY_POLYGON_GAUSS, 8}, "8 nodes", 0, PLOT_DASHED},
-        {{BURNISH_THEORY_POLYGON_GAUSS, 10}, "10 nodes", 0, PLOT_LINE},
         {{BURNISH_THEORY_POLYGON_NARROW, 2}, "narrow, 2 points", 2, PLOT_DOTTED},
         {{BURNISH_THEORY_POLYGON_NARROW, 3}, "narrow, 3 points", 2, PLOT_DASHED},
         {{BURNISH_THEORY_POLYGON_NARROW, 4}, "narrow, 4 points", 2, PLOT_LINE},
@@ -112,7 +111,7 @@ static burnish_status add_rough(plot_chart *chart, double roughness, int count, 
              roughness);
     snprintf(series->text, sizeof series->text, count ? "" : "{/:Italic r} = %g", roughness);
     series->ink = count == 3 ? PLOT_INK_TEXT : ink; /* it covers GGX */
-    series->dash = count == 0 ? PLOT_LINE : count == 3 ? PLOT_SHORT_DASHED : PLOT_DOTTED;
+    series->dash = count == 0 ? PLOT_LINE : count == 3 ? PLOT_DASHED : PLOT_DOTTED;
     double peak = burnish_theory_rough_value(BURNISH_THEORY_GGX, alpha, 0);
     for (size_t i = 0; i < PLOT_POINTS; ++i) {
         double degrees = 90 * pow((double)i / (PLOT_POINTS - 1), 1.5);
