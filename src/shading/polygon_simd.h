@@ -91,7 +91,6 @@ typedef struct polygon_sums {
 typedef struct polygon_edge {
     vf from[3], to[3];
     vf normal[3]; /* of the circle, of any length; the polygon is on its side */
-    vf cross[3];  /* from x to */
     vm exists;
 } polygon_edge;
 
@@ -116,6 +115,7 @@ typedef struct polygon_arc {
 typedef struct polygon_point {
     vf normal[3];                             /* unit vector */
     vf vertex[BURNISH_POLYGON_VERTEX_MAX][3]; /* unit vectors, in counterclockwise order */
+    vf lowest;                                /* z of the vertices */
     vm faces;                                 /* the light shines here */
     int has_horizon, has_diffuse;
 } polygon_point;
@@ -378,31 +378,18 @@ BURNISH_INLINE vf polygon_angle_by_sine(vf cosine, vf squared_sine) {
     return vf_blend(obtuse, vf_sub(vf_mul(vf_set(3.14159265358979f), root), p), p);
 }
 
-BURNISH_INLINE void polygon_add_edge(const burnish_polygon_constants *polygon,
-                                     const polygon_edge *edge, const polygon_point *at,
-                                     polygon_sums *sums) {
-    if (at->has_diffuse) {
-        const vf angle = polygon_angle_by_sine(shade_dot(edge->from, edge->to),
-                                               shade_dot(edge->cross, edge->cross));
-        const vf diffuse = vf_mul(shade_dot(at->normal, edge->cross), angle);
-        sums->diffuse = vf_add(sums->diffuse, vf_and_mask(edge->exists, diffuse));
-    }
-    if (polygon->lobe_count) {
-        polygon_add_lobes(polygon, edge, sums);
-    }
+/* Lambert's formula for an arc; cross: from x to. */
+BURNISH_INLINE void polygon_add_diffuse(const polygon_edge *edge, const vf cross[3],
+                                        const polygon_point *at, polygon_sums *sums) {
+    const vf angle =
+        polygon_angle_by_sine(shade_dot(edge->from, edge->to), shade_dot(cross, cross));
+    const vf diffuse = vf_mul(shade_dot(at->normal, cross), angle);
+    sums->diffuse = vf_add(sums->diffuse, vf_and_mask(edge->exists, diffuse));
 }
 
 /* Cuts an edge at the horizon, and remembers where. */
-BURNISH_INLINE void polygon_cut(polygon_edge *edge, vf height_a, vf height_b,
+BURNISH_INLINE void polygon_cut(polygon_edge *edge, vm leaves, vm enters, vf height_a, vf height_b,
                                 polygon_edge *horizon) {
-    const vf zero = vf_set(0.0f);
-    const vm up_a = vf_greater(height_a, zero), up_b = vf_greater(height_b, zero);
-    const vm leaves = vm_and(edge->exists, vm_and_not(up_a, up_b));
-    const vm enters = vm_and(edge->exists, vm_and_not(up_b, up_a));
-    const vm cuts = vm_or(leaves, enters);
-    if (!vm_any(cuts)) {
-        return;
-    }
     vf cut[3];
     for (int k = 0; k < 3; ++k) {
         cut[k] = vf_add(vf_mul(edge->from[k], polygon_absolute(height_b)),
@@ -415,44 +402,60 @@ BURNISH_INLINE void polygon_cut(polygon_edge *edge, vf height_a, vf height_b,
         horizon->from[k] = vf_blend(leaves, cut[k], horizon->from[k]);
         horizon->to[k] = vf_blend(enters, cut[k], horizon->to[k]);
     }
-    horizon->exists = vm_or(horizon->exists, cuts);
-    polygon_cross(edge->from, edge->to, edge->cross);
+    horizon->exists = vm_or(horizon->exists, vm_or(leaves, enters));
 }
 
-/* All edges; where the horizon cuts, one more along the horizon. */
-BURNISH_INLINE void polygon_edges(const burnish_polygon_constants *polygon, const polygon_point *at,
-                                  polygon_sums *sums) {
+/* All edges and the diffuse light; where the horizon cuts, one more edge along the horizon. Returns
+ * the number of edges. */
+BURNISH_INLINE int polygon_edges(int count, const polygon_point *at, polygon_sums *sums,
+                                 polygon_edge edges[BURNISH_POLYGON_VERTEX_MAX + 1]) {
     const vf zero = vf_set(0.0f), one = vf_set(1.0f);
-    const int count = polygon->vertex_count;
-    const vf *a = at->vertex[count - 1];
+    const vf *a = at->vertex[count - 1]; /* count > 2 */
     vf height_a = at->has_horizon ? shade_dot(at->normal, a) : one;
-    polygon_edge horizon = {.exists = vf_greater(zero, zero)};
+    vm up_a = vm_and(at->faces, vf_greater(height_a, zero));
+    vf cross[3];
+    polygon_edge horizon;
+    int made = 0;
+    horizon.exists = vf_greater(zero, zero);
     for (int k = 0; k < 3; ++k) {
         horizon.from[k] = horizon.to[k] = horizon.normal[k] = at->normal[k];
     }
     for (int v = 0; v < count; ++v) {
         const vf *b = at->vertex[v];
         const vf height_b = at->has_horizon ? shade_dot(at->normal, b) : one;
-        polygon_edge edge;
-        polygon_cross(a, b, edge.normal);
-        edge.exists =
-            vm_and(at->faces, vm_or(vf_greater(height_a, zero), vf_greater(height_b, zero)));
-        for (int k = 0; k < 3; ++k) {
-            edge.from[k] = a[k];
-            edge.to[k] = b[k];
-            edge.cross[k] = edge.normal[k];
-        }
-        if (vm_any(edge.exists)) {
-            polygon_cut(&edge, height_a, height_b, &horizon);
-            polygon_add_edge(polygon, &edge, at, sums);
+        const vm up_b = vm_and(at->faces, vf_greater(height_b, zero));
+        const vm exists = vm_or(up_a, up_b);
+        if (vm_any(exists)) {
+            polygon_edge edge;
+            edge.exists = exists;
+            const vm leaves = vm_and_not(up_a, up_b), enters = vm_and_not(up_b, up_a);
+            polygon_cross(a, b, cross);
+            for (int k = 0; k < 3; ++k) {
+                edge.from[k] = a[k];
+                edge.to[k] = b[k];
+                edge.normal[k] = cross[k];
+            }
+            if (vm_any(vm_or(leaves, enters))) {
+                polygon_cut(&edge, leaves, enters, height_a, height_b, &horizon);
+                polygon_cross(edge.from, edge.to, cross);
+            }
+            if (at->has_diffuse) {
+                polygon_add_diffuse(&edge, cross, at, sums);
+            }
+            edges[made++] = edge;
         }
         a = b;
         height_a = height_b;
+        up_a = up_b;
     }
     if (vm_any(horizon.exists)) {
-        polygon_cross(horizon.from, horizon.to, horizon.cross);
-        polygon_add_edge(polygon, &horizon, at, sums);
+        polygon_cross(horizon.from, horizon.to, cross);
+        if (at->has_diffuse) {
+            polygon_add_diffuse(&horizon, cross, at, sums);
+        }
+        edges[made++] = horizon;
     }
+    return made;
 }
 
 /* ---- Points ---- */
@@ -514,6 +517,7 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
     }
     const vm behind = polygon_side(polygon, position, w, &at->faces);
     const int turns = polygon->is_two_sided && vm_any(behind);
+    at->lowest = vf_set(1.0f);
     polygon_frame(frame);
     polygon_turn((const vf(*)[3])frame, normal, at->normal);
     for (int v = 0; v < polygon->vertex_count; ++v) {
@@ -534,38 +538,41 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
             }
         }
         polygon_turn((const vf(*)[3])frame, to_vertex, at->vertex[v]);
+        at->lowest = vf_min(at->lowest, at->vertex[v][2]);
     }
 }
 
 BURNISH_INLINE void polygon_begin(const burnish_polygon_constants *polygon, const polygon_point *at,
                                   polygon_sums *sums) {
     const vf zero = vf_set(0.0f);
-    vf lowest = at->vertex[0][2];
-    for (int v = 1; v < polygon->vertex_count; ++v) {
-        lowest = vf_min(lowest, at->vertex[v][2]);
-    }
     sums->diffuse = zero;
     sums->exists = vf_greater(zero, zero);
     sums->inside = at->faces;
     for (int j = 0; j < polygon->lobe_count; ++j) {
-        const vm is_whole = vf_greater(lowest, vf_set(polygon->lobes[j].least_cosine));
+        const vm is_whole = vf_greater(at->lowest, vf_set(polygon->lobes[j].least_cosine));
         sums->lobes[j] = (polygon_share){zero, zero, is_whole};
     }
 }
 
-/* One vector of points. */
-BURNISH_INLINE void polygon_points(const burnish_polygon_constants *polygon,
-                                   const burnish_kernels_points *points,
-                                   const burnish_kernels_axes *axes, size_t i,
-                                   float *const light[2]) {
+/* One vector of points. Not inlined: it is long, and called twice. */
+static __attribute__((noinline)) void polygon_points(const burnish_polygon_constants *polygon,
+                                                     const burnish_kernels_points *points,
+                                                     const burnish_kernels_axes *axes, size_t i,
+                                                     float *const light[2]) {
     const vf one = vf_set(1.0f), turn = vf_set(0.159154943091895f); /* 1 / (2 pi) */
     vf specular = vf_set(0.0f);
-    polygon_point at = {.has_horizon = points->normal[0] != NULL, .has_diffuse = light[0] != NULL};
+    polygon_point at;
     polygon_sums sums;
+    polygon_edge edges[BURNISH_POLYGON_VERTEX_MAX + 1];
+    at.has_horizon = points->normal[0] != NULL;
+    at.has_diffuse = light[0] != NULL;
     polygon_load(polygon, points, axes, i, &at);
     polygon_begin(polygon, &at, &sums);
     if (vm_any(at.faces)) {
-        polygon_edges(polygon, &at, &sums);
+        const int count = polygon_edges(polygon->vertex_count, &at, &sums, edges);
+        for (int e = 0; e < count && polygon->lobe_count; ++e) {
+            polygon_add_lobes(polygon, &edges[e], &sums);
+        }
     }
     if (light[0]) {
         vf_store(light[0] + i, vector_saturate(vf_mul(sums.diffuse, turn)));
