@@ -493,10 +493,10 @@ BURNISH_INLINE vm polygon_side(const burnish_polygon_constants *polygon, const v
     return behind;
 }
 
-/* Vectors in the frame, of unit length. */
-BURNISH_INLINE void polygon_turn(const vf frame[3][3], const vf from[3], vf to[3]) {
+/* A vector in the frame, if there is one, of unit length. */
+BURNISH_INLINE void polygon_turn(int has_frame, const vf frame[3][3], const vf from[3], vf to[3]) {
     for (int k = 0; k < 3; ++k) {
-        to[k] = shade_dot(frame[k], from);
+        to[k] = has_frame ? shade_dot(frame[k], from) : from[k];
     }
     polygon_normalize(to);
 }
@@ -505,9 +505,9 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
                                  const burnish_kernels_points *points,
                                  const burnish_kernels_axes *axes, size_t i, polygon_point *at) {
     vf frame[3][3], position[3], normal[3], stretch[3], w = vf_set(1.0f);
-    const float *const *axis = axes->axis;
+    const int has_frame = polygon->lobe_count > 0;
     for (int k = 0; k < 3; ++k) {
-        frame[2][k] = axis[0] ? vf_load(axis[k] + i) : vf_set(k == 2 ? 1.0f : 0.0f);
+        frame[2][k] = has_frame ? vf_load(axes->axis[k] + i) : vf_set(0.0f);
         normal[k] = at->has_horizon ? vf_load(points->normal[k] + i) : vf_set(0.0f);
         stretch[k] = axes->stretch[0] ? vf_load(axes->stretch[k] + i) : vf_set(0.0f);
         position[k] = polygon->is_distant ? vf_set(0.0f) : vf_load(points->position[k] + i);
@@ -519,7 +519,7 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
     const int turns = polygon->is_two_sided && vm_any(behind);
     at->lowest = vf_set(1.0f);
     polygon_frame(frame);
-    polygon_turn((const vf(*)[3])frame, normal, at->normal);
+    polygon_turn(has_frame, (const vf(*)[3])frame, normal, at->normal);
     for (int v = 0; v < polygon->vertex_count; ++v) {
         const float *front = polygon->vertex[v];
         const float *back = polygon->vertex[polygon->vertex_count - 1 - v];
@@ -537,7 +537,7 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
                 to_vertex[k] = vf_add(to_vertex[k], vf_mul(stretch[k], factor));
             }
         }
-        polygon_turn((const vf(*)[3])frame, to_vertex, at->vertex[v]);
+        polygon_turn(has_frame, (const vf(*)[3])frame, to_vertex, at->vertex[v]);
         at->lowest = vf_min(at->lowest, at->vertex[v][2]);
     }
 }
