@@ -87,8 +87,10 @@ BURNISH_API burnish_material burnish_material_default(void);
  * is smooth in two cases: both faces bend at all their edges, as in scans and simplified meshes;
  * or, up to 40 degrees, the edge is a step of a curve, with flat faces of similar width on both
  * sides and further bending in the same sense. So a cylinder of 12 sides is round, and chamfers,
- * octagons and pockets keep their edges. A flat face with four times the area of the others at a
- * vertex sets the normal there, so a fillet does not bend a plane. */
+ * octagons and pockets keep their edges. In an organic surface, such as a scan, which has hardly
+ * any neighbours in one plane, edges up to 160 degrees are smooth among edges that bend gently. A
+ * flat face with four times the area of the others at a vertex sets the normal there, so a fillet
+ * does not bend a plane. */
 #define BURNISH_CREASE_AUTO (-1.0)
 
 /* Which normals a mesh gets. */

@@ -420,12 +420,14 @@ static const cli_flag flags[] = {
          "than 10 % of the area."},
     {CLI_FLAG("crease-angle", "DEG", "smooth edges below this angle", cli_flag_real, input.crease),
      CLI_RANGE(0, 180), .default_label = "auto",
-     .manual = "Generates normals: edges whose faces differ by less than this angle are smooth; 0 "
-               "shades every face flat. Normals of the input are used only with *--normals=file*; "
-               "then the angle applies to missing ones. By default each edge depends on its "
-               "surroundings: it is smooth up to 20 degrees, up to 60 between faces that bend at "
-               "all their edges, as in scans, and up to 40 as a step of a curve. Chamfers and "
-               "pockets stay sharp, and fillets do not bend planes."},
+     .manual =
+         "Generates normals: edges whose faces differ by less than this angle are smooth; 0 "
+         "shades every face flat. Normals of the input are used only with *--normals=file*; "
+         "then the angle applies to missing ones. By default each edge depends on its "
+         "surroundings: it is smooth up to 20 degrees, up to 60 between faces that bend at "
+         "all their edges, and up to 40 as a step of a curve. Chamfers and pockets stay sharp, "
+         "and fillets do not bend planes. In scans and sculptures steeper edges are smooth "
+         "too where most edges bend."},
     {CLI_TESSELLATION_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_TIME_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_FLAG(render_settings, input.load)},

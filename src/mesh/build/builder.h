@@ -35,6 +35,7 @@ typedef struct burnish_surface {
     const uint32_t *first_corner;     /* as the builder has them */
     const uint32_t *corners;
     burnish_face *faces; /* 1 per triangle; NULL: too many, each is computed when needed */
+    int is_organic;      /* burnish_surface_is_organic() */
 } burnish_surface;
 
 typedef struct burnish_builder {

@@ -7,10 +7,26 @@
 /* 40 degrees: an octagon's 45 is an edge, a decagon's 36 a step. */
 #define STEP_COSINE 0.76604444311897804
 
+/* In a scan, edges below 0.3 degrees are as frequent as others up to 1 degree; in a machined part
+ * there are more, the diagonals of flat faces. An organic surface has less than 15 % of them, and
+ * less than 4 % more than the edges from 0.3 to 1 degree suggest. Of 344 public STL files, only a
+ * bull, a rabbit and spheres are organic; of 43 scans and sculptures, 37. */
+#define PLANE_COSINE 0.99998629226429398
+#define PLANE_SHARE 0.15
+#define EXCESS_SHARE 0.04
+/* 3 degrees: edges below are flat in an organic surface. */
+#define FLAT_COSINE 0.99862953475457383
+
+/* The samples are far apart: this prime is about 2^32 over the golden ratio. */
+#define SPREAD UINT64_C(2654435761)
+
 enum {
-    FACES_MAX = 32, /* at the end of an edge with fewer: more are not searched, which bounds the
+    SAMPLES = 1024,  /* vertices that are measured */
+    EDGES_MIN = 256, /* fewer decide nothing */
+    EDGES_SURE = 24, /* so many edges more than an organic surface has end the search */
+    FACES_MAX = 32,  /* at the end of an edge with fewer: more are not searched, which bounds the
                        time for any input */
-    WALK_MAX = 16   /* triangles of one flat face that are crossed */
+    WALK_MAX = 16    /* triangles of one flat face that are crossed */
 };
 
 /* Across a curve, neighbouring steps are at most so many times as wide, ... */
@@ -196,13 +212,71 @@ static int is_step(const burnish_surface *s, const face faces[2], const uint32_t
            c.width <= WIDTH_RATIO_MAX * d.width && d.width <= WIDTH_RATIO_MAX * c.width;
 }
 
+/* ---- organic surfaces ---- */
+
+/* The edges at a position between faces of the same winding, by their angles. */
+typedef struct edge_counts {
+    int all, plane, flat, gentle; /* flat: up to 1 degree, with the plane ones */
+} edge_counts;
+
+static edge_counts count_edges(const burnish_surface *s, uint32_t position) {
+    static const uint8_t after[5] = {0, 1, 2, 0, 1};
+    const uint32_t *corners = s->corners + s->first_corner[position];
+    const size_t count = s->first_corner[position + (size_t)1] - s->first_corner[position];
+    uint32_t next[FACES_MAX], previous[FACES_MAX];
+    edge_counts counts = {0};
+    if (count > FACES_MAX) {
+        return counts;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t *around = s->corner_positions + corners[i] / 3 * (size_t)3;
+        next[i] = around[after[corners[i] % 3 + 1]];
+        previous[i] = around[after[corners[i] % 3 + 2]];
+    }
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t j = 0; j < count; ++j) {
+            if (next[i] == previous[j]) {
+                const double cosine = burnish_vec3_dot(face_of(s, corners[i] / 3).normal,
+                                                       face_of(s, corners[j] / 3).normal);
+                ++counts.all;
+                counts.plane += cosine > PLANE_COSINE;
+                counts.flat += cosine > BURNISH_COPLANAR_COSINE;
+                counts.gentle += cosine <= FLAT_COSINE && cosine > BURNISH_SMOOTH_COSINE;
+            }
+        }
+    }
+    return counts;
+}
+
+int burnish_surface_is_organic(const burnish_surface *s, size_t position_count) {
+    const uint64_t samples = position_count < SAMPLES ? position_count : SAMPLES;
+    double all = 0, plane = 0, excess = 0;
+    for (uint64_t i = 0; i < samples && excess < EXCESS_SHARE * all + EDGES_SURE; ++i) {
+        const edge_counts counts = count_edges(s, (uint32_t)(i * SPREAD % position_count));
+        all += counts.all;
+        plane += counts.plane;
+        excess += counts.plane - (counts.flat - counts.plane) * (0.3 / 0.7);
+    }
+    return all >= EDGES_MIN && plane < PLANE_SHARE * all && excess < EXCESS_SHARE * all;
+}
+
+/* Whether an edge of an organic surface is noise: others around it bend gently. */
+static int is_noise(const burnish_surface *s, const uint32_t edge[2]) {
+    const edge_counts a = count_edges(s, edge[0]), b = count_edges(s, edge[1]);
+    const int all = a.all + b.all;
+    return 4 * (a.plane + b.plane) <= all && 8 * (a.gentle + b.gentle) >= all;
+}
+
 int burnish_surface_is_smooth(const burnish_surface *s, const uint32_t triangles[2],
                               const uint32_t edge[2]) {
     const face faces[2] = {face_of(s, triangles[0]), face_of(s, triangles[1])};
     const double cosine = burnish_vec3_dot(faces[0].normal, faces[1].normal);
     face outer[2][2];
-    if (is_bent(s, &faces[0], edge, outer[0]) && is_bent(s, &faces[1], edge, outer[1])) {
-        return is_curved(s, faces, edge, outer, cosine);
+    int smooth = 0;
+    if (cosine > BURNISH_SHARP_COSINE) {
+        smooth = is_bent(s, &faces[0], edge, outer[0]) && is_bent(s, &faces[1], edge, outer[1])
+                     ? is_curved(s, faces, edge, outer, cosine)
+                     : cosine > STEP_COSINE && is_step(s, faces, edge);
     }
-    return cosine > STEP_COSINE && is_step(s, faces, edge);
+    return smooth || (s->is_organic && is_noise(s, edge));
 }

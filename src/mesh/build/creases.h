@@ -11,7 +11,19 @@
 /* 1: parts of one flat face. */
 #define BURNISH_COPLANAR_COSINE 0.99984769515639124
 
-/* Whether an edge between 20 and 60 degrees is smooth.
+/* 160: in an organic surface, never smooth from there on. */
+#define BURNISH_ORGANIC_COSINE (-0.93969262078590838)
+
+/* Whether a surface is organic, as scans and sculptures are: hardly any two neighbours are in one
+ * plane. Half of the edges of most machined parts are diagonals of flat faces. Measured at up to
+ * 1,024 vertices, which do not depend on the threads. */
+int burnish_surface_is_organic(const burnish_surface *surface, size_t position_count);
+
+/* Whether an edge between 20 and 60 degrees is smooth; in an organic surface, between 20 and 160.
+ *
+ * An edge of an organic surface is noise, and smooth, if an eighth of the edges at its ends bend by
+ * 3 to 20 degrees and at most a quarter of them are plane. A base that was cut flat and facets
+ * without smooth edges keep theirs. For other edges, up to 60 degrees:
  *
  * It is smooth if both faces bend at all their edges and no edge is sharp, as in scans, spheres and
  * decimated shapes. If a face belongs to a larger flat face, or has an edge that is sharp or open,

@@ -52,7 +52,7 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
         rings->asks = 1;
         rings->answers =
             burnish_allocate_zeroed(memory, BURNISH_ANSWERS, sizeof *rings->answers, what);
-        rings->sharp_cosine = BURNISH_SHARP_COSINE;
+        rings->sharp_cosine = surface->is_organic ? BURNISH_ORGANIC_COSINE : BURNISH_SHARP_COSINE;
         rings->smooth_cosine = BURNISH_SMOOTH_COSINE;
     } else {
         double sine;

@@ -5,6 +5,7 @@
 #include "mesh/build/vertices.h"
 #include "mesh/build/builder.h"
 #include "mesh/build/corners.h"
+#include "mesh/build/creases.h"
 #include "mesh/build/indexed.h"
 #include "mesh/build/normals.h"
 #include "mesh/build/order.h"
@@ -435,9 +436,11 @@ static burnish_status build_any(burnish_builder *b) {
         return status;
     }
     burnish_build_find_extras(b);
-    b->surface = (burnish_surface){burnish_positions(b->data), b->corner_positions, b->first_corner,
-                                   b->corners, NULL};
+    b->surface = (burnish_surface){
+        burnish_positions(b->data), b->corner_positions, b->first_corner, b->corners, NULL, 0};
     keep_faces(b);
+    b->surface.is_organic = !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
+                            burnish_surface_is_organic(&b->surface, b->position_count);
     vertex_maker *makers = create_makers(b, count);
     status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {

@@ -533,6 +533,24 @@ static void test_formats(void (*make)(void)) {
     }
 }
 
+/* The steep edges of a rough surface are noise: nearly all of its 1,026 positions have one normal.
+ */
+static void test_rough(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error = {0};
+    burnish_mesh *mesh = NULL;
+    corner_count = 0;
+    make_noisy_sphere(4, 0.12);
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, NULL, corner_count, indices, corner_count / 3);
+    if (CHECK(burnish_mesh_create(&arrays, &options, &mesh, &error) == BURNISH_STATUS_OK, "%s",
+              error.text)) {
+        const size_t count = burnish_mesh_get_view(mesh)->vertex_count;
+        CHECK(count < 1150, "%zu vertices", count);
+    }
+    burnish_mesh_destroy(mesh);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, "--table");
     if (test_option()) {
@@ -542,6 +560,7 @@ int main(int count, char **arguments) {
     for (int i = 0; i < SHAPES; ++i) {
         RUN(test_shape(&shapes[i]));
     }
+    RUN(test_rough());
     RUN(test_formats(octagon));
     RUN(test_formats(chamfered_cube));
     RUN(test_formats(round_12));
