@@ -483,13 +483,20 @@ fn burnishGgxStretch(NoV: f32, roughness: f32) -> f32 {
     return 1.0 / width - 1.0;
 }
 
-// The share (x F0 + y) of white light that GGX reflects.
-// Source: Karis, Physically Based Shading on Mobile, 2014.
+// The share F0 x + y of white light that GGX reflects: polynomials fitted to its integrals, without light
+// that is reflected more than once. x + y is within 0.04, y within 0.045.
 fn burnishGgxAlbedo(NoV: f32, roughness: f32) -> vec2f {
-    let x = 1.0 - roughness;
-    let y = 0.0425 - 0.0275 * roughness;
-    let bend = min(x * x, exp2(-9.28 * NoV)) * x + y;
-    return vec2f(1.04 - 0.572 * roughness - 1.04 * bend, 1.04 * bend + 0.022 * roughness - 0.04);
+    let r = roughness;
+    let q = 1.0 - NoV;
+    let q5 = q * q * q * q * q;
+    var sum = 1.0 + r * (0.39698 + r * (r * 0.28534 - 1.39467));
+    sum = sum + q5 * r * (r * (6.34208 - r * 5.25493) - 1.02413);
+    sum = sum + q * r * (0.05344 + r * (1.33749 - r * 1.34041));
+    sum = sum + q * q * r * (r * (r * 4.50138 - 3.66818) - 0.32463);
+    var y = r * (r * 0.08623 - 0.04109) - 0.03907;
+
+                     y = y + q5 * (1.05434 + r * (r * 2.25303 - 3.16369)) + q * (0.11963 + r * (0.53691 - r * 0.74945));
+    return vec2f(sum - max(y, 0.0), max(y, 0.0));
 }
 
 // ---- lighting/area/burnishAreaLight ----

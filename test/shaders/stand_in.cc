@@ -268,6 +268,32 @@ static void check_area(const char *path) {
     }
 }
 
+// Shares of GGX with F = 1 and with F = (1 - V.H)^5, sums of 4,096 visible normals: roughness, N.V and both.
+static void check_albedo() {
+    static const float cases[][4] = {
+        {0.1, 0.1, 0.9944, 0.5785},
+        {0.1, 0.4, 0.9999, 0.0779},
+        {0.1, 0.9, 1.0000, 0.0000},
+        {0.3, 0.1, 0.8843, 0.3213},
+        {0.3, 0.4, 0.9646, 0.0713},
+        {0.3, 0.9, 0.9894, 0.0001},
+        {0.5, 0.1, 0.8916, 0.1397},
+        {0.5, 0.4, 0.8443, 0.0402},
+        {0.5, 0.9, 0.9074, 0.0003},
+        {0.8, 0.1, 0.8330, 0.0442},
+        {0.8, 0.4, 0.6513, 0.0114},
+        {0.8, 0.9, 0.5612, 0.0003},
+        {1.0, 0.1, 0.7602, 0.0239},
+        {1.0, 0.4, 0.4989, 0.0051},
+        {1.0, 0.9, 0.3275, 0.0002},
+    };
+    for (const float *one : cases) {
+        const vec2 share = burnishGgxAlbedo(one[1], one[0]);
+        check(std::fabs(share.x + share.y - one[2]) < 0.04f, "albedo", (double)(share.x + share.y), (double)one[2]);
+        check(std::fabs(share.y - one[3]) < 0.045f, "albedo of F0 = 0", (double)share.y, (double)one[3]);
+    }
+}
+
 int main(int, char **arguments) {
     check_vectors(arguments[1]);
     check_slopes();
@@ -275,6 +301,7 @@ int main(int, char **arguments) {
     check_normalization();
     check_lighting();
     check_area(arguments[2]);
+    check_albedo();
     std::printf("%s: %d checks, %d failed\n", arguments[0], checks, failures);
     return failures != 0;
 }
