@@ -636,7 +636,7 @@ vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N,
         a = b;
         at = next;
     }
-    if (sides == 1 && side >= 0.0) {
+    if (side == 0.0 || (sides == 1 && side > 0.0)) { // edge on, without area, or from behind
         isSeen = 0.0;
     }
     diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);

@@ -637,7 +637,7 @@ float2 burnishRegularLight(float3 center, float3 halfU, float3 halfV, int sides,
         a = b;
         at = next;
     }
-    if (sides == 1 && side >= 0.0) {
+    if (side == 0.0 || (sides == 1 && side > 0.0)) { // edge on, without area, or from behind
         isSeen = 0.0;
     }
     diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);

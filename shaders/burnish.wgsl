@@ -602,7 +602,7 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
         a = b;
         at = next;
     }
-    if (sides == 1 && side >= 0.0) {
+    if (side == 0.0 || (sides == 1 && side > 0.0)) { // edge on, without area, or from behind
         isSeen = 0.0;
     }
     diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);

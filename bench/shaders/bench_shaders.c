@@ -1,5 +1,5 @@
-/* What a highlight costs on a GPU: a full-screen pass of LOBES highlights per pixel for each lobe
- * of shaders/burnish.glsl, medians over interleaved rounds, as a table. A real GPU is timed by its
+/* What a highlight costs on a GPU: a full-screen pass of LOBES highlights, or of one area light, per pixel
+ * for each lobe of shaders/burnish.glsl, medians over interleaved rounds, as a table. A real GPU is timed by its
  * timer queries. They are wrong in drivers that draw on the processor (llvmpipe restarts them in
  * every tile and reports the last): those are timed by the process' time on all processors.
  * Usage: bench_shaders BURNISH_GLSL [ROUNDS]
@@ -16,17 +16,27 @@
 
 enum { WIDTH = 1920, HEIGHT = 1080, LOBES = 16, ROUNDS_MAX = 99, SOURCE_MAX = 1 << 16 };
 
+/* A parallelogram that slides through the lobe with c. */
+#define AREA                                                                                       \
+    "vec3(c * 4.0 - 3.2, 0.2, 1.0), vec3(0.4, 0.0, 0.0), vec3(0.0, 0.3, 0.1), 2, vec3(0.0, 0.0, "  \
+    "1.0)"
+
 static const struct contestant {
     const char *name, *body;
+    int count; /* per pixel */
 } CONTESTANTS[] = {
-    {"none", "c"}, /* without a lobe; subtracted */
-    {"`pow`", "burnishPower(c, exponent)"},
-    {"Schlick", "burnishSchlick(c, exponent)"},
-    {"order 2", "burnishLobe2(c, zeta)"},
-    {"order 4", "burnishLobe4(c, zeta)"},
-    {"order 8", "burnishLobe8(c, zeta)"},
-    {"order 16", "burnishLobe16(c, zeta)"},
-    {"order 32", "burnishLobe32(c, zeta)"},
+    {"none", "c", LOBES}, /* without a lobe; subtracted */
+    {"`pow`", "burnishPower(c, exponent)", LOBES},
+    {"Schlick", "burnishSchlick(c, exponent)", LOBES},
+    {"order 2", "burnishLobe2(c, zeta)", LOBES},
+    {"order 4", "burnishLobe4(c, zeta)", LOBES},
+    {"order 8", "burnishLobe8(c, zeta)", LOBES},
+    {"order 16", "burnishLobe16(c, zeta)", LOBES},
+    {"order 32", "burnishLobe32(c, zeta)", LOBES},
+    {"area light, order 2",
+     "dot(burnishRectLight(" AREA ", vec3(0.0, 0.0, 1.0), zeta, 2), vec2(1.0))", 1},
+    {"area light, GGX", "dot(burnishRectLightGgx(" AREA ", vec3(0.1, 0.2, 0.97), 0.3), vec2(1.0))",
+     1},
 };
 
 enum { NONE, POWER, CONTESTANT_COUNT = sizeof CONTESTANTS / sizeof *CONTESTANTS };
@@ -109,12 +119,12 @@ static GLuint compile(GLenum kind, const char *source) {
     return shader;
 }
 
-static GLuint make_program(const char *shaders, const char *body) {
+static GLuint make_program(const char *shaders, const struct contestant *one) {
     static char source[SOURCE_MAX + 2048];
     const GLuint program = glCreateProgram();
     GLint good = 0;
     char main_part[1024];
-    snprintf(main_part, sizeof main_part, FRAGMENT_MAIN, body, LOBES);
+    snprintf(main_part, sizeof main_part, FRAGMENT_MAIN, one->body, one->count);
     snprintf(source, sizeof source, "#version 300 es\nprecision highp float;\n%s%s", shaders,
              main_part);
     glAttachShader(program, compile(GL_VERTEX_SHADER, VERTEX));
@@ -193,7 +203,8 @@ static void print_table(double times[][ROUNDS_MAX], int rounds) {
             printf("| none | %.2f | | |\n", medians[i]);
         } else {
             printf("| %s | %.2f | %.4f | %.0f %% |\n", CONTESTANTS[i].name, medians[i],
-                   more * 1e6 / ((double)WIDTH * HEIGHT * LOBES), 100 * more / power);
+                   more * 1e6 / ((double)WIDTH * HEIGHT * CONTESTANTS[i].count),
+                   100 * more / power * LOBES / CONTESTANTS[i].count);
         }
     }
 }
@@ -213,7 +224,7 @@ int main(int count, char **arguments) {
     open_target();
     glGenQueries(1, &query);
     for (int i = 0; i < CONTESTANT_COUNT; ++i) {
-        programs[i] = make_program(shaders, CONTESTANTS[i].body);
+        programs[i] = make_program(shaders, &CONTESTANTS[i]);
         time_pass(programs[i], query); /* drivers compile at the first use */
     }
     for (int round = 0; round < rounds; ++round) {

@@ -264,6 +264,8 @@ static void check_area(const char *path) {
         check(std::fabs(actual.y - one.specular) <= most, "area, specular", (double)actual.y, (double)one.specular);
         const vec2 back = light(1, -of(one.half_v)), both = light(2, -of(one.half_v));
         check(one.sides > 1 || std::max(back.x, back.y) == 0, "the dark side", (double)back.x, 0);
+        const vec2 none = light(2, of(one.half_u) * 0.5f);
+        check(none.x == 0 && none.y == 0, "a light without area", (double)none.y, 0);
         check(std::fabs(both.x - one.diffuse) <= most, "the other side", (double)both.x, (double)one.diffuse);
     }
 }
