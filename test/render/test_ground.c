@@ -238,22 +238,6 @@ static void test_renderer_again(void) {
     burnish_renderer_destroy(kept);
 }
 
-static void test_refusals(void) {
-    burnish_render_options options = burnish_render_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_mesh *mesh = load_mesh(":sphere", NULL);
-    burnish_image image;
-    options.camera.position[2] = 5;
-    options.ground = 2;
-    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
-          "ground 2 is accepted");
-    options.ground = 1;
-    options.up[1] = INFINITY;
-    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
-          "an infinite up is accepted");
-    burnish_mesh_destroy(mesh);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_ball());
@@ -262,6 +246,5 @@ int main(int count, char **arguments) {
     RUN(test_transparent());
     RUN(test_directions());
     RUN(test_renderer_again());
-    RUN(test_refusals());
     return test_end("ground");
 }

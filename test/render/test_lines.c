@@ -635,22 +635,6 @@ static void test_shortage(void) {
     burnish_mesh_destroy(mesh);
 }
 
-static void test_refusals(void) {
-    static const double position[3] = {0, -10, 0};
-    burnish_mesh *mesh = load(":sphere", 4);
-    burnish_image image;
-    for (int i = 0; i < 6; ++i) {
-        burnish_render_options options = make_options(position, 3, BURNISH_EDGES_FEATURES);
-        options.edges = i == 0 ? UINT32_MAX : i == 1 ? 64u : options.edges;
-        options.edge_width = i == 2 ? 0 : i == 3 ? NAN : i == 4 ? 101 : options.edge_width;
-        options.edge_opacity = i == 5 ? 1.5f : 1;
-        CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&
-                  strncmp(error.text, "edges: ", 7) == 0,
-              "case %d: %s", i, error.text);
-    }
-    burnish_mesh_destroy(mesh);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_cube(0, 0));
@@ -671,6 +655,5 @@ int main(int count, char **arguments) {
     RUN(test_edges(random_mesh()));
     RUN(test_bits());
     RUN(test_shortage());
-    RUN(test_refusals());
     return test_end("lines");
 }

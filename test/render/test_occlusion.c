@@ -134,33 +134,6 @@ static void test_exposure(void) {
     burnish_mesh_destroy(mesh);
 }
 
-static void test_refusals(void) {
-    burnish_render_options options = burnish_render_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_image image;
-    burnish_mesh *mesh = load_mesh(":sphere", NULL);
-    options.camera.position[2] = 5;
-    for (int occlusion = -2; occlusion <= BURNISH_OCCLUSION_MAX + 1;
-         occlusion += BURNISH_OCCLUSION_MAX + 3) {
-        options.occlusion = occlusion;
-        CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
-              "%d directions are accepted", occlusion);
-    }
-    options.occlusion = 1;
-    options.occlusion_strength = NAN;
-    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
-          "a strength that is no number is accepted");
-    CHECK(burnish_render_options_set_look(&options, BURNISH_LOOK_COUNT, &error) ==
-                  BURNISH_STATUS_ARGUMENT &&
-              burnish_look_set_materials(BURNISH_LOOK_COUNT, mesh, &error) ==
-                  BURNISH_STATUS_ARGUMENT,
-          "a look that does not exist is accepted");
-    CHECK(burnish_render_options_set_look(NULL, BURNISH_LOOK_CLAY, &error) ==
-              BURNISH_STATUS_ARGUMENT,
-          "no options are accepted");
-    burnish_mesh_destroy(mesh);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_wall(BURNISH_OCCLUSION_MAX, 0.025));
@@ -168,6 +141,5 @@ int main(int count, char **arguments) {
     RUN(test_wall(54, 0.065));
     RUN(test_sphere());
     RUN(test_exposure());
-    RUN(test_refusals());
     return test_end("occlusion");
 }

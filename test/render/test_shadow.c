@@ -138,31 +138,10 @@ static void test_cutoffs_again(void) {
     burnish_renderer_destroy(kept);
 }
 
-static void test_refusals(void) {
-    burnish_render_options options = burnish_render_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_image image;
-    burnish_mesh *mesh = load_mesh(":sphere", NULL);
-    options.camera.position[2] = 5;
-    options.shadow = 2;
-    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
-          "shadow 2 is accepted");
-    options.shadow = 1;
-    options.lights[0].kind = BURNISH_LIGHT_POINT;
-    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&
-              strstr(error.text, "point light"),
-          "a point light's shadow: %s", error.text);
-    options.light_count = 0;
-    CHECK(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT,
-          "a shadow without light is accepted");
-    burnish_mesh_destroy(mesh);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_edge());
     RUN(test_convex());
     RUN(test_cutoffs_again());
-    RUN(test_refusals());
     return test_end("shadow");
 }
