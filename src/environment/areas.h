@@ -1,15 +1,16 @@
-/* Distant area lights in maps. */
+/* Area lights as polygons. */
 #ifndef BURNISH_ENVIRONMENT_AREAS_H
 #define BURNISH_ENVIRONMENT_AREAS_H
 
-#include <stddef.h>
-
 #include "burnish/light.h"
 #include "environment/lobes.h"
+#include "shading/polygon.h"
 
-/* Adds the light of `light` in count directions w, unit vectors: the mean radiance weighted by the
- * lobes or, with lobes NULL, D(w) of light.h. */
-void burnish_light_add_area(const burnish_area_light *light, const burnish_light_lobes *lobes,
-                            const float *const w[3], size_t count, float *const rgb[3]);
+/* The polygon of a light, distant if the light is, in the light's space; a disc is a polygon of the
+ * same area. Returns 0 if the light shines on nothing: it is seen from its edge, or is so small,
+ * large or far away that single precision cannot hold it.
+ *   lobes  NULL: only diffuse light is wanted */
+int burnish_area_polygon(const burnish_area_light *light, const burnish_light_lobes *lobes,
+                         burnish_polygon_constants *polygon);
 
 #endif

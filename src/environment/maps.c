@@ -7,6 +7,7 @@
 #include "core/vector.h"
 #include "environment/areas.h"
 #include "environment/environment_ops.h"
+#include "shading/shading_ops.h"
 
 enum { LARGEST_SIZE = 256, LEAST_SIZE = 24, DIFFUSE_SIZE = 32 };
 
@@ -153,7 +154,39 @@ typedef struct build {
     const burnish_light_maps *maps;
     const table *table;
     const burnish_light_lobes *lobes; /* NULL: diffuse */
+    burnish_polygon_constants polygons[BURNISH_AREA_LIGHT_MAX];
+    const float *colors[BURNISH_AREA_LIGHT_MAX];
+    int polygon_count;
 } build;
+
+static void add_polygons(build *b) {
+    const key *k = &b->maps->key;
+    for (int i = 0; i < k->distant_count; ++i) {
+        if (burnish_area_polygon(&k->distant[i], b->lobes, &b->polygons[b->polygon_count])) {
+            b->colors[b->polygon_count++] = k->distant[i].color;
+        }
+    }
+}
+
+/* Adds a polygon in `count` directions, which are normals or the lobes' axes. */
+static void add_polygon(const build *b, int number, const float *const w[3], int count,
+                        float *const rgb[3]) {
+    const burnish_polygon_constants *polygon = &b->polygons[number];
+    const burnish_kernels_axes axes = {.axis = {w[0], w[1], w[2]}};
+    burnish_kernels_points points = {.normal = {NULL}};
+    float light[LARGEST_SIZE + 2];
+    for (int c = 0; c < 3 && !b->lobes; ++c) {
+        points.normal[c] = w[c];
+    }
+    b->maps->kernels->polygon_light(
+        polygon, &points, &axes, (size_t)count,
+        (float *const[2]){b->lobes ? NULL : light, b->lobes ? light : NULL});
+    for (int c = 0; c < 3; ++c) {
+        for (int i = 0; i < count; ++i) {
+            rgb[c][i] += b->colors[number][c] * light[i];
+        }
+    }
+}
 
 static void build_row(void *context, size_t row, int thread) {
     const build *b = context;
@@ -169,8 +202,8 @@ static void build_row(void *context, size_t row, int thread) {
     if (k->has_dome) {
         add_dome(k, b->lobes, w, count, rgb);
     }
-    for (int i = 0; i < k->distant_count; ++i) {
-        burnish_light_add_area(&k->distant[i], b->lobes, w, (size_t)count, rgb);
+    for (int i = 0; i < b->polygon_count; ++i) {
+        add_polygon(b, i, w, count, rgb);
     }
     if (b->maps->environment && k->strength > 0) {
         add_environment(b->maps, b->lobes, w, count, rgb);
@@ -201,7 +234,8 @@ static burnish_status make(burnish_light_maps *maps, table *t, float alpha, burn
         return BURNISH_STATUS_OK;
     }
     const burnish_light_lobes lobes = burnish_light_lobes_for(alpha);
-    build b = {maps, t, alpha > 0 ? &lobes : NULL};
+    build b = {.maps = maps, .table = t, .lobes = alpha > 0 ? &lobes : NULL};
+    add_polygons(&b);
     t->alpha = alpha;
     t->size = alpha > 0 ? size_for(&lobes) : DIFFUSE_SIZE;
     const size_t rows = (size_t)t->size + 2;
@@ -255,6 +289,7 @@ static void fill_key(const burnish_light_sources *sources, key *k) {
         const burnish_area_light *from = &sources->distant[i];
         burnish_area_light *to = &k->distant[i];
         to->shape = from->shape;
+        to->is_distant = 1;
         to->is_two_sided = from->is_two_sided;
         memcpy(to->center, from->center, sizeof to->center);
         memcpy(to->half_u, from->half_u, sizeof to->half_u);

@@ -12,14 +12,12 @@ enum { BURNISH_NEAR_BATCH = 256 };
  * the first frame. */
 typedef struct burnish_near_lights {
     int count;
-    float color[BURNISH_AREA_LIGHT_MAX][3];
-    burnish_kernels_polygon shapes[BURNISH_AREA_LIGHT_MAX];
+    burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
     burnish_polygon_constants *polygons; /* `count` without lobes, then `count` for each alpha */
     size_t polygon_capacity;
 } burnish_near_lights;
 
-/* Adds a light, in the space of the points. One that is so small or so far away that single
- * precision can't hold it shines on nothing. */
+/* Adds a light, in the space of the points. */
 void burnish_near_lights_add(burnish_near_lights *lights, const burnish_area_light *light);
 
 /* Prepares lobes of the alphas. Errors: MEMORY. */
