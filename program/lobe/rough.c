@@ -1,4 +1,4 @@
-/* `burnish lobe rough`: sums of lobes that stand for rough surfaces. */
+/* `burnish lobe rough`: sums of lobes that approximate GGX and Beckmann. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* The figure `polygon`: the error of every evaluation of a polygon's light. The figure `rough`: GGX
- * and the sums of lobes that stand for it. */
+ * and sums of lobes that approximate it. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

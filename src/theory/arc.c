@@ -100,7 +100,7 @@ static void interpolate(const double *x, double *f, int n, double *powers) {
 }
 
 /* With eta = sin(t / 2) / sin(limit / 2) and w = 1 - eta^2, u is base times w. What is left,
- * f = 1 / ((1 + c) cos(t / 2)), varies slowly: a polynomial in w stands for it. The integrals of
+ * f = 1 / ((1 + c) cos(t / 2)), varies slowly: a polynomial in w approximates it. The integrals of
  * w^i have a recurrence without cancellation: (2 i + 1) J_i = eta w^i + 2 i J_(i-1). */
 static double narrow(const burnish_arc_rule *rule, const burnish_arc_circle *circle, double t0,
                      double t1) {

@@ -1,4 +1,4 @@
-/* Sums of lobes, and the lobes of rough surfaces that they stand for. */
+/* Sums of lobes, and the lobes of rough surfaces that they approximate. */
 #include "theory/lobe_sum.h"
 
 #include <math.h>
