@@ -44,11 +44,11 @@ const cli_command lobe_rough_command = {
     .summary = "sums of lobes for GGX and Beckmann, and their errors",
     .operand_help = "energies are shares of 1; angles are from the mirror direction",
     .manual =
-        "Prints, for each roughness, a sum of lobes around the mirror direction that stands "
-        "for a rough surface at normal incidence. Lobe _j_ is max(0, 1 + zeta_j (c - 1))^order_j "
-        "with the share weight_j of the energy. *moved* is the energy in the wrong "
-        "direction, *cap* the largest error of the light from a round light around the "
-        "mirror direction, *peak* the value there, of the distribution's.",
+        "Prints, for each roughness, a sum of lobes around the mirror direction that "
+        "approximates a rough surface at normal incidence. Lobe _j_ is "
+        "max(0, 1 + zeta_j (c - 1))^order_j with the share weight_j of the energy. *moved* is the "
+        "energy in the wrong direction, *cap* the largest error of the light from a round light "
+        "around the mirror direction, *peak* the value there, relative to the distribution's.",
     .operands_max = 0,
     .flags = rough_flags,
     .flag_count = sizeof rough_flags / sizeof *rough_flags,
