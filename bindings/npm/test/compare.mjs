@@ -240,5 +240,26 @@ check("half a gzip", await render(gzipSync(files["wedge.stl"]).subarray(0, 40), 
 const { warnings } = await render(files["textured.obj"], { name: "textured.obj", files, size: 32 });
 check("no decoder", warnings.some((line) => line.includes("images can't be decoded here")), true);
 
+// ---- The command ----
+
+const ran = (...words) => spawnSync(program, words, { encoding: "utf8" });
+const command = (...words) => spawnSync(process.execPath, [join("node_modules", "burnish", "command.js"), ...words], { encoding: "utf8" });
+for (const words of program ? [[":teapot", "command.png", "--size=48x32", "--azimuth", "30", "--ground"], [":knot", "-s", "40", "--no-background", "-o", "command.png"]] : []) {
+  const report = JSON.parse(command(...words, "--json").stdout);
+  const program = JSON.parse(ran("render", ...words, "--json", "--overwrite").stdout);
+  check(`command ${words.join(" ")}`, report.hash, program.hash);
+  check(`command ${words.join(" ")}: reference`, ran("render", ...words.filter((word) => !/png|^-o$/.test(word)), "--reference=command.png", "-o", "other.png").status, 0);
+}
+for (const [words, status, line] of [
+  [[":teapot", "a.jpg"], 2, 'burnish: --output: "a.jpg": this command writes PNG; end the name in .png\n'],
+  [["none.stl"], 3, "burnish: none.stl: can't be opened: No such file or directory\n"],
+  [[":teapot", "--frobnicate=3"], 2, null],
+  [["-z"], 2, 'burnish: -z: unknown flag; "burnish --help" lists the flags\n'],
+]) {
+  const ended = command(...words);
+  check(`command ${words.join(" ")}: exit code`, ended.status, status);
+  check(`command ${words.join(" ")}: line`, line === null ? ended.stderr.split("\n").length === 2 : ended.stderr === line, true);
+}
+
 console.log(`npm: ${drawn} golden pictures, ${names.length} seeds, ${checks} checks, ${failures} failed`);
 process.exit(failures > 0 ? 1 : 0);

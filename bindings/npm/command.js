@@ -1,0 +1,186 @@
+#!/usr/bin/env node
+// npx burnish part.stl part.png --size=256: the program's flags and pixels, for a single picture.
+import { readFileSync, readdirSync, statSync, writeFileSync, renameSync } from "node:fs";
+import { basename, dirname, extname, join, parse, relative, sep } from "node:path";
+import { deflateSync } from "node:zlib";
+import { BurnishError, render } from "./wasm.js";
+
+// Flags of render without a value. Every other flag takes one, as --name=VALUE or --name VALUE.
+const SWITCHES = new Set(["cull-back-faces", "no-background", "ground", "shadow", "wireframe", "strict", "no-textures", "no-libraries", "quiet", "json", "no-colors"]);
+const OPTIONAL = new Set(["edges", "camera-orthographic"]); // --name or --name=VALUE
+const SHORT = { o: "output", s: "size", q: "quiet" };
+const EXIT = { ARGUMENT: 2, READ: 3, FORMAT: 4, LIMIT: 5, MEMORY: 6, WRITE: 7 };
+const IMAGES = new Set([".png", ".jpg", ".jpeg", ".webp", ".gif", ".svg", ".exr", ".npy", ".bmp"]);
+const HELP = `Usage: burnish INPUT [OUTPUT.png] [options]   draws a mesh into a PNG
+
+  -o, --output=FILE   the PNG; - is standard output [INPUT's name]
+  -s, --size=WxH      width and height in pixels; N: a square [1024x768]
+  -q, --quiet         no warnings
+      --json          a report on standard output
+      --look=NAME, --color=COLOR, --views=NAME, --azimuth=DEG, --ground ...
+                      the flags of burnish render for camera, light, surface and input
+
+This command runs in WebAssembly: one picture at a time, PNG only. The program burnish also has batches, contact sheets, turntables and other formats.
+`;
+
+const fail = (text, status = "ARGUMENT") => {
+  throw new BurnishError(text, status);
+};
+const camelCase = (name) => name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+
+/** { operands, options, settings } of the command line; options have the names of wasm.d.ts. */
+function parseArguments(words) {
+  const operands = [], options = {}, settings = {};
+  for (let i = 0; i < words.length; ++i) {
+    const word = words[i], short = /^-([a-z])(.*)$/.exec(word), long = /^--([a-z][a-z-]*)(?:=(.*))?$/s.exec(word);
+    if (!short && !long) {
+      operands.push(word);
+      continue;
+    }
+    const name = short ? SHORT[short[1]] ?? fail(`${word}: unknown flag; "burnish --help" lists the flags`) : long[1];
+    let value = short ? short[2] || undefined : long[2];
+    if (SWITCHES.has(name)) {
+      value = value === undefined ? true : fail(`--${name}: takes no value; write --${name} alone`);
+    } else if (value === undefined && OPTIONAL.has(name)) {
+      value = true;
+    } else if (value === undefined) {
+      value = words[++i] ?? fail(`--${name}: a value is missing: --${name}=VALUE`);
+    }
+    if (["output", "quiet", "json"].includes(name)) {
+      settings[name] = value;
+    } else if (name === "light" || name === "clip") {
+      (options[name] ??= []).push(value);
+    } else if (name === "size" && /[,x]/.test(value)) {
+      options.resolution = value;
+    } else {
+      options[camelCase(name)] = value;
+    }
+  }
+  return { operands, options, settings };
+}
+
+/** A PNG file of an image. */
+function encodePng({ width, height, channels, pixels }) {
+  const stride = width * channels, rows = Buffer.alloc(height * (stride + 1));
+  for (let y = 0; y < height; ++y) {
+    rows.set(pixels.subarray(y * stride, (y + 1) * stride), y * (stride + 1) + 1);
+  }
+  const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
+    for (let k = 0; k < 8; ++k) {
+      n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
+    }
+    return n;
+  });
+  const chunk = (name, data) => {
+    const bytes = Buffer.concat([Buffer.alloc(4), Buffer.from(name), data, Buffer.alloc(4)]);
+    bytes.writeUInt32BE(data.length, 0);
+    let crc = -1;
+    for (const byte of bytes.subarray(4, -4)) {
+      crc = crcTable[(crc ^ byte) & 255] ^ (crc >>> 8);
+    }
+    bytes.writeInt32BE(~crc, bytes.length - 4);
+    return bytes;
+  };
+  const head = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 8, channels === 4 ? 6 : 2, 0, 0, 0]);
+  head.writeUInt32BE(width, 0);
+  head.writeUInt32BE(height, 4);
+  return Buffer.concat([
+    Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]), chunk("IHDR", head), chunk("sRGB", Buffer.from([0])),
+    chunk("tEXt", Buffer.from("Software\0burnish")), chunk("IDAT", deflateSync(rows, { level: 6 })), chunk("IEND", Buffer.alloc(0)),
+  ]);
+}
+
+/** Decodes a texture with the optional packages pngjs and jpeg-js; null leaves it out. */
+async function findDecoder() {
+  const optional = (name) => import(name).then((module) => module.default ?? module, () => null);
+  const [png, jpeg] = await Promise.all([optional("pngjs"), optional("jpeg-js")]);
+  return (bytes) => {
+    const isPng = bytes[0] === 137, isJpeg = bytes[0] === 255;
+    const decoded = isPng && png ? png.PNG.sync.read(Buffer.from(bytes)) : isJpeg && jpeg ? jpeg.decode(bytes, { useTArray: true }) : null;
+    if (!decoded) {
+      throw new Error("no decoder for this texture; install pngjs and jpeg-js");
+    }
+    return { width: decoded.width, height: decoded.height, pixels: new Uint8Array(decoded.data.buffer, decoded.data.byteOffset, decoded.data.length) };
+  };
+}
+
+/** Files of the input's folder that it may refer to, by relative name. */
+function companions(input) {
+  const files = {}, folder = dirname(input), kinds = /\.(mtl|bin|png|jpe?g|webp|bmp|tga)$/i;
+  if (![".obj", ".gltf", ".ply"].includes(extname(input).toLowerCase())) {
+    return files;
+  }
+  const visit = (place, depth) => {
+    for (const entry of readdirSync(place, { withFileTypes: true })) {
+      const path = join(place, entry.name);
+      if (entry.isDirectory() && depth < 3) {
+        visit(path, depth + 1);
+      } else if (entry.isFile() && kinds.test(entry.name) && statSync(path).size < 1 << 28) {
+        files[relative(folder, path).split(sep).join("/")] = readFileSync(path);
+      }
+    }
+  };
+  visit(folder, 0);
+  return files;
+}
+
+function readInput(input) {
+  try {
+    return input === "-" ? readFileSync(0) : readFileSync(input);
+  } catch (error) {
+    return fail(`${input}: can't be opened: ${error.code === "ENOENT" ? "No such file or directory" : error.message}`, "READ");
+  }
+}
+
+function write(output, bytes) {
+  if (output === "-") {
+    writeFileSync(1, bytes);
+    return;
+  }
+  const temporary = `${output}.${process.pid}.tmp`;
+  try {
+    writeFileSync(temporary, bytes, { flag: "wx" });
+    renameSync(temporary, output);
+  } catch (error) {
+    fail(`${output}: can't be written: ${error.message}`, "WRITE");
+  }
+}
+
+async function main(words) {
+  if (words.length === 0 || words.includes("--help") || words.includes("-h")) {
+    process.stdout.write(HELP);
+    return;
+  }
+  const { operands, options, settings } = parseArguments(words[0] === "render" ? words.slice(1) : words);
+  const [input, second] = operands;
+  if (operands.length === 0 || operands.length > 2 || (second !== undefined && !IMAGES.has(extname(second).toLowerCase()))) {
+    fail(operands.length === 0 ? "no INPUT; try \"burnish :teapot\" or \"burnish --help\"" : `"${operands.at(-1)}": draw one INPUT at a time`);
+  }
+  const name = input === "-" || input[0] === ":" ? undefined : basename(input);
+  const output = settings.output ?? second ?? (input === "-" ? "-" : `${input[0] === ":" ? input.slice(1) : parse(input).name}.png`);
+  if (output !== "-" && extname(output).toLowerCase() !== ".png") {
+    fail(`--output: "${output}": this command writes PNG; end the name in .png`);
+  }
+  if (String(options.views ?? "").includes(",")) {
+    fail("--views: this command draws one view; the program burnish draws sheets");
+  }
+  const picture = await render(
+    input[0] === ":" ? input : readInput(input),
+    { resolution: "1024,768", ...options, ...(name && { name }), files: input === "-" || input[0] === ":" ? {} : companions(input), decode: await findDecoder() });
+  write(output, encodePng(picture));
+  if (!settings.quiet) {
+    picture.warnings.forEach((line) => process.stderr.write(`burnish: warning: ${line}\n`));
+    if (process.stderr.isTTY && output !== "-") {
+      process.stderr.write(`burnish: wrote ${output}, ${picture.width} x ${picture.height}\n`);
+    }
+  }
+  if (settings.json) {
+    const { pixels, ...report } = picture;
+    process.stdout.write(`${JSON.stringify({ input, output, ...report }, null, 2)}\n`);
+  }
+}
+
+main(process.argv.slice(2)).catch((error) => {
+  process.stderr.write(`burnish: ${error instanceof BurnishError ? error.message : error.stack}\n`);
+  process.exitCode = EXIT[error.status] ?? 1;
+});
