@@ -1,9 +1,6 @@
 /* Functions that the modules do not have. */
 #include <cjson/cJSON.h>
 
-#include "cli/options.h"
-#include "picture/read_png.h"
-
 /* Without cJSON, printing JSON is an error. */
 
 #define NO_ITEM(name, ...)                                                                         \
@@ -34,12 +31,3 @@ char *cJSON_Print(const cJSON *item) {
 }
 
 void cJSON_free(void *object) {}
-
-/* Modules open no files. */
-burnish_status picture_read_bytes(const char *path, uint64_t max_bytes, uint8_t **bytes,
-                                  size_t *size, burnish_error *error) {
-    *bytes = NULL;
-    *size = 0;
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "environment: \"%.200s\" can't be read here; use sky or room", path);
-}
