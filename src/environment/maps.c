@@ -9,6 +9,8 @@
 #include "environment/environment_ops.h"
 #include "shading/shading_ops.h"
 
+/* The diffuse map is off by 3 % of the peak at the terminator of a tiny light and 0.3 % for softboxes;
+ * spherical harmonics of order 2 are off by 9 %, of order 4 by 6 %. */
 enum { LARGEST_SIZE = 256, LEAST_SIZE = 24, DIFFUSE_SIZE = 32 };
 
 /* A map and its memory; texels NULL: not computed. */
@@ -125,8 +127,7 @@ static float zeta_limit(const burnish_environment *environment, int order) {
 static void add_environment(const burnish_light_maps *maps, const burnish_light_lobes *lobes,
                             const float *const w[3], int count, float *const rgb[3]) {
     static const burnish_light_lobes cosine = {1, {{1, 1.0f, 1.0f}}};
-    const burnish_environment_ops *ops =
-        burnish_environment_ops_for(burnish_kernels_get_isa(maps->kernels));
+    const burnish_environment_ops *ops = burnish_environment_ops_for(maps->kernels->isa);
     const key *k = &maps->key;
     float turned[3][LARGEST_SIZE + 2];
     const float *const axis[3] = {turned[0], turned[1], turned[2]};
