@@ -16,8 +16,36 @@ static burnish_status begin(void *context, uint64_t width, uint64_t height) {
     return burnish_environment_builder_begin(b, width, height, b->name, b->memory);
 }
 
+/* The most pixels per byte of a file, so a small file takes little time. */
+enum { EXPANSION_MAX = 256, EXPANSION_LEAST = 1 << 16 };
+
+/* A file that is decoded. */
+typedef struct decoding {
+    builder builder;
+    size_t size;
+} decoding;
+
+static burnish_status begin_file(void *context, uint64_t width, uint64_t height) {
+    decoding *d = context;
+    const uint64_t pixels = width * height;
+    if (pixels > BURNISH_ENVIRONMENT_MAX_PIXELS) {
+        return burnish_fail(
+            d->builder.memory->error, BURNISH_STATUS_LIMIT,
+            "%.200s: %llu x %llu pixels; environments of up to %llu pixels are read",
+            d->builder.name, (unsigned long long)width, (unsigned long long)height,
+            (unsigned long long)BURNISH_ENVIRONMENT_MAX_PIXELS);
+    }
+    if (pixels > EXPANSION_LEAST && pixels / EXPANSION_MAX > d->size) {
+        return burnish_fail(d->builder.memory->error, BURNISH_STATUS_FORMAT,
+                            "%.200s: %llu x %llu pixels in %zu bytes; it is damaged",
+                            d->builder.name, (unsigned long long)width, (unsigned long long)height,
+                            d->size);
+    }
+    return begin(&d->builder, width, height);
+}
+
 static void add(void *context, int x, int y, const float rgb[3]) {
-    burnish_environment_builder_add(context, x, y, rgb);
+    burnish_environment_builder_add(&((decoding *)context)->builder, x, y, rgb);
 }
 
 static void warn(const builder *b) {
@@ -105,7 +133,7 @@ burnish_status burnish_environment_decode(const burnish_context *context, const 
                                           size_t size, const char *name,
                                           burnish_environment **environment, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(context, error);
-    builder b = {.memory = &memory, .name = name ? name : "environment"};
+    decoding d = {{.memory = &memory, .name = name ? name : "environment"}, size};
     if (!environment || (!bytes && size > 0)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: NULL; pass one",
                             environment ? "bytes" : "environment");
@@ -114,12 +142,12 @@ burnish_status burnish_environment_decode(const burnish_context *context, const 
     const burnish_float_mode before = burnish_float_mode_enter();
     const burnish_encoded from = {.bytes = bytes,
                                   .size = size,
-                                  .name = b.name,
+                                  .name = d.builder.name,
                                   .max_side = BURNISH_ENVIRONMENT_MAX_SIDE,
-                                  .max_pixels = BURNISH_ENVIRONMENT_MAX_PIXELS};
-    const burnish_float_sink sink = {begin, add, &b};
+                                  .max_pixels = UINT64_MAX};
+    const burnish_float_sink sink = {begin_file, add, &d};
     const burnish_status status =
-        end(&b, burnish_decode_floats(&from, &memory, &sink), environment);
+        end(&d.builder, burnish_decode_floats(&from, &memory, &sink), environment);
     burnish_float_mode_leave(before);
     return status;
 }

@@ -233,7 +233,38 @@ static void test_arguments(void) {
     CHECK1(!environment);
     CHECK1(burnish_environment_decode(NULL, NULL, 1, NULL, &environment, &error) ==
            BURNISH_STATUS_ARGUMENT);
+    static const char *const files[] = {"#?RGBE\n\n-Y 16384 +X 16384\n",
+                                        "#?RGBE\n\n-Y 8192 +X 8192\n"};
+    for (int i = 0; i < 2; ++i) {
+        CHECK1(burnish_environment_decode(NULL, files[i], strlen(files[i]), NULL, &environment,
+                                          &error) ==
+               (i ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_LIMIT));
+        CHECK1(strstr(error.text, i ? "8192 pixels in 24 bytes" : "up to 134217728 pixels"));
+    }
+    CHECK1(burnish_environment_create_named(NULL, "moon", &environment, &error) ==
+           BURNISH_STATUS_ARGUMENT);
     burnish_environment_destroy(NULL);
+}
+
+/* Sky and sun light a white horizontal surface to 1; the room is brightest above. */
+static void test_names(void) {
+    static const char *const names[] = {"sky", "room"};
+    for (int i = 0; i < 2; ++i) {
+        burnish_environment *environment;
+        CHECK1(burnish_environment_create_named(NULL, names[i], &environment, NULL) ==
+               BURNISH_STATUS_OK);
+        burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR, NULL);
+        const burnish_light_map *map = burnish_light_maps_diffuse(maps);
+        const int stride = map->size + 2, middle = map->size / 2;
+        const float *up = map->texels + 4 * (map->size * stride + middle); /* y nearly 1 */
+        const float *down = map->texels + 4 * (stride + middle);
+        const double luminance =
+            0.2126 * (double)up[0] + 0.7152 * (double)up[1] + 0.0722 * (double)up[2];
+        CHECK(luminance > (i ? 1.5 : 0.93) && luminance < (i ? 2 : 1.07), "%g", luminance);
+        CHECK1(down[1] > 0.1f && down[1] < up[1]);
+        burnish_light_maps_destroy(maps);
+        burnish_environment_destroy(environment);
+    }
 }
 
 int main(int count, char **arguments) {
@@ -245,5 +276,6 @@ int main(int count, char **arguments) {
     RUN(test_key());
     RUN(test_values());
     RUN(test_arguments());
+    RUN(test_names());
     return test_end("environment");
 }

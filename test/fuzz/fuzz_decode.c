@@ -1,5 +1,6 @@
-/* Fuzzes the image decoders: libFuzzer's bytes are decoded as PNG, JPEG, WebP, BMP or TGA. A
- * decoded image must have a size and every byte written; otherwise the error must be one line.
+/* Fuzzes the image decoders: libFuzzer's bytes are decoded as PNG, JPEG, WebP, BMP or TGA, and as
+ * an environment, Radiance HDR or EXR. A decoded image must have a size and every byte written;
+ * otherwise the error must be one line.
  *
  * Built by `make fuzz`; test/fuzz/run starts it. */
 #include <stdio.h>
@@ -7,6 +8,7 @@
 #include <string.h>
 
 #include "burnish/image.h"
+#include "burnish/light.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -15,6 +17,17 @@ static void require(int condition, const char *what, const burnish_error *error)
         fprintf(stderr, "fuzz_decode: %s: %s\n", what, error->text);
         abort();
     }
+}
+
+static void decode_environment(const uint8_t *data, size_t size) {
+    burnish_error error = {0};
+    burnish_environment *environment;
+    const burnish_status status =
+        burnish_environment_decode(NULL, data, size, NULL, &environment, &error);
+    require((status == BURNISH_STATUS_OK) == (environment != NULL), "environment", &error);
+    require(environment || (error.status == status && *error.text && !strchr(error.text, '\n')),
+            "not one line", &error);
+    burnish_environment_destroy(environment);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -31,5 +44,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         require(!image.pixels, "not empty", &error);
     }
     burnish_image_destroy(&image);
+    decode_environment(data, size);
     return 0;
 }
