@@ -258,7 +258,7 @@ static void choose_up(comparison *c) {
         return;
     }
     settings.camera.stands_otherwise =
-        settings.camera.up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
+        settings.camera.up == UP_AUTO && render_find_stance(mesh).is_other;
     const render_up up = render_up_in_use(mesh, &settings.camera, direction);
     for (int i = 0; i < 2; ++i) {
         c->sides[i].settings.camera.up = (int)up;

@@ -8,6 +8,7 @@
 #include "cli/output.h"
 #include "import/importers.h"
 #include "import/run.h"
+#include "render/scene/up.h"
 
 typedef struct info_settings {
     cli_input load;
@@ -56,6 +57,11 @@ static const cli_term json_terms[] = {
                "null if unknown"},
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions "
                        "of points or lines, in the units of the input"},
+    {"*up, up_source*", "the up axis in pictures; format, or auto if it is not the axis of the "
+                        "format because the object would fall over (docs/up.md)"},
+    {"*tipping_angles*",
+     "degrees by which the object can lean on +Y and +Z before it falls, "
+     "negative if it falls; null for points, lines and formats that state their axis"},
     {"*area*", "of all triangles, including duplicates"},
     {"*volume*",
      "enclosed volume, by the divergence theorem. It is meaningful if *solid* is true, negative "
@@ -132,7 +138,15 @@ typedef struct report {
     const burnish_mesh_view *view;
     const burnish_mesh_facts *facts; /* NULL: the input has points or lines instead of faces */
     float low[3], high[3], size[3];
+    render_stance stance;
 } report;
+
+static const char *up_name(const report *r) {
+    const float *axis = r->view->up_axis;
+    const int usual = axis[0] > 0.5F ? 0 : axis[1] > 0.5F ? 1 : 2;
+    static const char *const names[] = {"+X", "+Y", "+Z"};
+    return names[r->stance.is_other ? r->stance.other : usual];
+}
 
 static const char *format_name(const report *r, char extension[IMPORT_EXTENSION_SIZE]) {
     return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh)->format,
@@ -155,6 +169,15 @@ static void add_sizes(cJSON *root, const report *r, int *failed) {
     cli_json_add(box, "size", cli_json_floats(3, r->size), failed);
     cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(r->mesh)->unit), failed);
     cli_json_add(root, "bounding_box", box, failed);
+    cli_json_add(root, "up", cJSON_CreateString(up_name(r)), failed);
+    cli_json_add(root, "up_source", cJSON_CreateString(r->stance.is_other ? "auto" : "format"),
+                 failed);
+    cJSON *tipping = r->stance.usual > 0 ? cJSON_CreateObject() : cJSON_CreateNull();
+    if (r->stance.usual > 0) {
+        cli_json_add(tipping, "+Y", cli_json_real(r->stance.tipping[1]), failed);
+        cli_json_add(tipping, "+Z", cli_json_real(r->stance.tipping[2]), failed);
+    }
+    cli_json_add(root, "tipping_angles", tipping, failed);
     cli_json_add(root, "area", cli_json_real(f ? f->area : NAN), failed);
     cli_json_add(root, "volume", cli_json_real(f ? f->volume : NAN), failed);
     cli_json_add(root, "center_of_mass", center, failed);
@@ -266,6 +289,29 @@ static double snap(double value, double rounding) {
     return fabs(value) < rounding ? 0 : value;
 }
 
+/* Such as "unstable on +Y" or "stable up to 31 degrees on +Z". */
+static void print_tipping(FILE *stream, const render_stance *stance, int axis) {
+    if (stance->tipping[axis] < 0) {
+        fprintf(stream, "unstable on +%c", "XYZ"[axis]);
+    } else {
+        fprintf(stream, "stable up to %.0f degrees on +%c", stance->tipping[axis], "XYZ"[axis]);
+    }
+}
+
+/* The up axis of pictures, and why. */
+static void print_up(FILE *stream, const report *r) {
+    fprintf(stream, "  %-20s  %s, ", "up", up_name(r));
+    if (r->stance.usual == 0) {
+        fprintf(stream, "the axis of the format\n");
+        return;
+    }
+    fprintf(stream, r->stance.is_other ? "guessed: " : "the axis of the format: ");
+    print_tipping(stream, &r->stance, r->stance.usual);
+    fprintf(stream, ", ");
+    print_tipping(stream, &r->stance, r->stance.other);
+    fputc('\n', stream);
+}
+
 /* All facts of points and lines. */
 static void print_box(FILE *stream, const report *r) {
     const char *unit = burnish_mesh_get_info(r->mesh)->unit;
@@ -276,6 +322,7 @@ static void print_box(FILE *stream, const report *r) {
             (double)r->size[2]);
     print_position(stream, "from", r->low, r);
     print_position(stream, "to", r->high, r);
+    print_up(stream, r);
 }
 
 static void print_surface(FILE *stream, const report *r) {
@@ -336,7 +383,8 @@ static burnish_status print(const info_settings *settings, const char *input,
                 .format = settings->load.format,
                 .mesh = mesh,
                 .view = burnish_mesh_get_view(mesh),
-                .facts = burnish_mesh_get_facts(mesh)};
+                .facts = burnish_mesh_get_facts(mesh),
+                .stance = render_find_stance(mesh)};
     cli_output output;
     burnish_mesh_get_bounds(mesh, r.low, r.high);
     for (int axis = 0; axis < 3; ++axis) {

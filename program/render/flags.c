@@ -23,8 +23,9 @@ static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
                                         {NULL, 0}};
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
-    {"+Y", UP_POSITIVE_Y}, {"-Y", UP_NEGATIVE_Y}, {"+Z", UP_POSITIVE_Z}, {"-Z", UP_NEGATIVE_Z},
-    {"+X", UP_POSITIVE_X}, {"-X", UP_NEGATIVE_X}, {"auto", UP_AUTO},     {NULL, 0},
+    {"+Y", UP_POSITIVE_Y}, {"-Y", UP_NEGATIVE_Y}, {"+Z", UP_POSITIVE_Z},
+    {"-Z", UP_NEGATIVE_Z}, {"+X", UP_POSITIVE_X}, {"-X", UP_NEGATIVE_X},
+    {"auto", UP_AUTO},     {"format", UP_FORMAT}, {NULL, 0},
 };
 static const cli_word view_words[] = {
     {"front", VIEW_FRONT}, {"right", VIEW_RIGHT}, {"top", VIEW_TOP},       {"iso", VIEW_ISO},
@@ -55,7 +56,7 @@ static const cli_word normals_words[] = {{"auto", BURNISH_NORMALS_AUTO},
 #define AXIS_001(word) ", " #word " +Z"
 #define FORMAT_AXIS(name, word, extensions, x, y, z) AXIS_##x##y##z(word)
 /* "+Y, stl +Z": +Y is the up axis of most formats. */
-static const char format_axes[] = "+Y" BURNISH_FORMAT_LIST(FORMAT_AXIS);
+#define FORMAT_AXES "+Y" BURNISH_FORMAT_LIST(FORMAT_AXIS)
 
 /* Values of coordinates and angles beyond this are mistakes. */
 #define ANGLE_MAX 36000.0
@@ -228,13 +229,16 @@ static const cli_flag flags[] = {
     {.group = "Camera",
      .topic = "camera",
      CLI_FLAG("up", "AXIS", "up axis", cli_flag_word, camera.up),
-     .default_label = format_axes,
+     .default_text = "auto",
      .common = 1,
      .words = up_words,
      .aliases = "up-axis,up-direction",
-     .manual = "The axis of the object that points up. *auto* guesses between +Y and +Z: it takes "
-               "the axis of the input's format, unless the object would fall over that way and is "
-               "stable the other way."},
+     .manual =
+         "The axis of the object that points up. *format* is that of the input's "
+         "format: " FORMAT_AXES ". "
+         "*auto*, the default, is the same except for objects that would fall over: an OBJ, PLY or "
+         "OFF file whose object is stable on +Z, and an STL file whose object falls on +Z and "
+         "is very stable on +Y. *burnish info* prints how stable it is. See docs/up.md."},
     {CLI_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object", cli_flag_nonzero,
               camera.direction),
      .default_label = "three-quarter", .common = 1,

@@ -105,7 +105,8 @@ static const cli_term json_terms[] = {
                  "single precision: 0, 0, 0, or a position near the middle of an input that is far "
                  "away from it. Flags and output always use the coordinates of the input"},
     {"*up, up_source, view*",
-     "the up axis; its source: flag, format or auto; the standard view, if any"},
+     "the up axis; its source: flag, format, or auto if it is not the format's; the standard view, "
+     "if any"},
     {"*triangles_drawn*", "triangles that are visible in at least one sample"},
     {"*hidden*", "share of the object's area in the other triangles"},
     {"*covered_pixels, pixel_bounds*",

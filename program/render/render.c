@@ -273,14 +273,14 @@ static burnish_status load(render_result *result, render_settings *settings,
     if (status == BURNISH_STATUS_OK && warning) {
         render_result_warn(result, 1, "%s", warning);
     }
+    settings->camera.stands_otherwise =
+        settings->camera.up == UP_AUTO && render_find_stance(mesh).is_other;
     if (status == BURNISH_STATUS_OK) {
         status = render_cut(result, mesh, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    settings->camera.stands_otherwise =
-        settings->camera.up == UP_AUTO && render_stands_otherwise(burnish_mesh_get_view(mesh));
     return render_adjust_materials(&settings->shading, mesh, error);
 }
 

@@ -267,6 +267,8 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
     if (status == BURNISH_STATUS_OK) {
         render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &no_lights,
                                burnish_mesh_get_view(s->mesh)->origin);
+        s->stands_otherwise =
+            s->settings.camera.up == UP_AUTO && render_find_stance(s->mesh).is_other;
         status = render_cut(&s->result, s->mesh, error);
     }
     s->loading_warnings = s->result.warning_count;
@@ -276,8 +278,6 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(s->context, &s->renderer, error);
     }
-    s->stands_otherwise = status == BURNISH_STATUS_OK && s->settings.camera.up == UP_AUTO &&
-                          render_stands_otherwise(burnish_mesh_get_view(s->mesh));
     return status;
 }
 

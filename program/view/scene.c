@@ -76,11 +76,11 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
         status = render_add_own_lights(&settings.shading.lights, mesh, &options, &warning, error);
     }
     if (status == BURNISH_STATUS_OK) {
+        settings.camera.stands_otherwise =
+            settings.camera.up == UP_AUTO && render_find_stance(mesh).is_other;
         status = cut(&settings.input.clip, mesh, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        settings.camera.stands_otherwise =
-            settings.camera.up == UP_AUTO && render_stands_otherwise(view);
         status = render_adjust_materials(&settings.shading, mesh, error);
     }
     if (status == BURNISH_STATUS_OK && !scene->environment.environment) {

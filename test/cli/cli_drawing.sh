@@ -70,6 +70,7 @@ drawn edge-width=5
 drawn edge-color=blue
 other input-format
 drawn clip=0,1,0,1
+other normals
 other crease-angle
 drawn tessellation=4
 other animation-time

@@ -308,11 +308,12 @@ up() {
     run render "$@" --size=16 --occlusion=none --json -o s.png
     echo "$(json up) $(json up_source)"
 }
-same "the format's axis" "$(up sheet.obj)" "+Y format"
+same "the format's axis" "$(up sheet.obj --up=format)" "+Y format"
 same "a flag's axis" "$(up sheet.obj --up=-X)" "-X flag"
-same "a sheet lies down" "$(up sheet.obj --up=auto)" "+Z auto"
-same "a block stands" "$(up block.obj --up=auto)" "+Y auto"
-same "a sphere has no reason to roll" "$(up :sphere --up=auto)" "+Y auto"
+same "a sheet lies down" "$(up sheet.obj)" "+Z auto"
+same "a cut does not turn it" "$(up sheet.obj --clip=0,1,0,0.05)" "+Z auto"
+same "a block stands" "$(up block.obj)" "+Y format"
+same "other formats state their axis" "$(up :sphere)" "+Y format"
 same "the guess draws what its axis draws" "$(hash sheet.obj --size=32 --up=auto)" "$(hash sheet.obj --size=32 --up=+Z)"
 
 # Labels beyond ASCII.

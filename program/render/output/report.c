@@ -156,9 +156,8 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     char extension[IMPORT_EXTENSION_SIZE];
     const char *format = import_format_word(settings->input.name, settings->input.load.format,
                                             info->format, extension);
-    const char *source = settings->camera.up == UP_AUTO     ? "auto"
-                         : settings->camera.up == UP_FORMAT ? "format"
-                                                            : "flag";
+    const int is_flag = settings->camera.up != UP_AUTO && settings->camera.up != UP_FORMAT;
+    const char *source = is_flag ? "flag" : settings->camera.stands_otherwise ? "auto" : "format";
     cJSON *box = cJSON_CreateObject();
     float low[3], high[3];
     burnish_mesh_get_bounds(mesh, low, high);

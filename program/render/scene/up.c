@@ -13,10 +13,11 @@ enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
 /* Height of the contact area, as a share of the object's height. */
 #define CONTACT 0.01
 
-/* Tangents of tipping angles. The format's axis is doubted below 6 degrees; the other axis is
- * accepted from 22 degrees on. */
-#define DOUBTED 0.1
-#define BELIEVED 0.4
+/* Degrees: the usual axis is doubted below, the other one accepted from there on. */
+#define DOUBTED 5.7
+#define BELIEVED 21.8
+#define DOUBTED_STL 2
+#define BELIEVED_STL 60
 
 /* Centroid of the surface. */
 static void find_center(const burnish_mesh_view *view, double center[3]) {
@@ -70,6 +71,7 @@ static void measure_reach(const burnish_mesh_view *view, int axis, const double 
     }
 }
 
+/* The angle in degrees by which the object can lean before it falls. */
 static double tipping(const burnish_mesh_view *view, int axis, const double center[3]) {
     double reach[DIRECTIONS], least = DBL_MAX;
     measure_reach(view, axis, center, reach);
@@ -77,13 +79,27 @@ static double tipping(const burnish_mesh_view *view, int axis, const double cent
         least = reach[i] < least ? reach[i] : least;
     }
     const double rise = center[axis] - (double)view->bounds_min[axis];
-    return rise > 0 ? least / rise : least > 0 ? DBL_MAX : -1;
+    return atan2(least, rise) * (180 / 3.14159265358979323846);
 }
 
-int render_stands_otherwise(const burnish_mesh_view *view) {
-    const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
+render_stance render_find_stance(const burnish_mesh *mesh) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
+    const burnish_format format = info->format;
+    const int is_stl = format == BURNISH_FORMAT_STL;
+    render_stance stance = {0};
     double center[3];
+    const int is_doubted = is_stl || format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
+                           format == BURNISH_FORMAT_OFF;
+    if (!is_doubted || info->point_count + info->line_count > 0) {
+        return stance;
+    }
+    stance.usual = is_stl ? 2 : 1;
+    stance.other = 3 - stance.usual;
     find_center(view, center);
-    return usual != 0 && tipping(view, usual, center) < DOUBTED &&
-           tipping(view, 3 - usual, center) >= BELIEVED;
+    stance.tipping[1] = tipping(view, 1, center);
+    stance.tipping[2] = tipping(view, 2, center);
+    stance.is_other = stance.tipping[stance.usual] < (is_stl ? DOUBTED_STL : DOUBTED) &&
+                      stance.tipping[stance.other] >= (is_stl ? BELIEVED_STL : BELIEVED);
+    return stance;
 }

@@ -4,8 +4,17 @@
 
 #include "burnish/mesh.h"
 
-/* 1: the format's up axis is +Y or +Z, the object would fall over on it, and is stable on the other
- * one. 0 for formats with another axis. */
-int render_stands_otherwise(const burnish_mesh_view *view);
+/* How an object stands on the format's up axis and on the other one of +Y and +Z. */
+typedef struct render_stance {
+    int usual, other; /* 1: +Y, 2: +Z; both 0 if nothing is guessed: the format states its axis */
+    double
+        tipping[3]; /* for these axes: the angle in degrees by which the object can lean before it
+                          falls, below 0 if it falls; 90 for a flat object that lies */
+    int is_other;   /* 1: it would fall over on the usual axis and is stable on the other one */
+} render_stance;
+
+/* OBJ, PLY and OFF take the other axis if the object can lean by less than 5.7 degrees on the usual
+ * one and by 21.8 or more on the other. STL, whose axis is more reliable: less than 2, and 60. */
+render_stance render_find_stance(const burnish_mesh *mesh);
 
 #endif
