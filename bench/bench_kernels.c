@@ -59,7 +59,10 @@ static const cli_command command = {
         "In the JSON object *isa* has an object for each instruction set, with the keys "
         "*lobe.l1.X_over*, *shade.directional.X_over*, *shade.point.X_over* and "
         "*root.l1.X_over*: X's time divided by the lobe's, larger being better for the lobe; "
-        "*lobe.l1.over_copy* and *lobe.memory.over_nt_copy* are the lobe's time divided by the "
+        "*square.X_over* is the time of a square light in reach divided by whole lighting by a "
+        "point "
+        "light; *lobe.l1.over_copy* and *lobe.memory.over_nt_copy* are the lobe's time divided by "
+        "the "
         "copy's. *SECTION.X_ns* is the time of one element in nanoseconds. The object *scalar* has "
         "*scalar.latency.X_over* and *scalar.throughput.X_over* of code that takes one value at a "
         "time, and *paper.latency.over_w*, *paper.latency.over_w_half* and the same of "
@@ -88,6 +91,7 @@ static void print_table(const burnish_bench_table *table) {
                   {"lobe.memory", "lobes, arrays in memory"},
                   {"shade.directional", "whole lighting, directional light, distant viewer"},
                   {"shade.point", "whole lighting, point light, local viewer"},
+                  {"square", "a square light in reach, diffuse and specular"},
                   {"root.l1", "inverse square roots, 2,048 floats in the first cache"},
                   {"scalar.latency", "one value at a time: latency"},
                   {"scalar.throughput", "one value at a time: throughput"},

@@ -112,6 +112,19 @@ static void run_library_shade(const void *given) {
     }
 }
 
+/* The positions on the unit sphere are the axes. */
+static void run_square(const void *given) {
+    const context *at = given;
+    float *const light[2] = {at->input->values, at->input->others};
+    for (size_t block = 0; block < at->input->blocks; ++block) {
+        const burnish_kernels_points points = burnish_bench_block(at->input, block);
+        burnish_kernels_axes axes = {.stretch = {NULL}};
+        memcpy(axes.axis, points.position, sizeof axes.axis);
+        (void)burnish_kernels_polygon_light(at->kernels, &at->input->squares[at->which], &points,
+                                            &axes, BURNISH_BENCH_POINTS, light, NULL);
+    }
+}
+
 /* Cosines above 2^-126 serve as squared lengths. */
 static void run_root(const void *given) {
     const context *at = given;
@@ -182,7 +195,8 @@ typedef struct isa_run {
 static void add(isa_run *run, const char *name, const char *label, void (*function)(const void *),
                 int of, int which, const char *missing) {
     context given = run->context;
-    const int is_shade = function == run_shade || function == run_library_shade;
+    const int is_shade =
+        function == run_shade || function == run_library_shade || function == run_square;
     double items = is_shade ? (double)given.input->blocks * BURNISH_BENCH_POINTS
                    : function == run_lobe_in_memory || function == run_library_lobe_in_memory
                        ? (double)(given.input->array_bytes / sizeof(float))
@@ -249,6 +263,20 @@ static void add_shading(isa_run *run, const char *name, int scene) {
         run->libmvec.missing);
 }
 
+static void add_squares(isa_run *run) {
+    section_begin(&run->section, "square", run->section.table);
+    run->context.scene = BURNISH_BENCH_POINT;
+    add(run, "point", "whole lighting by a point light", run_library_shade, BURNISH_BENCH_OF_FAMILY,
+        0, NULL);
+    add(run, "diffuse", "a square light: diffuse", run_square, 0, BURNISH_BENCH_SQUARE_DIFFUSE,
+        NULL);
+    add(run, "wide", "and a lobe of zeta 3, m = 4", run_square, 0, BURNISH_BENCH_SQUARE_WIDE, NULL);
+    add(run, "narrow", "and a lobe of zeta 100, m = 4", run_square, 0, BURNISH_BENCH_SQUARE_NARROW,
+        NULL);
+    add(run, "ggx", "and three lobes, GGX of roughness 0.5", run_square, 0,
+        BURNISH_BENCH_SQUARE_GGX, NULL);
+}
+
 /* Opens the libraries of an instruction set and hands their functions to the shaders. */
 static void isa_begin(isa_run *run, burnish_isa isa, burnish_bench_input *input,
                       burnish_bench_table *table) {
@@ -278,6 +306,8 @@ static void measure_isa(isa_run *run, int rounds, int quick) {
     add_shading(run, "shade.directional", BURNISH_BENCH_DIRECTIONAL);
     section_run(&run->section, rounds, seconds);
     add_shading(run, "shade.point", BURNISH_BENCH_POINT);
+    section_run(&run->section, rounds, seconds);
+    add_squares(run);
     section_run(&run->section, rounds, seconds);
     add_roots(run);
     section_run(&run->section, rounds, seconds);

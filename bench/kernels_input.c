@@ -104,6 +104,24 @@ static burnish_status prepare(burnish_bench_input *input, int scene, int of, bur
     return status;
 }
 
+/* Where the point light is, turned to the points. */
+static void prepare_squares(burnish_kernels_polygon squares[BURNISH_BENCH_SQUARES]) {
+    static const float corners[4][3] = {
+        {-1.6f, 1.9f, 3.4f}, {-2.7f, 2.1f, 2.5f}, {-2.4f, 3.1f, 2.6f}, {-1.3f, 2.9f, 3.5f}};
+    static const burnish_kernels_lobe wide = {4, 3, 1}, narrow = {4, 100, 1};
+    static const burnish_kernels_lobe ggx[3] = {
+        {4, 4.51f, 0.29f}, {2, 2.33f, 0.45f}, {1, 1.25f, 0.26f}};
+    for (int i = 0; i < BURNISH_BENCH_SQUARES; ++i) {
+        squares[i] = burnish_kernels_polygon_default();
+        memcpy(squares[i].vertices, corners, sizeof corners);
+        squares[i].is_two_sided = 1;
+        squares[i].lobe_count = i == BURNISH_BENCH_SQUARE_GGX ? 3 : i > 0;
+        memcpy(squares[i].lobes, ggx, sizeof ggx);
+    }
+    squares[BURNISH_BENCH_SQUARE_WIDE].lobes[0] = wide;
+    squares[BURNISH_BENCH_SQUARE_NARROW].lobes[0] = narrow;
+}
+
 burnish_status burnish_bench_input_create(burnish_bench_input **made, burnish_error *error) {
     burnish_bench_input *input =
         aligned_alloc(64, (sizeof *input + 63) / 64 * 64); /* cosines and values are aligned */
@@ -114,6 +132,7 @@ burnish_status burnish_bench_input_create(burnish_bench_input **made, burnish_er
     memset(input, 0, sizeof *input);
     fill_cosines(input);
     burnish_status status = make_sphere(input, error);
+    prepare_squares(input->squares);
     for (int i = 0; i < BURNISH_BENCH_SCENES * BURNISH_BENCH_OF_COUNT; ++i) {
         if (status == BURNISH_STATUS_OK) {
             status = prepare(input, i / BURNISH_BENCH_OF_COUNT, i % BURNISH_BENCH_OF_COUNT, error);

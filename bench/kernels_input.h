@@ -19,13 +19,23 @@ enum {
 /* DIRECTIONAL: one directional light, a distant viewer. POINT: one point light, a near viewer. */
 enum { BURNISH_BENCH_DIRECTIONAL, BURNISH_BENCH_POINT, BURNISH_BENCH_SCENES };
 
+/* A square light near the points: its diffuse light alone, with one lobe, with three that fit GGX. */
+enum {
+    BURNISH_BENCH_SQUARE_DIFFUSE,
+    BURNISH_BENCH_SQUARE_WIDE,
+    BURNISH_BENCH_SQUARE_NARROW,
+    BURNISH_BENCH_SQUARE_GGX,
+    BURNISH_BENCH_SQUARES
+};
+
 typedef struct burnish_bench_input {
     float cosines[BURNISH_BENCH_POINTS]; /* uniform in [0, 1] */
     float bright[BURNISH_BENCH_POINTS];  /* uniform inside the lobe: no mispredicted branch */
-    float values[BURNISH_BENCH_POINTS];
+    float values[BURNISH_BENCH_POINTS], others[BURNISH_BENCH_POINTS];
     float table[BURNISH_BENCH_TABLE_SIZE + 1];
     uint8_t rgba[4 * BURNISH_BENCH_POINTS];
     burnish_bench_shader shaders[BURNISH_BENCH_SCENES][BURNISH_BENCH_OF_COUNT];
+    burnish_kernels_polygon squares[BURNISH_BENCH_SQUARES];
     size_t blocks;               /* of BURNISH_BENCH_POINTS points of a sphere */
     float *normals, *positions;  /* x, y and z one after the other */
     size_t array_bytes;          /* of each of the two in memory */

@@ -234,7 +234,7 @@ static inline burnish_kernels_polygon burnish_kernels_polygon_default(void) {
     return polygon;
 }
 
-/* Where the lobes of points are: arrays of count floats. */
+/* The directions of reflection: arrays of count floats. */
 typedef struct burnish_kernels_axes {
     const float *axis[3]; /* R: unit vectors */
     const float
@@ -254,7 +254,7 @@ typedef struct burnish_kernels_axes {
  *   light    light[0] receives count values of diffuse in [0, 1], light[1] of specular, at least 0;
  *            one of them may be NULL. No array overlaps an input
  *   error    receives the message; may be NULL
- * A point in the plane of a light gets exactly 0, also if rounding moves it out of the plane.
+ * Points in the plane of a light, within rounding, get exactly 0.
  * Errors: ARGUMENT (not initialised, numbers out of range, a polygon that has no area, is not flat
  * or not convex, a distant light seen from its edge, a missing array); nothing is written. */
 BURNISH_API burnish_status burnish_kernels_polygon_light(const burnish_kernels *kernels,

@@ -9,7 +9,7 @@
  * with inside = 1 if P contains the axis. Only arcs in the cap u > 0 count, and there
  * u^(m+1) = 1 - zeta (1 - c) (1 + u + ... + u^m). The 1 gives the swept azimuth, one arctangent; the
  * rest has no pole and is integrated by Gauss's rule. If all vertices are in the cap, the azimuths
- * add up to `inside`. Both are left out then, because small lights would lose digits.
+ * add up to `inside`. Both are then omitted, because small lights would lose digits.
  *
  * An edge's great circle has a unit normal n, sin d = abs(n.z) and k = cos d. With t, the angle from
  * its point nearest to the axis: c = k cos t, dphi = sin d / (1 - c^2) dt. With s = 2 sin(t/2)
@@ -18,7 +18,8 @@
  *
  * which keeps the digits of 1 - c for narrow lobes and needs no sine.
  *
- * Lanes never mix: what a lane does not need is exactly 0, whether its neighbours need it or not. */
+ * Lanes never mix. Work that no lane needs is skipped; for a lane that does not need it, its result is
+ * exactly 0 anyway. */
 #ifndef BURNISH_SHADING_POLYGON_SIMD_H
 #define BURNISH_SHADING_POLYGON_SIMD_H
 
@@ -160,7 +161,7 @@ BURNISH_INLINE vf polygon_along(const vf end[3], const vf n[3]) {
     return vf_sub(vf_mul(end[0], n[1]), vf_mul(end[1], n[0]));
 }
 
-/* What tells whether an arc is in a cap. */
+/* The part of an arc that polygon_reaches() reads. */
 BURNISH_INLINE polygon_arc polygon_arc_begin(const polygon_edge *edge) {
     const vf *n = edge->normal, zero = vf_set(0.0f);
     polygon_arc arc = {.exists = edge->exists, .right = vf_greater(zero, n[2])};
@@ -474,8 +475,8 @@ BURNISH_INLINE void polygon_frame(vf frame[3][3]) {
     frame[1][2] = vf_sub(zero, z[1]);
 }
 
-/* Whether the light shines on a point, and the mask of points behind it. In the plane of the light,
- * as well as rounding can tell, there is no light. */
+/* Fills *faces with the points that the light shines on; returns those behind it. Points in the
+ * plane of the light, within rounding, get nothing. */
 BURNISH_INLINE vm polygon_side(const burnish_polygon_constants *polygon, const vf position[3], vf w,
                                vm *faces) {
     const vf offset = vf_mul(w, vf_set(polygon->offset));

@@ -49,8 +49,8 @@ typedef struct region {
     vec axis, across, up;
 } region;
 
-/* The antiderivative over the angle from the axis, so that the whole lobe is 1, and the hemisphere
- * is 1 for the cosine. */
+/* The antiderivative over the angle from the axis, scaled to 1 for the whole lobe or, for the cosine,
+ * the hemisphere. */
 static double antiderivative(const region *given, double angle) {
     if (given->order == 0) {
         return pow(sin(fmin(angle, M_PI / 2)), 2);
@@ -105,7 +105,7 @@ static double integral(region *given, vec axis) {
     given->up = cross(given->axis, given->across);
     double total = 0;
     enum { PARTS = 16 };
-    for (int i = 0; i < PARTS; ++i) { /* of irrational ends, so that kinks are not hit */
+    for (int i = 0; i < PARTS; ++i) { /* odd ends, to miss kinks */
         const double from = 0.1234567 + 2 * M_PI * i / PARTS, to = from + 2 * M_PI / PARTS;
         const double at[3] = {meridian(given, from), meridian(given, (from + to) / 2),
                               meridian(given, to)};
@@ -187,7 +187,7 @@ static burnish_kernels_polygon random_polygon(int order, float zeta, uint64_t *s
     return polygon;
 }
 
-/* Half of the axes point near the light, so that narrow lobes meet it. */
+/* Half of the axes point near the light: narrow lobes would miss it otherwise. */
 static place random_place(const burnish_kernels_polygon *polygon, uint64_t *state) {
     place at = {.w = test_uniform_float(state, 0.5f, 2)};
     vec position = sum((vec){{0, 0, 0}}, (double)(0.8f * at.w), random_unit_vec(state));
@@ -488,6 +488,37 @@ static void test_bits(void) {
     }
 }
 
+/* FNV-1a over what the scalar kernel gives for fixed input: the same on every processor, with every
+ * compiler. A change of the kernel's arithmetic changes it, and pixels too. */
+#define SCALAR_HASH 0xd8d8200c09765cf0u
+
+static void test_hash(void) {
+    static const float corners[5][3] = {
+        {0, -0.5f, 2}, {-1.5f, 0, 2}, {-1, 1.5f, 2}, {1, 1.5f, 2}, {1.5f, 0, 2}};
+    static input from;
+    static float light[2][BLOCK];
+    float *const out[2] = {light[0], light[1]};
+    uint64_t hash = 0xcbf29ce484222325u, state = 1234567;
+    burnish_kernels_polygon polygon = burnish_kernels_polygon_default();
+    memcpy(polygon.vertices, corners, sizeof corners);
+    polygon.vertex_count = 5;
+    polygon.is_two_sided = 1;
+    polygon.lobe_count = 2;
+    make_input(&from, 1, &state);
+    for (int order = 1; order <= 32; order *= 2) {
+        polygon.lobes[0] = (burnish_kernels_lobe){order, 0.75f * (float)(order * order), 0.25f};
+        polygon.lobes[1] = (burnish_kernels_lobe){order, 1.5f * (float)order, 0.75f};
+        run(scalar(), &polygon, &from, order == 4, 0, BLOCK, out);
+        for (int i = 0; i < 2 * BLOCK; ++i) {
+            for (int byte = 0; byte < 4; ++byte) {
+                hash ^= bits_of(light[i / BLOCK][i % BLOCK]) >> 8 * byte & 0xff;
+                hash *= 0x100000001b3u;
+            }
+        }
+    }
+    CHECK(hash == SCALAR_HASH, "hash %#llx", (unsigned long long)hash);
+}
+
 /* ---- Arguments ---- */
 
 static void test_arguments(void) {
@@ -573,6 +604,7 @@ int main(int count, char **arguments) {
     RUN(test_lobes());
     RUN(test_stretch());
     RUN(test_bits());
+    RUN(test_hash());
     RUN(test_arguments());
     RUN(test_arctangent());
     return test_end("polygon");
