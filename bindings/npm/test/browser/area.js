@@ -7,22 +7,30 @@ const EYE = [0, 1.3, 4.2];
 const TARGET = [0, 0.55, 0];
 const FIELD = 34; // degrees, vertical
 const SPHERE = { center: [0.45, 0.6, 0.2], radius: 0.6 };
-const LIGHT = { center: [-1.5, 1, -0.8], target: [0.2, 0.3, 0.3], width: 1.4, height: 1.2 };
 
 const add = (a, b, scale = 1) => a.map((x, i) => x + scale * b[i]);
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => a.map((x) => x / Math.hypot(...a));
 
+/** A light with the axes of its rectangle; it shines along `axis`. */
+function rectangle(center, target, width, height) {
+  const axis = unit(add(target, center, -1));
+  const right = unit(cross([0, 1, 0], axis));
+  return { center, target, width, height, axis, right, up: cross(axis, right) };
+}
+
+const LIGHT = rectangle([-1.5, 1, -0.8], [0.2, 0.3, 0.3], 1.4, 1.2);
+
 // ---- three.js ----
 
-function sceneOf(material, light) {
+function sceneOf(material, light, { center, target, width, height } = LIGHT) {
   const floor = new three.Mesh(new three.PlaneGeometry(40, 40).rotateX(-Math.PI / 2), material);
   const sphere = new three.Mesh(new three.SphereGeometry(SPHERE.radius, 384, 192), material);
   sphere.position.set(...SPHERE.center);
-  light.position.set(...LIGHT.center);
-  light.lookAt(...LIGHT.target);
-  const shape = new three.Mesh(new three.PlaneGeometry(LIGHT.width, LIGHT.height), new three.MeshBasicMaterial({ side: three.DoubleSide }));
+  light.position.set(...center);
+  light.lookAt(...target);
+  const shape = new three.Mesh(new three.PlaneGeometry(width, height), new three.MeshBasicMaterial({ side: three.DoubleSide }));
   light.add(shape);
   return new three.Scene().add(floor, sphere, light);
 }
@@ -58,26 +66,21 @@ function picture(renderer, scene, width, height) {
 
 // ---- Samples of GGX ----
 
-const AXIS = unit(add(LIGHT.target, LIGHT.center, -1)); // where it shines to
-const RIGHT = unit(cross([0, 1, 0], AXIS));
-const UP = cross(AXIS, RIGHT);
-
 /** Where a ray meets the light's rectangle: its distance, or 0. */
-function meetLight(from, direction) {
-  const away = dot(direction, AXIS);
-  const distance = dot(add(LIGHT.center, from, -1), AXIS) / away;
-  const at = add(add(from, direction, distance), LIGHT.center, -1);
-  return distance > 0 && Math.abs(dot(at, RIGHT)) <= LIGHT.width / 2 && Math.abs(dot(at, UP)) <= LIGHT.height / 2 ? distance : 0;
+function meetLight({ center, width, height, axis, right, up }, from, direction) {
+  const distance = dot(add(center, from, -1), axis) / dot(direction, axis);
+  const at = add(add(from, direction, distance), center, -1);
+  return distance > 0 && Math.abs(dot(at, right)) <= width / 2 && Math.abs(dot(at, up)) <= height / 2 ? distance : 0;
 }
 
 /** What a pixel shows: { kind: "light" }, or a surface's point, normal and direction to the viewer. */
-function surfaceAt(x, y, width, height) {
+function surfaceAt(light, x, y, width, height) {
   const forward = unit(add(TARGET, EYE, -1));
   const right = unit(cross(forward, [0, 1, 0]));
   const scale = Math.tan((FIELD * Math.PI) / 360);
   const across = scale * (width / height) * ((2 * (x + 0.5)) / width - 1);
   const direction = unit(add(add(forward, right, across), cross(right, forward), scale * ((2 * (y + 0.5)) / height - 1)));
-  const found = [{ kind: "light", distance: meetLight(EYE, direction) }, { kind: "floor", distance: -EYE[1] / direction[1] }];
+  const found = [{ kind: "light", distance: meetLight(light, EYE, direction) }, { kind: "floor", distance: -EYE[1] / direction[1] }];
   const toEye = add(EYE, SPHERE.center, -1);
   const b = dot(toEye, direction);
   const under = b * b - dot(toEye, toEye) + SPHERE.radius ** 2;
@@ -105,7 +108,7 @@ const smith = (alpha, cosine) => 0.5 * (Math.sqrt(1 + (alpha * alpha * (1 - cosi
  * The light that GGX with F = 1 and correlated Smith shadowing reflects, by visible normals.
  * Source: Heitz, Sampling the GGX Distribution of Visible Normals, 2018.
  */
-function reflected({ point, normal, view }, alpha, samples) {
+function reflected(light, { point, normal, view }, alpha, samples) {
   const tangent = unit(cross(Math.abs(normal[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0], normal));
   const other = cross(normal, tangent);
   const v = [dot(view, tangent), dot(view, other), dot(view, normal)];
@@ -116,10 +119,10 @@ function reflected({ point, normal, view }, alpha, samples) {
   const lambdaV = smith(alpha, v[2]);
   // the light in the surface's frame, in units of its half sides
   const local = (w) => [dot(w, tangent), dot(w, other), dot(w, normal)];
-  const [ax, ay, az] = local(AXIS);
-  const [rx, ry, rz] = local(RIGHT.map((c) => (2 * c) / LIGHT.width));
-  const [ux, uy, uz] = local(UP.map((c) => (2 * c) / LIGHT.height));
-  const [cx, cy, cz] = local(add(LIGHT.center, point, -1));
+  const [ax, ay, az] = local(light.axis);
+  const [rx, ry, rz] = local(light.right.map((c) => (2 * c) / light.width));
+  const [ux, uy, uz] = local(light.up.map((c) => (2 * c) / light.height));
+  const [cx, cy, cz] = local(add(light.center, point, -1));
   const [ca, cr, cu] = [cx * ax + cy * ay + cz * az, cx * rx + cy * ry + cz * rz, cx * ux + cy * uy + cz * uz];
   const isLit = (x, y, z) => {
     const away = x * ax + y * ay + z * az;
@@ -147,13 +150,13 @@ function reflected({ point, normal, view }, alpha, samples) {
 }
 
 /** Linear light and a mask of the pixels to compare: those whose neighbours show the same surface. */
-function reference(roughness, width, height, samples) {
-  const surfaces = Array.from({ length: width * height }, (_, i) => surfaceAt(i % width, Math.floor(i / width), width, height));
+function reference(light, roughness, width, height, samples) {
+  const surfaces = Array.from({ length: width * height }, (_, i) => surfaceAt(light, i % width, Math.floor(i / width), width, height));
   const isSame = (i, x, y) => x < 0 || y < 0 || x >= width || y >= height || surfaces[y * width + x].kind === surfaces[i].kind;
   return surfaces.map((surface, i) => {
     const [x, y] = [i % width, Math.floor(i / width)];
     const isInside = isSame(i, x - 1, y) && isSame(i, x + 1, y) && isSame(i, x, y - 1) && isSame(i, x, y + 1);
-    return { value: surface.point ? reflected(surface, roughness ** 2, samples) : Number(surface.kind === "light"), counts: Boolean(surface.point) && isInside };
+    return { value: surface.point ? reflected(light, surface, roughness ** 2, samples) : Number(surface.kind === "light"), counts: Boolean(surface.point) && isInside };
   });
 }
 
@@ -162,29 +165,50 @@ function reference(roughness, width, height, samples) {
 // First without three.js' tables.
 const KINDS = { burnish: [BurnishRectLight, {}], three: [three.RectAreaLight, { USE_LTC: "" }] };
 
-const sceneFor = (kind, roughness) => {
+const sceneFor = (kind, roughness, light = LIGHT) => {
   const [Light, defines] = KINDS[kind];
   if (kind === "three") {
     RectAreaLightUniformsLib.init();
   }
-  return sceneOf(metal(roughness, defines), new Light("white", 1, LIGHT.width, LIGHT.height));
+  return sceneOf(metal(roughness, defines), new Light("white", 1, light.width, light.height), light);
 };
 
-/** Errors and pictures of each roughness: [{ roughness, expected, burnish: { pixels, rms, most }, three }]. */
+/** Errors and pictures under one light: { roughness, expected, burnish: { pixels, rms, most }, three }. */
+function compare(renderer, light, roughness, width, height, samples) {
+  const expected = reference(light, roughness, width, height, samples);
+  const row = { roughness, expected: expected.map(({ value }) => value) };
+  for (const kind of Object.keys(KINDS)) {
+    const pixels = picture(renderer, sceneFor(kind, roughness, light), width, height);
+    const errors = expected.flatMap(({ value, counts }, i) => (counts ? [Math.abs(pixels[i] - value)] : []));
+    row[kind] = { pixels, rms: Math.sqrt(errors.reduce((sum, e) => sum + e * e, 0) / errors.length), most: Math.max(...errors) };
+  }
+  return row;
+}
+
+/** The same light at several roughnesses. */
 export function compareAreaLights(roughnesses, width, height, samples) {
   const renderer = new three.WebGLRenderer({ canvas: document.createElement("canvas") });
-  const rows = roughnesses.map((roughness) => {
-    const expected = reference(roughness, width, height, samples);
-    const row = { roughness, expected: expected.map(({ value }) => value) };
-    for (const kind of Object.keys(KINDS)) {
-      const pixels = picture(renderer, sceneFor(kind, roughness), width, height);
-      const errors = expected.flatMap(({ value, counts }, i) => (counts ? [Math.abs(pixels[i] - value)] : []));
-      row[kind] = { pixels, rms: Math.sqrt(errors.reduce((sum, e) => sum + e * e, 0) / errors.length), most: Math.max(...errors) };
-    }
-    return row;
-  });
+  const rows = roughnesses.map((roughness) => compare(renderer, LIGHT, roughness, width, height, samples));
   renderer.dispose();
   return rows;
+}
+
+/** RMS errors over lights around the sphere at random, some of them partly below the floor, of roughness 0.1 to 1. */
+export function compareRandomLights(count, width, height, samples) {
+  const renderer = new three.WebGLRenderer({ canvas: document.createElement("canvas") });
+  let seed = 1;
+  const random = (low, high) => low + ((high - low) * (seed = (seed * 16807) % 2147483647)) / 2147483647;
+  const squares = { burnish: 0, three: 0 };
+  for (let i = 0; i < count; ++i) {
+    const center = [random(-2.5, 2.5), random(0, 2), random(-2.5, 2)];
+    const light = rectangle(center, [random(-0.5, 1), random(0, 0.8), random(-0.5, 0.8)], random(0.3, 2), random(0.3, 2));
+    const row = compare(renderer, light, random(0.1, 1), width, height, samples);
+    for (const kind of Object.keys(squares)) {
+      squares[kind] += row[kind].rms ** 2 / count;
+    }
+  }
+  renderer.dispose();
+  return { burnish: Math.sqrt(squares.burnish), three: Math.sqrt(squares.three) };
 }
 
 /** Least milliseconds for a picture, taken in turn: the first round compiles. */

@@ -4,7 +4,7 @@ import * as GPU from "three/webgpu";
 import { load } from "burnish/wasm";
 import { useBurnish } from "burnish/three";
 import { BurnishPhongMaterial } from "burnish/three/tsl";
-import { compareAreaLights, drawAreaLights, timeAreaLights } from "./area.js";
+import { compareAreaLights, compareRandomLights, drawAreaLights, timeAreaLights } from "./area.js";
 
 const SIZE = 128;
 const SHININESS = 30;
@@ -103,5 +103,6 @@ window.area = (roughnesses, width, height, samples) => {
   return { rows: rows.map(({ roughness, burnish, three }) => ({ roughness, burnish: errors(burnish), three: errors(three) })), png: drawAreaLights(rows, width, height) };
 };
 window.areaTimes = timeAreaLights;
+window.randomLights = compareRandomLights;
 
 window.results = run().catch((error) => ({ error: String(error?.stack ?? error) }));

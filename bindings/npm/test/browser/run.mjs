@@ -61,6 +61,7 @@ try {
   }
   if (figure) {
     writeFileSync(figure, Buffer.from(png.split(",")[1], "base64"));
+    console.log("RMS errors of 200 random lights:", await page.evaluate("window.randomLights(200, 48, 32, 1024)"));
     console.log("milliseconds a picture of 512 x 384, without light, by lobes, by LTC:", await page.evaluate("window.areaTimes(512, 384, 15)"));
   }
 } finally {
