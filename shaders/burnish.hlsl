@@ -424,15 +424,16 @@ float2 burnishGaussNode(int i) {
     return node;
 }
 
-// The lobe's, zeta >= 1: with 2 pi for an axis R inside of the polygon its sum is zeta (m + 1) times
-// the integral of the lobe. s is R.n. (xa, ya) and (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to
-// the axis and k its cosine. An edge outside of the lobe adds nothing.
+// The lobe's, zeta >= 1: its sum is zeta (m + 1) times the integral of the lobe around R. s is R.n. (xa, ya) and
+// (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to R and k its
+// cosine. Outside of the lobe an edge adds the azimuth around R that it sweeps.
 // Source: docs/theory.md; Gauss and Legendre's rule with 8 nodes in the tangent of a quarter of the arc.
 float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, float zeta,
                       int order) {
     float gap = s * s / (1.0 + k);
     float h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
-    float result = 0.0;
+    float2 outside = float2(s * s * xa * xb + ya * yb, s * (xa * yb - xb * ya)); // the whole edge
+    float inside = 0.0;
     if (h > 0.0 && k > 0.001) {
         float x = 1.0 - h;
         float y = sqrt(h * (2.0 - h));
@@ -440,18 +441,24 @@ float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, 
         float y1 = ya;
         float x2 = xb;
         float y2 = yb;
-        float isHit = 1.0;
+        float2 before = float2(1.0, 0.0);
+        float2 after = float2(1.0, 0.0);
+        float misses = 0.0;
         if (xa <= 0.0 || abs(ya) > y) {
             x1 = x;
             y1 = -y;
-            isHit = step(ya, 0.0);
+            before = float2(s * s * xa * x - ya * y, -s * (xa * y + x * ya));
+            misses = 1.0;
         }
         if (xb <= 0.0 || abs(yb) > y) {
             x2 = x;
             y2 = y;
-            isHit = isHit * step(0.0, yb);
+            after = float2(s * s * x * xb + y * yb, s * (x * yb - xb * y));
+            misses = misses + 1.0;
         }
-        if (isHit > 0.0) {
+        if (misses < 2.0 || (ya < 0.0 && yb > 0.0)) {
+            outside = float2(before.x * after.x - before.y * after.y,
+                             before.x * after.y + before.y * after.x);
             // the arc's middle, half of its angle, and the tangent of a quarter of its length
             float2 middle = float2(x1 + x2, y1 + y2);
             middle = middle * rsqrt(dot(middle, middle));
@@ -471,11 +478,10 @@ float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, 
                 float gap2 = gap + bend * sine2 * sine2;
                 sum = sum + node.y * inverse * burnishGapPair(gap1, gap2, zeta, order);
             }
-            result = 2.0 * zeta * s * tangent * sum - burnishArctangent(s * (x1 * y2 - x2 * y1),
-                                                                        s * s * x1 * x2 + y1 * y2);
+            inside = 2.0 * zeta * s * tangent * sum;
         }
     }
-    return result;
+    return inside + burnishArctangent(outside.y, outside.x);
 }
 
 // ---- lighting/area/burnishGgx ----
@@ -547,21 +553,22 @@ float2 burnishGgxAlbedo(float NoV, float roughness) {
 // The specular part of an edge, 2 pi times too large. s is R.n; lobe is burnishGgxLobes'.
 float burnishEdgeSpecular(float3 a, float3 b, float3 n, float s, float3 R, float3 lobe, int order) {
     float3 nearest = R - n * s;
-    float k = max(sqrt(dot(nearest, nearest)), 0.0001);
-    float result = 0.0;
-    if (s * s * min(lobe.x, lobe.y) < 1.0 + k) {
-        nearest = nearest * (1.0 / k);
-        float3 across = cross(n, nearest);
-        float lengthA = rsqrt(max(dot(a, a), 1.0e-30));
-        float lengthB = rsqrt(max(dot(b, b), 1.0e-30));
-        float xa = dot(a, nearest) * lengthA;
-        float ya = dot(a, across) * lengthA;
-        float xb = dot(b, nearest) * lengthB;
-        float yb = dot(b, across) * lengthB;
-        result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
-        if (lobe.z > 0.0) {
-            result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
-        }
+    float k = sqrt(dot(nearest, nearest));
+    if (k < 0.0001) { // R is n: all directions are as near
+        k = 0.0001;
+        nearest = a;
+    }
+    nearest = nearest * rsqrt(max(dot(nearest, nearest), 1.0e-30));
+    float3 across = cross(n, nearest);
+    float lengthA = rsqrt(max(dot(a, a), 1.0e-30));
+    float lengthB = rsqrt(max(dot(b, b), 1.0e-30));
+    float xa = dot(a, nearest) * lengthA;
+    float ya = dot(a, across) * lengthA;
+    float xb = dot(b, nearest) * lengthB;
+    float yb = dot(b, across) * lengthB;
+    float result = burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+    if (lobe.z > 0.0) {
+        result = result + lobe.z * (burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1) - result);
     }
     return result;
 }
@@ -585,8 +592,6 @@ float2 burnishRegularLight(float3 center, float3 halfU, float3 halfV, int sides,
     float3 leaves = N;
     float3 enters = N;
     float isCut = 0.0;
-    float isSeen = 0.0;
-    float isInside = 1.0;
     float diffuse = 0.0;
     float specular = 0.0;
     for (int i = 0; i < corners + 1; i = i + 1) {
@@ -622,27 +627,19 @@ float2 burnishRegularLight(float3 center, float3 halfU, float3 halfV, int sides,
             n = n * rsqrt(max(dot(n, n), 1.0e-30));
             diffuse = diffuse + burnishEdgeDiffuse(start, end, n, N);
             m = m * rsqrt(max(dot(m, m), 1.0e-30));
-            float s = dot(m, R);
-            if (s < 0.0) {
-                isInside = 0.0;
-            }
-            if (abs(s) < 1.0e-15) {
-                s = 1.0e-15;
-            }
-            isSeen = 1.0;
             start = start + across * (stretch * dot(start, across));
             end = end + across * (stretch * dot(end, across));
-            specular = specular + burnishEdgeSpecular(start, end, m, s, R, lobe, order);
+            specular = specular + burnishEdgeSpecular(start, end, m, dot(m, R), R, lobe, order);
         }
         a = b;
         at = next;
     }
+    float2 light = float2(clamp(diffuse * 0.159154943, 0.0, 1.0), clamp(specular * 0.159154943,
+                          0.0, 1.0));
     if (side == 0.0 || (sides == 1 && side > 0.0)) { // edge on, without area, or from behind
-        isSeen = 0.0;
+        light = float2(0.0, 0.0);
     }
-    diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);
-    specular = clamp(isInside + specular * 0.159154943, 0.0, 1.0);
-    return float2(isSeen * diffuse, isSeen * specular);
+    return light;
 }
 
 // Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.

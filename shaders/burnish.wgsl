@@ -390,15 +390,16 @@ fn burnishGaussNode(i: i32) -> vec2f {
     return node;
 }
 
-// The lobe's, zeta >= 1: with 2 pi for an axis R inside of the polygon its sum is zeta (m + 1) times
-// the integral of the lobe. s is R.n. (xa, ya) and (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to
-// the axis and k its cosine. An edge outside of the lobe adds nothing.
+// The lobe's, zeta >= 1: its sum is zeta (m + 1) times the integral of the lobe around R. s is R.n. (xa, ya) and
+// (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to R and k its
+// cosine. Outside of the lobe an edge adds the azimuth around R that it sweeps.
 // Source: docs/theory.md; Gauss and Legendre's rule with 8 nodes in the tangent of a quarter of the arc.
 fn burnishEdgeLobe(s: f32, k: f32, xa: f32, ya: f32, xb: f32, yb: f32, zeta: f32,
                    order: i32) -> f32 {
     let gap = s * s / (1.0 + k);
     let h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
-    var result = 0.0;
+    var outside = vec2f(s * s * xa * xb + ya * yb, s * (xa * yb - xb * ya)); // the whole edge
+    var inside = 0.0;
     if (h > 0.0 && k > 0.001) {
         let x = 1.0 - h;
         let y = sqrt(h * (2.0 - h));
@@ -406,18 +407,24 @@ fn burnishEdgeLobe(s: f32, k: f32, xa: f32, ya: f32, xb: f32, yb: f32, zeta: f32
         var y1 = ya;
         var x2 = xb;
         var y2 = yb;
-        var isHit = 1.0;
+        var before = vec2f(1.0, 0.0);
+        var after = vec2f(1.0, 0.0);
+        var misses = 0.0;
         if (xa <= 0.0 || abs(ya) > y) {
             x1 = x;
             y1 = -y;
-            isHit = step(ya, 0.0);
+            before = vec2f(s * s * xa * x - ya * y, -s * (xa * y + x * ya));
+            misses = 1.0;
         }
         if (xb <= 0.0 || abs(yb) > y) {
             x2 = x;
             y2 = y;
-            isHit = isHit * step(0.0, yb);
+            after = vec2f(s * s * x * xb + y * yb, s * (x * yb - xb * y));
+            misses = misses + 1.0;
         }
-        if (isHit > 0.0) {
+        if (misses < 2.0 || (ya < 0.0 && yb > 0.0)) {
+            outside = vec2f(before.x * after.x - before.y * after.y,
+                            before.x * after.y + before.y * after.x);
             // the arc's middle, half of its angle, and the tangent of a quarter of its length
             var middle = vec2f(x1 + x2, y1 + y2);
             middle = middle * inverseSqrt(dot(middle, middle));
@@ -437,11 +444,10 @@ fn burnishEdgeLobe(s: f32, k: f32, xa: f32, ya: f32, xb: f32, yb: f32, zeta: f32
                 let gap2 = gap + bend * sine2 * sine2;
                 sum = sum + node.y * inverse * burnishGapPair(gap1, gap2, zeta, order);
             }
-            result = 2.0 * zeta * s * tangent * sum - burnishArctangent(s * (x1 * y2 - x2 * y1),
-                                                                        s * s * x1 * x2 + y1 * y2);
+            inside = 2.0 * zeta * s * tangent * sum;
         }
     }
-    return result;
+    return inside + burnishArctangent(outside.y, outside.x);
 }
 
 // ---- lighting/area/burnishGgx ----
@@ -512,21 +518,22 @@ fn burnishGgxAlbedo(NoV: f32, roughness: f32) -> vec2f {
 fn burnishEdgeSpecular(a: vec3f, b: vec3f, n: vec3f, s: f32, R: vec3f, lobe: vec3f,
                        order: i32) -> f32 {
     var nearest = R - n * s;
-    let k = max(sqrt(dot(nearest, nearest)), 0.0001);
-    var result = 0.0;
-    if (s * s * min(lobe.x, lobe.y) < 1.0 + k) {
-        nearest = nearest * (1.0 / k);
-        let across = cross(n, nearest);
-        let lengthA = inverseSqrt(max(dot(a, a), 1.0e-30));
-        let lengthB = inverseSqrt(max(dot(b, b), 1.0e-30));
-        let xa = dot(a, nearest) * lengthA;
-        let ya = dot(a, across) * lengthA;
-        let xb = dot(b, nearest) * lengthB;
-        let yb = dot(b, across) * lengthB;
-        result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
-        if (lobe.z > 0.0) {
-            result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
-        }
+    var k = sqrt(dot(nearest, nearest));
+    if (k < 0.0001) { // R is n: all directions are as near
+        k = 0.0001;
+        nearest = a;
+    }
+    nearest = nearest * inverseSqrt(max(dot(nearest, nearest), 1.0e-30));
+    let across = cross(n, nearest);
+    let lengthA = inverseSqrt(max(dot(a, a), 1.0e-30));
+    let lengthB = inverseSqrt(max(dot(b, b), 1.0e-30));
+    let xa = dot(a, nearest) * lengthA;
+    let ya = dot(a, across) * lengthA;
+    let xb = dot(b, nearest) * lengthB;
+    let yb = dot(b, across) * lengthB;
+    var result = burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+    if (lobe.z > 0.0) {
+        result = result + lobe.z * (burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1) - result);
     }
     return result;
 }
@@ -550,8 +557,6 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
     var leaves = N;
     var enters = N;
     var isCut = 0.0;
-    var isSeen = 0.0;
-    var isInside = 1.0;
     var diffuse = 0.0;
     var specular = 0.0;
     for (var i: i32 = 0; i < corners + 1; i = i + 1) {
@@ -587,27 +592,19 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
             n = n * inverseSqrt(max(dot(n, n), 1.0e-30));
             diffuse = diffuse + burnishEdgeDiffuse(start, end, n, N);
             m = m * inverseSqrt(max(dot(m, m), 1.0e-30));
-            var s = dot(m, R);
-            if (s < 0.0) {
-                isInside = 0.0;
-            }
-            if (abs(s) < 1.0e-15) {
-                s = 1.0e-15;
-            }
-            isSeen = 1.0;
             start = start + across * (stretch * dot(start, across));
             end = end + across * (stretch * dot(end, across));
-            specular = specular + burnishEdgeSpecular(start, end, m, s, R, lobe, order);
+            specular = specular + burnishEdgeSpecular(start, end, m, dot(m, R), R, lobe, order);
         }
         a = b;
         at = next;
     }
+    var light = vec2f(clamp(diffuse * 0.159154943, 0.0, 1.0), clamp(specular * 0.159154943, 0.0,
+                      1.0));
     if (side == 0.0 || (sides == 1 && side > 0.0)) { // edge on, without area, or from behind
-        isSeen = 0.0;
+        light = vec2f(0.0, 0.0);
     }
-    diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);
-    specular = clamp(isInside + specular * 0.159154943, 0.0, 1.0);
-    return vec2f(isSeen * diffuse, isSeen * specular);
+    return light;
 }
 
 // Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.

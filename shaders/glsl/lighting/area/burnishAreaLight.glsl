@@ -20,21 +20,22 @@
 // The specular part of an edge, 2 pi times too large. s is R.n; lobe is burnishGgxLobes'.
 float burnishEdgeSpecular(vec3 a, vec3 b, vec3 n, float s, vec3 R, vec3 lobe, int order) {
     vec3 nearest = R - n * s;
-    float k = max(sqrt(dot(nearest, nearest)), 0.0001);
-    float result = 0.0;
-    if (s * s * min(lobe.x, lobe.y) < 1.0 + k) {
-        nearest = nearest * (1.0 / k);
-        vec3 across = cross(n, nearest);
-        float lengthA = inversesqrt(max(dot(a, a), 1.0e-30));
-        float lengthB = inversesqrt(max(dot(b, b), 1.0e-30));
-        float xa = dot(a, nearest) * lengthA;
-        float ya = dot(a, across) * lengthA;
-        float xb = dot(b, nearest) * lengthB;
-        float yb = dot(b, across) * lengthB;
-        result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
-        if (lobe.z > 0.0) {
-            result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
-        }
+    float k = sqrt(dot(nearest, nearest));
+    if (k < 0.0001) { // R is n: all directions are as near
+        k = 0.0001;
+        nearest = a;
+    }
+    nearest = nearest * inversesqrt(max(dot(nearest, nearest), 1.0e-30));
+    vec3 across = cross(n, nearest);
+    float lengthA = inversesqrt(max(dot(a, a), 1.0e-30));
+    float lengthB = inversesqrt(max(dot(b, b), 1.0e-30));
+    float xa = dot(a, nearest) * lengthA;
+    float ya = dot(a, across) * lengthA;
+    float xb = dot(b, nearest) * lengthB;
+    float yb = dot(b, across) * lengthB;
+    float result = burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+    if (lobe.z > 0.0) {
+        result = result + lobe.z * (burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1) - result);
     }
     return result;
 }
@@ -58,8 +59,6 @@ vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N,
     vec3 leaves = N;
     vec3 enters = N;
     float isCut = 0.0;
-    float isSeen = 0.0;
-    float isInside = 1.0;
     float diffuse = 0.0;
     float specular = 0.0;
     for (int i = 0; i < corners + 1; i = i + 1) {
@@ -95,27 +94,19 @@ vec2 burnishRegularLight(vec3 center, vec3 halfU, vec3 halfV, int sides, vec3 N,
             n = n * inversesqrt(max(dot(n, n), 1.0e-30));
             diffuse = diffuse + burnishEdgeDiffuse(start, end, n, N);
             m = m * inversesqrt(max(dot(m, m), 1.0e-30));
-            float s = dot(m, R);
-            if (s < 0.0) {
-                isInside = 0.0;
-            }
-            if (abs(s) < 1.0e-15) {
-                s = 1.0e-15;
-            }
-            isSeen = 1.0;
             start = start + across * (stretch * dot(start, across));
             end = end + across * (stretch * dot(end, across));
-            specular = specular + burnishEdgeSpecular(start, end, m, s, R, lobe, order);
+            specular = specular + burnishEdgeSpecular(start, end, m, dot(m, R), R, lobe, order);
         }
         a = b;
         at = next;
     }
+    vec2 light = vec2(clamp(diffuse * 0.159154943, 0.0, 1.0), clamp(specular * 0.159154943, 0.0,
+                      1.0));
     if (side == 0.0 || (sides == 1 && side > 0.0)) { // edge on, without area, or from behind
-        isSeen = 0.0;
+        light = vec2(0.0, 0.0);
     }
-    diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);
-    specular = clamp(isInside + specular * 0.159154943, 0.0, 1.0);
-    return vec2(isSeen * diffuse, isSeen * specular);
+    return light;
 }
 
 // Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.

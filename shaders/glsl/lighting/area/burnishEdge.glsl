@@ -59,15 +59,16 @@ vec2 burnishGaussNode(int i) {
     return node;
 }
 
-// The lobe's, zeta >= 1: with 2 pi for an axis R inside of the polygon its sum is zeta (m + 1) times
-// the integral of the lobe. s is R.n. (xa, ya) and (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to
-// the axis and k its cosine. An edge outside of the lobe adds nothing.
+// The lobe's, zeta >= 1: its sum is zeta (m + 1) times the integral of the lobe around R. s is R.n. (xa, ya) and
+// (xb, yb) are the ends a and b in the edge's plane: x is the direction nearest to R and k its
+// cosine. Outside of the lobe an edge adds the azimuth around R that it sweeps.
 // Source: docs/theory.md; Gauss and Legendre's rule with 8 nodes in the tangent of a quarter of the arc.
 float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, float zeta,
                       int order) {
     float gap = s * s / (1.0 + k);
     float h = min((1.0 / zeta - gap) / k, 0.999); // 1 - cosine of the end of the lobe
-    float result = 0.0;
+    vec2 outside = vec2(s * s * xa * xb + ya * yb, s * (xa * yb - xb * ya)); // the whole edge
+    float inside = 0.0;
     if (h > 0.0 && k > 0.001) {
         float x = 1.0 - h;
         float y = sqrt(h * (2.0 - h));
@@ -75,18 +76,24 @@ float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, 
         float y1 = ya;
         float x2 = xb;
         float y2 = yb;
-        float isHit = 1.0;
+        vec2 before = vec2(1.0, 0.0);
+        vec2 after = vec2(1.0, 0.0);
+        float misses = 0.0;
         if (xa <= 0.0 || abs(ya) > y) {
             x1 = x;
             y1 = -y;
-            isHit = step(ya, 0.0);
+            before = vec2(s * s * xa * x - ya * y, -s * (xa * y + x * ya));
+            misses = 1.0;
         }
         if (xb <= 0.0 || abs(yb) > y) {
             x2 = x;
             y2 = y;
-            isHit = isHit * step(0.0, yb);
+            after = vec2(s * s * x * xb + y * yb, s * (x * yb - xb * y));
+            misses = misses + 1.0;
         }
-        if (isHit > 0.0) {
+        if (misses < 2.0 || (ya < 0.0 && yb > 0.0)) {
+            outside = vec2(before.x * after.x - before.y * after.y,
+                           before.x * after.y + before.y * after.x);
             // the arc's middle, half of its angle, and the tangent of a quarter of its length
             vec2 middle = vec2(x1 + x2, y1 + y2);
             middle = middle * inversesqrt(dot(middle, middle));
@@ -106,11 +113,10 @@ float burnishEdgeLobe(float s, float k, float xa, float ya, float xb, float yb, 
                 float gap2 = gap + bend * sine2 * sine2;
                 sum = sum + node.y * inverse * burnishGapPair(gap1, gap2, zeta, order);
             }
-            result = 2.0 * zeta * s * tangent * sum - burnishArctangent(s * (x1 * y2 - x2 * y1),
-                                                                        s * s * x1 * x2 + y1 * y2);
+            inside = 2.0 * zeta * s * tangent * sum;
         }
     }
-    return result;
+    return inside + burnishArctangent(outside.y, outside.x);
 }
 
 #endif

@@ -18,21 +18,22 @@
 fn burnishEdgeSpecular(a: vec3f, b: vec3f, n: vec3f, s: f32, R: vec3f, lobe: vec3f,
                        order: i32) -> f32 {
     var nearest = R - n * s;
-    let k = max(sqrt(dot(nearest, nearest)), 0.0001);
-    var result = 0.0;
-    if (s * s * min(lobe.x, lobe.y) < 1.0 + k) {
-        nearest = nearest * (1.0 / k);
-        let across = cross(n, nearest);
-        let lengthA = inverseSqrt(max(dot(a, a), 1.0e-30));
-        let lengthB = inverseSqrt(max(dot(b, b), 1.0e-30));
-        let xa = dot(a, nearest) * lengthA;
-        let ya = dot(a, across) * lengthA;
-        let xb = dot(b, nearest) * lengthB;
-        let yb = dot(b, across) * lengthB;
-        result = (1.0 - lobe.z) * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
-        if (lobe.z > 0.0) {
-            result = result + lobe.z * burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1);
-        }
+    var k = sqrt(dot(nearest, nearest));
+    if (k < 0.0001) { // R is n: all directions are as near
+        k = 0.0001;
+        nearest = a;
+    }
+    nearest = nearest * inverseSqrt(max(dot(nearest, nearest), 1.0e-30));
+    let across = cross(n, nearest);
+    let lengthA = inverseSqrt(max(dot(a, a), 1.0e-30));
+    let lengthB = inverseSqrt(max(dot(b, b), 1.0e-30));
+    let xa = dot(a, nearest) * lengthA;
+    let ya = dot(a, across) * lengthA;
+    let xb = dot(b, nearest) * lengthB;
+    let yb = dot(b, across) * lengthB;
+    var result = burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.x, order);
+    if (lobe.z > 0.0) {
+        result = result + lobe.z * (burnishEdgeLobe(s, k, xa, ya, xb, yb, lobe.y, 1) - result);
     }
     return result;
 }
@@ -56,8 +57,6 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
     var leaves = N;
     var enters = N;
     var isCut = 0.0;
-    var isSeen = 0.0;
-    var isInside = 1.0;
     var diffuse = 0.0;
     var specular = 0.0;
     for (var i: i32 = 0; i < corners + 1; i = i + 1) {
@@ -93,27 +92,19 @@ fn burnishRegularLight(center: vec3f, halfU: vec3f, halfV: vec3f, sides: i32, N:
             n = n * inverseSqrt(max(dot(n, n), 1.0e-30));
             diffuse = diffuse + burnishEdgeDiffuse(start, end, n, N);
             m = m * inverseSqrt(max(dot(m, m), 1.0e-30));
-            var s = dot(m, R);
-            if (s < 0.0) {
-                isInside = 0.0;
-            }
-            if (abs(s) < 1.0e-15) {
-                s = 1.0e-15;
-            }
-            isSeen = 1.0;
             start = start + across * (stretch * dot(start, across));
             end = end + across * (stretch * dot(end, across));
-            specular = specular + burnishEdgeSpecular(start, end, m, s, R, lobe, order);
+            specular = specular + burnishEdgeSpecular(start, end, m, dot(m, R), R, lobe, order);
         }
         a = b;
         at = next;
     }
+    var light = vec2f(clamp(diffuse * 0.159154943, 0.0, 1.0), clamp(specular * 0.159154943, 0.0,
+                      1.0));
     if (side == 0.0 || (sides == 1 && side > 0.0)) { // edge on, without area, or from behind
-        isSeen = 0.0;
+        light = vec2f(0.0, 0.0);
     }
-    diffuse = clamp(diffuse * 0.159154943, 0.0, 1.0);
-    specular = clamp(isInside + specular * 0.159154943, 0.0, 1.0);
-    return vec2f(isSeen * diffuse, isSeen * specular);
+    return light;
 }
 
 // Under the lobe of order 1, 2, 4 or 8 and slope zeta >= 1 around R.
