@@ -101,7 +101,7 @@ export interface DrawOptions {
   /** Free share of the shorter side at each side; default 0.05. */
   margin?: number;
 
-  /** "studio", "plain", "clay", "technical", "drawing" or "lobes". */
+  /** "studio", "three-point", "plain", "clay", "technical", "drawing" or "lobes". */
   look?: string;
   /** Of all surfaces. */
   color?: string | [number, number, number];

@@ -6,7 +6,7 @@
 #include "cli/output.h"
 #include "cli/values.h"
 
-enum { ROW_MAX = 240, NAME_WIDTH = 16 };
+enum { ROW_MAX = 240, NAME_WIDTH = 16, LINE_WIDTH = 100 };
 
 const char *cli_short_name(const cli_command *command) {
     const char *space = strrchr(command->name, ' ');
@@ -47,7 +47,17 @@ static void print_flag(const cli_flag *flag, int width) {
     char names[ROW_MAX], text[ROW_MAX];
     flag_names(flag, names);
     flag_text(flag, text);
-    printf("  %-*s  %s\n", width, names, text);
+    int length = (int)strlen(text);
+    if (length > LINE_WIDTH - width - 4) {
+        length = LINE_WIDTH - width - 4;
+        while (length > 0 && text[length] != ' ') {
+            --length;
+        }
+    }
+    printf("  %-*s  %.*s\n", width, names, length, text);
+    if (text[length]) {
+        printf("%*s%s\n", width + 3, "", text + length);
+    }
 }
 
 static int has_topics(const cli_command *command) {

@@ -6,9 +6,11 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "cli/main.h"
 #include "cli/platform.h"
 #include "font/utf8.h"
 #include "picture/animation.h"
+#include "render/scene/options.h"
 #include "render/useless.h"
 
 int render_is_shared(const render_job_settings *job) {
@@ -327,9 +329,19 @@ static void find_size(render_picture_settings *picture) {
     memset(picture->sides, 0, sizeof picture->sides);
 }
 
+/* The lights of the look studio have neither lobes nor shadows. */
+static void choose_look(render_settings *settings) {
+    render_shading_settings *shading = &settings->shading;
+    const int needs_lights = render_has_own_lobe(shading) || shading->shadow;
+    if (needs_lights && !cli_is_given(&render_command, settings, "look")) {
+        shading->look = BURNISH_LOOK_THREE_POINT;
+    }
+}
+
 burnish_status render_check(render_settings *settings, burnish_error *error) {
     const burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
     find_size(&settings->picture);
+    choose_look(settings);
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 

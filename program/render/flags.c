@@ -310,8 +310,10 @@ static const cli_flag flags[] = {
      .default_text = "studio",
      .common = 1,
      .words = render_look_words,
-     .manual = "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
-               "see *LOOKS*. Other flags change parts of it."},
+     .manual =
+         "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
+         "see *LOOKS*. Other flags change parts of it. With *--shadow*, *--equation=phong* or "
+         "another *--lobe* than the default, the default look is *three-point*."},
     {CLI_FLAG("color", "COLOR", "colour of the whole object", cli_flag_color, shading.color),
      .common = 1, .aliases = "colour,object-color",
      .manual = "Colour of the whole object, instead of the colours of the input; see *COLOURS*."},
@@ -347,17 +349,18 @@ static const cli_flag flags[] = {
                "infinitely far away along the camera's axis."},
     {CLI_FLAG("light", "SPEC", "KIND:X,Y,Z[:...], file; repeatable", render_flag_light,
               shading.lights),
-     .default_label = "key, fill, rim",
-     .manual = "A light that replaces the default rig of key, fill and rim light; see *LIGHTS*. "
+     .default_label = "the look's",
+     .manual = "A light that replaces the lights of the look; see *LIGHTS*. "
                "Can be repeated: up to 64 lights and 8 area lights. *file* adds the lights of the "
                "input. *none* "
                "removes the rig and all lights so far."},
     {CLI_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
               cli_flag_text, shading.environment.name),
      .default_label = "none", .takes_file = 1, .aliases = "hdri-file",
-     .manual = "Light from all directions, which replaces the default rig: *sky*, *room*, or an "
-               "equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces reflect "
-               "it. Lights of *--light* are added."},
+     .manual =
+         "Light from all directions, which replaces the lights of the look: *sky*, *room*, or an "
+         "equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces reflect "
+         "it. Lights of *--light* are added."},
     {CLI_FLAG("environment-strength", "F", "factor of the environment's light", cli_flag_real,
               shading.environment.strength),
      CLI_RANGE(0, 1000), .default_text = "1", .manual = "Factor of the environment's light."},
@@ -367,7 +370,7 @@ static const cli_flag flags[] = {
      .manual = "Turns the environment about the up axis, counter-clockwise from above. At 0 the "
                "middle of its image is to the right of an object seen from the front."},
     {CLI_FLAG("ambient", "F|COLOR", "ambient light, linear", render_flag_ambient, shading.ambient),
-     CLI_RANGE(0, 16), .default_label = "a little",
+     CLI_RANGE(0, 16), .default_label = "the look's",
      .manual = "Ambient light: a number from 0 to 16, linear, or a colour."},
     {CLI_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
               shading.occlusion),
@@ -386,7 +389,9 @@ static const cli_flag flags[] = {
      .aliases = "shadows,cast-shadows",
      .manual =
          "The first light casts a shadow with a soft edge on the object itself, and on the ground "
-         "of *--ground*. The light must be directional, like the key light of all looks."},
+         "of *--ground*. The light must be directional. The look *studio* has no such light; "
+         "without "
+         "*--look* the look is *three-point*."},
     {CLI_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges), .common = 1,
      .optional = 1, .words = edge_words, .aliases = "outline,outlines,feature-edges",
      .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "

@@ -9,18 +9,23 @@ static void each_material(cli_take_term *take) {
         const render_preset *preset = &render_presets[i];
         char tag[40], text[200];
         snprintf(tag, sizeof tag, "*%s*", preset->name);
-        snprintf(text, sizeof text, "%s (ks %g, n %g%s).", preset->what, (double)preset->specular,
-                 (double)preset->exponent, preset->tint > 0 ? ", in the surface's colour" : "");
+        snprintf(text, sizeof text, "%s (ks %g, n %g%s; roughness %g).", preset->what,
+                 (double)preset->specular, (double)preset->exponent,
+                 preset->tint > 0 ? ", in the surface's colour" : "", (double)preset->roughness);
         take(tag, text);
     }
 }
 
 static const cli_term look_terms[] = {
-    {"*studio*", "key, fill and rim light, a light grey background and ambient occlusion: for web "
-                 "pages and thumbnails. Standard views along an axis also have thin, soft "
-                 "*--edges*, because steps in depth are hard to see there."},
-    {"*plain*",
-     "the same lights, brighter, on white, without ambient occlusion: the fastest look."},
+    {"*studio*",
+     "a product studio: a window, two strips of light, a panel behind and a table, which "
+     "metals and glossy surfaces reflect; a light grey background and ambient "
+     "occlusion. For web pages and thumbnails. Standard views along an axis also have "
+     "thin, soft *--edges*, because steps in depth are hard to see there."},
+    {"*three-point*", "key, fill and rim light from single directions, whose highlights have the "
+                      "shape of *--lobe*; otherwise as *studio*."},
+    {"*plain*", "the lights of *three-point*, brighter, on white, without ambient occlusion: the "
+                "fastest look."},
     {"*clay*",
      "matt, warm surfaces and strong ambient occlusion, to show shapes. Edges as in *studio*."},
     {"*technical*",
@@ -54,7 +59,7 @@ static const cli_term light_terms[] = {
     {"*file*",
      "the lights of the input (glTF with KHR_lights_punctual), scaled together so a white surface "
      "in the middle of the object that faces them is white. Spot lights shine in all directions."},
-    {"*none*", "removes the default rig and all lights before it."},
+    {"*none*", "removes the lights of the look and all lights before it."},
     {NULL, NULL},
 };
 
@@ -146,8 +151,8 @@ static const cli_term json_terms[] = {
 
 const cli_section render_sections[] = {
     {.heading = "MATERIALS",
-     .text = "The presets of *--material*. *--specular* and *--exponent* override their strength "
-             "and exponent.",
+     .text = "The presets of *--material*. Area lights and environments use the roughness, other "
+             "lights ks and n. *--specular* and *--exponent* replace all of them.",
      .each_term = each_material},
     {.heading = "LOOKS",
      .text = "The presets of *--look*. Surfaces without a colour have the grey of the look.",

@@ -138,6 +138,14 @@ static void save_picture(viewer *v) {
 
 /* ---- Actions ---- */
 
+/* The lights of the look studio have no lobes. */
+static void show_lobes(viewer *v) {
+    if (v->scene.given.shading.look == BURNISH_LOOK_STUDIO) {
+        v->scene.given.shading.look = BURNISH_LOOK_THREE_POINT;
+        load(v);
+    }
+}
+
 static void next_lobe(viewer *v, int index, int step) {
     char name[32];
     int count = 0, at = -1;
@@ -149,6 +157,7 @@ static void next_lobe(viewer *v, int index, int step) {
     /* from a lobe that is not in the list: to the first or the last */
     const int next = at < 0 ? (step > 0 ? 0 : count - 1) : (at + step + count) % count;
     burnish_lobe_spec_parse(burnish_lobe_spec_example((size_t)next), &v->lobes[index], NULL);
+    show_lobes(v);
 }
 
 static void change_section(viewer *v, int axis) {
@@ -279,9 +288,11 @@ void viewer_act(viewer *v, const view_action_row *row) {
     case VIEW_ACTION_SPLIT:
         v->split = v->errors || !v->split;
         v->errors = 0;
+        show_lobes(v);
         break;
     case VIEW_ACTION_ERRORS:
         v->errors = !v->errors;
+        show_lobes(v);
         break;
     case VIEW_ACTION_SECTION:
         change_section(v, row->value);

@@ -103,6 +103,7 @@ burnish_status view_scene_set_exponent(view_scene *scene, double exponent, burni
     scene->given.shading.exponent = (cli_real){1, exponent};
     for (size_t i = 0; i < burnish_mesh_get_material_count(scene->mesh); ++i) {
         burnish_material material = *burnish_mesh_get_material(scene->mesh, i);
+        render_make_phong(&material);
         material.exponent = (float)exponent;
         status = status == BURNISH_STATUS_OK
                      ? burnish_mesh_set_material(scene->mesh, i, &material, error)
@@ -226,11 +227,10 @@ void view_scene_print(const view_scene *scene, const burnish_lobe_spec *lobe) {
     burnish_lobe_spec_name(lobe, name, sizeof name);
     printf("burnish render ");
     print_quoted(scene->input);
-    printf(" --resolution=%d,%d --lobe=%s", scene->given.picture.size[0],
-           scene->given.picture.size[1], name);
+    printf(" --resolution=%d,%d", scene->given.picture.size[0], scene->given.picture.size[1]);
     for (const cli_word *word = render_look_words; word->name; ++word) {
         if (word->value == scene->given.shading.look && word->value != BURNISH_LOOK_STUDIO) {
-            printf(" --look=%s", word->name);
+            printf(" --lobe=%s --look=%s", name, word->name);
         }
     }
     if (scene->given.shading.exponent.given) {

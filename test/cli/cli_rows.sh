@@ -38,7 +38,7 @@ check "rows have another scale" [ "$(json pixels_per_unit)" = "$scale" ]
 values() {
     tail -c "$2" "$1"
 }
-for flags in "--look=studio --ground --shadow" "--look=technical --no-background" "--look=drawing --samples=8" \
+for flags in "--look=studio --ground" "--look=three-point --shadow" "--look=technical --no-background" "--look=drawing --samples=8" \
     "--look=studio --opacity=0.5 --clip=0,0,1,0.1"; do
     # shellcheck disable=SC2086
     gives 0 render :knot --resolution=90,150 $flags -o whole.npy --plane=depth:depth.npy

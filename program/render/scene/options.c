@@ -30,10 +30,45 @@ burnish_status render_load(const render_input_settings *input, int threads, burn
                : status;
 }
 
-/* A highlight of the flags replaces metallic-roughness parameters, which lights would prefer. */
-static void set_phong(burnish_material *material) {
-    material->metallic = material->roughness = 0;
-    memset(material->reflectance, 0, sizeof material->reflectance);
+int render_has_own_lobe(const render_shading_settings *shading) {
+    const burnish_lobe_spec *lobe = &shading->lobes.items[0];
+    const burnish_lobe_spec usual = burnish_render_options_default().lobe;
+    return shading->lobes.count > 1 || lobe->kind != usual.kind || lobe->fit != usual.fit ||
+           lobe->order != usual.order || shading->equation != BURNISH_SPECULAR_BLINN;
+}
+
+void render_make_phong(burnish_material *material) {
+    if (!material->is_metallic) {
+        material->metallic = material->roughness = 0;
+        memset(material->reflectance, 0, sizeof material->reflectance);
+    }
+}
+
+/* Whether light comes from more than points and single directions. */
+static int has_wide_light(const render_shading_settings *shading) {
+    return shading->environment.name ||
+           (shading->lights.given ? shading->lights.area_count > 0
+                                  : shading->look == BURNISH_LOOK_STUDIO);
+}
+
+static void apply_preset(const render_preset *preset, int is_wide, burnish_material *material) {
+    if (is_wide) { /* the roughness of a texture, too, would be another material */
+        material->metallic = preset->metallic;
+        material->roughness = preset->roughness;
+        memset(&material->textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS], 0,
+               sizeof *material->textures);
+    } else {
+        render_make_phong(material);
+    }
+    for (int k = 0; k < 3; ++k) {
+        float tint = 1 + preset->tint * (material->diffuse[k] - 1);
+        float factor = is_wide ? 1 : preset->diffuse;
+        material->specular[k] = preset->specular * tint;
+        material->reflectance[k] = is_wide ? preset->reflectance : material->reflectance[k];
+        material->diffuse[k] *= factor;
+        material->ambient[k] *= factor; /* the base colour in wide light */
+    }
+    material->exponent = preset->exponent;
 }
 
 /* One material, changed by the flags. */
@@ -47,23 +82,13 @@ static burnish_material adjusted_material(const render_shading_settings *shading
         material.has_diffuse = 1;
     }
     if (shading->material > 0) {
-        const render_preset *preset = &render_presets[shading->material - 1];
-        for (int k = 0; k < 3; ++k) {
-            float tint = 1 + preset->tint * (material.diffuse[k] - 1);
-            material.specular[k] = preset->specular * tint;
-            material.diffuse[k] *= preset->diffuse;
-            material.ambient[k] *= preset->diffuse;
-        }
-        material.exponent = preset->exponent;
+        apply_preset(&render_presets[shading->material - 1], has_wide_light(shading), &material);
     }
-    if (!material.is_metallic &&
-        (shading->material > 0 || shading->specular.given || shading->exponent.given)) {
-        set_phong(&material);
+    if (shading->specular.given || shading->exponent.given) {
+        render_make_phong(&material);
     }
-    if (shading->specular.given) {
-        for (int k = 0; k < 3; ++k) {
-            material.specular[k] = (float)shading->specular.value;
-        }
+    for (int k = 0; k < 3 && shading->specular.given; ++k) {
+        material.specular[k] = (float)shading->specular.value;
     }
     if (shading->exponent.given) {
         material.exponent = (float)shading->exponent.value;

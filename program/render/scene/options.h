@@ -9,6 +9,12 @@ burnish_load_options render_load_options(const render_input_settings *input, int
 burnish_status render_load(const render_input_settings *input, int threads, burnish_mesh **mesh,
                            burnish_error *error);
 
+/* Whether a lobe or an equation other than the default was chosen. */
+int render_has_own_lobe(const render_shading_settings *shading);
+
+/* Makes area lights and environments take the exponent of a material that has a roughness. */
+void render_make_phong(burnish_material *material);
+
 /* Applies --color, --material, --specular, --exponent and --opacity to every material. */
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
                                        burnish_error *error);

@@ -15,7 +15,7 @@ typedef struct render_lobes {
 } render_lobes;
 
 typedef struct render_lights {
-    int given;   /* 1: these instead of the default rig */
+    int given;   /* 1: these instead of the look's */
     int of_file; /* 1: the input's own too */
     burnish_light items[BURNISH_LIGHT_MAX];
     int count;

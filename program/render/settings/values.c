@@ -4,13 +4,16 @@
 
 #include "render/settings/values.h"
 
-/* Chosen by eye on the teapot under the default rig. */
+/* Chosen by eye on the teapot, in the looks three-point and studio. */
 const render_preset render_presets[] = {
-    {"matte", "chalk, plaster: almost no highlight", 0.02F, 6.0F, 1.0F, 0.0F},
-    {"satin", "painted wood, rubber: a broad soft sheen", 0.18F, 16.0F, 1.0F, 0.0F},
-    {"plastic", "moulded plastic: a clear highlight", 0.40F, 48.0F, 1.0F, 0.0F},
-    {"polished", "glazed ceramic, lacquer: small and bright", 0.70F, 220.0F, 1.0F, 0.0F},
-    {"metal", "the highlight has the surface's colour", 0.95F, 36.0F, 0.45F, 1.0F},
+    {"matte", "chalk, plaster: almost no highlight", 0.02F, 6.0F, 1.0F, 0.0F, 0.0F, 0.9F, 0.03F},
+    {"satin", "painted wood, rubber: a broad soft sheen", 0.18F, 16.0F, 1.0F, 0.0F, 0.0F, 0.5F,
+     0.04F},
+    {"plastic", "moulded plastic: a clear highlight", 0.40F, 48.0F, 1.0F, 0.0F, 0.0F, 0.3F, 0.05F},
+    {"polished", "glazed ceramic, lacquer: small and bright", 0.70F, 220.0F, 1.0F, 0.0F, 0.0F, 0.1F,
+     0.06F},
+    {"metal", "the highlight has the surface's colour", 0.95F, 36.0F, 0.45F, 1.0F, 1.0F, 0.25F,
+     0.04F},
 };
 
 const cli_word render_preset_words[] = {
@@ -27,13 +30,11 @@ const cli_word render_plane_words[] = {
     {NULL, 0},
 };
 
-const cli_word render_look_words[] = {{"studio", BURNISH_LOOK_STUDIO},
-                                      {"plain", BURNISH_LOOK_PLAIN},
-                                      {"clay", BURNISH_LOOK_CLAY},
-                                      {"technical", BURNISH_LOOK_TECHNICAL},
-                                      {"drawing", BURNISH_LOOK_DRAWING},
-                                      {"lobes", BURNISH_LOOK_LOBES},
-                                      {NULL, 0}};
+const cli_word render_look_words[] = {
+    {"studio", BURNISH_LOOK_STUDIO},       {"three-point", BURNISH_LOOK_THREE_POINT},
+    {"plain", BURNISH_LOOK_PLAIN},         {"clay", BURNISH_LOOK_CLAY},
+    {"technical", BURNISH_LOOK_TECHNICAL}, {"drawing", BURNISH_LOOK_DRAWING},
+    {"lobes", BURNISH_LOOK_LOBES},         {NULL, 0}};
 
 burnish_status render_flag_background(const cli_flag *flag, const char *text, void *target,
                                       burnish_error *error) {

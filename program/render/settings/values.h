@@ -11,6 +11,7 @@ typedef struct render_preset {
     float exponent; /* n */
     float diffuse;  /* factor on kd and ka */
     float tint;     /* 0: the highlight is white, 1: it has the surface's colour */
+    float metallic, roughness, reflectance; /* in light from many directions */
 } render_preset;
 
 /* The presets in the order of render_preset_words, whose values are 1 + their indices. */

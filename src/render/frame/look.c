@@ -12,8 +12,12 @@ typedef struct look {
     burnish_light lights[3];
     int light_count;
     float ambient;
-    recolors recolors; /* these materials become ... */
+    const burnish_area_light *areas;
+    int area_count;
+    const burnish_dome *dome; /* NULL: none */
+    recolors recolors;        /* these materials become ... */
     float grey[3], specular;
+    float roughness, reflectance; /* for area lights; 0: the same as specular and exponent */
     uint8_t background[3];
     int occlusion;
     float occlusion_strength;
@@ -31,8 +35,35 @@ typedef struct look {
 #define LIGHT BURNISH_LIGHT_DIRECTIONAL, 1
 #define EDGE_WIDTH 1.8f
 
+/* A rectangle that faces the object, far away. */
+#define BOX BURNISH_AREA_RECT, 1, 1, 0
+
+/* A product studio: a window on the upper left, a strip on the right, a panel above and behind,
+ * a rim light on the left behind the object, and a table. A white, matt surface gets at most 0.96. */
+static const burnish_area_light STUDIO_AREAS[] = {
+    {BOX,
+     {-0.4716, 0.6428, 0.6037},
+     {0.1994, 0.3860, -0.2552},
+     {0.3404, 0, 0.2659},
+     {3.315f, 3.25f, 3.104f}},
+    {BOX,
+     {0.9458, 0.1045, 0.3073},
+     {-0.0795, 0.7956, -0.0258},
+     {0.0433, 0, -0.1331},
+     {1.14f, 1.2f, 1.284f}},
+    {BOX, {0, 0.7193, -0.6947}, {0, 0.2779, 0.2877}, {-2, 0, 0}, {0.57f, 0.6f, 0.642f}},
+    {BOX,
+     {-0.8851, 0.1736, -0.4317},
+     {0.1171, 0.7386, 0.0571},
+     {-0.0877, 0, 0.1798},
+     {0.4275f, 0.45f, 0.4815f}},
+    {BURNISH_AREA_DISC, 1, 1, 0, {0, -1, 0}, {0, 0, 2.2}, {2.2, 0, 0}, {0.16f, 0.157f, 0.152f}},
+};
+static const burnish_dome STUDIO_DOME = {
+    {0.285f, 0.3f, 0.321f}, {0.0522f, 0.055f, 0.0589f}, {0.06f, 0.06f, 0.06f}, 1};
+
 /* A surface that faces the key light gets key + ambient + a little fill = 0.79 linear, 0.9 of
- * white. The greys are as bright under these lights as burnish's 0.34 under the default rig. */
+ * white. The greys are as bright under these lights as burnish's 0.34 under PLAIN's. */
 static const look LOOKS[BURNISH_LOOK_COUNT] = {
     [BURNISH_LOOK_PLAIN] = {.lights = {{LIGHT, KEY, {1.22f, 1.19f, 1.13f}},
                                        {LIGHT, FILL, {0.24f, 0.28f, 0.34f}},
@@ -42,17 +73,18 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                             .background = {255, 255, 255},
                             .occlusion_strength = 0.75f,
                             .edge_width = EDGE_WIDTH},
-    [BURNISH_LOOK_STUDIO] = {.lights = {{LIGHT, KEY, {0.70f, 0.685f, 0.65f}},
-                                        {LIGHT, FILL, {0.16f, 0.185f, 0.22f}},
-                                        {LIGHT, RIM, {0.36f, 0.36f, 0.38f}}},
-                             .light_count = 3,
-                             .ambient = 0.08f,
+    /* A base a little cool, because the window is warm. Without area lights: as THREE_POINT. */
+    [BURNISH_LOOK_STUDIO] = {.areas = STUDIO_AREAS,
+                             .area_count = sizeof STUDIO_AREAS / sizeof *STUDIO_AREAS,
+                             .dome = &STUDIO_DOME,
                              .recolors = UNCOLORED,
-                             .grey = {0.54f, 0.54f, 0.54f},
+                             .grey = {0.525f, 0.535f, 0.55f},
                              .specular = 0.75f,
+                             .roughness = 0.3f,
+                             .reflectance = 0.05f,
                              .background = {238, 239, 241},
                              .occlusion = BURNISH_OCCLUSION_AUTO,
-                             .occlusion_strength = 0.8f,
+                             .occlusion_strength = 0.95f,
                              .edges = BURNISH_EDGES_AXIS_VIEWS,
                              .edge_width = EDGE_WIDTH},
     [BURNISH_LOOK_CLAY] = {.lights = {{LIGHT, KEY, {0.60f, 0.59f, 0.57f}},
@@ -96,6 +128,19 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                             .background = {255, 255, 255},
                             .occlusion_strength = 0.75f,
                             .edge_width = EDGE_WIDTH},
+    [BURNISH_LOOK_THREE_POINT] = {.lights = {{LIGHT, KEY, {0.70f, 0.685f, 0.65f}},
+                                             {LIGHT, FILL, {0.16f, 0.185f, 0.22f}},
+                                             {LIGHT, RIM, {0.36f, 0.36f, 0.38f}}},
+                                  .light_count = 3,
+                                  .ambient = 0.08f,
+                                  .recolors = UNCOLORED,
+                                  .grey = {0.54f, 0.54f, 0.54f},
+                                  .specular = 0.75f,
+                                  .background = {238, 239, 241},
+                                  .occlusion = BURNISH_OCCLUSION_AUTO,
+                                  .occlusion_strength = 0.8f,
+                                  .edges = BURNISH_EDGES_AXIS_VIEWS,
+                                  .edge_width = EDGE_WIDTH},
 };
 
 static burnish_status check_look(burnish_look name, burnish_error *error) {
@@ -110,6 +155,12 @@ void burnish_look_apply(burnish_look name, burnish_render_options *options) {
     const look *wanted = &LOOKS[name];
     memcpy(options->lights, wanted->lights, sizeof wanted->lights);
     options->light_count = wanted->light_count;
+    options->area_light_count = wanted->area_count;
+    for (int i = 0; i < wanted->area_count; ++i) {
+        options->area_lights[i] = wanted->areas[i];
+    }
+    options->has_dome = wanted->dome != NULL;
+    options->dome = wanted->dome ? *wanted->dome : (burnish_dome){.zenith = {0}};
     options->occlusion = wanted->occlusion;
     options->occlusion_strength = wanted->occlusion_strength;
     options->ignore_colors = wanted->recolors == ALL;
@@ -147,12 +198,13 @@ burnish_status burnish_look_set_materials(burnish_look name, burnish_mesh *mesh,
         memset(material.textures, 0, sizeof material.textures);
         memset(material.emissive, 0, sizeof material.emissive);
         material.is_metallic = material.is_unlit = 0;
-        material.metallic = material.roughness = 0;
-        memset(material.reflectance, 0, sizeof material.reflectance);
+        material.metallic = 0;
+        material.roughness = wanted->roughness;
         material.alpha_mode = BURNISH_ALPHA_IGNORE;
         for (int k = 0; k < 3; ++k) {
             material.ambient[k] = material.diffuse[k] = wanted->grey[k];
             material.specular[k] = wanted->specular;
+            material.reflectance[k] = wanted->reflectance;
         }
         material.transparency = wanted->recolors == ALL ? 0 : material.transparency;
         status = burnish_mesh_set_material(mesh, i, &material, error);
