@@ -64,9 +64,9 @@ burnish_status plot_fill_polygon(const plot_request *request, plot_chart *chart,
         {{BURNISH_THEORY_POLYGON_GAUSS, 4}, "4 nodes", 0, PLOT_DOTTED},
         {{BURNISH_THEORY_POLYGON_GAUSS, 6}, "6 nodes", 0, PLOT_DASH_DOT},
         {{BURNISH_THEORY_POLYGON_GAUSS, 8}, "8 nodes", 0, PLOT_DASHED},
-        {{BURNISH_THEORY_POLYGON_NARROW, 2}, "narrow, 2 points", 2, PLOT_DOTTED},
-        {{BURNISH_THEORY_POLYGON_NARROW, 3}, "narrow, 3 points", 2, PLOT_DASHED},
-        {{BURNISH_THEORY_POLYGON_NARROW, 4}, "narrow, 4 points", 2, PLOT_LINE},
+        {{BURNISH_THEORY_POLYGON_NARROW, 2}, "narrow form 2 points", 2, PLOT_DOTTED},
+        {{BURNISH_THEORY_POLYGON_NARROW, 3}, "narrow form 3 points", 2, PLOT_DASHED},
+        {{BURNISH_THEORY_POLYGON_NARROW, 4}, "narrow form 4 points", 2, PLOT_LINE},
     };
     burnish_theory_model model;
     burnish_status status =

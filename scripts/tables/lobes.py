@@ -149,6 +149,15 @@ def operations(page):
     return table("one value of|on|multiplications|additions, subtractions, complements|shifts|tests and branches|divisions|all", rows, left=2)
 
 
+def polygon(burnish):
+    """Errors of the evaluations of a polygon's light, in double precision."""
+    cells = []
+    for order in (2, 8, 32):
+        lines = csv_rows(run(burnish, "lobe", "plot", "polygon", f"--lobes=energy:{order}", "--format=csv"))
+        cells += [(name, f"{order}, {slope}", error) for name, slope, error in lines if slope in ("1", "10", "100", "1000")]
+    return grid("order, slope", cells, "%.0e")
+
+
 def rough(burnish):
     """What sums of lobes for GGX and Beckmann miss."""
     cells = []
@@ -169,6 +178,7 @@ def albedo(burnish):
 
 TABLES = {
     "limits": limits,
+    "polygon": polygon,
     "rough": rough,
     "albedo": albedo,
     "shipped": shipped,
