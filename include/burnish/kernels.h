@@ -234,20 +234,19 @@ static inline burnish_kernels_polygon burnish_kernels_polygon_default(void) {
     return polygon;
 }
 
-/* The directions of reflection: arrays of count floats. */
+/* The directions of reflection: arrays of count floats. With e, the stretch, the specular light is
+ * that of a polygon whose vertices p, relative to the point, are moved to p + e (e.p). The
+ * highlight is narrower along e. */
 typedef struct burnish_kernels_axes {
-    const float *axis[3]; /* R: unit vectors */
-    const float
-        *stretch[3]; /* e: for the specular part, each vertex p, relative to the point, is at
-                                p + e (e.p): a highlight that is narrower along e. Normal to N; all
-                                NULL: 0 */
+    const float *axis[3];    /* R: unit vectors */
+    const float *stretch[3]; /* e: normal to N; all NULL: 0 */
 } burnish_kernels_axes;
 
 /* Computes the light of a polygon at points.
  *   kernels  NULL: burnish_kernels_best()
  *   polygon  not NULL
- *   points   normals of lengths in [2^-60, 2^60]; all NULL: no horizon, for light[0] = NULL only.
- *            Positions and w as for point lights; not read for distant lights. diffuse and
+ *   points   not NULL; normals of lengths in [2^-60, 2^60]; all NULL: no horizon, then light[0] is
+ *            NULL. Positions and w as for point lights; not read for distant lights. diffuse and
  *            first_light are not read
  *   axes     not read without lobes; may be NULL then
  *   count    number of points
