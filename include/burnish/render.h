@@ -14,8 +14,8 @@
  * Depth and normal are taken from the plane, the triangle id from the triangle. Cuts of transparent
  * triangles are not filled.
  *
- * Area lights, a dome and an environment (light.h) are reflected; objects do not reflect each other.
- * It does not draw refraction.
+ * Area lights, a dome and an environment (light.h) are reflected; objects do not reflect each
+ * other. It does not draw refraction.
  *
  * How to use it.
  *   1. Options: burnish_render_options options = burnish_render_options_default();

@@ -74,6 +74,7 @@ static const struct layer {
     {"importers/draco", "core/bytes.h importers"},
     {"importers/occt", "importers"},
     {"bench", "simd shading cli burnish"},
+    {"bench/light", "burnish"},
     {"bench/load", "bench burnish"},
     {"bench/shaders", ""},
     {"bench/peers", "bench core simd shading burnish"},
