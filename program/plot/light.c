@@ -109,7 +109,9 @@ static burnish_status add_rough(plot_chart *chart, double roughness, int count, 
     }
     snprintf(series->name, sizeof series->name, "%s%d r=%g", count ? "sum" : "GGX", count,
              roughness);
-    snprintf(series->text, sizeof series->text, count ? "" : "{/:Italic r} = %g", roughness);
+    if (count == 0) {
+        snprintf(series->text, sizeof series->text, "{/:Italic r} = %g", roughness);
+    }
     series->ink = count == 3 ? PLOT_INK_TEXT : ink; /* it covers GGX */
     series->dash = count == 0 ? PLOT_LINE : count == 3 ? PLOT_DASHED : PLOT_DOTTED;
     double peak = burnish_theory_rough_value(BURNISH_THEORY_GGX, alpha, 0);
