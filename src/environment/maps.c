@@ -151,40 +151,86 @@ static void add_environment(const burnish_light_maps *maps, const burnish_light_
 
 /* ---- Maps ---- */
 
+/* Directions whose cosine with the middle of a polygon is smaller receive none of its light. */
+typedef struct reach {
+    float middle[3], least;
+} reach;
+
 typedef struct build {
     const burnish_light_maps *maps;
     const table *table;
     const burnish_light_lobes *lobes; /* NULL: diffuse */
     burnish_polygon_constants polygons[BURNISH_AREA_LIGHT_MAX];
+    reach reaches[BURNISH_AREA_LIGHT_MAX];
     const float *colors[BURNISH_AREA_LIGHT_MAX];
     int polygon_count;
 } build;
 
+/* A cap around the polygon, wider by the widest lobe or, for diffuse light, by a right angle. */
+static reach find_reach(const burnish_polygon_constants *polygon,
+                        const burnish_light_lobes *lobes) {
+    burnish_vec3 vertices[BURNISH_POLYGON_VERTEX_MAX], middle = {0, 0, 0};
+    double radius = 1, lobe = lobes ? 1 : 0; /* cosines */
+    for (int v = 0; v < polygon->vertex_count; ++v) {
+        const float *from = polygon->vertex[v];
+        const burnish_vec3 vertex = {(double)from[0], (double)from[1], (double)from[2]};
+        vertices[v] = burnish_vec3_scale(vertex, 1 / burnish_vec3_length(vertex));
+        middle = burnish_vec3_add(middle, vertices[v]);
+    }
+    middle = burnish_vec3_scale(middle, 1 / burnish_vec3_length(middle));
+    for (int v = 0; v < polygon->vertex_count; ++v) {
+        const double cosine = burnish_vec3_dot(middle, vertices[v]);
+        radius = cosine < radius ? cosine : radius;
+    }
+    for (int j = 0; lobes && j < lobes->count; ++j) {
+        const double cosine = 1 - 1 / (double)lobes->lobe[j].zeta;
+        lobe = cosine < lobe ? cosine : lobe;
+    }
+    const double sines = burnish_sqrt((1 - radius * radius) * (1 - lobe * lobe));
+    const int is_cap = radius > 0 && radius + lobe > 0; /* else it may reach all directions */
+    return (reach){{(float)middle.x, (float)middle.y, (float)middle.z},
+                   is_cap ? (float)(radius * lobe - sines - 1e-5) : -2};
+}
+
 static void add_polygons(build *b) {
     const key *k = &b->maps->key;
     for (int i = 0; i < k->distant_count; ++i) {
-        if (burnish_area_polygon(&k->distant[i], b->lobes, &b->polygons[b->polygon_count])) {
+        burnish_polygon_constants *polygon = &b->polygons[b->polygon_count];
+        if (burnish_area_polygon(&k->distant[i], b->lobes, polygon)) {
+            b->reaches[b->polygon_count] = find_reach(polygon, b->lobes);
             b->colors[b->polygon_count++] = k->distant[i].color;
         }
     }
+}
+
+static int is_reached(const reach *r, const float *const w[3], int i) {
+    return w[0][i] * r->middle[0] + w[1][i] * r->middle[1] + w[2][i] * r->middle[2] > r->least;
 }
 
 /* Adds a polygon in `count` directions, which are normals or the lobes' axes. */
 static void add_polygon(const build *b, int number, const float *const w[3], int count,
                         float *const rgb[3]) {
     const burnish_polygon_constants *polygon = &b->polygons[number];
-    const burnish_kernels_axes axes = {.axis = {w[0], w[1], w[2]}};
+    const reach *r = &b->reaches[number];
+    int first = 0;
+    while (first < count && !is_reached(r, w, first)) {
+        ++first;
+    }
+    while (count > first && !is_reached(r, w, count - 1)) {
+        --count;
+    }
+    const burnish_kernels_axes axes = {.axis = {w[0] + first, w[1] + first, w[2] + first}};
     burnish_kernels_points points = {.normal = {NULL}};
     float light[LARGEST_SIZE + 2];
     for (int c = 0; c < 3 && !b->lobes; ++c) {
-        points.normal[c] = w[c];
+        points.normal[c] = w[c] + first;
     }
     b->maps->kernels->polygon_light(
-        polygon, &points, &axes, (size_t)count,
+        polygon, &points, &axes, (size_t)(count - first),
         (float *const[2]){b->lobes ? NULL : light, b->lobes ? light : NULL});
     for (int c = 0; c < 3; ++c) {
-        for (int i = 0; i < count; ++i) {
-            rgb[c][i] += b->colors[number][c] * light[i];
+        for (int i = first; i < count; ++i) {
+            rgb[c][i] += b->colors[number][c] * light[i - first];
         }
     }
 }
