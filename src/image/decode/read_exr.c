@@ -27,8 +27,8 @@ static burnish_status fail_codec(const exr *e, exr_result_t result) {
     if (result == EXR_ERR_OUT_OF_MEMORY) {
         return burnish_fail_memory(e->memory->error, e->from->name, e->from->size);
     }
-    return burnish_fail(e->memory->error, BURNISH_STATUS_FORMAT, "%.200s: not a valid EXR: %.150s",
-                        e->from->name,
+    return burnish_fail(e->memory->error, BURNISH_STATUS_FORMAT,
+                        "%.200s: this EXR can't be decoded: %.150s", e->from->name,
                         e->reason[0] ? e->reason : exr_get_default_error_message(result));
 }
 
