@@ -48,24 +48,52 @@ static burnish_light_map map_of(const table *t) {
 
 /* ---- Directions ---- */
 
-/* Unit vectors of the texels of a row that look-ups need: those within a texel's diagonal of the
- * disc that a half of the sphere is mapped to. size: of the map, which has a border. Returns how
- * many, from column *first on. */
-static int row_directions(int size, int row, int *first, float *const w[3]) {
+/* Texels are computed in bands of rows, 4 x 4 after 4 x 4: neighbours meet the same edges of lights,
+ * which a vector of them shares. */
+enum { BLOCK = 4, BAND_MAX = BLOCK * (LARGEST_SIZE + 2) };
+
+/* The columns of a row that look-ups need, [*first, *last]: within a texel's diagonal of the disc
+ * that a half of the sphere is mapped to. size: of the map, which has a border. */
+static void find_columns(int size, int row, int *first, int *last) {
     const float half = (float)size / 2, middle = (float)(size + 1) / 2;
     const float limit = 1 + 3 / (float)size, q = ((float)(row % (size + 2)) - middle) / half;
     const float room = limit * limit - q * q;
     const int reach = room > 0 ? (int)(__builtin_sqrtf(room) * half + 0.5f) : 0;
-    const int last = size / 2 + reach < size + 1 ? size / 2 + reach : size + 1;
-    *first = size + 1 - last;
-    for (int i = *first; i <= last; ++i) {
-        const float p = ((float)i - middle) / half, squared = p * p + q * q;
-        const float scale = 1 / (1 + squared), z = (1 - squared) * scale;
-        w[0][i - *first] = 2 * p * scale;
-        w[1][i - *first] = 2 * q * scale;
-        w[2][i - *first] = row < size + 2 ? z : -z;
+    *last = size / 2 + reach < size + 1 ? size / 2 + reach : size + 1;
+    *first = size + 1 - *last;
+}
+
+static void find_direction(int size, int row, int column, float w[3]) {
+    const float half = (float)size / 2, middle = (float)(size + 1) / 2;
+    const float q = ((float)(row % (size + 2)) - middle) / half;
+    const float p = ((float)column - middle) / half, squared = p * p + q * q;
+    const float scale = 1 / (1 + squared), z = (1 - squared) * scale;
+    w[0] = 2 * p * scale;
+    w[1] = 2 * q * scale;
+    w[2] = row < size + 2 ? z : -z;
+}
+
+/* Unit vectors of the texels of a band, and their numbers in the map. Returns how many. */
+static int band_directions(int size, int band, int *numbers, float *const w[3]) {
+    const int stride = size + 2, from = band * BLOCK;
+    const int end = from + BLOCK < 2 * stride ? from + BLOCK : 2 * stride;
+    int first[BLOCK], last[BLOCK], count = 0;
+    for (int row = from; row < end; ++row) {
+        find_columns(size, row, &first[row - from], &last[row - from]);
     }
-    return last + 1 - *first;
+    for (int i = 0; i < BLOCK * BLOCK * ((stride + BLOCK - 1) / BLOCK); ++i) {
+        const int row = from + i / BLOCK % BLOCK;
+        const int column = i / (BLOCK * BLOCK) * BLOCK + i % BLOCK;
+        if (row < end && column >= first[row - from] && column <= last[row - from]) {
+            float direction[3];
+            find_direction(size, row, column, direction);
+            for (int c = 0; c < 3; ++c) {
+                w[c][count] = direction[c];
+            }
+            numbers[count++] = row * stride + column;
+        }
+    }
+    return count;
 }
 
 /* ---- The dome ---- */
@@ -129,7 +157,7 @@ static void add_environment(const burnish_light_maps *maps, const burnish_light_
     static const burnish_light_lobes cosine = {1, {{1, 1.0f, 1.0f}}};
     const burnish_environment_ops *ops = burnish_environment_ops_for(maps->kernels->isa);
     const key *k = &maps->key;
-    float turned[3][LARGEST_SIZE + 2];
+    float turned[3][BAND_MAX];
     const float *const axis[3] = {turned[0], turned[1], turned[2]};
     lobes = lobes ? lobes : &cosine;
     for (int c = 0; c < 3; ++c) {
@@ -210,41 +238,40 @@ static int is_reached(const reach *r, const float *const w[3], int i) {
 /* Adds a polygon in `count` directions, which are normals or the lobes' axes. */
 static void add_polygon(const build *b, int number, const float *const w[3], int count,
                         float *const rgb[3]) {
-    const burnish_polygon_constants *polygon = &b->polygons[number];
-    const reach *r = &b->reaches[number];
-    int first = 0;
-    while (first < count && !is_reached(r, w, first)) {
-        ++first;
+    float reached[3][BAND_MAX], light[BAND_MAX];
+    int numbers[BAND_MAX], reached_count = 0;
+    for (int i = 0; i < count; ++i) {
+        if (is_reached(&b->reaches[number], w, i)) {
+            for (int c = 0; c < 3; ++c) {
+                reached[c][reached_count] = w[c][i];
+            }
+            numbers[reached_count++] = i;
+        }
     }
-    while (count > first && !is_reached(r, w, count - 1)) {
-        --count;
-    }
-    const burnish_kernels_axes axes = {.axis = {w[0] + first, w[1] + first, w[2] + first}};
+    const burnish_kernels_axes axes = {.axis = {reached[0], reached[1], reached[2]}};
     burnish_kernels_points points = {.normal = {NULL}};
-    float light[LARGEST_SIZE + 2];
     for (int c = 0; c < 3 && !b->lobes; ++c) {
-        points.normal[c] = w[c] + first;
+        points.normal[c] = reached[c];
     }
     b->maps->kernels->polygon_light(
-        polygon, &points, &axes, (size_t)(count - first),
+        &b->polygons[number], &points, &axes, (size_t)reached_count,
         (float *const[2]){b->lobes ? NULL : light, b->lobes ? light : NULL});
     for (int c = 0; c < 3; ++c) {
-        for (int i = first; i < count; ++i) {
-            rgb[c][i] += b->colors[number][c] * light[i - first];
+        for (int i = 0; i < reached_count; ++i) {
+            rgb[c][numbers[i]] += b->colors[number][c] * light[i];
         }
     }
 }
 
-static void build_row(void *context, size_t row, int thread) {
+static void build_band(void *context, size_t band, int thread) {
     const build *b = context;
     const key *k = &b->maps->key;
-    float vectors[3][LARGEST_SIZE + 2], colors[3][LARGEST_SIZE + 2] = {{0}};
-    float *const out[3] = {vectors[0], vectors[1], vectors[2]};
+    float vectors[3][BAND_MAX], colors[3][BAND_MAX] = {{0}};
+    int numbers[BAND_MAX];
     const float *const w[3] = {vectors[0], vectors[1], vectors[2]};
     float *const rgb[3] = {colors[0], colors[1], colors[2]};
-    int first;
-    const int count = row_directions(b->table->size, (int)row, &first, out);
-    float *texels = b->table->texels + 4 * (row * (size_t)(b->table->size + 2) + (size_t)first);
+    const int count = band_directions(b->table->size, (int)band, numbers,
+                                      (float *const[3]){vectors[0], vectors[1], vectors[2]});
     (void)thread;
     if (k->has_dome) {
         add_dome(k, b->lobes, w, count, rgb);
@@ -257,7 +284,7 @@ static void build_row(void *context, size_t row, int thread) {
     }
     for (int i = 0; i < count; ++i) {
         for (int c = 0; c < 3; ++c) {
-            texels[4 * i + c] = rgb[c][i];
+            b->table->texels[4 * numbers[i] + c] = colors[c][i];
         }
     }
 }
@@ -291,7 +318,7 @@ static burnish_status make(burnish_light_maps *maps, table *t, float alpha, burn
     if (!t->texels) {
         return memory.status;
     }
-    burnish_tasks_run(maps->tasks, 2 * rows, 4, 0, build_row, &b);
+    burnish_tasks_run(maps->tasks, (2 * rows + BLOCK - 1) / BLOCK, 1, 0, build_band, &b);
     return maps->tasks ? burnish_tasks_check(maps->tasks, error) : BURNISH_STATUS_OK;
 }
 
