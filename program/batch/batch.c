@@ -32,6 +32,9 @@ static cli_handler flag_part;
 
 #define TARGET(member) .offset = offsetof(batch_settings, member)
 
+static const cli_word unit_words[] = {{"none", 0}, {"um", 1}, {"mm", 2}, {"cm", 3},
+                                      {"m", 4},    {"in", 5}, {"ft", 6}, {NULL, 0}};
+
 static const cli_flag flags[] = {
     {.group = "Many inputs",
      .topic = "batch",
@@ -65,6 +68,18 @@ static const cli_flag flags[] = {
     {CLI_SWITCH("index", "write index.html, a page with search", index), .common = 1,
      .manual = "Writes *index.html* to the output folder: a page with all pictures, facts about "
                "the meshes and a search box. It loads only the pictures."},
+    {CLI_FLAG("title", "TEXT", "title of the page", cli_flag_text, title),
+     .default_label = "the folder's name", .manual = "Title of *index.html*."},
+    {CLI_SWITCH("facts", "measure volume, area, whether closed", render.input.measure), .common = 1,
+     .aliases = "measure,volume,info",
+     .manual = "Measures each mesh as *burnish info* does, and adds the results to the report and "
+               "to *index.html*, which can then be sorted by volume, area and defects. Meshes "
+               "that are not closed get a badge."},
+    {CLI_FLAG("unit", "NAME", "unit of files that state none", cli_flag_word, unit),
+     .words = unit_words, .default_text = "none",
+     .manual = "Unit of length of files that state none, such as STL, for *index.html*: volumes "
+               "are then in cm3, or in cubic inches for *in* and *ft*. Files in 3MF and glTF state "
+               "their unit."},
     {CLI_FLAG("sheet", "FILE", "write a contact sheet", cli_flag_text, sheet), .common = 1,
      .takes_file = 1, .aliases = "contact-sheet,montage",
      .manual =
@@ -153,6 +168,9 @@ static const cli_term report_terms[] = {
     {"*picture*", "XXH64 of the pixels, as *hash* of *burnish render --json*"},
     {"*format, triangles, vertices, size*",
      "of the mesh; *size* along X, Y and Z, for points and lines without their drawn thickness"},
+    {"*unit*", "of lengths, if the input states it"},
+    {"*volume, area, closed, solid, open_edges, shells*",
+     "with *--facts*, as *burnish info --json* has them; missing for points and lines"},
     {"*width, height, blank, warnings*", "as *burnish render --json* has them"},
     {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
     {"*code, error*", "of a failed input: exit code and message of *burnish render*"},
@@ -229,7 +247,8 @@ static int is_about_pictures(const cli_flag *flag) {
         "quiet", "isa", "overwrite", "max-triangles", "max-input-bytes", "max-overdraw"};
     for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) {
         if (flag == &flags[i]) {
-            return strcmp(flag->name, "size") == 0 || strcmp(flag->name, "resolution") == 0;
+            return strcmp(flag->name, "size") == 0 || strcmp(flag->name, "resolution") == 0 ||
+                   strcmp(flag->name, "facts") == 0;
         }
     }
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {

@@ -9,6 +9,15 @@
 #include "cli/output.h"
 #include "cli/platform.h"
 
+const batch_unit batch_units[BATCH_UNITS] = {{"", "", 0},
+                                             {"micron", "&micro;m", 1e-3},
+                                             {"millimeter", "mm", 1},
+                                             {"centimeter", "cm", 10},
+                                             {"meter", "m", 1000},
+                                             {"inch", "in", 25.4},
+                                             {"foot", "ft", 304.8}};
+enum { FIRST_IMPERIAL = 5 };
+
 static const char head[] =
     "<meta charset=\"utf-8\">\n"
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -42,6 +51,7 @@ static const char head[] =
     "p{margin:0;padding:2px 14px 12px;color:var(--soft);font-size:13px;"
     "font-variant-numeric:tabular-nums}\n"
     ".warning{padding-top:0;margin-top:-8px}\n"
+    ".bad{color:var(--bad);font-weight:600}\n"
     "section{max-width:1800px;margin:auto;padding:0 20px 28px}\n"
     "section h2{padding:8px 0;color:var(--bad)}\n"
     "ul{margin:0;padding-left:20px;color:var(--soft);font-size:14px;overflow-wrap:anywhere}\n"
@@ -129,7 +139,44 @@ static void put_count(FILE *page, double value) {
     }
 }
 
-static void put_facts(FILE *page, const cJSON *line) {
+static int is_false(const cJSON *line, const char *key) {
+    return cJSON_IsFalse(cJSON_GetObjectItemCaseSensitive(line, key));
+}
+
+/* The unit that the input states, or --unit. */
+static const batch_unit *unit_of(const batch *b, const cJSON *line) {
+    const char *name = text_of(line, "unit");
+    for (int i = 1; i < BATCH_UNITS; ++i) {
+        if (strcmp(name, batch_units[i].name) == 0) {
+            return &batch_units[i];
+        }
+    }
+    return &batch_units[b->settings->unit];
+}
+
+/* Volume and area in cm or inches; in the input's unit if that is unknown. */
+static void put_measured(FILE *page, const cJSON *line, const batch_unit *unit) {
+    const int is_imperial = unit - batch_units >= FIRST_IMPERIAL;
+    const double scale = unit->millimeters > 0 ? unit->millimeters / (is_imperial ? 25.4 : 10) : 1;
+    const char *symbol = unit->millimeters == 0 ? "units" : is_imperial ? "in" : "cm";
+    if (!cJSON_HasObjectItem(line, "area")) {
+        return;
+    }
+    if (is_false(line, "closed")) {
+        fprintf(page, "<br><span class=\"bad\">&#9888; not closed</span>, %.0f open edges",
+                number_of(line, "open_edges"));
+    } else if (is_false(line, "solid")) {
+        fputs("<br><span class=\"bad\">&#9888; not solid</span>", page);
+    } else if (number_of(line, "volume") < 0) {
+        fputs("<br><span class=\"bad\">&#9888; inside out</span>", page);
+    } else {
+        fprintf(page, "<br>%.4g %s&sup3;", number_of(line, "volume") * scale * scale * scale,
+                symbol);
+    }
+    fprintf(page, " &middot; %.4g %s&sup2;", number_of(line, "area") * scale * scale, symbol);
+}
+
+static void put_facts(FILE *page, const batch *b, const cJSON *line) {
     const cJSON *size = cJSON_GetObjectItemCaseSensitive(line, "size"), *side;
     const char *separator = "";
     const double triangles = number_of(line, "triangles");
@@ -141,10 +188,13 @@ static void put_facts(FILE *page, const cJSON *line) {
         put_text(page, text_of(line, "format"));
     }
     fputs("<br>", page);
+    const batch_unit *unit = unit_of(b, line);
     cJSON_ArrayForEach(side, size) {
         fprintf(page, "%s%.4g", separator, cJSON_IsNumber(side) ? side->valuedouble : 0);
         separator = " &times; ";
     }
+    fprintf(page, " %s", unit->symbol);
+    put_measured(page, line, unit);
     fputs("</p>\n", page);
     const cJSON *warnings = cJSON_GetObjectItemCaseSensitive(line, "warnings");
     if (cJSON_GetArraySize(warnings) > 0) {
@@ -172,8 +222,15 @@ static const char *in_folder(const batch *b, const batch_item *item) {
 
 static void put_card(FILE *page, const batch *b, const batch_item *item, const cJSON *line) {
     const double width = number_of(line, "width"), height = number_of(line, "height");
-    fprintf(page, "<article data-triangles=\"%.0f\" data-bytes=\"%.0f\"><a href=\"",
-            number_of(line, "triangles"), number_of(line, "bytes"));
+    const double scale = unit_of(b, line)->millimeters > 0 ? unit_of(b, line)->millimeters : 1;
+    const cJSON *warnings = cJSON_GetObjectItemCaseSensitive(line, "warnings");
+    fprintf(page,
+            "<article data-triangles=\"%.0f\" data-bytes=\"%.0f\" data-volume=\"%.9g\" "
+            "data-area=\"%.9g\" data-defects=\"%d\"><a href=\"",
+            number_of(line, "triangles"), number_of(line, "bytes"),
+            number_of(line, "volume") * scale * scale * scale,
+            number_of(line, "area") * scale * scale,
+            2 * is_false(line, "solid") + (cJSON_GetArraySize(warnings) > 0));
     put_link(page, in_folder(b, item));
     fputs("\"><img loading=\"lazy\" decoding=\"async\" src=\"", page);
     put_link(page, in_folder(b, item));
@@ -186,12 +243,12 @@ static void put_card(FILE *page, const batch *b, const batch_item *item, const c
         put_text(page, batch_view_name(b, item));
     }
     fputs("</h2>\n", page);
-    put_facts(page, line);
+    put_facts(page, b, line);
     fputs("</article>\n", page);
 }
 
 static void put_failures(FILE *page, const batch *b) {
-    fprintf(page, "<section><h2>%zu failed</h2><ul>\n", b->failed);
+    fprintf(page, "<section id=\"failed\"><h2>%zu failed</h2><ul>\n", b->failed);
     for (size_t i = 0; i < b->list.count; ++i) {
         const batch_item *item = &b->list.items[i];
         cJSON *line = item->has_failed && item->line ? cJSON_Parse(item->line) : NULL;
@@ -206,7 +263,8 @@ static void put_failures(FILE *page, const batch *b) {
 }
 
 static void put_title(FILE *page, const batch *b) {
-    const char *name = batch_base_name(b->settings->output_dir);
+    const char *name =
+        b->settings->title ? b->settings->title : batch_base_name(b->settings->output_dir);
     put_text(page, strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || !*name ? "Models" : name);
 }
 
@@ -215,12 +273,22 @@ static void put_page(FILE *page, const batch *b) {
     put_title(page, b);
     fprintf(page, "</title>\n%s<header><h1>", head);
     put_title(page, b);
-    fputs("</h1><span id=\"count\"></span>\n<div id=\"tools\">"
+    fputs("</h1><span id=\"count\"></span>", page);
+    if (b->failed > 0) {
+        fprintf(page, "<a class=\"bad\" href=\"#failed\">%zu failed</a>", b->failed);
+    }
+    fputs("\n<div id=\"tools\">"
           "<input id=\"find\" type=\"search\" placeholder=\"Search\" aria-label=\"Search\" "
           "autocomplete=\"off\">\n<select id=\"order\" aria-label=\"Order\"><option value=\"\">By "
           "name</option><option value=\"triangles\">Most triangles</option><option "
-          "value=\"bytes\">Largest file</option></select></div></header>\n<main>\n",
+          "value=\"bytes\">Largest file</option>",
           page);
+    if (b->settings->render.input.measure) {
+        fputs("<option value=\"volume\">Largest volume</option><option value=\"area\">Largest "
+              "area</option><option value=\"defects\">Defects first</option>",
+              page);
+    }
+    fputs("</select></div></header>\n<main>\n", page);
     for (size_t i = 0; i < b->list.count; ++i) {
         const batch_item *item = &b->list.items[i];
         cJSON *line = !item->has_failed && item->line ? cJSON_Parse(item->line) : NULL;

@@ -45,6 +45,10 @@ enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64 };
 typedef struct facts {
     uint64_t picture, triangles, vertices;
     float size[3];
+    char unit[16];
+    double volume, area;
+    uint64_t open_edges, shells;
+    int32_t is_measured, is_closed, is_solid;
     int32_t is_drawn, format, width, height, is_blank;
     uint32_t warning_count;
     char warnings[WARNINGS_MAX][WARNING_BYTES];
@@ -182,6 +186,17 @@ static void record_result(void *context, const render_result *result) {
     for (int k = 0; k < 3; ++k) {
         f->size[k] = high[k] - low[k];
     }
+    snprintf(f->unit, sizeof f->unit, "%s", info->unit ? info->unit : "");
+    const burnish_mesh_facts *measured = burnish_mesh_get_facts(result->mesh);
+    if (measured) {
+        f->is_measured = 1;
+        f->volume = measured->volume;
+        f->area = measured->area;
+        f->open_edges = measured->open_edge_count;
+        f->shells = measured->shell_count;
+        f->is_closed = measured->is_closed;
+        f->is_solid = measured->is_solid;
+    }
     for (size_t i = 0; i < result->warning_count && i < WARNINGS_MAX; ++i) {
         snprintf(f->warnings[i], WARNING_BYTES, "%s", result->warnings[i]);
         f->warning_count = (uint32_t)i + 1;
@@ -300,6 +315,23 @@ static void add_warnings(cJSON *object, facts *f, int *failed) {
     cli_json_add(object, "warnings", array, failed);
 }
 
+/* Results of measuring, if any. */
+static void add_facts(const batch *b, cJSON *object, facts *f, int *failed) {
+    f->unit[sizeof f->unit - 1] = 0;
+    cli_clean(f->unit);
+    if (*f->unit) {
+        cli_json_add(object, "unit", cli_json_text(f->unit), failed);
+    }
+    if (b->settings->render.input.measure && f->is_measured) {
+        cli_json_add(object, "volume", cli_json_real(f->volume), failed);
+        cli_json_add(object, "area", cli_json_real(f->area), failed);
+        cli_json_add(object, "closed", cJSON_CreateBool(f->is_closed != 0), failed);
+        cli_json_add(object, "solid", cJSON_CreateBool(f->is_solid != 0), failed);
+        cli_json_add(object, "open_edges", cli_json_count((size_t)f->open_edges), failed);
+        cli_json_add(object, "shells", cli_json_count((size_t)f->shells), failed);
+    }
+}
+
 static char *done_line(const batch *b, const batch_item *item, uint64_t hash, facts *f,
                        const files *seen, double seconds) {
     const int has_format = f->format >= 0 && f->format < burnish_format_count();
@@ -322,6 +354,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "triangles", cli_json_count((size_t)f->triangles), &failed);
     cli_json_add(object, "vertices", cli_json_count((size_t)f->vertices), &failed);
     cli_json_add(object, "size", cli_json_floats(3, f->size), &failed);
+    add_facts(b, object, f, &failed);
     cli_json_add(object, "width", cJSON_CreateNumber(f->width), &failed);
     cli_json_add(object, "height", cJSON_CreateNumber(f->height), &failed);
     cli_json_add(object, "blank", cJSON_CreateBool(f->is_blank != 0), &failed);

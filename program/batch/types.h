@@ -7,6 +7,15 @@
 #include "cli/output.h"
 #include "render/settings/settings.h"
 
+/* Units of length by the names of burnish_mesh_info.unit: symbols, and lengths in millimetres. The
+ * first is unknown. */
+typedef struct batch_unit {
+    const char *name, *symbol;
+    double millimeters;
+} batch_unit;
+enum { BATCH_UNITS = 7 };
+extern const batch_unit batch_units[BATCH_UNITS];
+
 /* Part `index` of `count`, counted from 1; 0 of 0 means all. */
 typedef struct batch_part {
     int index, count;
@@ -19,6 +28,8 @@ typedef struct batch_settings {
     const char *files_from; /* NULL: none */
     const char *report;     /* NULL: in output_dir */
     const char *sheet;      /* NULL: none */
+    const char *title;      /* of the page; NULL: the folder's name */
+    int unit;               /* of files that state none, as a number of batch_units */
     int recursive, jobs, force, index, no_sandbox, no_seconds;
     batch_part part;
     int runners;       /* sockets to runners on other machines, from descriptor 3 on */

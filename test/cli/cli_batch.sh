@@ -58,6 +58,16 @@ check "the page: links" grep -q 'src="sub/new%0Aline%20%FF%3C%26%22.png"' out/in
 check "the page: search and order stay in one row" \
     [ "$(tr -d '\n' <out/index.html | grep -c '<div id="tools"><input[^>]*><select.*</select></div>')" = 1 ]
 check "the page: By name sorts by name, also at first" [ "$(grep -cE "names\[a\].localeCompare\(names\[b\],'en',\{numeric:true\}\)|^show\(\);sort\(\);" out/index.html)" = 2 ]
+check "the page: failures" grep -q '<a class="bad" href="#failed">2 failed</a>' out/index.html
+printf 'v 0 0 0\nv 10 0 0\nv 0 20 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >tet.obj
+batch tet.obj in/a.obj -d facts --size=16 --facts --unit=mm --index --title='Parts & more'
+check "facts: a tetrahedron has a sixth of its box" grep -q '"volume":1000,"area":.*"closed":true,"solid":true,"open_edges":0,"shells":1' facts/burnish-batch.jsonl
+check "the page: volume" grep -q '10 &times; 20 &times; 30 mm<br>1 cm&sup3;' facts/index.html
+check "the page: a badge" [ "$(grep -c 'not closed</span>, 3 open edges' facts/index.html)" = 1 ]
+check "the page: its title" grep -q '<h1>Parts &amp; more</h1>' facts/index.html
+batch tet.obj in/a.obj -d facts --size=16
+check "without facts all is drawn again" [ "$(grep -c volume facts/burnish-batch.jsonl)" = 0 ]
+rm -r facts tet.obj
 check "the page asks for nothing else" [ "$(grep -cE 'https?:|url\(|@import' out/index.html)" = 0 ]
 check "the sheet is a PNG" [ "$(head -c 4 sheet.png | tail -c 3)" = PNG ]
 

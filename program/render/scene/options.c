@@ -13,7 +13,7 @@ burnish_load_options render_load_options(const render_input_settings *input, int
     }
     options.normals = (burnish_normals_source)input->normals;
     options.threads = threads;
-    options.measure = input->clip.count > 0; /* only solids are filled */
+    options.measure = input->measure || input->clip.count > 0; /* only solids are filled */
     return options;
 }
 

@@ -20,6 +20,7 @@ typedef struct render_input_settings {
     cli_real crease;
     int normals; /* burnish_normals_source */
     render_clip clip;
+    int measure; /* 1: the mesh gets its facts, also without a cut */
 
     render_load_mesh *load_mesh; /* NULL: sandbox_load */
     void *user_data;             /* of load_mesh */
