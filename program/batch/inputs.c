@@ -132,7 +132,7 @@ static burnish_status add_name(batch *b, const char *name, burnish_error *error)
     uint64_t bytes = 0;
     if (strcmp(name, "-") == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "batch: a mesh on standard input has no name; use burnish render -, or "
+                        "a mesh on standard input has no name; give it alone, or "
                         "--files-from=- for a list of names");
     }
     if (*name == ':') {
@@ -208,7 +208,7 @@ burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *erro
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < call->argument_count && status == BURNISH_STATUS_OK; ++i) {
         if (!call->arguments[i].flag && !*call->arguments[i].text) {
-            status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "batch: an INPUT is empty");
+            status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "an INPUT is empty");
         } else if (!call->arguments[i].flag) {
             status = add_name(b, call->arguments[i].text, error);
         }
@@ -222,10 +222,18 @@ burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *erro
                           "\"burnish batch --help\"");
     }
     if (status == BURNISH_STATUS_OK && b->list.count == 0) {
-        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "batch: no meshes there%s",
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT, "no meshes there%s",
                           b->settings->recursive ? "" : "; --recursive looks into folders below");
     }
     return status;
+}
+
+#else
+
+burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *error) {
+    (void)b, (void)call;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                    "several inputs and folders are not supported on this system; give one file");
 }
 
 #endif

@@ -1,19 +1,19 @@
 /* `burnish info`: size, volume and validity of a mesh, as text or JSON. */
-#include <float.h>
-#include <math.h>
+#include <stdlib.h>
+#include <sys/stat.h>
 
+#include "batch/inputs.h"
 #include "cli/input.h"
 #include "cli/main.h"
-#include "cli/origin.h"
 #include "cli/output.h"
-#include "import/importers.h"
 #include "import/run.h"
-#include "render/scene/up.h"
+#include "info/facts.h"
 
 typedef struct info_settings {
     cli_input load;
-    const char *json; /* file; NULL: text on standard output */
-    int threads, quiet;
+    const char *json, *csv; /* files; NULL: text on standard output */
+    const char *files_from;
+    int recursive, threads, quiet;
 } info_settings;
 
 static cli_work work;
@@ -22,7 +22,19 @@ static cli_work work;
 
 static const cli_flag flags[] = {
     {.group = "Options",
-     CLI_JSON_FLAG(info_settings, json, "one JSON object instead of text", "FACTS IN JSON")},
+     CLI_JSON_FLAG(info_settings, json, "JSON instead of text", "FACTS IN JSON")},
+    {CLI_FLAG("csv", "FILE", "a table in CSV instead of text", cli_flag_file, csv), .common = 1,
+     .optional = 1, .takes_file = 1, .aliases = "table",
+     .manual =
+         "Writes a row for each input to _FILE_, or to standard output without *=*_FILE_. The "
+         "columns have the names of the keys in JSON; *size* has three columns. A row of an "
+         "input that can not be read has only input and error."},
+    {CLI_SWITCH("recursive", "search folders recursively", recursive), .letter = 'r', .common = 1,
+     .manual = "Measures the meshes in all folders below an _INPUT_ that is a folder."},
+    {CLI_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
+              files_from),
+     .takes_file = 1, .aliases = "inputs-from,files0-from,from-file",
+     .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
     {CLI_INPUT_FORMAT_FLAG(info_settings, load)},
     {CLI_TESSELLATION_FLAG(info_settings, load)},
     {CLI_ANIMATION_TIME_FLAG(info_settings, load)},
@@ -42,6 +54,7 @@ static const cli_flag flags[] = {
 static const cli_example examples[] = {
     {"burnish info part.stl", "size, volume, whether it is closed"},
     {"burnish info part.stl --json", "for programs"},
+    {"burnish info parts -r --csv=parts.csv", "a table of a folder"},
     {NULL, NULL},
 };
 
@@ -97,20 +110,24 @@ static const cli_term json_terms[] = {
 
 static const cli_section sections[] = {
     {.heading = "FACTS IN JSON",
-     .text = "The output of *burnish info --json* is one object. Lengths are in *unit*. Numbers "
-             "read back as exactly the computed values, in double precision from single precision "
-             "coordinates.",
+     .text =
+         "The output of *burnish info --json* is one object; for several inputs or a folder, one "
+         "per line (JSON lines), and an input that can not be read has the keys *input* and "
+         "error. Lengths are in *unit*. Numbers "
+         "read back as exactly the computed values, in double precision from single precision "
+         "coordinates.",
      .terms = json_terms},
     {.heading = NULL},
 };
 
 const cli_command info_command = {
     .name = "info",
-    .operand = "INPUT",
-    .summary = "size, volume and validity of a mesh",
+    .operand = "INPUT...",
+    .summary = "size, volume and validity of meshes",
     .operand_help = CLI_INPUT_HELP,
     .manual =
-        "Measures _INPUT_, which can be any input of *burnish render*: bounding box, area, volume, "
+        "Measures each _INPUT_, which can be any input of *burnish render* or a folder: bounding "
+        "box, area, volume, "
         "centre of mass, whether the surface is closed and its winding consistent, open and "
         "non-manifold edges, shells, flipped, degenerate and duplicate triangles. For an input "
         "with points or lines instead of faces it prints their number and the box of their "
@@ -121,7 +138,7 @@ const cli_command info_command = {
         "are within a millionth of the longest side, the size of rounding errors; if that closes "
         "it, it counts as closed, and the tolerance is printed. Larger gaps stay open. A volume "
         "needs a closed surface with a consistent winding.",
-    .operands_max = 1,
+    .operands_max = SIZE_MAX,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
     .examples = examples,
@@ -130,296 +147,135 @@ const cli_command info_command = {
     .work = work,
 };
 
-/* The facts to print. */
-typedef struct report {
-    const char *input;
-    int format; /* of --input-format */
-    const burnish_mesh *mesh;
-    const burnish_mesh_view *view;
-    const burnish_mesh_facts *facts; /* NULL: the input has points or lines instead of faces */
-    float low[3], high[3], size[3];
-    render_stance stance;
-} report;
+/* ---- Inputs ---- */
 
-static const char *up_name(const report *r) {
-    const float *axis = r->view->up_axis;
-    const int usual = axis[0] > 0.5F ? 0 : axis[1] > 0.5F ? 1 : 2;
-    static const char *const names[] = {"+X", "+Y", "+Z"};
-    return names[r->stance.is_other ? r->stance.other : usual];
-}
-
-static const char *format_name(const report *r, char extension[IMPORT_EXTENSION_SIZE]) {
-    return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh)->format,
-                              extension);
-}
-
-/* ---- JSON ---- */
-
-static cJSON *warning_at(const void *mesh, size_t i) {
-    return cli_json_text(burnish_mesh_get_warning(mesh, i));
-}
-
-static void add_sizes(cJSON *root, const report *r, int *failed) {
-    const burnish_mesh_facts *f = r->facts;
-    cJSON *box = cJSON_CreateObject();
-    cJSON *center =
-        f ? cli_json_real_position(f->center_of_mass, r->view->origin) : cJSON_CreateNull();
-    cli_json_add(box, "min", cli_json_position(r->low, r->view->origin), failed);
-    cli_json_add(box, "max", cli_json_position(r->high, r->view->origin), failed);
-    cli_json_add(box, "size", cli_json_floats(3, r->size), failed);
-    cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(r->mesh)->unit), failed);
-    cli_json_add(root, "bounding_box", box, failed);
-    cli_json_add(root, "up", cJSON_CreateString(up_name(r)), failed);
-    cli_json_add(root, "up_source", cJSON_CreateString(r->stance.is_other ? "auto" : "format"),
-                 failed);
-    cJSON *tipping = r->stance.usual > 0 ? cJSON_CreateObject() : cJSON_CreateNull();
-    if (r->stance.usual > 0) {
-        cli_json_add(tipping, "+Y", cli_json_real(r->stance.tipping[1]), failed);
-        cli_json_add(tipping, "+Z", cli_json_real(r->stance.tipping[2]), failed);
-    }
-    cli_json_add(root, "tipping_angles", tipping, failed);
-    cli_json_add(root, "area", cli_json_real(f ? f->area : NAN), failed);
-    cli_json_add(root, "volume", cli_json_real(f ? f->volume : NAN), failed);
-    cli_json_add(root, "center_of_mass", center, failed);
-    cli_json_add(root, "origin", cli_json_reals(3, r->view->origin), failed);
-}
-
-/* null if the input has no faces. */
-static cJSON *bool_or_null(const burnish_mesh_facts *facts, int value) {
-    return facts ? cJSON_CreateBool(value) : cJSON_CreateNull();
-}
-
-static void add_counts(cJSON *root, const burnish_mesh_facts *facts, int *failed) {
-    static const burnish_mesh_facts none;
-    const burnish_mesh_facts *f = facts ? facts : &none;
-    const struct {
-        const char *key;
-        size_t count;
-    } counts[] = {
-        {"shells", f->shell_count},
-        {"edges", f->edge_count},
-        {"open_edges", f->open_edge_count},
-        {"exact_open_edges", f->join_tolerance > 0 ? f->exact_open_edge_count : f->open_edge_count},
-        {"non_manifold_edges", f->non_manifold_edge_count},
-        {"inconsistent_edges", f->inconsistent_edge_count},
-        {"flipped_triangles", f->flipped_count},
-        {"unorientable_parts", f->unorientable_count},
-        {"degenerate_triangles", f->degenerate_count},
-        {"duplicate_triangles", f->duplicate_count}};
-    cli_json_add(root, "solid", bool_or_null(facts, f->is_solid), failed);
-    cli_json_add(root, "closed", bool_or_null(facts, f->is_closed), failed);
-    cli_json_add(root, "join_tolerance", cli_json_real(facts ? f->join_tolerance : NAN), failed);
-    cli_json_add(root, "consistent_winding", bool_or_null(facts, f->is_consistent), failed);
-    for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
-        cli_json_add(root, counts[i].key,
-                     facts ? cli_json_count(counts[i].count) : cJSON_CreateNull(), failed);
-    }
-}
-
-static burnish_status print_json(FILE *stream, const report *r, burnish_error *error) {
-    const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
-    int failed = 0;
-    char extension[IMPORT_EXTENSION_SIZE];
-    cJSON *root = cJSON_CreateObject();
-    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    cli_json_add(root, "input", cli_json_text(r->input), &failed);
-    cli_json_add(root, "format", cJSON_CreateString(format_name(r, extension)), &failed);
-    cli_json_add(root, "triangles", cli_json_count(r->facts ? r->facts->triangle_count : 0),
-                 &failed);
-    cli_json_add(root, "vertices",
-                 r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), &failed);
-    cli_json_add(root, "points", cli_json_count(info->point_count), &failed);
-    cli_json_add(root, "lines", cli_json_count(info->line_count), &failed);
-    cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
-                 &failed);
-    add_sizes(root, r, &failed);
-    add_counts(root, r->facts, &failed);
-    cli_json_add(root, "warnings",
-                 cli_json_array(burnish_mesh_get_warning_count(r->mesh), warning_at, r->mesh),
-                 &failed);
-    return cli_json_print(stream, root, failed, error);
-}
-
-/* ---- Text ---- */
-
-static void print_count(FILE *stream, const char *name, size_t count) {
-    fprintf(stream, "  %-20s  %zu\n", name, count);
-}
-
-/* Digits of a coordinate: 6 for coordinates of the mesh's size, more for larger ones. */
-static int coordinate_digits(double origin, double size) {
-    int digits = 6;
-    for (double reach = size; reach > 0 && reach < fabs(origin) && digits < DBL_DECIMAL_DIG;
-         reach *= 10) {
-        ++digits;
-    }
-    return digits;
-}
-
-static void print_vector(FILE *stream, const char *name, const double v[3], const report *r,
-                         const char *separator) {
-    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2]));
-    fprintf(stream, "  %-20s  ", name);
-    for (int k = 0; k < 3; ++k) {
-        fprintf(stream, "%s%.*g", k > 0 ? separator : "",
-                coordinate_digits(r->view->origin[k], size), v[k]);
-    }
-}
-
-static void print_position(FILE *stream, const char *name, const float v[3], const report *r) {
-    const double *origin = r->view->origin;
-    const double file[3] = {cli_file_coordinate(v[0], origin[0]),
-                            cli_file_coordinate(v[1], origin[1]),
-                            cli_file_coordinate(v[2], origin[2])};
-    print_vector(stream, name, file, r, ", ");
-    fputc('\n', stream);
-}
-
-/* Why the volume can be misleading, or "". */
-static const char *volume_remark(const burnish_mesh_facts *f) {
-    return !f->is_closed       ? " (meaningless: the surface is not closed)"
-           : !f->is_consistent ? " (meaningless: triangles are wound both ways)"
-           : !f->is_solid      ? " (the surface is flat)"
-           : f->volume < 0     ? " (inside out: triangles are clockwise seen from outside)"
-                               : "";
-}
-
-/* 0 for rounding errors. */
-static double snap(double value, double rounding) {
-    return fabs(value) < rounding ? 0 : value;
-}
-
-/* Such as "unstable on +Y" or "stable up to 31 degrees on +Z". */
-static void print_tipping(FILE *stream, const render_stance *stance, int axis) {
-    if (stance->tipping[axis] < 0) {
-        fprintf(stream, "unstable on +%c", "XYZ"[axis]);
-    } else {
-        fprintf(stream, "stable up to %.0f degrees on +%c", stance->tipping[axis], "XYZ"[axis]);
-    }
-}
-
-/* The up axis of pictures, and why. */
-static void print_up(FILE *stream, const report *r) {
-    fprintf(stream, "  %-20s  %s, ", "up", up_name(r));
-    if (r->stance.usual == 0) {
-        fprintf(stream, "the axis of the format\n");
-        return;
-    }
-    fprintf(stream, r->stance.is_other ? "guessed: " : "the axis of the format: ");
-    print_tipping(stream, &r->stance, r->stance.usual);
-    fprintf(stream, ", ");
-    print_tipping(stream, &r->stance, r->stance.other);
-    fputc('\n', stream);
-}
-
-/* All facts of points and lines. */
-static void print_box(FILE *stream, const report *r) {
-    const char *unit = burnish_mesh_get_info(r->mesh)->unit;
-    if (unit) {
-        fprintf(stream, "  %-20s  %s\n", "unit", unit);
-    }
-    fprintf(stream, "  %-20s  %.6g x %.6g x %.6g\n", "size", (double)r->size[0], (double)r->size[1],
-            (double)r->size[2]);
-    print_position(stream, "from", r->low, r);
-    print_position(stream, "to", r->high, r);
-    print_up(stream, r);
-}
-
-static void print_surface(FILE *stream, const report *r) {
-    const burnish_mesh_facts *f = r->facts;
-    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2])), *c = f->center_of_mass;
-    const double rounding = 4 * FLT_EPSILON * size; /* of the coordinates */
-    const double *o = r->view->origin;
-    const double center[3] = {snap(c[0], rounding) + o[0], snap(c[1], rounding) + o[1],
-                              snap(c[2], rounding) + o[2]};
-    fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
-    fprintf(stream, "  %-20s  %.6g%s\n", "volume", snap(f->volume, 1e-12 * f->area * size),
-            volume_remark(f));
-    print_vector(stream, "centre of mass", center, r, ", ");
-    fprintf(stream, " (of the %s)\n", f->is_solid ? "solid" : "surface");
-    fprintf(stream, "\n  %-20s  %s", "closed", f->is_closed ? "yes" : "no");
-    if (f->join_tolerance > 0) {
-        fprintf(stream, ", with vertices within %.2g joined (%zu open edges without)",
-                f->join_tolerance, f->exact_open_edge_count);
-    }
-    fputc('\n', stream);
-    fprintf(stream, "  %-20s  %s\n", "consistent winding", f->is_consistent ? "yes" : "no");
-    print_count(stream, "shells", f->shell_count);
-    print_count(stream, "edges", f->edge_count);
-    print_count(stream, "open edges", f->open_edge_count);
-    print_count(stream, "non-manifold edges", f->non_manifold_edge_count);
-    print_count(stream, "inconsistent edges", f->inconsistent_edge_count);
-    print_count(stream, "flipped triangles", f->flipped_count);
-    print_count(stream, "unorientable parts", f->unorientable_count);
-    print_count(stream, "degenerate triangles", f->degenerate_count);
-    print_count(stream, "duplicate triangles", f->duplicate_count);
-}
-
-static void print_text(FILE *stream, const report *r) {
-    const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
-    const size_t materials = burnish_mesh_get_material_count(r->mesh);
-    const size_t count = r->facts               ? r->facts->triangle_count
-                         : info->line_count > 0 ? info->line_count
-                                                : info->point_count;
-    char extension[IMPORT_EXTENSION_SIZE];
-    fprintf(stream, "%s (%s): %zu %s%s, ", r->input, format_name(r, extension), count,
-            r->facts               ? "triangle"
-            : info->line_count > 0 ? "line"
-                                   : "point",
-            count == 1 ? "" : "s");
-    if (r->facts) {
-        fprintf(stream, "%zu vertices, ", r->facts->vertex_count);
-    }
-    fprintf(stream, "%zu material%s\n\n", materials, materials == 1 ? "" : "s");
-    print_box(stream, r);
-    if (r->facts) {
-        print_surface(stream, r);
-    }
-}
-
-static burnish_status print(const info_settings *settings, const char *input,
-                            const burnish_mesh *mesh, burnish_error *error) {
-    report r = {.input = input,
-                .format = settings->load.format,
-                .mesh = mesh,
-                .view = burnish_mesh_get_view(mesh),
-                .facts = burnish_mesh_get_facts(mesh),
-                .stance = render_find_stance(mesh)};
+/* A run over its inputs. */
+typedef struct survey {
+    const info_settings *settings;
+    burnish_load_options options;
     cli_output output;
+    int is_many; /* JSON lines, and failures do not end the run */
+    size_t done, failed;
+} survey;
+
+static burnish_status print_object(survey *s, cJSON *root, int failed, burnish_error *error) {
+    if (!s->is_many && s->settings->json) {
+        return cli_json_print(s->output.stream, root, failed, error);
+    }
+    char *text = failed ? NULL : cJSON_PrintUnformatted(root);
+    if (text && s->settings->json) {
+        fprintf(s->output.stream, "%s\n", text);
+    } else if (text) {
+        info_print_csv_row(s->output.stream, root);
+    }
+    const int is_printed = text != NULL;
+    cJSON_free(text);
+    cJSON_Delete(root);
+    return is_printed ? BURNISH_STATUS_OK
+                      : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+}
+
+static burnish_status print(survey *s, const char *input, const burnish_mesh *mesh,
+                            burnish_error *error) {
+    info_report r = {.input = input,
+                     .format = s->settings->load.format,
+                     .mesh = mesh,
+                     .view = burnish_mesh_get_view(mesh),
+                     .facts = burnish_mesh_get_facts(mesh),
+                     .stance = render_find_stance(mesh)};
+    int failed = 0;
     burnish_mesh_get_bounds(mesh, r.low, r.high);
     for (int axis = 0; axis < 3; ++axis) {
         r.size[axis] = r.high[axis] - r.low[axis];
     }
-    burnish_status status = cli_output_begin(&output, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    if (s->settings->json || s->settings->csv) {
+        cJSON *root = info_make_json(&r, &failed);
+        return print_object(s, root, failed, error);
     }
-    if (settings->json) {
-        status = print_json(output.stream, &r, error);
+    fputs(s->done > 0 ? "\n" : "", s->output.stream);
+    info_print_text(s->output.stream, &r);
+    return BURNISH_STATUS_OK;
+}
+
+/* Reports an input that can not be read, and goes on. */
+static burnish_status print_failure(survey *s, const char *input, burnish_error *failure,
+                                    burnish_error *error) {
+    int failed = 0;
+    cli_clean(failure->text);
+    fprintf(stderr, "burnish: %s\n", failure->text);
+    ++s->failed;
+    if (!s->settings->json && !s->settings->csv) {
+        return BURNISH_STATUS_OK;
+    }
+    cJSON *root = cJSON_CreateObject();
+    cli_json_add(root, "input", cli_json_text(input), &failed);
+    cli_json_add(root, "error", cli_json_text(failure->text), &failed);
+    return print_object(s, root, failed, error);
+}
+
+static burnish_status measure(survey *s, const char *input, burnish_error *error) {
+    burnish_error failure = {BURNISH_STATUS_OK, ""};
+    burnish_mesh *mesh = NULL;
+    burnish_status status = import_load(input, &s->options, &mesh, &failure);
+    for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh) && !s->settings->quiet; ++i) {
+        cli_warn(burnish_mesh_get_warning(mesh, i));
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = print(s, input, mesh, error);
+    } else if (s->is_many) {
+        status = print_failure(s, input, &failure, error);
     } else {
-        print_text(output.stream, &r);
+        *error = failure;
     }
-    return cli_output_end(&output, settings->json ? settings->json : "-", status, error);
+    burnish_mesh_destroy(mesh);
+    ++s->done;
+    return status;
+}
+
+static burnish_status measure_many(survey *s, const cli_call *call, burnish_error *error) {
+    const batch_settings settings = {.files_from = s->settings->files_from,
+                                     .recursive = s->settings->recursive};
+    batch b = {.settings = &settings};
+    burnish_status status = batch_collect(&b, call, error);
+    for (size_t i = 0; i < b.list.count; ++i) {
+        if (status == BURNISH_STATUS_OK) {
+            status = measure(s, b.list.items[i].input, error);
+        }
+        free(b.list.items[i].input);
+    }
+    free(b.list.items);
+    return status;
 }
 
 static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     const info_settings *settings = from;
-    burnish_load_options options = cli_load_options(&settings->load);
-    options.ignore_textures = 1;
-    burnish_mesh *mesh;
-    if (call->operand_count == 0) {
+    const char *path = settings->json ? settings->json : settings->csv;
+    struct stat state;
+    if (call->operand_count == 0 && !settings->files_from) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "info: no INPUT; try \"burnish info :teapot\" or \"burnish info --help\"");
     }
-    options.threads = settings->threads;
-    options.measure = 1;
-    burnish_status status = import_load(call->operands[0], &options, &mesh, error);
-    for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh) && !settings->quiet; ++i) {
-        cli_warn(burnish_mesh_get_warning(mesh, i));
+    if (settings->json && settings->csv) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--csv: not with --json; omit one of them");
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = print(settings, call->operands[0], mesh, error);
+    survey s = {.settings = settings, .options = cli_load_options(&settings->load)};
+    s.options.ignore_textures = 1;
+    s.options.threads = settings->threads;
+    s.options.measure = 1;
+    s.is_many = call->operand_count != 1 || settings->files_from ||
+                (stat(call->operands[0], &state) == 0 && S_ISDIR(state.st_mode));
+    burnish_status status = cli_output_begin(&s.output, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    burnish_mesh_destroy(mesh);
+    if (settings->csv) {
+        info_print_csv_head(s.output.stream);
+    }
+    status = s.is_many ? measure_many(&s, call, error) : measure(&s, call->operands[0], error);
+    status = cli_output_end(&s.output, path ? path : "-", status, error);
+    if (status == BURNISH_STATUS_OK && s.failed > 0) {
+        fprintf(stderr, "burnish: %zu of %zu failed\n", s.failed, s.done);
+        call->exit_code = CLI_EXIT_SOME_FAILED;
+    }
     return status;
 }

@@ -53,7 +53,7 @@ static const struct layer {
     {"program/compare", "cli import render render/output render/scene picture burnish"},
     {"program/font", "cli burnish"},
     {"program/import", "cli core/beneath.h core/show_name.h burnish"},
-    {"program/info", "cli import render/scene burnish"},
+    {"program/info", "batch cli import render/scene burnish"},
     {"program/lobe", "cli burnish"},
     {"program/picture", "cli burnish"},
     {"program/plot", "cli lobe picture burnish"},

@@ -163,7 +163,7 @@ expect 2 'burnish: --output: "in/a.obj" and another input would both be written 
     batch in/a.obj in/a.off -d out -o x.png
 expect 2 'burnish: batch: no INPUT; try "burnish batch FOLDER --output-dir=thumbs" or "burnish batch --help"' batch
 mkdir empty
-expect 2 'burnish: batch: no meshes there; --recursive looks into folders below' batch empty
+expect 2 'burnish: no meshes there; --recursive looks into folders below' batch empty
 expect 2 'burnish: --report: "in/a.obj" exists but is not a report of burnish batch; name another file' batch :sphere --report=in/a.obj -d out
 echo text >out/sphere.png
 batch :sphere -d out --size=8

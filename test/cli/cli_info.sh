@@ -181,7 +181,25 @@ rm -f ./*
 
 # Errors.
 expect 2 'burnish: info: no INPUT; try "burnish info :teapot" or "burnish info --help"' info
-expect 2 'burnish: info: "b.stl" is an extra operand; usage: burnish info INPUT [options]' info a.stl b.stl
+# Many inputs: failures do not end the run.
+mkdir -p many/sub
+box >many/box.stl
+box >many/sub/deep.stl
+echo junk >many/bad.stl
+run info many --csv
+check "a folder: exit code $code" [ "$code" = 11 ]
+check "CSV: a header and two rows" [ "$(wc -l <"$out")" = 3 ]
+check "CSV: a box" grep -q '^many/box.stl,stl,12,8,0,0,1,,1,2,3,+Z,22,6,yes,yes,yes,1,18,0,' "$out"
+check "CSV: a failure" grep -q '^many/bad.stl,,.*,"\{0,1\}many/bad.stl: ' "$out"
+check "the failures are counted" grep -q '^burnish: 1 of 2 failed$' "$err"
+run info many many/box.stl -r --json --quiet
+check "JSON lines" [ "$(grep -c '^{"burnish":.*"volume":6,.*}$' "$out")" = 3 ]
+check "JSON lines: a failure" [ "$(grep -c '^{"input":"many/bad.stl","error":' "$out")" = 1 ]
+printf 'many/box.stl\nmany/sub/deep.stl\n' >names.txt
+gives 0 info --files-from=names.txt
+check "text: two blocks" [ "$(grep -c '12 triangles, 8 vertices' "$out")" = 2 ]
+expect 2 'burnish: --csv: not with --json; omit one of them' info many --csv --json
+rm -r many names.txt
 expect 2 'burnish: --jsn: unknown flag; did you mean --json?' info a.stl --jsn
 expect 2 'burnish: :tepot: unknown built-in object; there are :teapot, :sphere, :torus, :knot' info :tepot
 expect 3 "burnish: none.stl: can't be opened: No such file or directory" info none.stl

@@ -9,7 +9,7 @@ expect 2 'burnish: "frobnicate": unknown command; "burnish --help" lists the com
 expect 3 "burnish: bunny.obj: can't be opened: No such file or directory" bunny.obj
 expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' --json
 expect 2 'burnish: render: no INPUT; try "burnish render :teapot" or "burnish render --help"' render
-expect 2 'burnish: info: "b" is an extra operand; usage: burnish info INPUT [options]' info a b
+expect 2 'burnish: compare: "c" is an extra operand; usage: burnish compare A B [options]' compare a b c
 expect 2 'burnish: --sampels: unknown flag; did you mean --samples?' render :sphere --sampels=4
 expect 2 'burnish: --view-angle: unknown flag; did you mean --camera-view-angle?' render :sphere --view-angle 4
 expect 2 'burnish: --samp: unknown flag; did you mean --samples?' render :sphere --samp=4

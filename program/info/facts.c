@@ -1,0 +1,312 @@
+#include "info/facts.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/origin.h"
+#include "cli/output.h"
+#include "import/importers.h"
+
+/* The facts to print. */
+static const char *up_name(const info_report *r) {
+    const float *axis = r->view->up_axis;
+    const int usual = axis[0] > 0.5F ? 0 : axis[1] > 0.5F ? 1 : 2;
+    static const char *const names[] = {"+X", "+Y", "+Z"};
+    return names[r->stance.is_other ? r->stance.other : usual];
+}
+
+static const char *format_name(const info_report *r, char extension[IMPORT_EXTENSION_SIZE]) {
+    return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh)->format,
+                              extension);
+}
+
+/* ---- JSON ---- */
+
+static cJSON *warning_at(const void *mesh, size_t i) {
+    return cli_json_text(burnish_mesh_get_warning(mesh, i));
+}
+
+static void add_sizes(cJSON *root, const info_report *r, int *failed) {
+    const burnish_mesh_facts *f = r->facts;
+    cJSON *box = cJSON_CreateObject();
+    cJSON *center =
+        f ? cli_json_real_position(f->center_of_mass, r->view->origin) : cJSON_CreateNull();
+    cli_json_add(box, "min", cli_json_position(r->low, r->view->origin), failed);
+    cli_json_add(box, "max", cli_json_position(r->high, r->view->origin), failed);
+    cli_json_add(box, "size", cli_json_floats(3, r->size), failed);
+    cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(r->mesh)->unit), failed);
+    cli_json_add(root, "bounding_box", box, failed);
+    cli_json_add(root, "up", cJSON_CreateString(up_name(r)), failed);
+    cli_json_add(root, "up_source", cJSON_CreateString(r->stance.is_other ? "auto" : "format"),
+                 failed);
+    cJSON *tipping = r->stance.usual > 0 ? cJSON_CreateObject() : cJSON_CreateNull();
+    if (r->stance.usual > 0) {
+        cli_json_add(tipping, "+Y", cli_json_real(r->stance.tipping[1]), failed);
+        cli_json_add(tipping, "+Z", cli_json_real(r->stance.tipping[2]), failed);
+    }
+    cli_json_add(root, "tipping_angles", tipping, failed);
+    cli_json_add(root, "area", cli_json_real(f ? f->area : NAN), failed);
+    cli_json_add(root, "volume", cli_json_real(f ? f->volume : NAN), failed);
+    cli_json_add(root, "center_of_mass", center, failed);
+    cli_json_add(root, "origin", cli_json_reals(3, r->view->origin), failed);
+}
+
+/* null if the input has no faces. */
+static cJSON *bool_or_null(const burnish_mesh_facts *facts, int value) {
+    return facts ? cJSON_CreateBool(value) : cJSON_CreateNull();
+}
+
+static void add_counts(cJSON *root, const burnish_mesh_facts *facts, int *failed) {
+    static const burnish_mesh_facts none;
+    const burnish_mesh_facts *f = facts ? facts : &none;
+    const struct {
+        const char *key;
+        size_t count;
+    } counts[] = {
+        {"shells", f->shell_count},
+        {"edges", f->edge_count},
+        {"open_edges", f->open_edge_count},
+        {"exact_open_edges", f->join_tolerance > 0 ? f->exact_open_edge_count : f->open_edge_count},
+        {"non_manifold_edges", f->non_manifold_edge_count},
+        {"inconsistent_edges", f->inconsistent_edge_count},
+        {"flipped_triangles", f->flipped_count},
+        {"unorientable_parts", f->unorientable_count},
+        {"degenerate_triangles", f->degenerate_count},
+        {"duplicate_triangles", f->duplicate_count}};
+    cli_json_add(root, "solid", bool_or_null(facts, f->is_solid), failed);
+    cli_json_add(root, "closed", bool_or_null(facts, f->is_closed), failed);
+    cli_json_add(root, "join_tolerance", cli_json_real(facts ? f->join_tolerance : NAN), failed);
+    cli_json_add(root, "consistent_winding", bool_or_null(facts, f->is_consistent), failed);
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
+        cli_json_add(root, counts[i].key,
+                     facts ? cli_json_count(counts[i].count) : cJSON_CreateNull(), failed);
+    }
+}
+
+cJSON *info_make_json(const info_report *r, int *failed) {
+    const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
+    char extension[IMPORT_EXTENSION_SIZE];
+    cJSON *root = cJSON_CreateObject();
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), failed);
+    cli_json_add(root, "input", cli_json_text(r->input), failed);
+    cli_json_add(root, "format", cJSON_CreateString(format_name(r, extension)), failed);
+    cli_json_add(root, "triangles", cli_json_count(r->facts ? r->facts->triangle_count : 0),
+                 failed);
+    cli_json_add(root, "vertices",
+                 r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), failed);
+    cli_json_add(root, "points", cli_json_count(info->point_count), failed);
+    cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
+    cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
+                 failed);
+    add_sizes(root, r, failed);
+    add_counts(root, r->facts, failed);
+    cli_json_add(root, "warnings",
+                 cli_json_array(burnish_mesh_get_warning_count(r->mesh), warning_at, r->mesh),
+                 failed);
+    return root;
+}
+
+/* ---- CSV ---- */
+
+static const char *const csv_keys[] = {"input",
+                                       "format",
+                                       "triangles",
+                                       "vertices",
+                                       "points",
+                                       "lines",
+                                       "materials",
+                                       "unit",
+                                       "size",
+                                       "up",
+                                       "area",
+                                       "volume",
+                                       "solid",
+                                       "closed",
+                                       "consistent_winding",
+                                       "shells",
+                                       "edges",
+                                       "open_edges",
+                                       "non_manifold_edges",
+                                       "inconsistent_edges",
+                                       "flipped_triangles",
+                                       "unorientable_parts",
+                                       "degenerate_triangles",
+                                       "duplicate_triangles",
+                                       "error"};
+enum { CSV_KEYS = sizeof csv_keys / sizeof *csv_keys };
+
+void info_print_csv_head(FILE *stream) {
+    for (int i = 0; i < CSV_KEYS; ++i) {
+        const int is_size = strcmp(csv_keys[i], "size") == 0;
+        fprintf(stream, "%s%s", i > 0 ? "," : "", is_size ? "size_x,size_y,size_z" : csv_keys[i]);
+    }
+    fputc('\n', stream);
+}
+
+static void print_csv_value(FILE *stream, const cJSON *item) {
+    if (cJSON_IsString(item)) {
+        cli_csv_text(stream, item->valuestring);
+    } else if (cJSON_IsNumber(item) || cJSON_IsRaw(item)) {
+        cli_csv_real(stream,
+                     cJSON_IsRaw(item) ? strtod(item->valuestring, NULL) : item->valuedouble);
+    } else if (cJSON_IsBool(item)) {
+        fputs(cJSON_IsTrue(item) ? "yes" : "no", stream);
+    }
+}
+
+void info_print_csv_row(FILE *stream, const cJSON *root) {
+    const cJSON *box = cJSON_GetObjectItemCaseSensitive(root, "bounding_box");
+    const cJSON *size = cJSON_GetObjectItemCaseSensitive(box, "size");
+    for (int i = 0; i < CSV_KEYS; ++i) {
+        const char *separator = i > 0 ? "," : "";
+        if (strcmp(csv_keys[i], "size") == 0) {
+            for (int k = 0; k < 3; ++k) {
+                fputs(separator, stream);
+                print_csv_value(stream, cJSON_GetArrayItem(size, k));
+            }
+            continue;
+        }
+        fputs(separator, stream);
+        print_csv_value(stream, cJSON_GetObjectItemCaseSensitive(root, csv_keys[i]));
+    }
+    fputc('\n', stream);
+}
+
+/* ---- Text ---- */
+
+static void print_count(FILE *stream, const char *name, size_t count) {
+    fprintf(stream, "  %-20s  %zu\n", name, count);
+}
+
+/* Digits of a coordinate: 6 for coordinates of the mesh's size, more for larger ones. */
+static int coordinate_digits(double origin, double size) {
+    int digits = 6;
+    for (double reach = size; reach > 0 && reach < fabs(origin) && digits < DBL_DECIMAL_DIG;
+         reach *= 10) {
+        ++digits;
+    }
+    return digits;
+}
+
+static void print_vector(FILE *stream, const char *name, const double v[3], const info_report *r,
+                         const char *separator) {
+    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2]));
+    fprintf(stream, "  %-20s  ", name);
+    for (int k = 0; k < 3; ++k) {
+        fprintf(stream, "%s%.*g", k > 0 ? separator : "",
+                coordinate_digits(r->view->origin[k], size), v[k]);
+    }
+}
+
+static void print_position(FILE *stream, const char *name, const float v[3], const info_report *r) {
+    const double *origin = r->view->origin;
+    const double file[3] = {cli_file_coordinate(v[0], origin[0]),
+                            cli_file_coordinate(v[1], origin[1]),
+                            cli_file_coordinate(v[2], origin[2])};
+    print_vector(stream, name, file, r, ", ");
+    fputc('\n', stream);
+}
+
+/* Why the volume can be misleading, or "". */
+static const char *volume_remark(const burnish_mesh_facts *f) {
+    return !f->is_closed       ? " (meaningless: the surface is not closed)"
+           : !f->is_consistent ? " (meaningless: triangles are wound both ways)"
+           : !f->is_solid      ? " (the surface is flat)"
+           : f->volume < 0     ? " (inside out: triangles are clockwise seen from outside)"
+                               : "";
+}
+
+/* 0 for rounding errors. */
+static double snap(double value, double rounding) {
+    return fabs(value) < rounding ? 0 : value;
+}
+
+/* Such as "unstable on +Y" or "stable up to 31 degrees on +Z". */
+static void print_tipping(FILE *stream, const render_stance *stance, int axis) {
+    if (stance->tipping[axis] < 0) {
+        fprintf(stream, "unstable on +%c", "XYZ"[axis]);
+    } else {
+        fprintf(stream, "stable up to %.0f degrees on +%c", stance->tipping[axis], "XYZ"[axis]);
+    }
+}
+
+/* The up axis of pictures, and why. */
+static void print_up(FILE *stream, const info_report *r) {
+    fprintf(stream, "  %-20s  %s, ", "up", up_name(r));
+    if (r->stance.usual == 0) {
+        fprintf(stream, "the axis of the format\n");
+        return;
+    }
+    fprintf(stream, r->stance.is_other ? "guessed: " : "the axis of the format: ");
+    print_tipping(stream, &r->stance, r->stance.usual);
+    fprintf(stream, ", ");
+    print_tipping(stream, &r->stance, r->stance.other);
+    fputc('\n', stream);
+}
+
+/* All facts of points and lines. */
+static void print_box(FILE *stream, const info_report *r) {
+    const char *unit = burnish_mesh_get_info(r->mesh)->unit;
+    if (unit) {
+        fprintf(stream, "  %-20s  %s\n", "unit", unit);
+    }
+    fprintf(stream, "  %-20s  %.6g x %.6g x %.6g\n", "size", (double)r->size[0], (double)r->size[1],
+            (double)r->size[2]);
+    print_position(stream, "from", r->low, r);
+    print_position(stream, "to", r->high, r);
+    print_up(stream, r);
+}
+
+static void print_surface(FILE *stream, const info_report *r) {
+    const burnish_mesh_facts *f = r->facts;
+    const double size = fmax(r->size[0], fmax(r->size[1], r->size[2])), *c = f->center_of_mass;
+    const double rounding = 4 * FLT_EPSILON * size; /* of the coordinates */
+    const double *o = r->view->origin;
+    const double center[3] = {snap(c[0], rounding) + o[0], snap(c[1], rounding) + o[1],
+                              snap(c[2], rounding) + o[2]};
+    fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
+    fprintf(stream, "  %-20s  %.6g%s\n", "volume", snap(f->volume, 1e-12 * f->area * size),
+            volume_remark(f));
+    print_vector(stream, "centre of mass", center, r, ", ");
+    fprintf(stream, " (of the %s)\n", f->is_solid ? "solid" : "surface");
+    fprintf(stream, "\n  %-20s  %s", "closed", f->is_closed ? "yes" : "no");
+    if (f->join_tolerance > 0) {
+        fprintf(stream, ", with vertices within %.2g joined (%zu open edges without)",
+                f->join_tolerance, f->exact_open_edge_count);
+    }
+    fputc('\n', stream);
+    fprintf(stream, "  %-20s  %s\n", "consistent winding", f->is_consistent ? "yes" : "no");
+    print_count(stream, "shells", f->shell_count);
+    print_count(stream, "edges", f->edge_count);
+    print_count(stream, "open edges", f->open_edge_count);
+    print_count(stream, "non-manifold edges", f->non_manifold_edge_count);
+    print_count(stream, "inconsistent edges", f->inconsistent_edge_count);
+    print_count(stream, "flipped triangles", f->flipped_count);
+    print_count(stream, "unorientable parts", f->unorientable_count);
+    print_count(stream, "degenerate triangles", f->degenerate_count);
+    print_count(stream, "duplicate triangles", f->duplicate_count);
+}
+
+void info_print_text(FILE *stream, const info_report *r) {
+    const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
+    const size_t materials = burnish_mesh_get_material_count(r->mesh);
+    const size_t count = r->facts               ? r->facts->triangle_count
+                         : info->line_count > 0 ? info->line_count
+                                                : info->point_count;
+    char extension[IMPORT_EXTENSION_SIZE];
+    fprintf(stream, "%s (%s): %zu %s%s, ", r->input, format_name(r, extension), count,
+            r->facts               ? "triangle"
+            : info->line_count > 0 ? "line"
+                                   : "point",
+            count == 1 ? "" : "s");
+    if (r->facts) {
+        fprintf(stream, "%zu vertices, ", r->facts->vertex_count);
+    }
+    fprintf(stream, "%zu material%s\n\n", materials, materials == 1 ? "" : "s");
+    print_box(stream, r);
+    if (r->facts) {
+        print_surface(stream, r);
+    }
+}
