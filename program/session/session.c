@@ -295,11 +295,23 @@ burnish_status session_open(session *s, const char *name, const void *bytes, siz
     return end(s, status, given.naming, error);
 }
 
+static int is_given(session_options options, const char *name) {
+    for (size_t i = 0; i < options.count; ++i) {
+        if (strcmp(options.items[i].name, name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 burnish_status session_build(session *s, const burnish_mesh_description *description,
                              session_options given, burnish_error *error) {
     burnish_load_options options;
     burnish_status status =
         begin(s, description->name ? description->name : "mesh", given, &options, error);
+    if (!is_given(given, "up")) { /* the description's */
+        s->settings.camera.up = UP_FORMAT;
+    }
     if (status == BURNISH_STATUS_OK) {
         status = finish(s, burnish_mesh_create(description, &options, &s->mesh, error), error);
     }

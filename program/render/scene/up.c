@@ -89,13 +89,14 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     const int is_stl = format == BURNISH_FORMAT_STL;
     render_stance stance = {0};
     double center[3];
+    const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
     const int is_doubted = is_stl || format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
-                           format == BURNISH_FORMAT_OFF;
-    if (!is_doubted || info->point_count + info->line_count > 0) {
+                           format == BURNISH_FORMAT_OFF || format == BURNISH_FORMAT_ARRAYS;
+    if (!is_doubted || usual == 0 || info->point_count + info->line_count > 0) {
         return stance;
     }
-    stance.usual = is_stl ? 2 : 1;
-    stance.other = 3 - stance.usual;
+    stance.usual = usual;
+    stance.other = 3 - usual;
     find_center(view, center);
     stance.tipping[1] = tipping(view, 1, center);
     stance.tipping[2] = tipping(view, 2, center);

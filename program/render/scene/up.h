@@ -13,7 +13,7 @@ typedef struct render_stance {
     int is_other;   /* 1: it would fall over on the usual axis and is stable on the other one */
 } render_stance;
 
-/* OBJ, PLY and OFF take the other axis if the object can lean by less than 5.7 degrees on the usual
+/* OBJ, PLY, OFF and arrays take the other axis if the object can lean by less than 5.7 degrees on the usual
  * one and by 21.8 or more on the other. STL, whose axis is more reliable: less than 2, and 60. */
 render_stance render_find_stance(const burnish_mesh *mesh);
 
