@@ -105,6 +105,8 @@ export interface DrawOptions {
   look?: string;
   /** Of all surfaces. */
   color?: string | [number, number, number];
+  /** Ignores colours, materials and textures of the mesh, but not its opacity. */
+  noColors?: boolean;
   /** "matte", "satin", "plastic", "polished" or "metal". */
   material?: string;
   /** [0, 1] */

@@ -165,7 +165,8 @@ static void print_colors(void) {
     printf(".SH COLOURS\n");
     print_text(
         "_COLOR_ is *#rgb* or *#rrggbb* in hexadecimal, *r,g,b* with sRGB values from 0 to 1, or a "
-        "name:");
+        "name of CSS, such as *lightgrey* or *steelblue*. These names are burnish's own or have "
+        "softer values than in CSS:");
     for (size_t i = 0; cli_color_name(i); ++i) {
         printf("%s%s", i > 0 ? ", " : "", cli_color_name(i));
     }

@@ -54,13 +54,13 @@ int cli_read_reals(const char *text, size_t length, double *values, size_t count
  * "auto" must not fail if a later flag overrides the variable. */
 burnish_status cli_choose_isa(const char *name, burnish_isa *isa, burnish_error *error);
 
-/* #rgb, #rrggbb, r,g,b in [0, 1] or a name. Returns 0 for other texts. */
+/* #rgb, #rrggbb, r,g,b in [0, 1] or a name: burnish's own or CSS. Returns 0 for other texts. */
 int cli_read_color(const char *text, size_t length, float srgb[3]);
 
 /* The valid forms of a colour, for messages. */
 extern const char cli_color_forms[];
 
-/* The table of colour names, for the man page: NULL past the end. */
+/* burnish's own names of colours, for the man page: NULL past the end. */
 const char *cli_color_name(size_t index);
 
 /* Writes the names as "a, b, c". */

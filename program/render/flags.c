@@ -317,6 +317,10 @@ static const cli_flag flags[] = {
     {CLI_FLAG("color", "COLOR", "colour of the whole object", cli_flag_color, shading.color),
      .common = 1, .aliases = "colour,object-color",
      .manual = "Colour of the whole object, instead of the colours of the input; see *COLOURS*."},
+    {CLI_SWITCH("no-colors", "ignore the colours of the input", shading.no_colors), .common = 1,
+     .aliases = "no-colours,ignore-colors,monochrome",
+     .manual = "Ignores colours, materials and textures of the input, but not its opacity: the "
+               "object has the grey of the look, or the colour of *--color*."},
     {CLI_FLAG("material", "NAME", "material preset", cli_flag_word, shading.material), .common = 1,
      .words = render_preset_words,
      .manual = "A material preset for the whole object; see *MATERIALS*. Colours do not change."},

@@ -52,6 +52,7 @@ drawn same-scale
 drawn margin=0.2
 same look=drawing
 drawn color=red
+same no-colors
 drawn material=metal
 refused opacity=0.5
 refused specular=1

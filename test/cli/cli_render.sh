@@ -225,6 +225,18 @@ for flag in --samples=8 --up=+Z --azimuth=20 --elevation=-20 --zoom=2 \
     --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3 --normals=own --crease-angle=0 --cull-back-faces --look=plain --look=clay --occlusion=none --occlusion=9; do
     differs "$flag" "$plain" "$(hash :teapot --size=64 $flag)"
 done
+# Colours by name, and none.
+same "a CSS name" "$(hash :torus --size=32 --color=LightSteelBlue)" "$(hash :torus --size=32 --color=#b0c4de)"
+printf 'newmtl red\nKd 1 0 0\nKs 1 1 1\n' >colored.mtl
+printf 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n' >colors.obj
+printf 'mtllib colored.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >colored.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >grey.obj
+for file in colored.obj colors.obj; do
+    differs "the colours of $file" "$(hash $file --size=32)" "$(hash grey.obj --size=32)"
+    same "$file without colours" "$(hash $file --size=32 --no-colors)" "$(hash grey.obj --size=32)"
+done
+same "--color after --no-colors" "$(hash colored.obj --size=32 --no-colors --color=gold)" "$(hash grey.obj --size=32 --color=gold)"
+rm -f colored.mtl colors.obj colored.obj grey.obj
 lit_gltf() { # TYPE
     printf '%s' '{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],' \
         '"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],' \

@@ -127,8 +127,8 @@ static void test_errors(void) {
     expect_error("--size=0", "--size: \"0\" is not a whole number from 1 to 16384");
     expect_error("--size=1e3", "--size: \"1e3\" is not a whole number from 1 to 16384");
     expect_error("--margin=0.6", "--margin: \"0.6\" is not a number from 0 to 0.45");
-    expect_error("--color=beige",
-                 "--color: \"beige\" is not a colour: #rgb, #rrggbb, r,g,b from 0 to "
+    expect_error("--color=greige",
+                 "--color: \"greige\" is not a colour: #rgb, #rrggbb, r,g,b from 0 to "
                  "1, or a name");
     expect_error("--lobe=energy:2,", "--lobe: \"\" is not a lobe; use FIT:ORDER with FIT taylor, "
                                      "energy, levelQ (0 < Q < 1), shift7, shift3, projected, "

@@ -59,6 +59,7 @@ class Options(TypedDict, total=False):
     margin: float
     look: str
     color: Color
+    no_colors: Switch
     material: str
     opacity: float
     specular: float

@@ -102,7 +102,15 @@ static burnish_material adjusted_material(const render_shading_settings *shading
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
                                        burnish_error *error) {
     const size_t count = burnish_mesh_get_material_count(mesh);
-    burnish_status status = burnish_look_set_materials((burnish_look)shading->look, mesh, error);
+    burnish_status status = BURNISH_STATUS_OK;
+    for (size_t i = 0; shading->no_colors && i < count && status == BURNISH_STATUS_OK; ++i) {
+        burnish_material plain = burnish_material_default();
+        plain.transparency = burnish_mesh_get_material(mesh, i)->transparency;
+        status = burnish_mesh_set_material(mesh, i, &plain, error);
+    }
+    status = status != BURNISH_STATUS_OK
+                 ? status
+                 : burnish_look_set_materials((burnish_look)shading->look, mesh, error);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_material material = adjusted_material(shading, *burnish_mesh_get_material(mesh, i));
         status = burnish_mesh_set_material(mesh, i, &material, error);
@@ -125,7 +133,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     options.kernels = burnish_kernels_for(settings->job.isa);
     options.specular_model = (burnish_specular_model)shading->equation;
     options.local_viewer = shading->viewer;
-    options.ignore_colors |= shading->color.given;
+    options.ignore_colors |= shading->color.given || shading->no_colors;
     options.cull_back_faces = picture->cull_back_faces;
     options.transparent = picture->background.transparent;
     if (shading->environment.name) { /* instead of the rig */

@@ -46,7 +46,8 @@ typedef struct render_edges {
 typedef struct render_shading_settings {
     int look; /* burnish_look */
     cli_color color;
-    int material; /* 1 + index into render_presets; 0: the input's own */
+    int no_colors; /* 1: those of the input are ignored */
+    int material;  /* 1 + index into render_presets; 0: the input's own */
     cli_real specular, exponent, opacity;
     render_lobes lobes;
     int equation, viewer;
