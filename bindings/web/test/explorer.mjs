@@ -270,7 +270,7 @@ try {
   other.kill();
 
   // ---- The screen, byte for byte ----
-  const split = await openPage("#resolution=480,360&divider=40&look=studio&mesh=:knot");
+  const split = await openPage("#resolution=480,360&divider=40&look=three-point&mesh=:knot");
   const line = await split.textContent("#command");
   const drawnBy = (lobe) => {
     const png = join(scratch, `${lobe}.png`);
