@@ -92,6 +92,12 @@ SHAPES = [(name, name, "") for name in (":teapot", ":sphere", ":torus", ":knot")
 ]
 SHOWN = "bunny bracket gear hinge impeller plate heatsink knob cat name".split()
 PARTS = os.path.join(ROOT, "docs", "gallery", "parts")
+README = [  # its images of parts; helmet.jpg is a public asset (FlightHelmet.gltf of Khronos' samples, CC0)
+    ("metal.jpg", "impeller", ["--material=metal", "--color=#c8763a", "--ground", "-s", "480x360"]),
+    ("section.jpg", "mug", ["--clip=0,-1,0,0", "--color=#c0392b", "--ground", "-s", "480x360"]),
+    ("drawing.svg", "bracket", ["--look=drawing", "--views=iso", "--annotate=dimensions", "-s", "480x360"]),
+    ("turntable.gif", "gear", ["--material=metal", "-s", "240x180", "--frames=24"]),
+]
 HEAD = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>burnish: gallery</title>
 <style>body { font: 14px sans-serif; margin: 1em } img { display: block; width: 320px } td, th { padding: 2px; text-align: left; vertical-align: top }</style></head>
@@ -135,6 +141,10 @@ class Gallery:
         with open(f"{self.out}/index.html", "w", encoding="utf-8") as page:
             page.write(HEAD + "".join(rows) + "</table></body></html>\n")
         self.sheets()
+        for image, part, flags in [] if self.all_looks == "torus" else README:
+            mesh = self.mesh(part, f"{PARTS}/{part}.scad")
+            if mesh:
+                run(self.burnish, mesh, f"{self.docs}/../images/{image}", *flags, "--overwrite", "--quiet")
         if self.missing:
             print(f"gallery: left out: {' '.join(self.missing)} (make deps GROUPS=gallery)")
         print(f"gallery: {len(rows) - 1} shapes: {self.out}/index.html")
