@@ -62,6 +62,9 @@ refused equation=phong
 refused viewer=distant
 refused light=headlight
 drawn ambient=0.5
+drawn environment=room
+other environment-strength
+other environment-turn
 refused occlusion=8
 refused ground
 refused shadow
