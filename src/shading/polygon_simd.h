@@ -129,15 +129,19 @@ BURNISH_INLINE vf polygon_root(vf x) {
     return vf_mul(x, vector_inverse_sqrt(x));
 }
 
-/* a x b for unit vectors: a x (b - a) keeps the digits of short edges. */
+/* a x b = a x (b - a) = b x (b - a) keeps the digits of short edges. With the end nearer to the axis
+ * in front, its z is exact relative to the distance of that end from the axis: a corner that an axis
+ * meets is then at the same azimuth for both of its edges. */
 BURNISH_INLINE void polygon_cross(const vf a[3], const vf b[3], vf cross[3]) {
-    vf d[3];
+    const vm a_is_nearer = vf_greater(a[2], b[2]);
+    vf d[3], nearer[3];
     for (int k = 0; k < 3; ++k) {
         d[k] = vf_sub(b[k], a[k]);
+        nearer[k] = vf_blend(a_is_nearer, a[k], b[k]);
     }
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        cross[k] = vf_sub(vf_mul(a[i], d[j]), vf_mul(a[j], d[i]));
+        cross[k] = vf_sub(vf_mul(nearer[i], d[j]), vf_mul(nearer[j], d[i]));
     }
 }
 
@@ -388,6 +392,12 @@ BURNISH_INLINE void polygon_add_diffuse(const polygon_edge *edge, const vf cross
     sums->diffuse = vf_add(sums->diffuse, vf_and_mask(edge->exists, diffuse));
 }
 
+/* A corner on the axis has no azimuth: it is moved by less than a vector in floats is exact. */
+BURNISH_INLINE void polygon_avoid_axis(vf vertex[3]) {
+    const vf distance = vf_add(polygon_absolute(vertex[0]), polygon_absolute(vertex[1]));
+    vertex[0] = vf_blend(vf_greater(vf_set(0x1p-24f), distance), vf_set(0x1p-24f), vertex[0]);
+}
+
 /* Cuts an edge at the horizon, and remembers where. */
 BURNISH_INLINE void polygon_cut(polygon_edge *edge, vm leaves, vm enters, vf height_a, vf height_b,
                                 polygon_edge *horizon) {
@@ -397,6 +407,7 @@ BURNISH_INLINE void polygon_cut(polygon_edge *edge, vm leaves, vm enters, vf hei
                         vf_mul(edge->to[k], polygon_absolute(height_a)));
     }
     polygon_normalize(cut);
+    polygon_avoid_axis(cut);
     for (int k = 0; k < 3; ++k) {
         edge->from[k] = vf_blend(enters, cut[k], edge->from[k]);
         edge->to[k] = vf_blend(leaves, cut[k], edge->to[k]);
@@ -404,6 +415,15 @@ BURNISH_INLINE void polygon_cut(polygon_edge *edge, vm leaves, vm enters, vf hei
         horizon->to[k] = vf_blend(enters, cut[k], horizon->to[k]);
     }
     horizon->exists = vm_or(horizon->exists, vm_or(leaves, enters));
+}
+
+/* A cut is in the plane of its edge only as well as rounding can tell. Its two edges get normals from
+ * it, or an axis next to it would be at different azimuths; short edges keep theirs. */
+BURNISH_INLINE void polygon_cut_normal(polygon_edge *edge, const vf cross[3]) {
+    const vm is_long = vf_greater(shade_dot(cross, cross), vf_set(0x1p-20f));
+    for (int k = 0; k < 3; ++k) {
+        edge->normal[k] = vf_blend(is_long, cross[k], edge->normal[k]);
+    }
 }
 
 /* All edges and the diffuse light; where the horizon cuts, one more edge along the horizon. Returns
@@ -439,6 +459,7 @@ BURNISH_INLINE int polygon_edges(int count, const polygon_point *at, polygon_sum
             if (vm_any(vm_or(leaves, enters))) {
                 polygon_cut(&edge, leaves, enters, height_a, height_b, &horizon);
                 polygon_cross(edge.from, edge.to, cross);
+                polygon_cut_normal(&edge, cross);
             }
             if (at->has_diffuse) {
                 polygon_add_diffuse(&edge, cross, at, sums);
@@ -451,6 +472,7 @@ BURNISH_INLINE int polygon_edges(int count, const polygon_point *at, polygon_sum
     }
     if (vm_any(horizon.exists)) {
         polygon_cross(horizon.from, horizon.to, cross);
+        polygon_cut_normal(&horizon, cross);
         if (at->has_diffuse) {
             polygon_add_diffuse(&horizon, cross, at, sums);
         }
@@ -539,6 +561,7 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
             }
         }
         polygon_turn(has_frame, (const vf(*)[3])frame, to_vertex, at->vertex[v]);
+        polygon_avoid_axis(at->vertex[v]);
         at->lowest = vf_min(at->lowest, at->vertex[v][2]);
     }
 }
