@@ -212,7 +212,9 @@ typedef struct burnish_render_report {
  * occlusion takes 130 KiB per direction (33 KiB for images below 384 pixels), and vertices,
  * triangles and tile lists again. The ground takes the same for at least 16 directions, and 2.2 MB.
  * A shadow takes 2 MB, 8 MB in images above 1024 pixels. Transparent triangles take 1 bit per
- * triangle of the mesh and, for each thread, 1.1 MB per sample.
+ * triangle of the mesh and, for each thread, 1.1 MB per sample. Distant area lights, a dome or an
+ * environment take at most 2.2 MB for each roughness of the materials, at most 16, and 5 MB if
+ * textures vary roughness.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (max_overdraw, or a mesh that is too small, below
  * about 1e-33 across, or too much enlarged for single precision). */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,

@@ -448,15 +448,18 @@ burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
     return make_specular(maps, found, alpha, specular, error);
 }
 
-burnish_status burnish_light_maps_levels(burnish_light_maps *maps,
+burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
                                          burnish_light_map levels[BURNISH_LIGHT_LEVELS],
                                          burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
-    for (int i = 1; i < BURNISH_LIGHT_LEVELS && status == BURNISH_STATUS_OK; ++i) {
+    first = first > 1 ? first : 1;
+    for (int i = first; i < BURNISH_LIGHT_LEVELS && status == BURNISH_STATUS_OK; ++i) {
         const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
         status = make_specular(maps, &maps->levels[i], roughness * roughness, &levels[i], error);
     }
-    levels[0] = levels[1];
+    for (int i = 0; i < first; ++i) {
+        levels[i] = levels[first];
+    }
     return status;
 }
 

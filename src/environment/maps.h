@@ -51,8 +51,9 @@ const burnish_light_map *burnish_light_maps_diffuse(const burnish_light_maps *ma
 burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
                                        burnish_light_map *specular, burnish_error *error);
 
-/* The same for all levels. Level 0 is level 1: maps have no more detail. */
-burnish_status burnish_light_maps_levels(burnish_light_maps *maps,
+/* The same for the levels from `first`, [0, BURNISH_LIGHT_LEVELS), on; the others are copies of it.
+ * Level 0 is a copy of level 1: maps have no more detail. */
+burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
                                          burnish_light_map levels[BURNISH_LIGHT_LEVELS],
                                          burnish_error *error);
 

@@ -74,7 +74,7 @@ static void test_constant(void) {
     burnish_environment *environment = environment_of(rgb);
     burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR, NULL);
     CHECK1(compare(burnish_light_maps_diffuse(maps), one, NULL) < 1e-5);
-    CHECK1(burnish_light_maps_levels(maps, levels, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_light_maps_levels(maps, 0, levels, NULL) == BURNISH_STATUS_OK);
     for (int i = 0; i < BURNISH_LIGHT_LEVELS; ++i) {
         CHECK1(compare(&levels[i], one, NULL) < 1e-5);
     }

@@ -190,7 +190,7 @@ static void test_keys(void) {
                BURNISH_STATUS_OK);
     }
     CHECK1(burnish_light_maps_need(maps, 0.99f, &second, NULL) == BURNISH_STATUS_LIMIT);
-    CHECK1(burnish_light_maps_levels(maps, levels, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_light_maps_levels(maps, 0, levels, NULL) == BURNISH_STATUS_OK);
     CHECK1(levels[0].texels == levels[1].texels);
     CHECK1(burnish_light_maps_set(maps, &sources, NULL, NULL, NULL) == BURNISH_STATUS_OK);
     CHECK1(burnish_light_maps_need(maps, 0.5f, &first, NULL) == BURNISH_STATUS_OK);

@@ -167,10 +167,23 @@ static float clamped(float x, float low, float high) {
     return x > low ? x < high ? x : high : low;
 }
 
+/* The least roughness of a material's points: exponents only become lower. */
+static float least_roughness(const burnish_textured_material *material, float roughness) {
+    const double n = (double)material->material.exponent;
+    const burnish_texture_levels *metal =
+        material->samplers[BURNISH_TEXTURE_METALLIC_ROUGHNESS].levels;
+    if (material->material.is_metallic) {
+        return metal ? roughness * (float)metal->least[1] / 255 : roughness;
+    }
+    return clamped((float)burnish_sqrt(burnish_sqrt(2 / (n + 2))), 0.0f, roughness);
+}
+
 /* The alpha of a material that reflects, among those of the frame; levels if it varies or there are
  * too many. */
-static void find_alpha(burnish_area *area, int varies, burnish_area_material *material) {
+static void find_alpha(burnish_area *area, const burnish_textured_material *textured,
+                       burnish_area_material *material) {
     const float roughness = material->reflecting.roughness;
+    const int varies = textured && varies_roughness(textured);
     const float alpha = clamped(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
     int i = 0;
     while (i < area->alpha_count && area->alphas[i] != alpha) {
@@ -179,6 +192,9 @@ static void find_alpha(burnish_area *area, int varies, burnish_area_material *ma
     if (varies || i == BURNISH_LIGHT_ALPHAS_MAX) {
         material->reflecting.has_levels = area->has_levels = 1;
         material->reflecting.specular = area->levels;
+        const float least = varies ? least_roughness(textured, roughness) : roughness;
+        const int first = (int)(least * (BURNISH_LIGHT_LEVELS - 1) - 0.01f); /* for rounding */
+        area->first_level = first < area->first_level ? first : area->first_level;
         return;
     }
     material->alpha = i;
@@ -197,7 +213,8 @@ static burnish_status prepare_alphas(burnish_area *area, burnish_memory *memory)
             burnish_light_maps_need(area->maps, area->alphas[i], &area->specular[i], memory->error);
     }
     if (status == BURNISH_STATUS_OK && area->constants.diffuse && area->has_levels) {
-        status = burnish_light_maps_levels(area->maps, area->levels, memory->error);
+        status =
+            burnish_light_maps_levels(area->maps, area->first_level, area->levels, memory->error);
     }
     for (int i = 0; area->has_levels && i < BURNISH_LIGHT_LEVELS; ++i) {
         const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
@@ -239,6 +256,7 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
                                 mesh->material_count, sizeof *area->materials, "materials");
     status = memory->status;
     area->alpha_count = area->has_levels = 0;
+    area->first_level = BURNISH_LIGHT_LEVELS - 1;
     for (size_t i = 0; i < mesh->material_count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_material *from = burnish_mesh_get_material(mesh->mesh, i);
         const burnish_textured_material *textured = texturing ? &texturing->materials[i] : NULL;
@@ -248,7 +266,7 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
             to->reflecting.diffuse[k] = 1; /* points have it */
         }
         if (to->reflecting.reflects) {
-            find_alpha(area, textured && varies_roughness(textured), to);
+            find_alpha(area, textured, to);
         }
     }
     return status == BURNISH_STATUS_OK ? prepare_alphas(area, memory) : status;

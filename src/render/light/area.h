@@ -33,7 +33,7 @@ typedef struct burnish_area {
     burnish_area_material *materials; /* one per material */
     size_t material_capacity;
     float alphas[BURNISH_LIGHT_ALPHAS_MAX + BURNISH_LIGHT_LEVELS]; /* of this frame */
-    int alpha_count, has_levels;
+    int alpha_count, has_levels, first_level;
     burnish_light_map specular[BURNISH_LIGHT_ALPHAS_MAX]; /* of the alphas */
     burnish_light_map levels[BURNISH_LIGHT_LEVELS];
 } burnish_area;
