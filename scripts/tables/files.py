@@ -66,6 +66,9 @@ GLMARK, ASSIMP = "/usr/share/glmark2/models/", "/usr/share/assimp/models/"
 LOOKS = {
     "studio": [],
     "on the ground": ["--ground"],
+    "three-point": ["--look=three-point"],
+    "metal": ["--material=metal", "--color=#d0d0d4"],
+    "polished": ["--material=polished", "--color=#c02020"],
     "clay": ["--look=clay"],
     "technical": ["--look=technical"],
     "drawing": ["--look=drawing"],
