@@ -330,18 +330,24 @@ static void find_size(render_picture_settings *picture) {
 }
 
 /* The lights of the look studio have neither lobes nor shadows. */
-static void choose_look(render_settings *settings) {
+static burnish_status choose_look(render_settings *settings, burnish_error *error) {
     render_shading_settings *shading = &settings->shading;
-    const int needs_lights = render_has_own_lobe(shading) || shading->shadow;
-    if (needs_lights && !cli_is_given(&render_command, settings, "look")) {
+    const int has_lobe = render_has_own_lobe(shading);
+    if ((has_lobe || shading->shadow) && !cli_is_given(&render_command, settings, "look")) {
         shading->look = BURNISH_LOOK_THREE_POINT;
     }
+    return has_lobe && shading->look == BURNISH_LOOK_STUDIO && !shading->lights.given
+               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--%s: the look studio has no lights with a lobe; use "
+                          "--look=three-point, or omit the flag",
+                          shading->equation == BURNISH_SPECULAR_BLINN ? "lobe" : "equation")
+               : BURNISH_STATUS_OK;
 }
 
 burnish_status render_check(render_settings *settings, burnish_error *error) {
-    const burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
+    burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
     find_size(&settings->picture);
-    choose_look(settings);
+    status = status == BURNISH_STATUS_OK ? choose_look(settings, error) : status;
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 

@@ -78,10 +78,6 @@ burnish_status render_check_useless(render_settings *settings, burnish_error *er
          "only a turntable has frames; use --turntable=FILE, or omit the flag"},
         {"columns,labels,no-labels,font", is_sheet,
          "only a sheet has them; use several --views or lobes, or omit the flag"},
-        {"lobe,equation",
-         settings->shading.lights.given || !render_has_own_lobe(&settings->shading) ||
-             render_make_options(settings).area_light_count == 0,
-         "the look studio has no lights with a lobe; use --look=three-point, or omit the flag"},
         {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),
          "no lines are drawn; use --edges, or omit the flag"},
         {"camera-view-angle", is_perspective(settings),
