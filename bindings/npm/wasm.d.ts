@@ -83,9 +83,9 @@ export interface DrawOptions {
   /** From the camera to the object. */
   cameraDirection?: [number, number, number] | string;
   /** Degrees. */
-  cameraAzimuthAngle?: number;
+  azimuth?: number;
   /** Degrees. */
-  cameraElevationAngle?: number;
+  elevation?: number;
   /** A camera of the input, by name or number. */
   camera?: string | number;
   cameraPosition?: [number, number, number] | string;
@@ -93,7 +93,7 @@ export interface DrawOptions {
   cameraViewUp?: [number, number, number] | string;
   /** Vertical field of view in degrees; default 30. */
   cameraViewAngle?: number;
-  cameraZoomFactor?: number;
+  zoom?: number;
   /** true: parallel projection; "no": perspective, also in standard views. */
   cameraOrthographic?: boolean | "no";
   /** Height of the picture in units of the mesh. */
@@ -121,6 +121,12 @@ export interface DrawOptions {
   viewer?: "local" | "distant";
   /** One or several lights such as "directional:X,Y,Z[:INTENSITY[:COLOR]]", or "none". */
   light?: string | string[];
+  /** "sky" or "room": light from all directions. */
+  environment?: "sky" | "room";
+  /** Factor of its light; default 1. */
+  environmentStrength?: number;
+  /** Turn about the up axis in degrees. */
+  environmentTurn?: number;
   /** A number, or a colour. */
   ambient?: number | string;
   /** Number of directions of ambient occlusion, or "none". */

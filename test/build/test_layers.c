@@ -201,7 +201,8 @@ static void check_parameters(const char *path) {
     }
     text[fread(text, 1, sizeof text - 1, file)] = 0;
     fclose(file);
-    for (const char *line = text; line; line = strchr(line, '\n'), line += line != NULL) {
+    for (const char *line = text, *end; line; line = end ? end + 1 : NULL) {
+        end = strchr(line, '\n');
         const size_t name = strspn(line, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                          "0123456789_* ");
         if (name > 0 && line[name] == '(' && line[0] != ' ' && memchr(line, ' ', name) &&

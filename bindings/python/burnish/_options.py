@@ -68,6 +68,9 @@ class Options(TypedDict, total=False):
     equation: str
     viewer: str
     light: Union[str, Sequence[str]]
+    environment: str
+    environment_strength: float
+    environment_turn: float
     ambient: Union[float, str]
     occlusion: Union[int, str, bool]
     ground: Switch

@@ -86,7 +86,7 @@ async function pictures(home, options) {
     const found = [];
     for (let i = 0; i < count; ++i) {
       const start = performance.now();
-      const options = { resolution: "800,600", look: "lobes", exponent: 40, cameraAzimuthAngle: 3 * i, cameraElevationAngle: 20, ...given };
+      const options = { resolution: "800,600", look: "lobes", exponent: 40, azimuth: 3 * i, elevation: 20, ...given };
       const { pictures: [{ rgba }], width, height } = await request("draw", { lobes: ["energy:2"], options });
       context.putImageData(new ImageData(rgba, width, height), 0, 0);
       found.push(performance.now() - start);
