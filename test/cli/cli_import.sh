@@ -201,7 +201,7 @@ done
 importer "cat '$bin/all.bms'"
 gives 0 batch models/configure.ac -d models --size=16 --no-sandbox --force --max-memory=8000000000G  # one that is named is tried
 rm -f models/*.png models/*.jsonl models/*.ac models/*.x models/*.mdl models/*.dxf
-BURNISH_IMPORTERS=$bin/none expect 2 'burnish: batch: no meshes there; --recursive looks into folders below' batch models
+BURNISH_IMPORTERS=$bin/none expect 2 'burnish: no meshes there; --recursive looks into folders below' batch models
 rm -r models
 
 # A file that one of burnish's own readers reads, whatever it is called.

@@ -41,7 +41,7 @@ if command -v python3 >/dev/null; then
     too_much() { # FILE WHERE FLAGS...
         file=$1 where=$2
         shift 2
-        gives 5 render "$file" --threads=1 -o h.png "$@"
+        gives 5 render "$file" --up=format --threads=1 -o h.png "$@"
         check "$file $*: $(cat "$err")" grep -qx "burnish: the triangles cover $where [0-9]* times, which takes long; the limit is [0-9]*: raise max-overdraw, or leave out what is hidden" "$err"
         check "$file $*: no picture" [ ! -e h.png ]
     }
@@ -54,7 +54,7 @@ if command -v python3 >/dev/null; then
     too_much same-120000.obj "the picture" --views=front --look=drawing
     too_much transparent-500.ply "the picture" --views=front --occlusion=none
     too_much sheets-500.stl "the picture" --views=top --occlusion=none --max-overdraw=10
-    gives 0 render sheets-500.stl --views=top --size=640 --samples=1 --occlusion=none --max-overdraw=1e6 --json -o h.png  # a higher limit
+    gives 0 render sheets-500.stl --up=format --views=top --size=640 --samples=1 --occlusion=none --max-overdraw=1e6 --json -o h.png  # a higher limit
     # 500 sheets of half the object's square, 0.9 of the picture's side each: a little more for cells at their edges
     check "overdraw: $(json overdraw)" awk "BEGIN { exit !($(json overdraw) >= 202 && $(json overdraw) < 320) }"
     # A bundle of long thin triangles, as tubes in a tube have: at any size, also with the sky's depth maps.
