@@ -59,19 +59,19 @@ draw() {
 # Keys.
 open :teapot --lobe=energy:2,power --exponent=40
 xdotool key s
-draw start :teapot --exponent=40
+draw start :teapot --look=three-point --exponent=40
 becomes "at the start" "$shots/start.png"
 xdotool key f
-draw front :teapot --exponent=40 --views=front
+draw front :teapot --look=three-point --exponent=40 --views=front
 becomes "F" "$shots/front.png"
 xdotool key t
-draw top :teapot --exponent=40 --views=top
+draw top :teapot --look=three-point --exponent=40 --views=top
 becomes "T" "$shots/top.png"
 xdotool key Home w
-draw wires :teapot --exponent=40 --wireframe
+draw wires :teapot --look=three-point --exponent=40 --wireframe
 becomes "Home, W" "$shots/wires.png"
 xdotool key w s
-draw power :teapot --exponent=40 --lobe=power
+draw power :teapot --look=three-point --exponent=40 --lobe=power
 
 # Dragging the divider of two lobes: one on the left, the other on the right.
 xdotool mousemove --window "$window" 160 60 mousedown 1 mousemove --window "$window" 200 60 mousemove --window "$window" 240 60 mouseup 1
