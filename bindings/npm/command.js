@@ -1,12 +1,12 @@
 #!/usr/bin/env node
 // npx burnish part.stl part.png --size=256: the program's flags and pixels, for a single picture.
-import { readFileSync, readdirSync, statSync, writeFileSync, renameSync } from "node:fs";
+import { closeSync, existsSync, openSync, readFileSync, readSync, readdirSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { basename, dirname, extname, join, parse, relative, sep } from "node:path";
 import { deflateSync } from "node:zlib";
 import { BurnishError, render } from "./wasm.js";
 
 // Flags of render without a value. Every other flag takes one, as --name=VALUE or --name VALUE.
-const SWITCHES = new Set(["cull-back-faces", "no-background", "ground", "shadow", "wireframe", "strict", "no-textures", "no-libraries", "quiet", "json", "no-colors"]);
+const SWITCHES = new Set(["cull-back-faces", "no-background", "ground", "shadow", "wireframe", "strict", "no-textures", "no-libraries", "quiet", "json", "overwrite", "no-colors"]);
 const OPTIONAL = new Set(["edges", "camera-orthographic"]); // --name or --name=VALUE
 const SHORT = { o: "output", s: "size", q: "quiet" };
 const EXIT = { ARGUMENT: 2, READ: 3, FORMAT: 4, LIMIT: 5, MEMORY: 6, WRITE: 7 };
@@ -46,7 +46,7 @@ function parseArguments(words) {
     } else if (value === undefined) {
       value = words[++i] ?? fail(`--${name}: a value is missing: --${name}=VALUE`);
     }
-    if (["output", "quiet", "json"].includes(name)) {
+    if (["output", "quiet", "json", "overwrite"].includes(name)) {
       settings[name] = value;
     } else if (name === "light" || name === "clip") {
       (options[name] ??= []).push(value);
@@ -104,9 +104,9 @@ async function findDecoder() {
   };
 }
 
-/** Files of the input's folder that it may refer to, by relative name. */
-function companions(input) {
-  const files = {}, folder = dirname(input), kinds = /\.(mtl|bin|png|jpe?g|webp|bmp|tga)$/i;
+/** Files of the input's folder whose names the input, or a material library among them, contains: by relative name. */
+function companions(input, bytes) {
+  const files = {}, folder = dirname(input), found = [], texts = [Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength)];
   if (![".obj", ".gltf", ".ply"].includes(extname(input).toLowerCase())) {
     return files;
   }
@@ -115,13 +115,36 @@ function companions(input) {
       const path = join(place, entry.name);
       if (entry.isDirectory() && depth < 3) {
         visit(path, depth + 1);
-      } else if (entry.isFile() && kinds.test(entry.name) && statSync(path).size < 1 << 28) {
-        files[relative(folder, path).split(sep).join("/")] = readFileSync(path);
+      } else if (entry.isFile() && /\.(mtl|bin|png|jpe?g|webp|bmp|tga)$/i.test(entry.name) && found.length < 10000) {
+        found.push(path);
       }
     }
   };
   visit(folder, 0);
+  const isLibrary = (path) => /\.mtl$/i.test(path);
+  found.sort((a, b) => isLibrary(b) - isLibrary(a)); // libraries name textures
+  for (const path of found) {
+    const name = basename(path);
+    if (texts.some((text) => text.includes(name) || text.includes(encodeURI(name))) && statSync(path).size < 1 << 28) {
+      const content = readFileSync(path);
+      files[relative(folder, path).split(sep).join("/")] = content;
+      isLibrary(path) && texts.push(content);
+    }
+  }
   return files;
+}
+
+/** Whether a file does not exist or is a PNG of burnish, as the program checks it. */
+function isReplaceable(path) {
+  if (!existsSync(path)) {
+    return true;
+  }
+  const head = Buffer.alloc(128), file = statSync(path).isFile() ? openSync(path) : -1;
+  if (file >= 0) {
+    readSync(file, head);
+    closeSync(file);
+  }
+  return head.indexOf("\x89PNG", 0, "latin1") === 0 && head.includes("tEXtSoftware\0burnish");
 }
 
 function readInput(input) {
@@ -142,6 +165,7 @@ function write(output, bytes) {
     writeFileSync(temporary, bytes, { flag: "wx" });
     renameSync(temporary, output);
   } catch (error) {
+    rmSync(temporary, { force: true });
     fail(`${output}: can't be written: ${error.message}`, "WRITE");
   }
 }
@@ -164,9 +188,13 @@ async function main(words) {
   if (String(options.views ?? "").includes(",")) {
     fail("--views: this command draws one view; the program burnish draws sheets");
   }
+  if (settings.output === undefined && output !== "-" && !settings.overwrite && !isReplaceable(output)) {
+    fail(`${output}: exists and was not written by burnish; replace it with --overwrite, or name the picture with --output=FILE`);
+  }
+  const bytes = name && readInput(input);
   const picture = await render(
-    input[0] === ":" ? input : readInput(input),
-    { resolution: "1024,768", ...options, ...(name && { name }), files: input === "-" || input[0] === ":" ? {} : companions(input), decode: await findDecoder() });
+    input[0] === ":" ? input : bytes ?? readInput(input),
+    { resolution: "1024,768", ...options, ...(name && { name }), files: name ? companions(input, bytes) : {}, decode: await findDecoder() });
   write(output, encodePng(picture));
   if (!settings.quiet) {
     picture.warnings.forEach((line) => process.stderr.write(`burnish: warning: ${line}\n`));

@@ -21,7 +21,7 @@ typedef struct table {
     float *texels;
 } table;
 
-/* What maps depend on. No padding: it is compared byte by byte. */
+/* What maps depend on. Padding is 0: it is compared byte by byte. */
 typedef struct key {
     burnish_area_light distant[BURNISH_AREA_LIGHT_MAX];
     burnish_dome dome;

@@ -34,47 +34,37 @@ typedef struct polygon_rule {
     float node[POLYGON_PAIRS_MAX], weight[POLYGON_PAIRS_MAX];
 } polygon_rule;
 
-/* For wide and narrow lobes, by order: 5 5 5 8 11 16 nodes, and 3 4 5 8 11 15. */
-static const polygon_rule POLYGON_RULES[2][6] = {
-    {
-        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
-        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
-        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
-        {4,
-         0.0f,
-         {0.960289856f, 0.796666477f, 0.52553241f, 0.183434642f},
-         {0.101228536f, 0.222381034f, 0.313706646f, 0.362683783f}},
-        {5,
-         0.272925087f,
-         {0.978228658f, 0.8870626f, 0.730152006f, 0.519096129f, 0.269543156f},
-         {0.0556685671f, 0.125580369f, 0.186290211f, 0.233193765f, 0.262804545f}},
-        {8,
-         0.0f,
-         {0.989400935f, 0.944575023f, 0.865631202f, 0.755404408f, 0.617876244f, 0.458016778f,
-          0.281603551f, 0.0950125098f},
-         {0.0271524594f, 0.0622535239f, 0.0951585117f, 0.124628971f, 0.149595989f, 0.169156519f,
-          0.182603415f, 0.18945061f}},
-    },
-    {
-        {1, 0.888888889f, {0.774596669f}, {0.555555556f}},
-        {2, 0.0f, {0.861136312f, 0.339981044f}, {0.347854845f, 0.652145155f}},
-        {2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}},
-        {4,
-         0.0f,
-         {0.960289856f, 0.796666477f, 0.52553241f, 0.183434642f},
-         {0.101228536f, 0.222381034f, 0.313706646f, 0.362683783f}},
-        {5,
-         0.272925087f,
-         {0.978228658f, 0.8870626f, 0.730152006f, 0.519096129f, 0.269543156f},
-         {0.0556685671f, 0.125580369f, 0.186290211f, 0.233193765f, 0.262804545f}},
-        {7,
-         0.202578242f,
-         {0.987992518f, 0.937273392f, 0.848206583f, 0.724417731f, 0.570972173f, 0.394151347f,
-          0.201194094f},
-         {0.030753242f, 0.0703660475f, 0.10715922f, 0.139570678f, 0.166269206f, 0.186161f,
-          0.198431485f}},
-    },
-};
+static const polygon_rule POLYGON_3 = {1, 0.888888889f, {0.774596669f}, {0.555555556f}};
+static const polygon_rule POLYGON_4 = {
+    2, 0.0f, {0.861136312f, 0.339981044f}, {0.347854845f, 0.652145155f}};
+static const polygon_rule POLYGON_5 = {
+    2, 0.568888889f, {0.906179846f, 0.53846931f}, {0.236926885f, 0.47862867f}};
+static const polygon_rule POLYGON_8 = {4,
+                                       0.0f,
+                                       {0.960289856f, 0.796666477f, 0.52553241f, 0.183434642f},
+                                       {0.101228536f, 0.222381034f, 0.313706646f, 0.362683783f}};
+static const polygon_rule POLYGON_11 = {
+    5,
+    0.272925087f,
+    {0.978228658f, 0.8870626f, 0.730152006f, 0.519096129f, 0.269543156f},
+    {0.0556685671f, 0.125580369f, 0.186290211f, 0.233193765f, 0.262804545f}};
+static const polygon_rule POLYGON_15 = {7,
+                                        0.202578242f,
+                                        {0.987992518f, 0.937273392f, 0.848206583f, 0.724417731f,
+                                         0.570972173f, 0.394151347f, 0.201194094f},
+                                        {0.030753242f, 0.0703660475f, 0.10715922f, 0.139570678f,
+                                         0.166269206f, 0.186161f, 0.198431485f}};
+static const polygon_rule POLYGON_16 = {8,
+                                        0.0f,
+                                        {0.989400935f, 0.944575023f, 0.865631202f, 0.755404408f,
+                                         0.617876244f, 0.458016778f, 0.281603551f, 0.0950125098f},
+                                        {0.0271524594f, 0.0622535239f, 0.0951585117f, 0.124628971f,
+                                         0.149595989f, 0.169156519f, 0.182603415f, 0.18945061f}};
+
+/* For wide and narrow lobes, by order. */
+static const polygon_rule *const POLYGON_RULES[2][6] = {
+    {&POLYGON_5, &POLYGON_5, &POLYGON_5, &POLYGON_8, &POLYGON_11, &POLYGON_16},
+    {&POLYGON_3, &POLYGON_4, &POLYGON_5, &POLYGON_8, &POLYGON_11, &POLYGON_15}};
 
 /* Integrals of one lobe, times 2 pi. */
 typedef struct polygon_share {
@@ -261,7 +251,7 @@ BURNISH_INLINE vf polygon_at(const burnish_polygon_lobe *lobe, int is_back, cons
 /* sin d times the integral of polygon_front or polygon_back over [from, to]. */
 BURNISH_INLINE vf polygon_integral(const burnish_polygon_lobe *lobe, int is_back,
                                    const polygon_arc *arc, vf from, vf to) {
-    const polygon_rule *rule = &POLYGON_RULES[lobe->is_narrow][lobe->squarings];
+    const polygon_rule *rule = POLYGON_RULES[lobe->is_narrow][lobe->squarings];
     const vf half = vf_set(0.5f);
     const vf middle = vf_mul(half, vf_add(from, to)), width = vf_mul(half, vf_sub(to, from));
     vf sum = vf_set(0.0f);

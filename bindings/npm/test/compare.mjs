@@ -1,7 +1,7 @@
 // The installed package against the program: hashes of the golden pictures, and what each says of the fuzzer's seeds.
 // Usage: node compare.mjs GOLDEN DATA [PROGRAM SEEDS], in a folder where `burnish` is installed
 import { spawnSync } from "node:child_process";
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -250,7 +250,18 @@ for (const words of program ? [[":teapot", "command.png", "--size=48x32", "--azi
   check(`command ${words.join(" ")}`, report.hash, program.hash);
   check(`command ${words.join(" ")}: reference`, ran("render", ...words.filter((word) => !/png|^-o$/.test(word)), "--reference=command.png", "-o", "other.png").status, 0);
 }
+mkdirSync("parts");
+for (const name of ["cube.obj", "cube.mtl"]) {
+  writeFileSync(join("parts", name), files[name]);
+}
+writeFileSync(join("parts", "other.mtl"), "newmtl red\nKd 1 1 1\n");
+if (program) {
+  check("command with a material library", JSON.parse(command("parts/cube.obj", "cube.png", "-s", "40", "--json").stdout).hash,
+    JSON.parse(ran("render", "parts/cube.obj", "cube.png", "-s", "40", "--json", "--overwrite").stdout).hash);
+}
+writeFileSync("foreign.png", "texture");
 for (const [words, status, line] of [
+  [[":teapot", "foreign.png"], 2, "burnish: foreign.png: exists and was not written by burnish; replace it with --overwrite, or name the picture with --output=FILE\n"],
   [[":teapot", "a.jpg"], 2, 'burnish: --output: "a.jpg": this command writes PNG; end the name in .png\n'],
   [["none.stl"], 3, "burnish: none.stl: can't be opened: No such file or directory\n"],
   [[":teapot", "--frobnicate=3"], 2, null],

@@ -146,8 +146,8 @@ static burnish_status update_maps(burnish_area *area, const burnish_render_optio
     if (status == BURNISH_STATUS_OK) {
         area->constants.diffuse = burnish_light_maps_diffuse(area->maps);
     }
+    const int is_camera = all_follow_camera(options);
     for (int k = 0; k < 9; ++k) {
-        const int is_camera = all_follow_camera(options);
         area->constants.axes[k / 3][k % 3] =
             is_camera ? (float)view->axes[k / 3][k % 3] : (k % 4 == 0 ? 1.0f : 0.0f);
     }
