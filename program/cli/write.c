@@ -3,6 +3,10 @@
 #ifndef _WIN32
 
 #include <errno.h>
+#include <stdio.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 #include <unistd.h>
 
 int cli_write_all(int descriptor, const void *bytes, size_t size) {
@@ -16,6 +20,15 @@ int cli_write_all(int descriptor, const void *bytes, size_t size) {
         size -= count > 0 ? (size_t)count : 0;
     }
     return 1;
+}
+
+int cli_unnamed_file(void) {
+#ifdef __linux__
+    return memfd_create("burnish", MFD_CLOEXEC);
+#else
+    FILE *file = tmpfile(); /* its descriptor stays open until the process ends */
+    return file ? dup(fileno(file)) : -1;
+#endif
 }
 
 #endif

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #ifndef _WIN32
-#include <sys/mman.h>
 #include <unistd.h>
 #endif
 
@@ -23,22 +22,13 @@ static const import_program draco = {.name = "burnish-import-draco",
                                      .otherwise =
                                          "export the file without KHR_draco_mesh_compression"};
 
-int import_unnamed_file(void) {
-#ifdef __linux__
-    return memfd_create("streams", MFD_CLOEXEC);
-#else
-    FILE *file = tmpfile(); /* its descriptor stays open until the process ends */
-    return file ? dup(fileno(file)) : -1;
-#endif
-}
-
 burnish_status import_decode(const char *name, int file, import_sink sink, burnish_error *error) {
     return import_run(&draco, name, "", file, UINT64_MAX, sink, error);
 }
 
 static burnish_status decode_here(const char *name, const void *bytes, size_t size,
                                   import_stream *stream, burnish_error *error) {
-    const int file = import_unnamed_file();
+    const int file = cli_unnamed_file();
     if (file < 0 || !cli_write_all(file, bytes, size)) {
         if (file >= 0) {
             close(file);

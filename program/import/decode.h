@@ -15,7 +15,4 @@ void import_set_decode(import_decode_function *function);
 /* Decodes bytes from a file. */
 burnish_status import_decode(const char *name, int file, import_sink sink, burnish_error *error);
 
-/* A descriptor of an empty unnamed file; -1: failed. */
-int import_unnamed_file(void);
-
 #endif

@@ -1,6 +1,5 @@
 /* Inputs of importers: descriptors of files. */
 #include "import/open.h"
-#include "import/decode.h"
 
 #ifndef _WIN32
 
@@ -64,7 +63,7 @@ static burnish_status open_standard(uint64_t max_bytes, int *input, burnish_erro
             return BURNISH_STATUS_OK;
         }
     }
-    *input = import_unnamed_file();
+    *input = cli_unnamed_file();
     if (*input < 0) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "standard input: no room for it: %s",
                         strerror(errno));

@@ -6,7 +6,7 @@
 #include "picture/palette.h"
 
 typedef struct picture_animation_options {
-    picture_format format; /* GIF, PNG, WEBP or Y4M */
+    picture_format format; /* GIF, PNG, WEBP, or Y4M also for videos */
     int width, height;
     int channels; /* of the frames; Y4M takes 3 */
     int frames;   /* how many will come */

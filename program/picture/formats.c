@@ -6,6 +6,7 @@
 
 #include "picture/formats.h"
 #include "picture/jpeg.h"
+#include "picture/video.h"
 #include "picture/webp.h"
 
 typedef struct format_row {
@@ -27,6 +28,8 @@ static const format_row rows[PICTURE_COUNT] = {
     [PICTURE_SVG] = {"SVG", "svg", NULL, PICTURE_LINES, NULL},
     [PICTURE_GIF] = {"GIF", "gif", NULL, PICTURE_ANIMATION, NULL},
     [PICTURE_Y4M] = {"Y4M", "y4m", NULL, PICTURE_ANIMATION, NULL},
+    [PICTURE_MP4] = {"MP4", "mp4", NULL, PICTURE_ANIMATION, NULL},
+    [PICTURE_WEBM] = {"WebM", "webm", NULL, PICTURE_ANIMATION, NULL},
 };
 
 /* Extensions of other picture formats; a PNG with such a name would be misleading. The second list
@@ -38,6 +41,10 @@ static const char *const moving[] = {"gif", "y4m", "apng", "mp4", "webm",
 
 const char *picture_extension(picture_format format) {
     return rows[format].extension;
+}
+
+const char *picture_container(picture_format format) {
+    return format == PICTURE_MP4 || format == PICTURE_WEBM ? rows[format].extension : NULL;
 }
 
 /* Lists names or extensions (with dots): "a", "a or b", "a, b or c". */
@@ -142,7 +149,7 @@ burnish_status picture_choose(const char *flag, const char *path, int use, pictu
                         "write a PNG",
                         flag, path, rows[*format].name, rows[*format].library);
     }
-    return BURNISH_STATUS_OK;
+    return picture_container(*format) ? picture_check_video(flag, path, error) : BURNISH_STATUS_OK;
 }
 
 void picture_release(picture_file *file) {

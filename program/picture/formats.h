@@ -16,6 +16,8 @@ typedef enum picture_format {
     PICTURE_SVG, /* line drawings; not written by picture_encode */
     PICTURE_GIF,
     PICTURE_Y4M,
+    PICTURE_MP4, /* Y4M that ffmpeg encodes */
+    PICTURE_WEBM,
     PICTURE_COUNT
 } picture_format;
 
@@ -29,6 +31,9 @@ typedef enum picture_use {
 
 /* The file extension of a format, without the dot: "jpg". */
 const char *picture_extension(picture_format format);
+
+/* The container of a video, for picture_write_video(): "mp4"; NULL for other formats. */
+const char *picture_container(picture_format format);
 
 /* "PNG, JPEG or WebP": the formats for one of these uses. */
 typedef struct picture_names {
@@ -49,7 +54,8 @@ int picture_is_animation(const char *path);
  *   use     a sum of picture_use
  *   wanted  a format, or PICTURE_AUTO: by file extension. Still pictures without a known extension
  *           are PNG, animations on standard output Y4M
- * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks. */
+ * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks, and for a video
+ * without ffmpeg. */
 burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
                               picture_format *format, burnish_error *error);
 

@@ -171,10 +171,10 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
         return status;
     }
     if (settings->picture.background.transparent &&
-        (format == PICTURE_JPEG || format == PICTURE_Y4M)) {
+        (format == PICTURE_JPEG || format >= PICTURE_Y4M)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--no-background: %s has no alpha; write PNG or WebP",
-                        format == PICTURE_JPEG ? "JPEG" : "Y4M");
+                        "--no-background: .%s has no alpha; write PNG or WebP",
+                        picture_extension(format));
     }
     if (format == PICTURE_GIF && settings->output.fps > PICTURE_GIF_FPS_MAX) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -20,6 +20,8 @@ static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
                                         {"npy", PICTURE_NPY},
                                         {"gif", PICTURE_GIF},
                                         {"y4m", PICTURE_Y4M},
+                                        {"mp4", PICTURE_MP4},
+                                        {"webm", PICTURE_WEBM},
                                         {NULL, 0}};
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
@@ -199,16 +201,16 @@ static const cli_flag flags[] = {
          "from 0, *coverage* is the share of the pixel that the object covers, *color* is linear "
          "light. If several triangles share a pixel, the buffers have the values of one of them; "
          "only *coverage* and *color* are averaged. See *PLANES*."},
-    {CLI_FLAG("turntable", "FILE", "animation: .gif .png .webp .y4m; -: Y4M", cli_flag_text,
+    {CLI_FLAG("turntable", "FILE", "animation: .gif .png .webp .mp4 .webm .y4m", cli_flag_text,
               output.turntable),
      .takes_file = 1,
      .manual = "Writes an animation instead of a picture: one turn of the camera to the right, "
                "around the up axis through the focal point. The last frame continues into the "
                "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
                "one palette for all frames; *.png* is an animated PNG; *.webp* is lossless unless "
-               "*--quality* is given; *.y4m*, and *-* for standard output, is for video encoders: "
-               "4:2:0, limited range, BT.709. For example *burnish render part.stl --turntable=- | "
-               "ffmpeg -i - -colorspace bt709 part.mp4*."},
+               "*--quality* is given. *.mp4* and *.webm* are encoded by *ffmpeg*, which must be in "
+               "*PATH*; of an odd width or height one column or row is cut off. *.y4m*, and *-* "
+               "for standard output, is for other video encoders: 4:2:0, limited range, BT.709."},
     {CLI_FLAG("frames", "N", "frames of a turntable", cli_flag_integer, output.frames),
      CLI_RANGE(2, 3600), .default_text = "60", .manual = "Number of frames, from 2 to 3600."},
     {CLI_FLAG("fps", "N", "frames per second of a turntable", cli_flag_integer, output.fps),

@@ -364,6 +364,7 @@ static burnish_status begin(const render_settings *settings, int *code, burnish_
     sandbox_plan plan = {.input = settings->input.name,
                          .format = settings->input.load.format,
                          .outputs = {render_output_path(&settings->output)},
+                         .container = picture_container((picture_format)settings->output.format),
                          .max_input_bytes = settings->input.load.max_input_bytes,
                          .max_memory = settings->job.max_memory};
     _Static_assert(2 + RENDER_PLANES_MAX <= SANDBOX_OUTPUTS_MAX, "picture, report and planes");

@@ -12,6 +12,7 @@
 #include "import/folder.h"
 #include "import/importers.h"
 #include "import/run.h"
+#include "picture/video.h"
 #include "sandbox/channel.h"
 #include "sandbox/process.h"
 
@@ -113,8 +114,10 @@ static void write_output(broker *b, const char *path) {
         return;
     }
     b->depth += 1;
+    const char *container = strcmp(path, b->plan->outputs[0]) == 0 ? b->plan->container : NULL;
     burnish_status status =
-        burnish_file_write_stream_checked(path, take_data, &o, let_finish, &error);
+        container ? picture_write_video(container, path, take_data, &o, let_finish, &error)
+                  : burnish_file_write_stream_checked(path, take_data, &o, let_finish, &error);
     b->depth -= 1;
     while (take_data(&o, unread, sizeof unread) >
            0) { /* discards an output that can't be written */
@@ -175,7 +178,7 @@ static uint64_t decode_limit(const sandbox_plan *plan) {
 static void decode(broker *b, uint64_t size) {
     static char piece[MESSAGE_DATA_MAX];
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    const int file = import_unnamed_file();
+    const int file = cli_unnamed_file();
     int is_kept = file >= 0 && size <= decode_limit(b->plan);
     message head;
     while (size > 0 && receive(b, &head)) {

@@ -22,6 +22,7 @@ typedef struct sandbox_plan {
     int format;        /* the value of --input-format, which selects the importer */
     const char *outputs[SANDBOX_OUTPUTS_MAX];
     size_t output_count;
+    const char *container;    /* of the video that the first output becomes; NULL: no video */
     uint64_t max_input_bytes; /* of the input and of each file that it names */
     uint64_t max_memory;      /* of the worker; 0: no limit */
     /* Called with each file that the worker requests, open for reading, before it is sent; -1: the

@@ -18,7 +18,6 @@
 
 #include "cli/limits.h"
 #include "cli/write.h"
-#include "import/decode.h"
 #include "import/importers.h"
 #include "import/run.h"
 #include "sandbox/channel.h"
@@ -67,7 +66,7 @@ int serve_receive_import(int channel, serve_import_request *import) {
 /* Copies the mesh's bytes to a file of their own. */
 static int copy_mesh(const serve_import_request *import, uint64_t request_size, int request) {
     static char piece[MESSAGE_DATA_MAX];
-    const int file = import_unnamed_file();
+    const int file = cli_unnamed_file();
     uint64_t left = import->size;
     off_t next = (off_t)import->offset;
     if (file < 0 || import->offset > request_size || import->size > request_size - import->offset) {

@@ -26,7 +26,6 @@
 
 #include "cli/clock.h"
 #include "cli/write.h"
-#include "import/decode.h"
 #include "sandbox/channel.h"
 #include "sandbox/end.h"
 
@@ -122,7 +121,7 @@ __attribute__((noreturn)) static void become_worker(server *v, slot *s, int chan
 
 static burnish_status start_worker(server *v, slot *s, burnish_error *error) {
     int ends[2] = {-1, -1};
-    *s = (slot){.channel = -1, .request = import_unnamed_file(), .reply = import_unnamed_file()};
+    *s = (slot){.channel = -1, .request = cli_unnamed_file(), .reply = cli_unnamed_file()};
     if (s->request < 0 || s->reply < 0 || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
         const int reason = errno;
         close_files(s);

@@ -64,7 +64,7 @@ static const struct layer {
      "cli font import picture render/scene render/settings sandbox burnish"},
     {"program/render/scene", "cli render/settings sandbox burnish"},
     {"program/render/settings", "cli picture burnish"},
-    {"program/sandbox", "cli core/beneath.h core/show_name.h import burnish"},
+    {"program/sandbox", "cli core/beneath.h core/show_name.h import picture/video.h burnish"},
     {"program/serve", "cli import render render/settings sandbox burnish"},
     {"program/view", "cli picture render render/scene render/settings burnish"},
     {"program/session", "cli render render/output render/scene burnish"},

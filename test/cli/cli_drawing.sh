@@ -196,9 +196,9 @@ rm a.png
 # Names of outputs among inputs, and of formats elsewhere.
 expect 2 'burnish: render: "out.png" is an image, not a mesh; for several pictures, name a folder with -d' \
     render :sphere :torus out.png
-expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' \
+expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' \
     render :sphere -o a.gif
-expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' \
+expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' \
     render :sphere -o a.mp4
 nothing_left "names"
 

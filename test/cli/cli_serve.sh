@@ -271,6 +271,6 @@ check "empty: exit code $code: $(cat "$err")" grep -q '^burnish: standard input:
 rm -f ./*.line ./*.picture a.obj bad.obj sheets.obj m.mtl empty
 expect 0 '' serve-stdio $options
 expect 2 'burnish: serve-stdio: "x.stl" is not a flag; "burnish serve-stdio --help" lists the flags' serve-stdio x.stl
-expect 2 'burnish: --no-background: JPEG has no alpha; write PNG or WebP' serve-stdio $options --no-background --output-format=jpeg
+expect 2 'burnish: --no-background: .jpg has no alpha; write PNG or WebP' serve-stdio $options --no-background --output-format=jpeg
 nothing_left "at the end"
 finish

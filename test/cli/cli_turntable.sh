@@ -4,9 +4,9 @@
 . "$(dirname "$0")/lib.sh"
 here=$(dirname "$(realpath "$0")")
 
-expect 2 'burnish: --turntable: "t.mp4": turntables are written as PNG, WebP, GIF or Y4M; for other videos use --turntable=- | ffmpeg -i - FILE' render :sphere --turntable=t.mp4
-expect 2 'burnish: --turntable: "t.jpg": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t.jpg
-expect 2 'burnish: --turntable: "t": turntables are written as PNG, WebP, GIF or Y4M; end the name in .png, .webp, .gif or .y4m' render :sphere --turntable=t
+expect 2 'burnish: --turntable: "t.mov": turntables are written as PNG, WebP, GIF, Y4M, MP4 or WebM; for other videos use --turntable=- | ffmpeg -i - FILE' render :sphere --turntable=t.mov
+expect 2 'burnish: --turntable: "t.jpg": turntables are written as PNG, WebP, GIF, Y4M, MP4 or WebM; end the name in .png, .webp, .gif, .y4m, .mp4 or .webm' render :sphere --turntable=t.jpg
+expect 2 'burnish: --turntable: "t": turntables are written as PNG, WebP, GIF, Y4M, MP4 or WebM; end the name in .png, .webp, .gif, .y4m, .mp4 or .webm' render :sphere --turntable=t
 expect 2 'burnish: --frames: "1" is not a whole number from 2 to 3600' render :sphere --turntable=t.gif --frames=1
 expect 2 'burnish: --fps: "0" is not a whole number from 1 to 120' render :sphere --turntable=t.gif --fps=0
 expect 2 'burnish: --fps: a GIF has at most 50 frames per second; write PNG, WebP or Y4M' render :sphere --turntable=t.gif --fps=51
@@ -14,10 +14,10 @@ expect 2 'burnish: --output: --turntable already names a file; omit one of them'
 expect 2 'burnish: --views: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --views=top,front
 expect 2 'burnish: --plane: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --plane=depth:d.npy
 expect 2 'burnish: --annotate: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --annotate=box
-expect 2 'burnish: --no-background: Y4M has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
+expect 2 'burnish: --no-background: .y4m has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
 expect 2 'burnish: --dpi: only PNG, JPEG and SVG have it; omit the flag' render :sphere --turntable=t.png --dpi=100
 expect 2 'burnish: --quality: only JPEG and WebP have it; omit the flag' render :sphere --turntable=t.gif --quality=50
-expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF or Y4M' render :sphere -o t.gif
+expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' render :sphere -o t.gif
 expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
 expect 2 'burnish: --runner: not available with --sandbox; omit one of them' render :sphere --turntable=t.gif --runner --sandbox
 expect 2 'burnish: --runner: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runner
@@ -59,6 +59,34 @@ for isa in $(instruction_sets); do
     done
 done
 check "turntables differ: $(cat sums)" [ "$(sort -u sums | wc -l)" = 1 ]
+
+# Videos: ffmpeg gets the bytes of a Y4M. One that succeeds copies them; others fail early, late, or are missing.
+mkdir bin none
+fake() { printf '#!/bin/sh\n%s\n' "$1" >bin/ffmpeg && chmod +x bin/ffmpeg; }
+video() { PATH=$PWD/bin:/usr/bin:/bin gives "$@"; }
+gives 0 render :knot $few --turntable=v.y4m
+fake 'for file; do :; done; echo "$*" >arguments; cat >"$file"'
+for sandbox in --sandbox --no-sandbox; do
+    rm -f v.mp4 v.webm
+    video 0 render :knot $few --turntable=v.mp4 $sandbox
+    check "$sandbox: the video is not what ffmpeg wrote" cmp v.mp4 v.y4m
+    check "$sandbox: ffmpeg's arguments: $(cat arguments)" grep -q -- '-f yuv4mpegpipe -i pipe:0 .* -f mp4 -y /dev/fd/1$' arguments
+    video 0 render :knot $few --turntable=v.webm $sandbox
+    check "$sandbox: no WebM" grep -q -- '-f webm' arguments
+    printf mine >kept.mp4
+    fake 'echo "no such encoder" >&2; exit 1'
+    video 7 render :knot $few --turntable=kept.mp4 $sandbox
+    same "$sandbox: ffmpeg's error" "$(cat "$err")" "burnish: kept.mp4: ffmpeg failed: no such encoder; no file was written"
+    fake 'for file; do :; done; cat >"$file"; kill -9 $$'
+    video 7 render :knot $few --turntable=kept.mp4 $sandbox
+    fake 'for file; do :; done; cat >"$file"'
+    video 6 render :knot --size=512 --max-memory=1K --turntable=kept.mp4 $sandbox
+    same "$sandbox: a video that could not be made replaces another" "$(cat kept.mp4)" mine
+    fake 'for file; do :; done; echo "$*" >arguments; cat >"$file"'
+done
+same "without ffmpeg" "$(PATH=$PWD/none:.:bin "$burnish" render :knot $few --turntable=no.mp4 2>&1)" \
+    'burnish: --turntable: "no.mp4": ffmpeg encodes videos and is not in PATH; install it, or write .gif, .png or .webp'
+rm -rf bin none arguments kept.mp4 v.*
 
 # WebP: as many frames, and their time.
 if "$burnish" render :knot $few --fps=10 --turntable=t.webp 2>/dev/null; then

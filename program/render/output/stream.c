@@ -6,6 +6,9 @@
 
 #include "cli/clock.h"
 #include "cli/file.h"
+#include "picture/formats.h"
+#include "picture/video.h"
+#include "sandbox/worker.h"
 
 /* The state of writing. */
 typedef struct writer {
@@ -60,8 +63,16 @@ static burnish_status finish(void *context, burnish_error *error) {
 burnish_status render_stream_write(const render_stream *stream, burnish_error *error) {
     const render_settings *settings = stream->result->settings;
     writer w = {.stream = stream, .progress = !settings->job.quiet && isatty(STDERR_FILENO)};
-    const burnish_status status = cli_file_write_stream_checked(
-        render_output_path(&settings->output), take_bytes, &w, finish, error);
+    const char *path = render_output_path(&settings->output);
+    const char *container = picture_container((picture_format)settings->output.format);
+    burnish_status status =
+        container && !sandbox_is_worker() /* the broker runs ffmpeg */
+            ? picture_write_video(container, path, take_bytes, &w, finish, error)
+            : cli_file_write_stream_checked(path, take_bytes, &w, finish, error);
+    if (w.status != BURNISH_STATUS_OK) { /* ffmpeg complains about a stream that was cut off */
+        *error = w.error;
+        status = w.status;
+    }
     if (w.progress) {
         fprintf(stderr, "\r\033[K");
     }
