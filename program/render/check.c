@@ -244,21 +244,12 @@ static burnish_status check_output(render_settings *settings, burnish_error *err
 
 /* Only a parallel projection has a scale, and only one flag sets it. */
 static burnish_status check_scale_flags(const render_settings *settings, burnish_error *error) {
-    const int parallel = settings->picture.views.count > 0
-                             ? settings->camera.projection != PROJECTION_PERSPECTIVE
-                             : settings->camera.projection == PROJECTION_PARALLEL;
     const char *scale = settings->camera.orthographic_height.given ? "camera-orthographic-height"
                         : settings->camera.same_scale              ? "same-scale"
                                                                    : NULL;
     if (scale && settings->camera.projection == PROJECTION_PERSPECTIVE) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: a perspective has no scale; omit --camera-orthographic=no", scale);
-    }
-    if (settings->picture.annotations == BURNISH_ANNOTATION_SCALE && !scale && !parallel &&
-        !settings->camera.own) {
-        return cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "--annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it");
     }
     if (settings->camera.orthographic_height.given && settings->camera.zoom.value != 1) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,

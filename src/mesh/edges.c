@@ -24,6 +24,9 @@ typedef struct finder {
 
 static const uint8_t following[3] = {1, 2, 0};
 
+/* Flags while edges are found: at which ends an edge is sharp. */
+enum { SHARP_FIRST = 8, SHARP_SECOND = 16, SHARP_BOTH = SHARP_FIRST | SHARP_SECOND };
+
 /* ---- Listing ---- */
 
 /* The welded ends of a side, lesser first; equal where a triangle has no such side. */
@@ -121,14 +124,18 @@ static int normals_differ(const finder *f, uint32_t a, uint32_t b) {
                                       burnish_vec3_loadf(normals + 3 * (size_t)b)) < SHARP_COSINE;
 }
 
-static int is_sharp(const finder *f, const uint32_t sides[2], const uint32_t ends[2]) {
-    int differ = 0;
-    for (int k = 0; k < 2 && !differ; ++k) {
-        differ =
-            normals_differ(f, corner_at(f, sides[0], ends[k]), corner_at(f, sides[1], ends[k]));
+/* BURNISH_EDGE_SHARP with the ends at which the normals differ, or 0. */
+static uint32_t find_sharpness(const finder *f, const uint32_t sides[2], const uint32_t ends[2]) {
+    uint32_t differ = 0;
+    for (int k = 0; k < 2; ++k) {
+        if (normals_differ(f, corner_at(f, sides[0], ends[k]), corner_at(f, sides[1], ends[k]))) {
+            differ |= SHARP_FIRST << k | BURNISH_EDGE_SHARP;
+        }
     }
-    return differ &&
-           burnish_vec3_dot(face_normal(f, sides[0]), face_normal(f, sides[1])) < SHARP_COSINE;
+    return differ && burnish_vec3_dot(face_normal(f, sides[0]), face_normal(f, sides[1])) <
+                         SHARP_COSINE
+               ? differ
+               : 0;
 }
 
 /* Among several sides, the one whose triangle is bent most against the first. */
@@ -157,7 +164,7 @@ static burnish_edge make_edge(const finder *f, const uint64_t *sides, size_t cou
     if (count > 1) {
         const uint32_t pair[2] = {side, partner(f, sides, count)};
         edge.triangles[1] = pair[1] / 3;
-        edge.flags = is_sharp(f, pair, edge.ends) ? BURNISH_EDGE_SHARP : 0;
+        edge.flags = find_sharpness(f, pair, edge.ends);
         edge.flags |= f->heads[indices[pair[1]]] == edge.ends[0] ? BURNISH_EDGE_ALIKE : 0;
         if (materials && materials[edge.triangles[0]] != materials[edge.triangles[1]]) {
             edge.flags |= BURNISH_EDGE_MATERIAL;
@@ -182,6 +189,29 @@ static void make_edges(void *context, size_t first, size_t end) {
             const size_t count = count_equal(f->sides + i, f->first[v + 1] - i);
             f->edges->items[f->edges->count++] = make_edge(f, f->sides + i, count);
             i += count;
+        }
+    }
+}
+
+/* An edge that is sharp only at an end where a crease passes is a smooth edge: its two triangles
+ * have different normals there because they are on both sides of a corner of that crease. */
+static void drop_stitches(finder *f) {
+    burnish_edges *edges = f->edges;
+    memset(f->first, 0, f->mesh->vertex_count * sizeof *f->first);
+    for (size_t i = 0; i < edges->count; ++i) {
+        const burnish_edge *edge = &edges->items[i];
+        if ((edge->flags & SHARP_BOTH) == SHARP_BOTH) {
+            ++f->first[edge->ends[0]];
+            ++f->first[edge->ends[1]];
+        }
+    }
+    for (size_t i = 0; i < edges->count; ++i) {
+        burnish_edge *edge = &edges->items[i];
+        const uint32_t sharp = edge->flags & SHARP_BOTH;
+        edge->flags &= ~(uint32_t)SHARP_BOTH;
+        if ((sharp == SHARP_FIRST || sharp == SHARP_SECOND) &&
+            f->first[edge->ends[sharp == SHARP_SECOND]] >= 2) {
+            edge->flags &= ~(uint32_t)BURNISH_EDGE_SHARP;
         }
     }
 }
@@ -220,6 +250,7 @@ static burnish_status find(finder *f, burnish_tasks *tasks, burnish_memory *memo
     if (status == BURNISH_STATUS_OK) {
         f->edges->count = 0;
         burnish_tasks_in_order(tasks, vertices, BURNISH_BUILD_STEP, make_edges, f);
+        drop_stitches(f);
         status = burnish_tasks_check(tasks, memory->error);
     }
     return status;

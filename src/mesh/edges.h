@@ -31,8 +31,9 @@ typedef struct burnish_edges {
 /* Finds the edges of a mesh.
  *
  * An edge is sharp if the normals of its two triangles differ by more than 8 degrees at one of its
- * ends, by the crease rule or by the file's normals, and the faces differ too. If more than two
- * triangles share an edge, the first one and the one most bent against it represent them.
+ * ends, by the crease rule or by the file's normals, and the faces differ too. If a crease passes
+ * that end, they must differ at both ends. If more than two triangles share an edge, the first one
+ * and the one most bent against it represent them.
  *
  * O(n log n) for any input; 20 bytes per edge remain, and 24 bytes per triangle and 12 per vertex
  * are used temporarily. The result does not depend on the number of threads. Errors: MEMORY,

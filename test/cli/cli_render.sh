@@ -355,8 +355,9 @@ for kind in axes box dimensions scale grid axes,grid,scale; do
 done
 same "annotations leave no trace in the report" "$(run render block.obj --size=200 --annotate=grid,dimensions --json -o s.png; json near_black)" 0
 expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; enlarge the picture or its margin' render block.obj --size=60 --zoom=4 --annotate=dimensions -o s.png
-expect 2 'burnish: --annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it' render block.obj --annotate=scale
-expect 2 'burnish: --annotate: scale: a perspective has no scale; use --camera-orthographic, or omit it' render block.obj --views=front --camera-orthographic=no --annotate=scale
+bar='burnish: warning: block.obj: --annotate: scale: a perspective has no scale, so the picture has no bar; use --camera-orthographic, or omit it'
+expect 0 "$bar" render block.obj --annotate=scale -o s.png
+expect 0 "$bar" render block.obj --views=front --camera-orthographic=no --annotate=scale -o s.png
 expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=axes,ruler
 expect 2 'burnish: --annotate: "" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=
 

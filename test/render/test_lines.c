@@ -365,22 +365,28 @@ static void test_axis_views(void) {
 
 /* ---- Noise ---- */
 
-/* Which of some lines of two points stay; those below 20 pixels with a loose end go. */
+/* Which of some lines of two points stay with limits of 5, 10, 20 and 30 pixels. */
 static void test_loose(void) {
     static const struct {
         float x0, y0, x1, y1;
-        int is_rim, stays;
+        int is_rim, is_feature, stays;
     } rows[] = {
-        {10, 10, 15, 10, 0, 0}, /* alone */
-        {50, 10, 75, 10, 0, 1}, /* alone, but long */
-        {10, 30, 13, 30, 1, 1}, /* at a rim */
-        {40, 40, 48, 40, 0, 1},    {48, 40, 48, 47, 0, 1},
-        {48, 47, 40.5f, 47, 0, 1}, {40.5f, 47, 40, 40, 0, 1},    /* a ring */
-        {10, 60, 19, 60, 0, 0},    {19.5f, 60.5f, 26, 60, 0, 0}, /* 15 pixels */
-        {60, 60, 72, 60, 0, 1},    {72, 60.9f, 84, 61, 0, 1},    /* 24 pixels */
-        {10, 80, 35, 80, 0, 1},    {36, 80, 38, 82, 0, 1},       /* at a long one */
-        {60, 80, 66, 80, 0, 0},    {72, 80, 78, 80, 0, 0},
-        {84, 80, 90, 80, 0, 0}, /* too far apart */
+        {10, 10, 15, 10, 0, 1, 0},   /* alone */
+        {50, 10, 75, 10, 0, 1, 1},   /* alone, but long */
+        {110, 10, 135, 10, 0, 0, 0}, /* the same, without a feature */
+        {150, 10, 181, 10, 0, 0, 1}, /* longer */
+        {10, 30, 13, 30, 1, 0, 1},   /* at a rim */
+        {40, 40, 48, 40, 0, 1, 1},    {48, 40, 48, 47, 0, 1, 1},
+        {48, 47, 40.5f, 47, 0, 1, 1}, {40.5f, 47, 40, 40, 0, 1, 1},    /* a ring */
+        {110, 40, 112, 40, 0, 1, 0},  {112, 40, 110, 40.5f, 0, 1, 0},  /* a tiny one */
+        {10, 60, 19, 60, 0, 1, 0},    {19.5f, 60.5f, 26, 60, 0, 1, 0}, /* 15 pixels */
+        {60, 60, 72, 60, 0, 1, 1},    {72, 60.9f, 84, 61, 0, 1, 1},    /* 24 pixels */
+        {10, 80, 35, 80, 0, 1, 1},    {36, 80, 46, 88, 0, 1, 1},       /* at a long one */
+        {20, 80, 20, 87, 0, 1, 0},                                     /* a tick along it */
+        {60, 80, 66, 80, 0, 1, 0},    {72, 80, 78, 80, 0, 1, 0},
+        {84, 80, 90, 80, 0, 1, 0}, /* too far apart */
+        {110, 60, 160, 60, 0, 1, 1},  {135, 61, 135, 66, 0, 1, 1},
+        {110, 67, 160, 67, 0, 1, 1}, /* between two */
     };
     enum { COUNT = sizeof rows / sizeof *rows };
     float points[4 * COUNT], widths[COUNT];
@@ -388,13 +394,13 @@ static void test_loose(void) {
     uint8_t is_rim[COUNT];
     for (size_t i = 0; i < COUNT; ++i) {
         memcpy(points + 4 * i, &rows[i].x0, 4 * sizeof *points);
-        widths[i] = (float)i;
+        widths[i] = rows[i].is_feature ? 1 : 2;
         starts[i] = (uint32_t)(2 * i);
         is_rim[i] = (uint8_t)rows[i].is_rim;
     }
     starts[COUNT] = 2 * COUNT;
     burnish_line_art art = {.points = points, .starts = starts, .widths = widths, .is_rim = is_rim};
-    art.lines = (burnish_lines){.width = 100,
+    art.lines = (burnish_lines){.width = 200,
                                 .height = 100,
                                 .line_count = COUNT,
                                 .starts = starts,
@@ -402,13 +408,16 @@ static void test_loose(void) {
                                 .point_count = 2 * COUNT,
                                 .widths = widths};
     burnish_memory memory = burnish_memory_of(NULL, &error);
-    burnish_line_art_drop_loose(&art, 20, &memory);
+    const burnish_line_limits limits = {
+        .tick = 10, .least = 5, .set = 20, .fold = 30, .outline = 2};
+    burnish_line_art_drop_loose(&art, &limits, &memory);
     size_t at = 0;
     for (size_t i = 0; i < COUNT; ++i) {
-        const int stays = at < art.lines.line_count && widths[at] == (float)i;
+        const int stays = at < art.lines.line_count &&
+                          memcmp(points + 2 * starts[at], &rows[i].x0, 4 * sizeof *points) == 0;
         CHECK(stays == rows[i].stays, "line %zu", i);
         if (stays) {
-            CHECK1(memcmp(points + 2 * starts[at], &rows[i].x0, 4 * sizeof *points) == 0);
+            CHECK1(widths[at] == (rows[i].is_feature ? 1.0f : 2.0f));
             ++at;
         }
     }

@@ -21,9 +21,12 @@ enum {
 /* Inner lines are thinner than outlines. */
 #define INNER_SHARE 0.6
 
-/* Sets of lines with loose ends are noise where they are shorter than this share of the picture's
- * smaller side. */
-#define LOOSE_SHARE 0.03
+/* Lines shorter than these shares of the picture's smaller side are noise; see
+ * burnish_line_limits. A set has at least SET_LEAST pixels. */
+#define TICK_SHARE 0.02f
+#define SET_SHARE 0.04f
+#define FOLD_SHARE 0.06f
+#define SET_LEAST 10.0f
 
 /* Segments of a wireframe that are shorter than this, in pixels on average, are drawn thinner, down
  * to a share of their width, which keeps faces visible. */
@@ -445,9 +448,15 @@ static burnish_status update_edges(burnish_line_art *art, const burnish_mesh_vie
 
 static void drop_noise(burnish_line_art *art, const burnish_render_options *options,
                        burnish_memory *memory) {
-    const int side = options->width < options->height ? options->width : options->height;
+    const float side = (float)(options->width < options->height ? options->width : options->height);
+    const burnish_line_limits limits = {.tick = TICK_SHARE * side > SET_LEAST ? TICK_SHARE * side
+                                                                              : SET_LEAST,
+                                        .least = SET_LEAST,
+                                        .set = SET_SHARE * side,
+                                        .fold = FOLD_SHARE * side,
+                                        .outline = options->edge_width};
     if (!(options->edges & BURNISH_EDGES_ALL)) {
-        burnish_line_art_drop_loose(art, LOOSE_SHARE * side, memory);
+        burnish_line_art_drop_loose(art, &limits, memory);
     }
 }
 

@@ -17,8 +17,10 @@ enum { HIDDEN, INNER, OUTLINE, RIM };
 /* Pixels. */
 #define SURFACE_SLACK 2.0 /* of depth: how far a pixel's surface may be before an edge's sample */
 #define JUST_OUTSIDE 1.5  /* how far outside a silhouette no sample of a pixel shows its surface */
-#define LOOK_OUTSIDE 2.0  /* how far outside a silhouette the next surface is looked up, ... */
-#define STEP_DEPTH 8.0    /* ... and how much further away it is, at least */
+#define RIM_OUTSIDE 1.25  /* how far outside a silhouette the background may begin; ... */
+#define LOOK_OUTSIDE 2.0  /* ... where the next surface is looked up, ... */
+#define STEP_DEPTH 8.0    /* ... how much farther away it is, at least, ... */
+#define LOOK_FARTHER 4.0  /* ... without its slope, which is measured up to here */
 #define STUB 3.0          /* shorter ends of hidden edges, visible at corners, are dropped */
 #define SHORTEST 0.01     /* shorter lines are points */
 #define TOLERANCE 0.08    /* the maximum distance of dropped points from a line */
@@ -98,20 +100,29 @@ static int is_seen(const burnish_line_scene *scene, const burnish_line_segment *
     return is_free && sees_back;
 }
 
-/* RIM or OUTLINE where there is a step in depth at a silhouette, else HIDDEN. At the picture's
- * border that is not known, and taken for the background. */
+/* The distance of what a pixel beside the edge shows; 0 for the background. At the picture's border
+ * that is not known, and taken for the background. */
+static double surface_beside(const burnish_line_scene *scene, const sample *at, double aside) {
+    int x, y;
+    return pixel_beside(scene, at, aside, &x, &y) &&
+                   triangle_at(scene->target, x, y) != BURNISH_TRIANGLE_NONE
+               ? (double)depth_at(scene->target, x, y)
+               : 0;
+}
+
+/* RIM or OUTLINE where there is a step in depth at a silhouette, else HIDDEN. A surface that goes
+ * on falling away is not a step. */
 static uint8_t step_at(const burnish_line_scene *scene, const burnish_line_segment *s,
                        const sample *at) {
-    int x, y;
-    if (s->outside == 0) {
-        return HIDDEN;
+    const double nearest = s->outside ? surface_beside(scene, at, RIM_OUTSIDE * s->outside) : 0;
+    if (s->outside == 0 || nearest == 0) {
+        return s->outside == 0 ? HIDDEN : RIM;
     }
-    if (!pixel_beside(scene, at, LOOK_OUTSIDE * s->outside, &x, &y) ||
-        triangle_at(scene->target, x, y) == BURNISH_TRIANGLE_NONE) {
-        return RIM;
-    }
-    const double behind = (double)depth_at(scene->target, x, y) - at->distance;
-    return behind > STEP_DEPTH * at->pixel ? OUTLINE : HIDDEN;
+    const double next = surface_beside(scene, at, LOOK_OUTSIDE * s->outside);
+    const double far = surface_beside(scene, at, LOOK_FARTHER * s->outside);
+    const double surface = next > 0 ? next : nearest;
+    const double slope = next > 0 && far > next ? far - next : 0;
+    return surface - at->distance - slope > STEP_DEPTH * at->pixel ? OUTLINE : HIDDEN;
 }
 
 static uint8_t look(const burnish_line_scene *scene, const burnish_line_segment *s, double t) {
