@@ -20,7 +20,8 @@
  * For Phong materials, an area light that shrinks to solid angle W becomes a directional light of
  * colour L W / pi.
  *
- * The lights do not cast shadows; ambient occlusion darkens them as it does all light.
+ * One area light can cast a shadow (burnish_render_options.shadow), as if all of its light came
+ * from its centre. Ambient occlusion darkens area lights as it does all light.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors

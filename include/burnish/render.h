@@ -120,8 +120,8 @@ typedef struct burnish_render_options {
     int ground;   /* 1: the object shades the plane normal to `up` through its lowest point. The
                    background is darkened where it shows that plane from above; a transparent
                    background becomes black with the shadow as alpha */
-    int shadow;   /* 1: the first light, which must be directional, casts shadows on the object and
-                   the ground */
+    int shadow;   /* 1: the first light, which must be directional, or without such lights the
+                   strongest area light casts shadows on the object and the ground */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;                                        /* [0, BURNISH_LIGHT_MAX] */
     burnish_area_light area_lights[BURNISH_AREA_LIGHT_MAX]; /* light.h */
@@ -189,7 +189,7 @@ typedef struct burnish_render_report {
     int occlusion_directions; /* of ambient occlusion; 0: none */
     double overdraw;          /* the value that max_overdraw limits */
     size_t layers_dropped; /* transparent layers of samples that were omitted, behind the limit */
-    int shadow;            /* 1: the shadow of the first light was drawn */
+    int shadow;            /* 1: the shadow of a light was drawn */
     int ground; /* 1: its shadow was drawn; 0: not requested, or the camera is below it */
     size_t lobe_fallbacks; /* materials whose exponent is too low for the order of the lobe; drawn
                               with the highest order possible */

@@ -320,11 +320,11 @@ static void find_size(render_picture_settings *picture) {
     memset(picture->sides, 0, sizeof picture->sides);
 }
 
-/* The lights of the look studio have neither lobes nor shadows. */
+/* The lights of the look studio have no lobes. */
 static burnish_status choose_look(render_settings *settings, burnish_error *error) {
     render_shading_settings *shading = &settings->shading;
     const int has_lobe = render_has_own_lobe(shading);
-    if ((has_lobe || shading->shadow) && !cli_is_given(&render_command, settings, "look")) {
+    if (has_lobe && !cli_is_given(&render_command, settings, "look")) {
         shading->look = BURNISH_LOOK_THREE_POINT;
     }
     return has_lobe && shading->look == BURNISH_LOOK_STUDIO && !shading->lights.given

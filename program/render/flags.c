@@ -314,10 +314,9 @@ static const cli_flag flags[] = {
      .default_text = "studio",
      .common = 1,
      .words = render_look_words,
-     .manual =
-         "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
-         "see *LOOKS*. Other flags change parts of it. With *--shadow*, *--equation=phong* or "
-         "another *--lobe* than the default, the default look is *three-point*."},
+     .manual = "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
+               "see *LOOKS*. Other flags change parts of it. With *--equation=phong* or another "
+               " *--lobe* than the default, the default look is *three-point*."},
     {CLI_FLAG("color", "COLOR", "colour of the whole object", cli_flag_color, shading.color),
      .common = 1, .aliases = "colour,object-color",
      .manual = "Colour of the whole object, instead of the colours of the input; see *COLOURS*."},
@@ -393,13 +392,13 @@ static const cli_flag flags[] = {
                "camera is above it. The plane itself is invisible: it darkens the background, and "
                "a transparent background becomes black with the shadow as alpha. Framing leaves "
                "room for the shadow, and more on the right with *--shadow*."},
-    {CLI_SWITCH("shadow", "shadow of the first light on the object", shading.shadow),
+    {CLI_SWITCH("shadow", "shadow of the key light on the object", shading.shadow),
      .aliases = "shadows,cast-shadows",
      .manual =
-         "The first light casts a shadow with a soft edge on the object itself, and on the ground "
-         "of *--ground*. The light must be directional. The look *studio* has no such light; "
-         "without "
-         "*--look* the look is *three-point*."},
+         "The first light, which must be directional, casts a shadow with a soft edge on the "
+         "object "
+         "itself, and on the ground of *--ground*. In the look *studio*, or if all lights are area "
+         "lights, the strongest area light does, as if all of its light came from its centre."},
     {CLI_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges), .common = 1,
      .optional = 1, .words = edge_words, .aliases = "outline,outlines,feature-edges",
      .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "

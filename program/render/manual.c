@@ -52,7 +52,7 @@ static const cli_term light_terms[] = {
      "seen in the same directions from everywhere, with the position in the directions of "
      "*directional*; *two-sided*; *target=*_X_,_Y_,_Z_, which it faces (otherwise the focal "
      "point, or 0,0,0 for *world-*); *upright=*_X_,_Y_,_Z_, along which its height is (otherwise "
-     "0,1,0). It casts no shadow. Parts below a surface's horizon do not light it; objects do "
+     "0,1,0). Parts below a surface's horizon do not light it; objects do "
      "not block its light, except by ambient occlusion."},
     {"*world-directional*, *world-point*, *world-rect*, *world-disc*",
      "the same in the scene's coordinates."},
@@ -159,8 +159,8 @@ const cli_section render_sections[] = {
      .terms = look_terms},
     {.heading = "LIGHTS",
      .text = "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to "
-             "1000 (default 1) and a colour (default white). Lights have no falloff, and only the "
-             "first one casts a shadow, with *--shadow*.",
+             "1000 (default 1) and a colour (default white). Lights have no falloff, and only one "
+             "casts a shadow, with *--shadow*.",
      .terms = light_terms,
      .closing = "For example *--light=directional:-1,1,2:0.8:#fff2e0* or "
                 "*--light=rect:-2,1.5,1:1.5,1:distant:4*."},

@@ -262,8 +262,7 @@ same "specular 0 has no lobe" "$(hash :teapot --size=64 --specular=0 --look=plai
     "$(hash :teapot --size=64 --specular=0 --look=plain --lobe=power)"
 same "a lobe needs lights that have one" "$(hash :teapot --size=64 --lobe=power)" \
     "$(hash :teapot --size=64 --lobe=power --look=three-point)"
-same "a shadow needs such lights, too" "$(hash :teapot --size=64 --shadow)" \
-    "$(hash :teapot --size=64 --shadow --look=three-point)"
+differs "the look studio casts a shadow" "$(hash :teapot --size=64 --shadow)" "$(hash :teapot --size=64)"
 expect 2 'burnish: --lobe: the look studio has no lights with a lobe; use --look=three-point, or omit the flag' render :sphere --look=studio --lobe=power
 same "a turn of 360 degrees and --size" "$(hash :teapot --resolution=64,64 --camera-direction=0,0,-1)" \
     "$(hash :teapot --size=64 --views=front --camera-orthographic=no)"

@@ -355,7 +355,8 @@ enum { CHANGES = sizeof changes / sizeof *changes };
 /* State that earlier changes may have left and that no longer applies. */
 static void settle(frame *f) {
     burnish_render_options *o = &f->options;
-    o->shadow &= o->light_count > 0 && o->lights[0].kind == BURNISH_LIGHT_DIRECTIONAL;
+    o->shadow &= o->light_count > 0 ? o->lights[0].kind == BURNISH_LIGHT_DIRECTIONAL
+                                    : o->area_light_count > 0;
     if (o->first_row + o->row_count > o->height) {
         o->first_row = o->row_count = 0;
     }

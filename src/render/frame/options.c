@@ -191,11 +191,14 @@ static burnish_status check_ground(const burnish_render_options *options, burnis
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "shadow: %d is neither 0 nor 1",
                             options->shadow);
     }
+    const int has_point =
+        options->light_count > 0 && options->lights[0].kind != BURNISH_LIGHT_DIRECTIONAL;
     if (options->shadow &&
-        (options->light_count < 1 || options->lights[0].kind != BURNISH_LIGHT_DIRECTIONAL)) {
-        return burnish_fail(
-            error, BURNISH_STATUS_ARGUMENT, "shadow: %s; put a directional light first",
-            options->light_count < 1 ? "there is no light" : "the first light is a point light");
+        (has_point || (options->light_count < 1 && options->area_light_count < 1))) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "shadow: %s; put a directional light first%s",
+                            has_point ? "the first light is a point light" : "there is no light",
+                            has_point ? "" : ", or use an area light");
     }
     return BURNISH_STATUS_OK;
 }

@@ -221,17 +221,20 @@ static burnish_status update_occlusion(drawing *d) {
     return status;
 }
 
-/* The first light's depth map. */
+/* The depth map of the light that casts a shadow. */
 static burnish_status update_shadow(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_render_options *options = d->options;
     const int side = options->width > options->height ? options->width : options->height;
+    const burnish_area *area = d->view.shading.area;
+    const int is_area = options->light_count == 0, has_key = !is_area || (area && area->key >= 0);
     const burnish_shadow_options wanted = {
-        .toward = d->view.key,
+        .toward = is_area && has_key ? area->toward_key : d->view.key,
         .size = side <= BURNISH_SHADOW_SMALL ? BURNISH_SHADOW_SMALL : BURNISH_SHADOW_LARGE,
+        .is_area = is_area,
         .eye = d->view.eye};
     d->view.shading.shadow = NULL;
-    if (!options->shadow || !d->target.pixels.pixels) {
+    if (!options->shadow || !d->target.pixels.pixels || !has_key) {
         return BURNISH_STATUS_OK;
     }
     const burnish_status status = set_drawer(d);

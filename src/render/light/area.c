@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "core/numbers.h"
 #include "core/vector.h"
 
 /* ---- What shines ---- */
@@ -32,14 +33,19 @@ int burnish_area_is_needed(const burnish_render_options *options) {
 
 /* ---- Sources in the space of the maps ---- */
 
+/* Whether a light is in the maps; near ones and the one that casts a shadow are not. */
+static int is_mapped(const burnish_area *area, const burnish_render_options *options, int number) {
+    const burnish_area_light *light = &options->area_lights[number];
+    return light->is_distant && number != area->key && shines(light);
+}
+
 /* Whether the maps are in camera space, where a camera that moves leaves them as they are. Else in
  * the mesh's axes. */
-static int all_follow_camera(const burnish_render_options *options) {
+static int all_follow_camera(const burnish_area *area, const burnish_render_options *options) {
     int follow = (!options->has_dome || options->dome.follows_camera) &&
                  (!has_environment(options) || options->environment_follows_camera);
     for (int i = 0; i < options->area_light_count; ++i) {
-        const burnish_area_light *light = &options->area_lights[i];
-        follow &= light->follows_camera || !light->is_distant || !shines(light);
+        follow &= options->area_lights[i].follows_camera || !is_mapped(area, options, i);
     }
     return follow;
 }
@@ -58,17 +64,18 @@ static void store_vector(const burnish_area_view *view, int follows_camera, int 
     burnish_vec3_store(turns ? from_camera_space(view, v) : burnish_vec3_load(v), out);
 }
 
-static void gather_sources(const burnish_render_options *options, const burnish_area_view *view,
+static void gather_sources(const burnish_area *area, const burnish_render_options *options,
+                           const burnish_area_view *view,
                            burnish_area_light lights[BURNISH_AREA_LIGHT_MAX],
                            burnish_light_sources *sources) {
     static const double y[3] = {0, 1, 0};
-    const int in_camera = all_follow_camera(options);
+    const int in_camera = all_follow_camera(area, options);
     double axes[3][3];
     *sources =
         (burnish_light_sources){.distant = lights, .strength = options->environment_strength};
     for (int i = 0; i < options->area_light_count; ++i) {
         const burnish_area_light *from = &options->area_lights[i];
-        if (from->is_distant && shines(from)) {
+        if (is_mapped(area, options, i)) {
             burnish_area_light *to = &lights[sources->distant_count++];
             *to = *from;
             store_vector(view, from->follows_camera, in_camera, from->center, to->center);
@@ -93,32 +100,80 @@ static void gather_sources(const burnish_render_options *options, const burnish_
 
 /* ---- Near lights in the space of the points ---- */
 
-/* A position, or a vector. */
-static void store_near(const burnish_area_view *view, int follows_camera, int is_position,
-                       const double v[3], double out[3]) {
-    burnish_vec3 to = burnish_vec3_load(v);
-    if (follows_camera) {
-        to = burnish_vec3_scale(from_camera_space(view, v), view->reach);
-    } else if (is_position) {
-        to = burnish_vec3_scale(burnish_vec3_sub(to, burnish_vec3_load(view->origin)), view->scale);
-        to = burnish_vec3_sub(to, burnish_vec3_load(view->eye));
-    } else {
-        to = burnish_vec3_scale(to, view->scale);
+/* A light in the space of the points, which count from the eye. */
+static burnish_area_light near_light(const burnish_area_view *view,
+                                     const burnish_area_light *from) {
+    burnish_area_light light = *from;
+    const double scale = from->is_distant ? 1 : from->follows_camera ? view->reach : view->scale;
+    double *const to[3] = {light.center, light.half_u, light.half_v};
+    for (int k = 0; k < 3; ++k) {
+        burnish_vec3 v = burnish_vec3_load(to[k]);
+        if (from->follows_camera) {
+            v = from_camera_space(view, to[k]);
+        } else if (k == 0 && !from->is_distant) {
+            v = burnish_vec3_sub(v, burnish_vec3_load(view->origin));
+        }
+        v = burnish_vec3_scale(v, scale);
+        if (k == 0 && !from->follows_camera && !from->is_distant) {
+            v = burnish_vec3_sub(v, burnish_vec3_load(view->eye));
+        }
+        burnish_vec3_store(v, to[k]);
     }
-    burnish_vec3_store(to, out);
+    return light;
 }
 
-static void gather_near(const burnish_render_options *options, const burnish_area_view *view,
-                        burnish_near_lights *lights) {
+static void gather_near(burnish_area *area, const burnish_render_options *options,
+                        const burnish_area_view *view) {
+    burnish_near_lights *lights = &area->near_lights;
     lights->count = 0;
+    lights->key = -1;
     for (int i = 0; i < options->area_light_count; ++i) {
         const burnish_area_light *from = &options->area_lights[i];
-        burnish_area_light light = *from;
-        if (!from->is_distant && shines(from)) {
-            store_near(view, from->follows_camera, 1, from->center, light.center);
-            store_near(view, from->follows_camera, 0, from->half_u, light.half_u);
-            store_near(view, from->follows_camera, 0, from->half_v, light.half_v);
+        if (shines(from) && !is_mapped(area, options, i)) {
+            const burnish_area_light light = near_light(view, from);
+            const int before = lights->count;
             burnish_near_lights_add(lights, &light);
+            lights->key = i == area->key && lights->count > before ? before : lights->key;
+        }
+    }
+}
+
+/* ---- The light that casts a shadow ---- */
+
+/* A light as the object's centre sees it: its direction, and how much it lights a surface there that
+ * faces it, if it is a disc that is far away or on its axis. */
+static double strength_of(const burnish_area_view *view, const burnish_area_light *from,
+                          burnish_vec3 *toward) {
+    const burnish_area_light light = near_light(view, from);
+    const burnish_vec3 u = burnish_vec3_load(light.half_u), v = burnish_vec3_load(light.half_v);
+    const burnish_vec3 normal = burnish_vec3_cross(u, v);
+    burnish_vec3 center = burnish_vec3_load(light.center);
+    center = light.is_distant ? center : burnish_vec3_add(center, burnish_vec3_load(view->eye));
+    const double area =
+        (light.shape == BURNISH_AREA_RECT ? 4 : BURNISH_PI) * burnish_vec3_length(normal);
+    const double squared = burnish_vec3_dot(center, center);
+    const double facing = -burnish_vec3_dot(normal, center) /
+                          (burnish_vec3_length(normal) * burnish_sqrt(squared) + 1e-300);
+    const double cosine = facing < 0 && light.is_two_sided ? -facing : facing;
+    const double radiance = 0.2126 * (double)light.color[0] + 0.7152 * (double)light.color[1] +
+                            0.0722 * (double)light.color[2];
+    *toward = burnish_vec3_normalize(center);
+    return radiance * area * cosine / (area + BURNISH_PI * squared);
+}
+
+/* The strongest light, unless another one casts the shadow. */
+static void find_key(burnish_area *area, const burnish_render_options *options,
+                     const burnish_area_view *view) {
+    double most = 0;
+    area->key = -1;
+    for (int i = 0; options->shadow && options->light_count == 0 && i < options->area_light_count;
+         ++i) {
+        burnish_vec3 toward;
+        const double strength = strength_of(view, &options->area_lights[i], &toward);
+        if (shines(&options->area_lights[i]) && strength > most) {
+            most = strength;
+            area->key = i;
+            area->toward_key = toward;
         }
     }
 }
@@ -131,7 +186,7 @@ static burnish_status update_maps(burnish_area *area, const burnish_render_optio
     burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
     burnish_light_sources sources;
     burnish_status status = BURNISH_STATUS_OK;
-    gather_sources(options, view, lights, &sources);
+    gather_sources(area, options, view, lights, &sources);
     area->constants.diffuse = NULL;
     if (sources.distant_count == 0 && !sources.dome && !sources.environment) {
         return status;
@@ -146,7 +201,7 @@ static burnish_status update_maps(burnish_area *area, const burnish_render_optio
     if (status == BURNISH_STATUS_OK) {
         area->constants.diffuse = burnish_light_maps_diffuse(area->maps);
     }
-    const int is_camera = all_follow_camera(options);
+    const int is_camera = all_follow_camera(area, options);
     for (int k = 0; k < 9; ++k) {
         area->constants.axes[k / 3][k % 3] =
             is_camera ? (float)view->axes[k / 3][k % 3] : (k % 4 == 0 ? 1.0f : 0.0f);
@@ -280,7 +335,8 @@ burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh 
     burnish_status status;
     area->constants = (burnish_environment_constants){.local_viewer = view->local_viewer};
     memcpy(area->constants.viewer, view->viewer, sizeof area->constants.viewer);
-    gather_near(options, view, &area->near_lights);
+    find_key(area, options, view);
+    gather_near(area, options, view);
     status = update_maps(area, options, view, tasks, memory);
     return status == BURNISH_STATUS_OK ? update_materials(area, mesh, texturing, memory) : status;
 }

@@ -5,6 +5,7 @@
 
 #include "burnish/render.h"
 #include "core/memory.h"
+#include "core/vector.h"
 #include "environment/maps.h"
 #include "render/light/area_near.h"
 #include "render/texture/texture.h"
@@ -30,6 +31,8 @@ typedef struct burnish_area {
     burnish_environment_constants constants;
     burnish_light_maps *maps;         /* NULL: not created yet */
     burnish_near_lights near_lights;  /* their alphas are followed by levels */
+    int key;                          /* number of the area light that casts a shadow, or -1 */
+    burnish_vec3 toward_key;          /* from the object's centre, a unit vector */
     burnish_area_material *materials; /* one per material */
     size_t material_capacity;
     float alphas[BURNISH_LIGHT_ALPHAS_MAX + BURNISH_LIGHT_LEVELS]; /* of this frame */

@@ -44,6 +44,12 @@ static void add_colored(const float color[3], const float *light, int count,
     }
 }
 
+static void cast_shadow(const float *lit, int count, float *light) {
+    for (int i = 0; i < count; ++i) {
+        light[i] *= lit[i];
+    }
+}
+
 /* The two levels next to the roughness of each point count, by their distance from it. */
 static void weigh(const burnish_near_batch *batch, int level, float *light) {
     const float steps = (float)(batch->level_count - 1);
@@ -88,6 +94,11 @@ void burnish_near_lights_shine(const burnish_near_lights *lights, const burnish_
                                      batch->alpha < 0 ? NULL : scratch->light[1]};
             kernels->polygon_light(polygon + (i + 1) * lights->count, batch->points, &axes, count,
                                    light);
+            for (int k = 0; l == lights->key && batch->points->first_light && k < 2; ++k) {
+                if (light[k]) {
+                    cast_shadow(batch->points->first_light, batch->count, light[k]);
+                }
+            }
             if (i == first) {
                 add_colored(lights->lights[l].color, light[0], batch->count, scratch->diffuse);
             }

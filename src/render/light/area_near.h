@@ -1,4 +1,4 @@
-/* Near area lights: their light is integrated for each point. */
+/* Near area lights, and the one that casts a shadow: their light is integrated for each point. */
 #ifndef BURNISH_RENDER_LIGHT_AREA_NEAR_H
 #define BURNISH_RENDER_LIGHT_AREA_NEAR_H
 
@@ -13,6 +13,7 @@ enum { BURNISH_NEAR_BATCH = 256 };
 typedef struct burnish_near_lights {
     int count;
     burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
+    int key; /* the light that casts a shadow, which may be distant, or -1 */
     burnish_polygon_constants *polygons; /* `count` without lobes, then `count` for each alpha */
     size_t polygon_capacity;
 } burnish_near_lights;

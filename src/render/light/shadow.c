@@ -5,9 +5,10 @@
 #include "render/space.h"
 
 /* In texels: the offset of points from the surface, which keeps it from shadowing itself, and the
- * radius of the filter. */
+ * radius of the filter, for an area light the one with the least error (test_shadow.c). */
 #define OFFSET 2.0
 #define RADIUS 2.5f
+#define AREA_RADIUS 6.0f
 
 static burnish_status draw(burnish_shadow *shadow, burnish_map_drawer *drawer,
                            const burnish_mesh_view *mesh, const burnish_map_view *view,
@@ -49,7 +50,7 @@ burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer 
     lookup->offset = (float)(OFFSET / view.texels);
     lookup->slope = (float)(BURNISH_MAP_RANGE * view.texels / BURNISH_MAP_CODES);
     lookup->plane = (float)burnish_map_plane(&view);
-    lookup->radius = RADIUS;
+    lookup->radius = options->is_area ? AREA_RADIUS : RADIUS;
     return status;
 }
 

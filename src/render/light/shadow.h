@@ -1,4 +1,4 @@
-/* The shadow of the first light on the mesh: one depth map toward the light. */
+/* The shadow of one light on the mesh: one depth map toward the light. */
 #ifndef BURNISH_RENDER_LIGHT_SHADOW_H
 #define BURNISH_RENDER_LIGHT_SHADOW_H
 
@@ -32,6 +32,7 @@ typedef struct burnish_shadow {
 typedef struct burnish_shadow_options {
     burnish_vec3 toward; /* the light, a unit vector */
     int size;
+    int is_area;       /* its edge is softer */
     const double *eye; /* the camera, in the raster's space */
 } burnish_shadow_options;
 
