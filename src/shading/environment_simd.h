@@ -262,12 +262,12 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
                                        const burnish_reflecting_material *material,
                                        const burnish_kernels_points *points,
                                        const burnish_reflecting_points *each, int has_levels,
-                                       size_t i, float *const rgb[3]) {
+                                       size_t i, vf color[3]) {
     const vf zero = vf_set(0.0f);
     environment_vectors at;
     environment_material surface;
     vf diffuse[3] = {zero, zero, zero}, specular[3] = {zero, zero, zero};
-    vf reflectance[3] = {zero, zero, zero}, color[3];
+    vf reflectance[3] = {zero, zero, zero};
     environment_material_at(material, each, i, &surface);
     environment_load(constants, points, material->is_metallic, surface.roughness, i, &at);
     if (constants->diffuse) {
@@ -287,9 +287,6 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
         environment_reflectance(&surface, at.n_dot_v, reflectance);
     }
     environment_color(&surface, material->is_metallic, reflectance, diffuse, specular, color);
-    for (int k = 0; k < 3; ++k) { /* a NaN has other bits on other processors */
-        vf_store(rgb[k] + i, vf_max(vf_add(vf_load(rgb[k] + i), color[k]), zero));
-    }
 }
 
 static void add_environment(const burnish_environment_constants *constants,
@@ -297,11 +294,19 @@ static void add_environment(const burnish_environment_constants *constants,
                             const burnish_kernels_points *points,
                             const burnish_reflecting_points *each, size_t count,
                             float *const rgb[3]) {
+    const int only_normals = !constants->local_viewer && !each->roughness && !each->open &&
+                             !each->diffuse[0] && !each->reflectance[0] && !each->near_diffuse[0];
+    vf color[3] = {vf_set(0.0f), vf_set(0.0f), vf_set(0.0f)};
     for (size_t i = 0; i < count; i += LANES) {
-        if (material->has_levels) {
-            environment_vector(constants, material, points, each, 1, i, rgb);
+        if (i > 0 && only_normals && shade_repeats(points->normal, i)) {
+            /* color is that of the vector before */
+        } else if (material->has_levels) {
+            environment_vector(constants, material, points, each, 1, i, color);
         } else {
-            environment_vector(constants, material, points, each, 0, i, rgb);
+            environment_vector(constants, material, points, each, 0, i, color);
+        }
+        for (int k = 0; k < 3; ++k) { /* a NaN has other bits on other processors */
+            vf_store(rgb[k] + i, vf_max(vf_add(vf_load(rgb[k] + i), color[k]), vf_set(0.0f)));
         }
     }
 }

@@ -272,6 +272,16 @@ BURNISH_INLINE void shade_points(shade_kernel kernel, const burnish_kernels_shad
     }
 }
 
+/* Whether the vector of points at i has the bits of the vector before: flat faces have. */
+BURNISH_INLINE int shade_repeats(const float *const normal[3], size_t i) {
+    vm same = vi_equal(vf_bits(vf_load(normal[0] + i)), vf_bits(vf_load(normal[0] + i - LANES)));
+    for (int k = 1; k < 3; ++k) {
+        same = vm_and(same, vi_equal(vf_bits(vf_load(normal[k] + i)),
+                                     vf_bits(vf_load(normal[k] + i - LANES))));
+    }
+    return !vm_any(vm_not(same));
+}
+
 /* Colours in [0, 255] to pixels. Adding 2^23 rounds to a whole number in the lowest bits; the
  * exponent's bits fall out by the shifts, or under the alpha. */
 BURNISH_INLINE vi shade_pack(const vf color[3]) {
@@ -320,10 +330,14 @@ BURNISH_INLINE void shade_rest(shade_kernel kernel, const burnish_kernels_shader
 BURNISH_INLINE void shade_array(shade_kernel kernel, const burnish_kernels_shader *restrict shader,
                                 const burnish_kernels_points *restrict points, size_t count,
                                 shade_colors colors) {
+    const int only_normals =
+        kernel.geometry == BURNISH_SHADE_DISTANT && !points->diffuse[0] && !points->first_light;
     size_t i = 0;
-    vf color[3];
+    vf color[3] = {vf_set(0.0f), vf_set(0.0f), vf_set(0.0f)};
     for (; i + LANES <= count; i += LANES) {
-        shade_points(kernel, shader, points, i, color);
+        if (i == 0 || !only_normals || !shade_repeats(points->normal, i)) {
+            shade_points(kernel, shader, points, i, color);
+        }
         if (kernel.output == BURNISH_SHADE_RGBA8) {
             vi_store_le_bytes(colors.rgba + 4 * i, shade_pack(color));
         } else {

@@ -72,33 +72,48 @@ BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) 
     return vi_add(vi_shr(entry, 17), reached);
 }
 
-/* Whether three vectors have the same bits, as grey materials in white light make them. */
-BURNISH_INLINE int is_grey(const vf light[3]) {
-    const vi red = vf_bits(light[0]);
-    const vm same = vm_and(vi_equal(red, vf_bits(light[1])), vi_equal(red, vf_bits(light[2])));
+/* Whether three vectors have the bits of three others. */
+BURNISH_INLINE int is_same(const vf a[3], const vf b[3]) {
+    vm same = vi_equal(vf_bits(a[0]), vf_bits(b[0]));
+    for (int k = 1; k < 3; ++k) {
+        same = vm_and(same, vi_equal(vf_bits(a[k]), vf_bits(b[k])));
+    }
     return !vm_any(vm_not(same));
+}
+
+/* The codes of three vectors: one conversion where grey materials in white light make them equal. */
+BURNISH_INLINE vi encode_light(const burnish_srgb_encoder *encoder, const vf light[3]) {
+    const vf grey[3] = {light[0], light[0], light[0]};
+    const vi red = encode_vector(encoder, light[0]);
+    if (is_same(light, grey)) {
+        return vi_or(vi_or(red, vi_shl(red, 8)), vi_shl(red, 16));
+    }
+    const vi green = encode_vector(encoder, light[1]);
+    const vi blue = encode_vector(encoder, light[2]);
+    return vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
 }
 
 static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
                           const float *const rgb[3], const int32_t *shown, uint32_t alpha,
                           uint32_t background, uint32_t *pixels) {
+    vf before[3] = {vf_set(0.0f), vf_set(0.0f),
+                    vf_set(0.0f)}; /* on flat faces a vector of pixels is often like the last */
+    vi code = vi_set(0);
     for (size_t i = 0; i < count; i += LANES) {
         const vf light[3] = {vf_load(rgb[0] + i), vf_load(rgb[1] + i), vf_load(rgb[2] + i)};
-        const vi red = encode_vector(encoder, light[0]);
-        vi pixel;
-        if (is_grey(light)) {
-            pixel = vi_or(vi_or(red, vi_shl(red, 8)), vi_shl(red, 16));
-        } else {
-            const vi green = encode_vector(encoder, light[1]);
-            const vi blue = encode_vector(encoder, light[2]);
-            pixel = vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
+        if (i == 0 || !is_same(light, before)) {
+            code = encode_light(encoder, light);
         }
+        vi pixel = code;
         if (shown) {
             vm mask = vi_not_negative(vi_load(shown + i));
             pixel =
                 vi_blend(mask, vi_or(pixel, vi_set((int32_t)alpha)), vi_set((int32_t)background));
         }
         vi_store((int32_t *)pixels + i, pixel);
+        for (int k = 0; k < 3; ++k) {
+            before[k] = light[k];
+        }
     }
 }
 

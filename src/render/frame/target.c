@@ -231,18 +231,21 @@ static uint8_t *row_at(const burnish_output *output, const burnish_tile *tile, i
 /* With one sample a pixel: dirty blocks are encoded, the others are background. */
 static void encode_blocks(const burnish_output *output, unsigned dirty,
                           const burnish_row_light *row, uint32_t *codes) {
-    for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
+    for (int block = 0, end; block < BURNISH_TILE_BLOCKS; block = end) {
+        const unsigned is_dirty = dirty >> block & 1;
+        for (end = block + 1; end < BURNISH_TILE_BLOCKS && (dirty >> end & 1) == is_dirty; ++end) {
+        }
         const int first = block * BURNISH_BLOCK_PIXELS;
-        if (dirty >> block & 1) {
+        const int count = (end - block) * BURNISH_BLOCK_PIXELS;
+        if (is_dirty) {
             const float *const rgb[3] = {row->rgb[0] + first, row->rgb[1] + first,
                                          row->rgb[2] + first};
-            output->ops->encode_pixels(output->encoder, BURNISH_BLOCK_PIXELS, rgb,
+            output->ops->encode_pixels(output->encoder, (size_t)count, rgb,
                                        row->pixels.simple + first, output->alpha,
                                        output->background_code, codes + first);
-        } else {
-            for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
-                codes[first + i] = output->background_code;
-            }
+        }
+        for (int i = first; i < first + count && !is_dirty; ++i) {
+            codes[i] = output->background_code;
         }
     }
 }
