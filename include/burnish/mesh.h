@@ -96,10 +96,11 @@ BURNISH_API burnish_material burnish_material_default(void);
 /* Which normals a mesh gets. */
 typedef enum burnish_normals_source {
     BURNISH_NORMALS_AUTO, /* FILE for arrays. OWN for others if crease_angle is given. Otherwise
-                             FILE, except that an OBJ, PLY or OFF file gets OWN, with a warning, if
-                             its normals smooth the sharp edges of flat faces on more than 10 % of
-                             the area: at a corner the normal is over 35 degrees off the face, and
-                             an edge of 60 degrees or more has this normal on both sides */
+                             FILE, except that an OBJ, PLY or OFF file, or a glTF file without
+                             normal textures, gets OWN, with a warning, if its normals smooth
+                             the sharp edges of flat faces on more than 10 % of the area: at a
+                             corner the normal is over 35 degrees off the face, and an edge of
+                             60 degrees or more has this normal on both sides */
     BURNISH_NORMALS_FILE, /* those of the input; missing ones are generated */
     BURNISH_NORMALS_OWN   /* all are generated; triangles keep their winding */
 } burnish_normals_source;
@@ -347,6 +348,9 @@ typedef struct burnish_mesh_info {
     const char *unit;               /* of length, from the file or format: "micron",
                                        "millimeter", "centimeter", "inch", "foot", "meter";
                                        NULL: unknown */
+    burnish_normals_source normals; /* FILE: those of the input, and generated ones where they are
+                                       missing; OWN: all are generated */
+    int normals_replaced;           /* 1: OWN, since AUTO rejected those of the input */
 } burnish_mesh_info;
 
 /* Information about a mesh, valid as long as the mesh; NULL for NULL. */

@@ -167,9 +167,11 @@ static burnish_status aim(comparison *c, burnish_error *error) {
         status = join(meshes, &joined, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        const compare_side *drawn = &c->sides[meshes[0] ? 0 : 1];
-        status = render_camera(joined ? joined : drawn->result.mesh, &drawn->settings, view, &room,
-                               &camera, error);
+        const int drawn = meshes[0] ? 0 : 1;
+        const burnish_mesh *framed = joined ? joined : meshes[drawn];
+        render_settings settings = c->sides[drawn].settings;
+        render_set_stance(framed, &settings.camera);
+        status = render_camera(framed, &settings, view, &room, &camera, error);
     }
     for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
         c->sides[i].cell.camera = camera;
@@ -257,8 +259,7 @@ static void choose_up(comparison *c) {
     if (!mesh) {
         return;
     }
-    settings.camera.stands_otherwise =
-        settings.camera.up == UP_AUTO && render_find_stance(mesh).is_other;
+    render_set_stance(mesh, &settings.camera);
     const render_up up = render_up_in_use(mesh, &settings.camera, direction);
     for (int i = 0; i < 2; ++i) {
         c->sides[i].settings.camera.up = (int)up;

@@ -22,6 +22,13 @@ static const char *format_name(const info_report *r, char extension[IMPORT_EXTEN
                               extension);
 }
 
+/* The source of the normals. */
+static const char *normals_name(const burnish_mesh_info *info) {
+    return info->normals_replaced                  ? "replaced"
+           : info->normals == BURNISH_NORMALS_FILE ? "file"
+                                                   : "generated";
+}
+
 /* ---- JSON ---- */
 
 static cJSON *warning_at(const void *mesh, size_t i) {
@@ -47,6 +54,7 @@ static void add_sizes(cJSON *root, const info_report *r, int *failed) {
         cli_json_add(tipping, "+Z", cli_json_real(r->stance.tipping[2]), failed);
     }
     cli_json_add(root, "tipping_angles", tipping, failed);
+    cli_json_add(root, "sheet", cJSON_CreateBool(r->stance.sheet > 0), failed);
     cli_json_add(root, "area", cli_json_real(f ? f->area : NAN), failed);
     cli_json_add(root, "volume", cli_json_real(f ? f->volume : NAN), failed);
     cli_json_add(root, "center_of_mass", center, failed);
@@ -100,6 +108,8 @@ cJSON *info_make_json(const info_report *r, int *failed) {
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
                  failed);
+    cli_json_add(root, "normals",
+                 r->facts ? cJSON_CreateString(normals_name(info)) : cJSON_CreateNull(), failed);
     add_sizes(root, r, failed);
     add_counts(root, r->facts, failed);
     cli_json_add(root, "warnings",
@@ -120,6 +130,7 @@ static const char *const csv_keys[] = {"input",
                                        "unit",
                                        "size",
                                        "up",
+                                       "normals",
                                        "area",
                                        "volume",
                                        "solid",
@@ -235,8 +246,9 @@ static void print_tipping(FILE *stream, const render_stance *stance, int axis) {
 /* The up axis of pictures, and why. */
 static void print_up(FILE *stream, const info_report *r) {
     fprintf(stream, "  %-20s  %s, ", "up", up_name(r));
-    if (r->stance.usual == 0) {
-        fprintf(stream, "the axis of the format\n");
+    if (r->stance.usual == 0 || r->stance.sheet) {
+        fprintf(stream, "the axis of the format%s\n",
+                r->stance.sheet ? ": a sheet, drawn face on" : "");
         return;
     }
     fprintf(stream, r->stance.is_other ? "guessed: " : "the axis of the format: ");
@@ -266,6 +278,9 @@ static void print_surface(FILE *stream, const info_report *r) {
     const double *o = r->view->origin;
     const double center[3] = {snap(c[0], rounding) + o[0], snap(c[1], rounding) + o[1],
                               snap(c[2], rounding) + o[2]};
+    const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
+    fprintf(stream, "  %-20s  %s%s\n", "normals", normals_name(info),
+            info->normals_replaced ? ": those of the file smooth sharp edges" : "");
     fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
     fprintf(stream, "  %-20s  %.6g%s\n", "volume", snap(f->volume, 1e-12 * f->area * size),
             volume_remark(f));

@@ -75,6 +75,10 @@ static const cli_term json_terms[] = {
     {"*tipping_angles*",
      "degrees by which the object can lean on +Y and +Z before it falls, "
      "negative if it falls; null for points, lines and formats that state their axis"},
+    {"*sheet*", "true if an extent of the object is at most 0.5 % of its longest one; the default "
+                "view shows it face on"},
+    {"*normals*", "in pictures: file; generated, if the file has none; replaced, if those of the "
+                  "file smooth sharp edges (*--normals=auto*)"},
     {"*area*", "of all triangles, including duplicates"},
     {"*volume*",
      "enclosed volume, by the divergence theorem. It is meaningful if *solid* is true, negative "

@@ -242,7 +242,9 @@ static const cli_flag flags[] = {
          "format: " FORMAT_AXES ". "
          "*auto*, the default, is the same except for objects that would fall over: an OBJ, PLY or "
          "OFF file whose object is stable on +Z, and an STL file whose object falls on +Z and "
-         "is very stable on +Y. *burnish info* prints how stable it is. See docs/up.md."},
+         "is very stable on +Y. *burnish info* prints how stable it is. An object that is flat, "
+         "with an extent of at most 0.5 % of its longest one, is a drawing: it keeps the axis, "
+         "and the default view shows it face on. See docs/up.md."},
     {CLI_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object", cli_flag_nonzero,
               camera.direction),
      .default_label = "three-quarter", .common = 1,
@@ -431,9 +433,10 @@ static const cli_flag flags[] = {
      .manual =
          "Source of the normals. *file* uses those of the input and generates missing ones; "
          "*own* generates all of them. *auto*, the default, is *own* if *--crease-angle* is "
-         "given; otherwise it is *file*, except that the normals of an OBJ, PLY or OFF file are "
-         "replaced, with a warning, if they smooth the sharp edges of flat faces on more "
-         "than 10 % of the area."},
+         "given; otherwise it is *file*, except that the normals of an OBJ, PLY or OFF file, or of "
+         "a "
+         "glTF file without normal textures, are replaced, with a warning, if they smooth the "
+         "sharp edges of flat faces on more than 10 % of the area."},
     {CLI_FLAG("crease-angle", "DEG", "smooth edges below this angle", cli_flag_real, input.crease),
      CLI_RANGE(0, 180), .default_label = "auto",
      .manual =

@@ -273,8 +273,7 @@ static burnish_status load(render_result *result, render_settings *settings,
     if (status == BURNISH_STATUS_OK && warning) {
         render_result_warn(result, 1, "%s", warning);
     }
-    settings->camera.stands_otherwise =
-        settings->camera.up == UP_AUTO && render_find_stance(mesh).is_other;
+    render_set_stance(mesh, &settings->camera);
     if (status == BURNISH_STATUS_OK) {
         status = render_cut(result, mesh, error);
     }

@@ -22,9 +22,9 @@ struct session {
     char *texts; /* of the last call's options */
     cli_companions companions;
     burnish_mesh *mesh;
-    int stands_otherwise;
-    burnish_material *materials; /* of the input; options of a picture change those of the mesh */
-    size_t loading_warnings;     /* count; later warnings are about the picture */
+    render_camera_settings stance; /* stands_otherwise and sheet of the mesh */
+    burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
+    size_t loading_warnings;       /* count; later warnings are about the picture */
     burnish_renderer *renderer;
     render_settings settings;
     render_result result;
@@ -267,8 +267,8 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
     if (status == BURNISH_STATUS_OK) {
         render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &no_lights,
                                burnish_mesh_get_view(s->mesh)->origin);
-        s->stands_otherwise =
-            s->settings.camera.up == UP_AUTO && render_find_stance(s->mesh).is_other;
+        s->stance.up = s->settings.camera.up;
+        render_set_stance(s->mesh, &s->stance);
         status = render_cut(&s->result, s->mesh, error);
     }
     s->loading_warnings = s->result.warning_count;
@@ -427,7 +427,8 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
     s->settings.camera.up = up; /* the mesh's */
-    s->settings.camera.stands_otherwise = s->stands_otherwise;
+    s->settings.camera.stands_otherwise = s->stance.stands_otherwise;
+    s->settings.camera.sheet = s->stance.sheet;
     if (status == BURNISH_STATUS_OK) {
         status = set_materials(s, error);
     }

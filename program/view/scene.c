@@ -76,8 +76,7 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
         status = render_add_own_lights(&settings.shading.lights, mesh, &options, &warning, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        settings.camera.stands_otherwise =
-            settings.camera.up == UP_AUTO && render_find_stance(mesh).is_other;
+        render_set_stance(mesh, &settings.camera);
         status = cut(&settings.input.clip, mesh, error);
     }
     if (status == BURNISH_STATUS_OK) {

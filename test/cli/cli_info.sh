@@ -41,6 +41,7 @@ box.stl (stl): 12 triangles, 8 vertices, 1 material
   from                  0, 0, 0
   to                    1, 2, 3
   up                    +Z, the axis of the format: stable up to 18 degrees on +Z, stable up to 27 degrees on +Y
+  normals               generated
   area                  22
   volume                6
   centre of mass        0.5, 1, 1.5 (of the solid)
@@ -189,7 +190,7 @@ echo junk >many/bad.stl
 run info many --csv
 check "a folder: exit code $code" [ "$code" = 11 ]
 check "CSV: a header and two rows" [ "$(wc -l <"$out")" = 3 ]
-check "CSV: a box" grep -q '^many/box.stl,stl,12,8,0,0,1,,1,2,3,+Z,22,6,yes,yes,yes,1,18,0,' "$out"
+check "CSV: a box" grep -q '^many/box.stl,stl,12,8,0,0,1,,1,2,3,+Z,generated,22,6,yes,yes,yes,1,18,0,' "$out"
 check "CSV: a failure" grep -q '^many/bad.stl,,.*,"\{0,1\}many/bad.stl: ' "$out"
 check "the failures are counted" grep -q '^burnish: 1 of 2 failed$' "$err"
 run info many many/box.stl -r --json --quiet

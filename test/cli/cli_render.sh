@@ -329,6 +329,12 @@ same "a flag's axis" "$(up sheet.obj --up=-X)" "-X flag"
 same "a sheet lies down" "$(up sheet.obj)" "+Z auto"
 same "a cut does not turn it" "$(up sheet.obj --clip=0,1,0,0.05)" "+Z auto"
 same "a block stands" "$(up block.obj)" "+Y format"
+printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nf 1 2 3\n' >flat.obj
+same "a flat drawing does not" "$(up flat.obj)" "+Y format"
+face_on=$(hash flat.obj --size=32 --camera-orthographic)
+same "a drawing is seen from the front" "$face_on" "$(hash flat.obj --size=32 --views=front)"
+check "unless asked otherwise" [ "$face_on" != "$(hash flat.obj --size=32 --camera-orthographic --azimuth=1)" ]
+same "a floor is seen from above" "$(hash flat.obj --size=32 --up=+Z --camera-orthographic)" "$(hash flat.obj --size=32 --up=+Z --views=top)"
 same "other formats state their axis" "$(up :sphere)" "+Y format"
 same "the guess draws what its axis draws" "$(hash sheet.obj --size=32 --up=auto)" "$(hash sheet.obj --size=32 --up=+Z)"
 

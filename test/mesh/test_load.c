@@ -192,6 +192,22 @@ static const char SMOOTH_CUBE[] =
     "vn 1 1 1\nf 1//1 3//3 4//4 2//2\nf 5//5 6//6 8//8 7//7\nf 1//1 2//2 6//6 5//5\n"
     "f 3//3 7//7 8//8 4//4\nf 1//1 5//5 7//7 3//3\nf 2//2 4//4 8//8 6//6\n";
 
+/* The same cube. */
+#define SMOOTH_GLTF(material)                                                                      \
+    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{"       \
+    "\"mesh\":0}],"                                                                                \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0},\"indices\":1,"    \
+    "\"material\":0}]}],\"materials\":[{\"name\":\"m\"" material "}],\"textures\":[{}],"           \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":8,\"type\":\"VEC3\","       \
+    "\"min\":[-1,-1,-1],\"max\":[1,1,1]},{\"bufferView\":1,\"componentType\":5121,\"count\":36,"   \
+    "\"type\":\"SCALAR\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":96},{\"buffer\":0,"       \
+    "\"byteOffset\":96,\"byteLength\":36}],\"buffers\":[{\"byteLength\":132,\"uri\":"              \
+    "\"data:application/octet-stream;base64,"                                                      \
+    "AACAvwAAgL8AAIC/AACAPwAAgL8AAIC/AACAvwAAgD8AAIC/AACAPwAAgD8AAIC/AACAvwAAgL8AAIA/AACA"         \
+    "PwAAgL8AAIA/AACAvwAAgD8AAIA/AACAPwAAgD8AAIA/AAIDAAMBBAUHBAcGAAEFAAUEAgYHAgcDAAQGAAYC"         \
+    "AQMHAQcF"                                                                                     \
+    "\"}]}"
+
 /* Six sides with a round top: every normal is 45 degrees or more off some face, but no edge of the
  * cone is sharp. */
 static const char SMOOTH_CONE[] =
@@ -229,6 +245,9 @@ static void test_normals_source(void) {
     check_normals(SMOOTH_CUBE, "a.obj", automatic, 80, 24, NULL);
     check_normals(SMOOTH_CUBE, "a.obj", automatic, 100, 8, NULL);
     check_normals(SMOOTH_CUBE, "a.obj", file, 80, 8, "the crease angle has no effect");
+    check_normals(SMOOTH_GLTF(""), "a.gltf", automatic, no_angle, 24, "the sharp edges of 100 %");
+    check_normals(SMOOTH_GLTF(",\"normalTexture\":{\"index\":0}"), "a.gltf", automatic, no_angle, 8,
+                  NULL);
     check_normals(SMOOTH_CONE, "a.obj", automatic, no_angle, 7, NULL);
 }
 

@@ -229,6 +229,18 @@ static burnish_status explicit_camera(request from, burnish_camera *camera, burn
     return BURNISH_STATUS_OK;
 }
 
+/* The default view: three-quarter, or the standard view that shows a sheet face on. */
+static render_view default_view(const request *from) {
+    const render_camera_settings *camera = &from->settings->camera;
+    const frame *axes = from->axes;
+    const int k = camera->sheet - 1;
+    if (k < 0 || camera->direction.given || camera->view_up.given || camera->azimuth.value != 0 ||
+        camera->elevation.value != 0) {
+        return VIEW_FREE;
+    }
+    return axes->up[k] != 0 ? VIEW_TOP : axes->front[k] != 0 ? VIEW_FRONT : VIEW_RIGHT;
+}
+
 /* The camera that shows the whole object: standard views, --camera-direction, three-quarter view.
  */
 static burnish_status framed_camera(request from, render_view view, burnish_camera *camera,
@@ -238,6 +250,7 @@ static burnish_status framed_camera(request from, render_view view, burnish_came
     burnish_framing *framing = &from.framing;
     double direction[3], upward[3];
     burnish_status status;
+    view = view == VIEW_FREE ? default_view(&from) : view;
     if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
         combine(axes, views[view].upward, 1, upward);

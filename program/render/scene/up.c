@@ -19,6 +19,9 @@ enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
 #define DOUBTED_STL 2
 #define BELIEVED_STL 60
 
+/* The largest extent of a sheet along its normal, in its longest extents. */
+#define SHEET 0.005
+
 /* Centroid of the surface. */
 static void find_center(const burnish_mesh_view *view, double center[3]) {
     double sum[3] = {0}, total = 0;
@@ -82,6 +85,19 @@ static double tipping(const burnish_mesh_view *view, int axis, const double cent
     return atan2(least, rise) * (180 / 3.14159265358979323846);
 }
 
+/* 1 + the axis on which the object has no extent, or 0. */
+static int find_sheet(const burnish_mesh *mesh) {
+    float low[3], high[3];
+    int thin = 0, long_axis = 0;
+    burnish_mesh_get_bounds(mesh, low, high);
+    for (int k = 1; k < 3; ++k) {
+        thin = high[k] - low[k] < high[thin] - low[thin] ? k : thin;
+        long_axis = high[k] - low[k] > high[long_axis] - low[long_axis] ? k : long_axis;
+    }
+    const double extent = (double)high[thin] - (double)low[thin];
+    return extent <= SHEET * ((double)high[long_axis] - (double)low[long_axis]) ? 1 + thin : 0;
+}
+
 render_stance render_find_stance(const burnish_mesh *mesh) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
@@ -89,10 +105,12 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     const int is_stl = format == BURNISH_FORMAT_STL;
     render_stance stance = {0};
     double center[3];
+    const int has_faces = info->point_count + info->line_count == 0;
+    stance.sheet = has_faces ? find_sheet(mesh) : 0;
     const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
     const int is_doubted = is_stl || format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
                            format == BURNISH_FORMAT_OFF || format == BURNISH_FORMAT_ARRAYS;
-    if (!is_doubted || usual == 0 || info->point_count + info->line_count > 0) {
+    if (!is_doubted || usual == 0 || !has_faces) {
         return stance;
     }
     stance.usual = usual;
@@ -100,7 +118,14 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     find_center(view, center);
     stance.tipping[1] = tipping(view, 1, center);
     stance.tipping[2] = tipping(view, 2, center);
-    stance.is_other = stance.tipping[stance.usual] < (is_stl ? DOUBTED_STL : DOUBTED) &&
+    stance.is_other = !stance.sheet &&
+                      stance.tipping[stance.usual] < (is_stl ? DOUBTED_STL : DOUBTED) &&
                       stance.tipping[stance.other] >= (is_stl ? BELIEVED_STL : BELIEVED);
     return stance;
+}
+
+void render_set_stance(const burnish_mesh *mesh, render_camera_settings *camera) {
+    const render_stance stance = render_find_stance(mesh);
+    camera->stands_otherwise = camera->up == UP_AUTO && stance.is_other;
+    camera->sheet = stance.sheet;
 }

@@ -64,6 +64,8 @@ static void describe_mesh(burnish_builder *b) {
     memcpy(b->mesh->points_min, b->data->points_min, sizeof b->mesh->points_min);
     memcpy(b->mesh->points_max, b->data->points_max, sizeof b->mesh->points_max);
     b->mesh->info.unit = b->data->unit;
+    b->mesh->info.normals = b->has_file_normals ? BURNISH_NORMALS_FILE : BURNISH_NORMALS_OWN;
+    b->mesh->info.normals_replaced = b->normals_replaced;
     burnish_mesh_update_view(b->mesh);
 }
 
@@ -104,12 +106,14 @@ static burnish_mesh *allocate_mesh(burnish_mesh_data *data, burnish_format forma
     return mesh;
 }
 
-/* Normals of OBJ, PLY and OFF often come from tools that average them across edges. Other sources
- * state the normals that they mean, and solids for points have the right ones. */
+/* Normals of OBJ, PLY, OFF and, rarely, glTF come from tools that average them across edges. Normal
+ * textures are relative to them, so they stay. Other sources state the normals that they mean, and
+ * solids for points have the right ones. */
 static burnish_normals_source choose_normals(const burnish_load_options *options,
                                              burnish_format format, const burnish_mesh_data *data) {
     const int is_questioned = format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
-                              format == BURNISH_FORMAT_OFF;
+                              format == BURNISH_FORMAT_OFF ||
+                              (format == BURNISH_FORMAT_GLTF && !data->has_normal_textures);
     if (data->point_count + data->line_count > 0) {
         return BURNISH_NORMALS_FILE;
     }

@@ -53,6 +53,8 @@ typedef struct burnish_builder {
     uint32_t *corner_positions; /* 3 per triangle: welded positions; may be the corners of data's
                                    positions */
     int has_extras;             /* attributes other than position and normal */
+    int has_file_normals;       /* some corner does */
+    int normals_replaced;       /* AUTO has dropped them */
     int normals_complete;       /* every corner has a normal from the file */
 
     uint32_t *order; /* for each triangle of the mesh, its present number; NULL: unchanged */

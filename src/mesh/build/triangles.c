@@ -213,6 +213,7 @@ static burnish_status judge_normals(burnish_builder *b) {
     }
     burnish_mesh_data_drop(b->data, BURNISH_NORMAL);
     b->normals_complete = 0;
+    b->normals_replaced = 1;
     burnish_mesh_data_warn(b->data,
                            "%s: its normals smooth the sharp edges of %.0f %% of the surface and "
                            "are replaced; set normals=file to keep them",
@@ -432,6 +433,7 @@ burnish_status burnish_build_triangles(burnish_builder *b) {
     if (status == BURNISH_STATUS_OK) {
         normalize_file_normals(b);
         status = judges ? judge_normals(b) : check_crease_angle(b);
+        b->has_file_normals = b->data->streams[BURNISH_NORMAL].count > 0;
     }
     if (status == BURNISH_STATUS_OK) {
         status = keep_triangles(b, &context);

@@ -111,6 +111,8 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
     const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");
     burnish_texture_use *textures = material->textures;
     gltf->texture_set = burnish_gltf_texture_set(gltf, value);
+    gltf->reader->mesh->has_normal_textures |=
+        burnish_json_member(&gltf->json, value, "normalTexture") != BURNISH_JSON_NONE;
     textures[BURNISH_TEXTURE_NORMAL] =
         burnish_gltf_read_texture(gltf, value, "normalTexture", 0, "scale");
     textures[BURNISH_TEXTURE_EMISSIVE] =
