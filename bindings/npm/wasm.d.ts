@@ -136,6 +136,8 @@ export interface DrawOptions {
   /** "silhouettes", "creases", "boundaries", "materials" between commas, true for all, or "none". */
   edges?: boolean | string;
   wireframe?: boolean;
+  /** Hidden edges as dashed lines. */
+  hiddenLines?: boolean;
   edgeWidth?: number;
   edgeColor?: string | [number, number, number];
   /** Limit on how often large triangles cover the picture; default 1000. */

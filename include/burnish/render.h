@@ -70,7 +70,7 @@ typedef enum burnish_counts {
  * others. If large surfaces would exceed max_overdraw, the limit is lower, but at least 32. */
 #define BURNISH_TRANSPARENT_LAYERS_MAX 256
 
-/* The edges that are drawn as lines, without hidden ones: a sum of BURNISH_EDGES_... values. */
+/* The edges that are drawn as lines: a sum of BURNISH_EDGES_... values. */
 typedef uint32_t burnish_edge_flags;
 enum {
     BURNISH_EDGES_SILHOUETTES = 1, /* where the surface turns away from the camera in front of a
@@ -82,7 +82,9 @@ enum {
     BURNISH_EDGES_ALL = 16,        /* of every triangle: a wireframe */
     /* FEATURES as thin, soft lines in a parallel projection along an axis of the mesh, where a step
      * has the same colour as the surface behind it; no lines in other views. */
-    BURNISH_EDGES_AXIS_VIEWS = 32
+    BURNISH_EDGES_AXIS_VIEWS = 32,
+    /* In addition, dashes for edges that the surface hides and no other line covers (ISO 128-2) */
+    BURNISH_EDGES_HIDDEN = 64
 };
 
 /* The widest line, in pixels. */
@@ -304,7 +306,8 @@ BURNISH_API void burnish_renderer_destroy(burnish_renderer *renderer);
 
 /* ---- Lines ---- */
 
-/* The visible edges of a frame, as polylines in pixels from the top left corner of the image. */
+/* The lines of a frame, dash by dash, as polylines in pixels from the top left corner of the image.
+ */
 typedef struct burnish_lines {
     int width, height;      /* of the picture */
     uint8_t color[3];       /* sRGB */

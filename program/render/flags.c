@@ -409,6 +409,10 @@ static const cli_flag flags[] = {
                "depth are *--edge-width* wide, others 3/5 of it."},
     {CLI_SWITCH("wireframe", "draw the edges of all triangles", shading.wireframe),
      .aliases = "wire,mesh-lines", .manual = "Draws the visible edges of all triangles as lines."},
+    {CLI_SWITCH("hidden-lines", "draw hidden edges as dashed lines", shading.hidden_lines),
+     .aliases = "hidden",
+     .manual = "Draws the edges that the object hides as dashed lines, 3/5 as wide as outlines, "
+               "where no other line covers them. Draws edges like *--edges* if the look does not."},
     {CLI_FLAG("edge-width", "PIXELS", "width of outlines; other lines: 3/5 of it", cli_flag_real,
               shading.edge_width),
      CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .aliases = "line-width",

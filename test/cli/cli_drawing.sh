@@ -70,6 +70,7 @@ refused ground
 refused shadow
 drawn edges=creases
 drawn wireframe
+drawn hidden-lines
 drawn edge-width=5
 drawn edge-color=blue
 other input-format

@@ -183,6 +183,57 @@ static void test_cube(double height, int is_cut) {
     burnish_mesh_destroy(mesh);
 }
 
+/* The three hidden edges of a cube are dashed from end to end, with gaps of 4 widths between dashes
+ * of 11, scaled to the length. */
+static void test_dashes(double height) {
+    static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {6, -9, 5};
+    static const int edges[3] = {1, 4, 10}; /* those of the corner -1, 1, -1 */
+    const int kinds = BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN;
+    shape s = {.point_count = 0};
+    add_box(&s, low, high);
+    burnish_mesh *mesh = mesh_of(&s);
+    const burnish_render_options options = make_options(position, height, kinds);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    const double period = 15 * 0.6 * (double)options.edge_width;
+    for (int i = 0; i < 3; ++i) {
+        double p[2][3];
+        box_corner(low, high, edges[i], 0, p[0]);
+        box_corner(low, high, edges[i], 1, p[1]);
+        const screen a = project(&options, p[0]), b = project(&options, p[1]);
+        const double length = hypot(b.x - a.x, b.y - a.y), on = covered(lines, a, b);
+        const double count = floor((length + period * 4 / 15) / period + 0.5);
+        const double expected = length * 11 * count / (15 * count - 4);
+        CHECK(fabs(on - expected) < 3, "edge %d: %g of %g pixels", i, on, expected);
+        for (int end = 0; end < 2; ++end) {
+            const double t = 5 / length, u = end ? t : 1 - t;
+            const screen near = {a.x + u * (b.x - a.x), a.y + u * (b.y - a.y)};
+            CHECK(covered(lines, end ? a : b, near) > 4, "edge %d, end %d", i, end);
+        }
+    }
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
+/* Along an axis each hidden edge of a box is behind a visible one. */
+static void test_covered_lines(void) {
+    static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {0, -9, 0};
+    shape s = {.point_count = 0};
+    add_box(&s, low, high);
+    burnish_mesh *mesh = mesh_of(&s);
+    const burnish_render_options options =
+        make_options(position, 4, BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    const double length = length_of_lines(draw(mesh, &options, &renderer, &image));
+    CHECK(fabs(length - 8 * SIZE / 4.0) < 1, "%g pixels", length);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
 /* Of a plate's upper edge, seen along y, a box before it hides the part between its sides. */
 static void test_hidden_part(void) {
     static const double back[2][3] = {{-2, 1, -1}, {2, 1.5, 1}};
@@ -650,6 +701,9 @@ int main(int count, char **arguments) {
     RUN(test_cube(4, 0));
     RUN(test_cube(0, 1));
     RUN(test_cube(4, 1));
+    RUN(test_dashes(0));
+    RUN(test_dashes(4));
+    RUN(test_covered_lines());
     RUN(test_hidden_part());
     RUN(test_step());
     RUN(test_sphere());

@@ -77,6 +77,7 @@ class Options(TypedDict, total=False):
     shadow: Switch
     edges: Union[str, bool]
     wireframe: Switch
+    hidden_lines: Switch
     edge_width: float
     edge_color: Color
     max_overdraw: float

@@ -120,12 +120,13 @@ static void place_segment(const projection *p, const burnish_mesh_view *mesh,
     const clip_point b = project(p, mesh->positions + 3 * (size_t)edge->ends[1]);
     const double wide = p->middle[0], high = p->middle[1];
     double from = 0, to = 1;
-    segment->is_empty = !(cut(a.w - a.z, b.w - b.z, &from, &to) &&
-                          cut(a.w * wide - a.x, b.w * wide - b.x, &from, &to) &&
-                          cut(a.w * wide + a.x, b.w * wide + b.x, &from, &to) &&
-                          cut(a.w * high - a.y, b.w * high - b.y, &from, &to) &&
-                          cut(a.w * high + a.y, b.w * high + b.y, &from, &to));
-    if (!segment->is_empty) {
+    const int is_inside = (cut(a.w - a.z, b.w - b.z, &from, &to) &&
+                           cut(a.w * wide - a.x, b.w * wide - b.x, &from, &to) &&
+                           cut(a.w * wide + a.x, b.w * wide + b.x, &from, &to) &&
+                           cut(a.w * high - a.y, b.w * high - b.y, &from, &to) &&
+                           cut(a.w * high + a.y, b.w * high + b.y, &from, &to));
+    segment->is_done = is_inside ? 0 : BURNISH_LINE_OUTSIDE;
+    if (is_inside) {
         store_end(p, from > 0 ? between(a, b, from) : a, segment, 0);
         store_end(p, to < 1 ? between(a, b, to) : b, segment, 1);
     }
@@ -198,7 +199,7 @@ static int select_edge(const selection *s, const burnish_edge *edge,
     const int has_front =
         facing[edge->triangles[0]] > 0 ||
         (edge->triangles[1] != BURNISH_EDGE_OPEN && facing[edge->triangles[1]] > 0);
-    if (s->options->cull_back_faces && !has_front) {
+    if (s->options->cull_back_faces && !has_front && !(wanted & BURNISH_EDGES_HIDDEN)) {
         return 0;
     }
     if (segment) {
@@ -316,7 +317,7 @@ static burnish_status link_segments(burnish_line_art *art, const burnish_mesh_vi
     for (int features = 0; features < 2; ++features) {
         memset(art->joints, 0xff, mesh->vertex_count * sizeof *art->joints);
         for (size_t i = 0; i < count; ++i) {
-            if (!art->segments[i].is_empty && art->segments[i].is_feature == features) {
+            if (!art->segments[i].is_done && art->segments[i].is_feature == features) {
                 link_end(art, (uint32_t)(2 * i));
                 link_end(art, (uint32_t)(2 * i + 1));
             }
@@ -332,11 +333,12 @@ static double segment_length(const burnish_line_segment *s) {
     return burnish_sqrt(dx * dx + dy * dy);
 }
 
-/* A walk from segment to segment; each is walked once, and is then empty. */
+/* A walk from segment to segment; each is walked once in a pass. */
 typedef struct walk {
     burnish_line_art *art;
-    const burnish_line_scene *scene;
+    burnish_line_scene *scene;
     burnish_memory *memory;
+    uint8_t pass; /* BURNISH_LINE_VISIBLE or _HIDDEN */
     uint32_t *chain;
     size_t count, capacity;
     double length;
@@ -350,10 +352,15 @@ static void end_chain(walk *w) {
     w->length = 0;
 }
 
+static int is_done(const walk *w, uint32_t end) {
+    const uint8_t done = w->art->segments[end / 2].is_done;
+    return done == BURNISH_LINE_OUTSIDE || done == w->pass;
+}
+
 /* Walks from a segment's end, away from it, as far as links lead. */
 static void walk_from(walk *w, uint32_t end) {
     burnish_line_art *art = w->art;
-    while (end != NO_LINK && !art->segments[end / 2].is_empty) {
+    while (end != NO_LINK && !is_done(w, end)) {
         burnish_line_segment *segment = &art->segments[end / 2];
         const double length = segment_length(segment);
         if (w->length + length > CHAIN_MAX) {
@@ -366,16 +373,19 @@ static void walk_from(walk *w, uint32_t end) {
         }
         w->chain[w->count++] = end;
         w->length += length;
-        segment->is_empty = 1;
+        segment->is_done = w->pass;
         end = art->links[end ^ 1];
     }
     end_chain(w);
 }
 
 /* Open chains from their ends, then closed ones. */
-static void trace_chains(burnish_line_art *art, const burnish_line_scene *scene,
-                         burnish_tasks *tasks, burnish_memory *memory) {
-    walk w = {.art = art, .scene = scene, .memory = memory};
+static void trace_chains(burnish_line_art *art, burnish_line_scene *scene, burnish_tasks *tasks,
+                         burnish_memory *memory) {
+    walk w = {.art = art,
+              .scene = scene,
+              .memory = memory,
+              .pass = scene->taken ? BURNISH_LINE_HIDDEN : BURNISH_LINE_VISIBLE};
     for (int is_closed = 0; is_closed < 2; ++is_closed) {
         for (size_t i = 0; i < art->segment_count && memory->status == BURNISH_STATUS_OK; ++i) {
             const uint32_t end = (uint32_t)(2 * i);
@@ -399,7 +409,7 @@ static double mean_length(const burnish_line_art *art) {
     double sum = 0;
     size_t count = 0;
     for (size_t i = 0; i < art->segment_count; ++i) {
-        if (!art->segments[i].is_empty) {
+        if (!art->segments[i].is_done) {
             sum += segment_length(&art->segments[i]);
             ++count;
         }
@@ -446,6 +456,10 @@ static burnish_status update_edges(burnish_line_art *art, const burnish_mesh_vie
     return status;
 }
 
+static float smaller_side(const burnish_render_options *options) {
+    return (float)(options->width < options->height ? options->width : options->height);
+}
+
 static void drop_noise(burnish_line_art *art, const burnish_render_options *options,
                        burnish_memory *memory) {
     const float side = (float)(options->width < options->height ? options->width : options->height);
@@ -455,9 +469,26 @@ static void drop_noise(burnish_line_art *art, const burnish_render_options *opti
                                         .set = SET_SHARE * side,
                                         .fold = FOLD_SHARE * side,
                                         .outline = options->edge_width};
-    if (!(options->edges & BURNISH_EDGES_ALL)) {
+    if (memory->status == BURNISH_STATUS_OK && !(options->edges & BURNISH_EDGES_ALL)) {
         burnish_line_art_drop_loose(art, &limits, memory);
     }
+}
+
+/* Appends dashes for what the surface hides and no line covers. */
+static void trace_hidden(burnish_line_art *art, burnish_line_scene *scene,
+                         const burnish_render_options *options, burnish_tasks *tasks,
+                         burnish_memory *memory) {
+    if (memory->status != BURNISH_STATUS_OK || !(options->edges & BURNISH_EDGES_HIDDEN)) {
+        return;
+    }
+    scene->hidden_fold = (double)(FOLD_SHARE * smaller_side(options));
+    scene->taken = burnish_allocate_zeroed(memory, (size_t)options->width * (size_t)options->height,
+                                           sizeof *scene->taken, "hidden lines");
+    if (memory->status == BURNISH_STATUS_OK) {
+        burnish_line_scene_take(scene, &art->lines);
+        trace_chains(art, scene, tasks, memory);
+    }
+    burnish_release(memory->context, scene->taken);
 }
 
 static void describe_lines(burnish_line_art *art, const burnish_render_options *options) {
@@ -485,16 +516,14 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
         status = link_segments(art, mesh, tasks, memory);
     }
     if (status == BURNISH_STATUS_OK) {
-        const burnish_line_scene scene = make_scene(art, mesh, view, options, target);
+        burnish_line_scene scene = make_scene(art, mesh, view, options, target);
         trace_chains(art, &scene, tasks, memory);
-        status = memory->status != BURNISH_STATUS_OK ? memory->status
-                                                     : burnish_tasks_check(tasks, memory->error);
-    }
-    if (status == BURNISH_STATUS_OK) {
         describe_lines(art, options);
         drop_noise(art, options, memory);
+        trace_hidden(art, &scene, options, tasks, memory);
         describe_lines(art, options);
-        status = memory->status;
+        status = memory->status != BURNISH_STATUS_OK ? memory->status
+                                                     : burnish_tasks_check(tasks, memory->error);
     }
     if (status != BURNISH_STATUS_OK) {
         memset(&art->lines, 0, sizeof art->lines);

@@ -29,10 +29,12 @@ typedef struct burnish_line_segment {
     int8_t outside;     /* where no triangle of the edge lies: 1 left of it, -1 right, 0 nowhere */
     uint8_t has_front;  /* 1: a triangle of the edge is front-facing */
     uint8_t is_feature; /* 1: drawn even without a step in depth */
-    uint8_t is_empty;   /* 1: outside the picture */
+    uint8_t is_done;    /* BURNISH_LINE_OUTSIDE the picture, or the pass that has walked it */
 } burnish_line_segment;
 
 #define BURNISH_LINE_CUT UINT32_MAX
+
+enum { BURNISH_LINE_OUTSIDE = 1, BURNISH_LINE_VISIBLE, BURNISH_LINE_HIDDEN };
 
 /* What is kept from frame to frame. All zero before the first. */
 typedef struct burnish_line_art {

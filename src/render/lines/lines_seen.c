@@ -11,8 +11,9 @@ enum {
     SWITCH_MAX = 4         /* samples: a shorter change between outline and inner line is none */
 };
 
-/* What a sample shows; RIM: an outline where the background begins. */
-enum { HIDDEN, INNER, OUTLINE, RIM };
+/* What a sample shows; RIM: an outline where the background begins. COVERED: another line is drawn
+ * there. */
+enum { HIDDEN, INNER, OUTLINE, RIM, COVERED };
 
 /* Pixels. */
 #define SURFACE_SLACK 2.0 /* of depth: how far a pixel's surface may be before an edge's sample */
@@ -22,6 +23,7 @@ enum { HIDDEN, INNER, OUTLINE, RIM };
 #define STEP_DEPTH 8.0    /* ... how much farther away it is, at least, ... */
 #define LOOK_FARTHER 4.0  /* ... without its slope, which is measured up to here */
 #define STUB 3.0          /* shorter ends of hidden edges, visible at corners, are dropped */
+#define COVERS 2.0        /* hidden lines reach this far under the lines that cover them */
 #define SHORTEST 0.01     /* shorter lines are points */
 #define TOLERANCE 0.08    /* the maximum distance of dropped points from a line */
 
@@ -125,13 +127,65 @@ static uint8_t step_at(const burnish_line_scene *scene, const burnish_line_segme
     return surface - at->distance - slope > STEP_DEPTH * at->pixel ? OUTLINE : HIDDEN;
 }
 
-static uint8_t look(const burnish_line_scene *scene, const burnish_line_segment *s, double t) {
+static uint8_t look(burnish_line_scene *scene, const burnish_line_segment *s, double t) {
     const sample at = sample_at(scene, s, t);
     if (!is_seen(scene, s, &at)) {
         return HIDDEN;
     }
     const uint8_t step = step_at(scene, s, &at);
     return step != HIDDEN ? step : s->is_feature ? INNER : HIDDEN;
+}
+
+/* ---- Hidden lines ---- */
+
+/* What a map has where a visible line is drawn; then each hidden sample has a number. */
+enum { TAKEN = 1, FIRST_SAMPLE = 64, BACKWARD = 12 };
+
+/* Whether a visible line, or a hidden one apart from the last few samples, is drawn at a pixel or
+ * next to it. */
+static int is_covered(const burnish_line_scene *scene, int x, int y) {
+    for (int row = y > 0 ? y - 1 : 0; row <= y + 1 && row < scene->height; ++row) {
+        for (int column = x > 0 ? x - 1 : 0; column <= x + 1 && column < scene->width; ++column) {
+            const uint32_t at = scene->taken[(size_t)row * (size_t)scene->width + (size_t)column];
+            if (at == TAKEN || (at > TAKEN && scene->taken_count - at > BACKWARD)) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+static uint8_t look_behind(burnish_line_scene *scene, const burnish_line_segment *s, double t) {
+    const sample at = sample_at(scene, s, t);
+    int x, y;
+    if (!pixel_beside(scene, &at, 0, &x, &y) || is_seen(scene, s, &at)) {
+        return HIDDEN;
+    }
+    uint32_t *taken = &scene->taken[(size_t)y * (size_t)scene->width + (size_t)x];
+    scene->taken_count += scene->taken_count < UINT32_MAX;
+    if (is_covered(scene, x, y)) {
+        return COVERED;
+    }
+    *taken = *taken == 0 ? scene->taken_count : *taken;
+    return INNER;
+}
+
+void burnish_line_scene_take(burnish_line_scene *scene, const burnish_lines *lines) {
+    scene->taken_count = FIRST_SAMPLE;
+    for (size_t line = 0; line < lines->line_count; ++line) {
+        for (size_t i = lines->starts[line]; i + 1 < lines->starts[line + 1]; ++i) {
+            const float *p = lines->points + 2 * i;
+            const float dx = p[2] - p[0], dy = p[3] - p[1];
+            const int steps = (int)__builtin_sqrtf(dx * dx + dy * dy) + 1;
+            for (int k = 0; k <= steps; ++k) {
+                const float share = (float)k / (float)steps;
+                const int x = (int)(p[0] + share * dx), y = (int)(p[1] + share * dy);
+                if (x < scene->width && y < scene->height) {
+                    scene->taken[(size_t)y * (size_t)scene->width + (size_t)x] = TAKEN;
+                }
+            }
+        }
+    }
 }
 
 /* ---- Runs of samples ---- */
@@ -318,37 +372,69 @@ static void add_line(burnish_line_art *art, cursor *c, const chain_part *part,
     end_line(&g);
 }
 
-void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *scene,
-                            const uint32_t *chain, size_t count, burnish_memory *memory) {
-    uint8_t states[SAMPLES_MAX];
-    const cursor start = {chain, count, 0, 0, length_of(art, chain[0])};
-    cursor c = start;
+/* A run of a hidden line as dashes that begin and end with one (ISO 128-2: 12 widths, gaps of 3
+ * between their round ends). */
+static void add_dashes(burnish_line_art *art, cursor *c, const chain_part *part,
+                       burnish_memory *memory) {
+    const double dash = 11 * part->width, gap = 4 * part->width, length = part->to - part->from;
+    const int count = (int)((length + gap) / (dash + gap) + 0.5), steps = count > 1 ? count - 1 : 0;
+    const double scale = length / (steps * (dash + gap) + dash);
+    for (int i = 0; i <= steps; ++i) {
+        chain_part piece = *part;
+        piece.from = part->from + i * (dash + gap) * scale;
+        piece.to = i < steps ? piece.from + dash * scale : part->to;
+        add_line(art, c, &piece, memory);
+    }
+}
+
+static double chain_length(const burnish_line_art *art, const uint32_t *chain, size_t count) {
     double length = 0;
     for (size_t i = 0; i < count; ++i) {
         length += length_of(art, chain[i]);
     }
-    const size_t samples = length < SAMPLES_MAX - 2 ? (size_t)length + 1 : SAMPLES_MAX;
-    const double step = length / (double)samples;
+    return length;
+}
+
+/* The samples of a chain at the middle of `samples` equal steps. */
+static void look_along(const burnish_line_art *art, burnish_line_scene *scene, cursor c,
+                       size_t samples, double step, uint8_t *states) {
     for (size_t i = 0; i < samples; ++i) {
         const double t = advance(art, &c, ((double)i + 0.5) * step);
-        const uint32_t end = chain[c.at];
-        states[i] = look(scene, &art->segments[end / 2], end % 2 ? 1 - t : t);
+        const uint32_t end = c.chain[c.at];
+        states[i] = (scene->taken ? look_behind : look)(scene, &art->segments[end / 2],
+                                                        end % 2 ? 1 - t : t);
     }
     close_runs(states, samples, HIDDEN, GAP_MAX);
     close_runs(states, samples, INNER, SWITCH_MAX);
     close_runs(states, samples, OUTLINE, SWITCH_MAX);
     close_runs(states, samples, RIM, SWITCH_MAX);
-    c = start;
+    close_runs(states, samples, COVERED, SWITCH_MAX);
+}
+
+void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, const uint32_t *chain,
+                            size_t count, burnish_memory *memory) {
+    uint8_t states[SAMPLES_MAX];
+    cursor c = {chain, count, 0, 0, length_of(art, chain[0])};
+    const double length = chain_length(art, chain, count);
+    const size_t samples = length < SAMPLES_MAX - 2 ? (size_t)length + 1 : SAMPLES_MAX;
+    const double step = length / (double)samples;
+    const double least = !scene->taken                            ? SHORTEST
+                         : art->segments[chain[0] / 2].is_feature ? STUB
+                                                                  : scene->hidden_fold;
+    look_along(art, scene, c, samples, step, states);
     for (size_t first = 0, end; first < samples; first = end) {
         end = run_end(states, first, samples);
-        const double from = (double)first * step, to = (double)end * step;
+        const int was_covered = first > 0 && states[first - 1] == COVERED;
+        const int is_covered = end < samples && states[end] == COVERED;
+        const double from = (double)first * step - was_covered * COVERS;
+        const double to = (double)end * step + is_covered * COVERS;
         const int is_stub = states[first] == INNER && to - from < STUB && end - first < samples &&
                             !scene->keeps_all;
-        if (states[first] != HIDDEN && to - from > SHORTEST && !is_stub) {
-            const chain_part part = {from, to,
+        if (states[first] != HIDDEN && states[first] != COVERED && to - from > least && !is_stub) {
+            const chain_part part = {from > 0 ? from : 0, to < length ? to : length,
                                      states[first] == INNER ? scene->inner : scene->outline,
                                      states[first] == RIM};
-            add_line(art, &c, &part, memory);
+            (scene->taken ? add_dashes : add_line)(art, &c, &part, memory);
         }
     }
 }

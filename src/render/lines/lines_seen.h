@@ -14,13 +14,18 @@ typedef struct burnish_line_scene {
     double footprint;      /* a pixel's width in the mesh's units: at distance 1, or everywhere */
     double outline, inner; /* widths of lines */
     int keeps_all;         /* 1: short pieces, too */
-    double shortest[4];    /* pixels: of features with 0, 1 or 2 loose ends, and of silhouettes */
+    double hidden_fold;    /* pixels: shorter hidden silhouettes are not drawn */
+    uint32_t *taken; /* of each pixel: whether a line is drawn there; NULL: trace visible lines */
+    uint32_t taken_count; /* hidden samples so far */
 } burnish_line_scene;
 
-/* Appends what is seen of a chain to the lines.
+/* Marks lines in the map of taken pixels, which is zeroed and then hides other lines. */
+void burnish_line_scene_take(burnish_line_scene *scene, const burnish_lines *lines);
+
+/* Appends what is seen of a chain to the lines; with scene->taken dashes of what is not seen.
  *   chain  2 * segment + 1 where it is walked backward
  * Errors: memory->status. */
-void burnish_line_art_trace(burnish_line_art *art, const burnish_line_scene *scene,
-                            const uint32_t *chain, size_t count, burnish_memory *memory);
+void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, const uint32_t *chain,
+                            size_t count, burnish_memory *memory);
 
 #endif
