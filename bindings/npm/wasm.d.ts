@@ -39,6 +39,8 @@ export interface LoadOptions {
   noTextures?: boolean;
   /** Ignores files that the input refers to. */
   noLibraries?: boolean;
+  /** Mesh.facts gets its values. */
+  measure?: boolean;
   maxTriangles?: number;
   maxTexturePixels?: number;
   /** Bytes, or "64M". */
@@ -183,8 +185,51 @@ export class BurnishError extends Error {
   status: "ARGUMENT" | "READ" | "FORMAT" | "LIMIT" | "MEMORY" | "CANCELLED";
 }
 
+/** Facts of the triangles as read, as `burnish info` prints them. */
+export interface Facts {
+  /** Closed, with consistent winding and not flat. */
+  solid: boolean;
+  closed: boolean;
+  consistentWinding: boolean;
+  triangles: number;
+  /** Different positions. */
+  vertices: number;
+  shells: number;
+  edges: number;
+  openEdges: number;
+  nonManifoldEdges: number;
+  inconsistentEdges: number;
+  flippedTriangles: number;
+  unorientableParts: number;
+  degenerateTriangles: number;
+  duplicateTriangles: number;
+  area: number;
+  /** null if the mesh is not closed; negative if it is inside out. */
+  volume: number | null;
+  centerOfMass: number[];
+}
+
+/** How much two pictures differ, as `burnish compare` measures it. Undefined numbers are NaN. */
+export interface Comparison {
+  pixels: number;
+  /** Pixels of which a channel differs by more than the tolerance. */
+  differentPixels: number;
+  /** x0, y0, x1, y1 of the different pixels, ends excluded. */
+  bounds: number[] | null;
+  /** Largest difference of red, green, blue and alpha. */
+  largest: number[];
+  meanSquaredError: number;
+  /** dB; infinite for equal pictures. */
+  psnr: number;
+  ssim: number;
+  flip: number;
+  silhouetteIou: number;
+}
+
 /** A mesh in memory, for several pictures. */
 export interface Mesh {
+  /** With the option `measure`; null for a file of points or lines. */
+  readonly facts?: Facts | null;
   render(options?: DrawOptions): Picture;
   /** Releases its memory. */
   close(): void;
@@ -235,6 +280,7 @@ export interface Burnish {
   /** Loads a mesh and decodes its textures. */
   read(input: AsyncInput, options?: ReadOptions): Promise<Mesh>;
   render(input: Input, options?: LoadOptions & DrawOptions): Picture;
+  compare(a: Pick<Picture, "width" | "height" | "channels" | "pixels">, b: Pick<Picture, "width" | "height" | "channels" | "pixels">, options?: { tolerance?: number }): Comparison;
   /** The lobe at cosines, in single precision: the same bits as in pictures. */
   lobeValues(words: string, exponent: number, cosines: ArrayLike<number>): Float32Array;
   /** The lobe at angles, in double precision. */

@@ -26,7 +26,7 @@ export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 // Options of loading; the others are options of drawing.
 const LOADING = new Set([
   "inputFormat", "clip", "normals", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize",
-  "strict", "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up",
+  "strict", "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up", "measure",
 ]);
 
 // In the order of session_number, theory_number and theory_convert.
@@ -35,13 +35,17 @@ const FACTS = [
   "zeta", "scale", "cutoffCosine", "zeroAngle", "halfAngle", "maximumError", "integral", "cosineIntegral",
   "multiplications", "additions", "comparisons", "divisions", "transcendentals", "lookups",
 ];
+const COUNTS = [
+  "triangles", "vertices", "shells", "edges", "openEdges", "nonManifoldEdges", "inconsistentEdges", "flippedTriangles",
+  "unorientableParts", "degenerateTriangles", "duplicateTriangles",
+];
 const UPS = ["", "+X", "-X", "+Y", "-Y", "+Z", "-Z"];
 const CONVERSIONS = [
   "exponentFromRoughness", "roughnessFromExponent", "exponentFromAlpha", "alphaFromExponent", "phongFromBlinn",
   "blinnFromPhong",
 ];
 
-const NO_FLAGS = new Set(["name", "files", "decode", "rgba"]);
+const NO_FLAGS = new Set(["name", "files", "decode", "rgba", "measure"]);
 
 // The options of drawing.
 const drawing = (options) => Object.fromEntries(Object.entries(options).filter(([key]) => !LOADING.has(key)));
@@ -214,6 +218,9 @@ class Burnish {
     const e = this.#exports;
     const session = e.session_create();
     const items = [name, bytes, ...files.flat()];
+    if (options.measure) {
+      e.session_request_facts(session);
+    }
     try {
       this.#with(items, (nameAt, bytesAt, ...offers) => {
         files.forEach(([, content], i) => {
@@ -232,7 +239,24 @@ class Burnish {
     return new Mesh(session, {
       draw: (at, drawn) => this.#draw(at, drawn),
       close: (at) => e.session_destroy(at),
-    });
+    }, options.measure ? this.#facts(session) : undefined);
+  }
+
+  // The facts of an open session; null for points and lines.
+  #facts(session) {
+    const numbers = Array.from({ length: 19 }, (_, i) => this.#exports.session_fact(session, i));
+    if (Number.isNaN(numbers[0])) {
+      return null;
+    }
+    return {
+      solid: numbers[0] === 1,
+      closed: numbers[1] === 1,
+      consistentWinding: numbers[2] === 1,
+      ...Object.fromEntries(COUNTS.map((key, i) => [key, numbers[3 + i]])),
+      area: numbers[14],
+      volume: Number.isNaN(numbers[15]) ? null : numbers[15],
+      centerOfMass: numbers.slice(16),
+    };
   }
 
   #draw(session, options) {
@@ -329,6 +353,26 @@ class Burnish {
     }
   }
 
+  /** How much two pictures of the same size differ; pictures as from render(), with three or four channels. */
+  compare(a, b, { tolerance = 0 } = {}) {
+    const isWhole = ({ width, height, channels, pixels }) => (channels === 3 || channels === 4) && pixels.length === width * height * channels;
+    if (!isWhole(a) || !isWhole(b)) {
+      throw new BurnishError("compare: pixels do not have width * height * channels bytes", "ARGUMENT");
+    }
+    if (a.width !== b.width || a.height !== b.height) {
+      throw new BurnishError(`compare: ${a.width} x ${a.height} and ${b.width} x ${b.height} pixels; draw both in one size`, "ARGUMENT");
+    }
+    const e = this.#exports;
+    return this.#with([a, b].map(({ pixels }) => asBytes(pixels, "compare")), (aAt, bAt) => {
+      if (!e.images_compare(aAt, a.channels, bAt, b.channels, a.width, a.height, tolerance)) {
+        throw this.#failure();
+      }
+      const [pixels, differentPixels, meanSquaredError, psnr, ssim, flip, silhouetteIou, ...rest] = Array.from({ length: 15 }, (_, i) => e.images_number(i));
+      const bounds = differentPixels > 0 ? rest.slice(0, 4) : null;
+      return { pixels, differentPixels, bounds, largest: rest.slice(4), meanSquaredError, psnr, ssim, flip, silhouetteIou };
+    });
+  }
+
   // ---- Lobes ----
 
   /** Values of a lobe at cosines, in single precision: the same bits as in pictures. */
@@ -419,9 +463,11 @@ class Mesh {
   #session;
   #module;
 
-  constructor(session, module) {
+  constructor(session, module, facts) {
     this.#session = session;
     this.#module = module;
+    /** With the option `measure`: size, area, volume and defects; null for points and lines. */
+    this.facts = facts;
   }
 
   render(options = {}) {

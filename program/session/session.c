@@ -213,6 +213,10 @@ int session_offer(session *s, const char *name, const void *bytes, size_t size) 
     return 1;
 }
 
+void session_request_facts(session *s) {
+    s->settings.input.measure = 1;
+}
+
 /* Ends a call: messages spell options as the caller does. */
 static burnish_status end(session *s, burnish_status status, session_naming naming,
                           burnish_error *error) {

@@ -41,6 +41,9 @@ void session_destroy(session *s);
  * open. Returns 0 without memory. */
 int session_offer(session *s, const char *name, const void *bytes, size_t size);
 
+/* The mesh that is opened next gets its facts. */
+void session_request_facts(session *s);
+
 /* Loads a mesh, once.
  *   name   a built-in object or a file; with bytes: for the format and messages
  *   bytes  of the file; NULL: the file `name` is loaded */

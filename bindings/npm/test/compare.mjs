@@ -5,6 +5,7 @@ import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
+import { encodePng } from "burnish/node";
 import { hasSimd, load, render } from "burnish/wasm";
 import { decodePng } from "./png.mjs";
 
@@ -98,16 +99,41 @@ for (const name of names) {
   }
 }
 
+const [burnish] = instances;
+
 // ---- A mesh drawn again and again ----
 
 {
-  const [burnish] = instances;
   const mesh = burnish.open(files["cube.obj"], { name: "cube.obj", files });
   const first = mesh.render({ size: 64 }).hash;
   mesh.render({ size: 100, color: "red", material: "metal", look: "clay" });
   check("options of one picture do not stay", mesh.render({ size: 64 }).hash, first);
   mesh.close();
   check("a fresh mesh", burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64 }).hash, first);
+}
+
+// ---- Facts and differences: the program's numbers ----
+
+for (const name of program ? ["wedge.stl", "cube.obj", ...names.filter((name) => /^cube.*\.(off|ply)$/.test(name))] : []) {
+  const content = files[name] ?? readFileSync(name);
+  writeFileSync(name, content);
+  const info = JSON.parse(spawnSync(program, ["info", name, "--json"], { encoding: "utf8" }).stdout);
+  const mesh = burnish.open(content, { name, files, measure: true });
+  for (const [key, value] of Object.entries(mesh.facts)) {
+    const wanted = info[{ centerOfMass: "center_of_mass" }[key] ?? key.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`)];
+    check(`${name}: ${key}`, JSON.stringify(value), JSON.stringify(wanted));
+  }
+  mesh.close();
+}
+if (program) {
+  const pictures = ["left", "iso"].map((views) => burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64, views }));
+  pictures.forEach((picture, i) => writeFileSync(`${i}.png`, encodePng(picture)));
+  const wanted = JSON.parse(spawnSync(program, ["compare", "0.png", "1.png", "--tolerance=2", "--json"], { encoding: "utf8" }).stdout);
+  const found = burnish.compare(...pictures, { tolerance: 2 });
+  for (const [key, name] of [["differentPixels", "different_pixels"], ["psnr", "psnr"], ["ssim", "ssim"], ["flip", "flip"], ["bounds", "different_bounds"], ["silhouetteIou", "silhouette_iou"], ["largest", "largest_difference"]]) {
+    check(`compare: ${key}`, JSON.stringify(found[key]), JSON.stringify(wanted[name]));
+  }
+  check("equal pictures", burnish.compare(pictures[0], pictures[0]).psnr, Infinity);
 }
 
 // ---- Errors: the program's lines ----
@@ -120,7 +146,6 @@ const errorOf = (use) => {
     return `${error.status} ${error.message}`;
   }
 };
-const [burnish] = instances;
 // options without dashes
 const lineOf = (...flags) => spawnSync(program, ["render", ":sphere", ...flags, "-o", "/dev/null"], { encoding: "utf8" }).stderr
   .replace(/--(?!help)(?=[a-z])/g, "");

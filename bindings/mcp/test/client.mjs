@@ -1,0 +1,76 @@
+// The SDK's own client, over standard input and output. Usage: node client.mjs DATA, where both packages are installed
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { Client } from "@modelcontextprotocol/sdk/client/index.js";
+import { StdioClientTransport } from "@modelcontextprotocol/sdk/client/stdio.js";
+import { load } from "burnish";
+import pngjs from "pngjs";
+
+const outside = mkdtempSync(join(tmpdir(), "burnish-mcp-")), folder = join(outside, "models");
+cpSync(process.argv[2], folder, { recursive: true });
+writeFileSync(join(outside, "secret.stl"), "solid\n");
+symlinkSync(join(outside, "secret.stl"), join(folder, "link.stl"));
+writeFileSync(join(folder, "broken.stl"), "solid\nfacet");
+writeFileSync(join(folder, "large.stl"), Buffer.alloc(3 << 20));
+
+async function connect(...options) {
+  const client = new Client({ name: "test", version: "1" });
+  await client.connect(new StdioClientTransport({ command: process.execPath, args: ["node_modules/burnish-mcp/server.js", folder, ...options], stderr: "inherit" }));
+  const call = async (name, args) => {
+    const { content, isError } = await client.callTool({ name, arguments: args });
+    const text = content.find(({ type }) => type === "text").text;
+    const images = content.filter(({ type }) => type === "image").map(({ data }) => pngjs.PNG.sync.read(Buffer.from(data, "base64")));
+    return { isError, images, text, ...(!isError && { json: JSON.parse(text) }) };
+  };
+  const fails = async (name, args, pattern) => {
+    const { isError, text } = await call(name, args);
+    assert.ok(isError, `${name} ${JSON.stringify(args)} succeeds`);
+    assert.match(text, pattern);
+  };
+  return { client, call, fails };
+}
+
+const { client, call, fails } = await connect("--max-megabytes=2");
+assert.deepEqual((await client.listTools()).tools.map(({ name }) => name), ["render", "info", "compare"]);
+
+// render: the pixels of the package, several views, textures and libraries next to the file
+const burnish = await load();
+const drawn = await call("render", { file: ":teapot", width: 96, height: 64, look: "plain", azimuth: 30 });
+const wanted = burnish.render(":teapot", { resolution: [96, 64], look: "plain", azimuth: 30, rgba: true });
+assert.deepEqual(Buffer.from(drawn.images[0].data), Buffer.from(wanted.pixels));
+assert.equal(drawn.json.triangles, wanted.triangles);
+const views = await call("render", { file: "cube.obj", views: ["front", "top"], width: 32, height: 32, options: { up: "+Z", color: "red" } });
+assert.deepEqual(views.images.map(({ width }) => width), [32, 32]);
+assert.deepEqual([views.json.up, views.json.warnings], ["+Z", []]);
+await fails("render", { file: "cube.obj", options: { colour: "red" } }, /^colour: unknown/);
+await fails("render", { file: "broken.stl" }, /^broken\.stl:/);
+
+// info: numbers of a cube
+const { json } = await call("info", { file: "cube.obj" });
+assert.deepEqual([json.closed, json.openEdges, json.shells], [true, 0, 1]);
+assert.equal(json.volume, json.boundingBox.size.reduce((product, side) => product * side, 1));
+
+// compare: the same, a difference, pictures
+const same = await call("compare", { before: "cube.obj", after: join(folder, "cube.obj"), width: 32, height: 32 });
+assert.deepEqual([same.json.same, same.json.psnr, same.images[0].width], [true, null, 96]);
+const moved = await call("compare", { before: ":sphere", after: ":torus", view: "front", width: 64, height: 64 });
+assert.ok(!moved.json.same && moved.json.silhouetteIou < 0.9 && moved.json.differentPixels > 100);
+writeFileSync(join(folder, "picture.png"), pngjs.PNG.sync.write(drawn.images[0]));
+assert.equal((await call("compare", { before: "picture.png", after: "picture.png" })).json.same, true);
+await fails("compare", { before: "picture.png", after: ":sphere" }, /two of the same kind/);
+
+// Files outside the folder, links to them, large files, long requests
+await fails("info", { file: "../secret.stl" }, /not below/);
+await fails("info", { file: join(outside, "secret.stl") }, /not below/);
+await fails("render", { file: "link.stl" }, /not below/);
+await fails("render", { file: "none.stl" }, /no such file/);
+await fails("render", { file: "large.stl" }, /3145728 bytes; the limit is 2097152/);
+await fails("render", { file: ":teapot", width: 4096 }, /width/);
+await client.close();
+const hasty = await connect("--max-seconds=0.001");
+await hasty.fails("render", { file: ":teapot", width: 2048, height: 2048 }, /^takes longer than 0.001 s/);
+await hasty.client.close();
+rmSync(outside, { recursive: true });
+console.log("mcp: all checks passed");

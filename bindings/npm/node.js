@@ -1,0 +1,79 @@
+// burnish/node: what a program in Node needs besides the renderer: PNG files, textures, files that a mesh refers to.
+import { readFileSync, readdirSync, statSync } from "node:fs";
+import { basename, dirname, extname, join, relative, sep } from "node:path";
+import { deflateSync } from "node:zlib";
+
+/** A PNG file of a picture with three or four channels. */
+export function encodePng({ width, height, channels, pixels }) {
+  const stride = width * channels, rows = Buffer.alloc(height * (stride + 1));
+  for (let y = 0; y < height; ++y) {
+    rows.set(pixels.subarray(y * stride, (y + 1) * stride), y * (stride + 1) + 1);
+  }
+  const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
+    for (let k = 0; k < 8; ++k) {
+      n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
+    }
+    return n;
+  });
+  const chunk = (name, data) => {
+    const bytes = Buffer.concat([Buffer.alloc(4), Buffer.from(name), data, Buffer.alloc(4)]);
+    bytes.writeUInt32BE(data.length, 0);
+    let crc = -1;
+    for (const byte of bytes.subarray(4, -4)) {
+      crc = crcTable[(crc ^ byte) & 255] ^ (crc >>> 8);
+    }
+    bytes.writeInt32BE(~crc, bytes.length - 4);
+    return bytes;
+  };
+  const head = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 8, channels === 4 ? 6 : 2, 0, 0, 0]);
+  head.writeUInt32BE(width, 0);
+  head.writeUInt32BE(height, 4);
+  return Buffer.concat([
+    Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]), chunk("IHDR", head), chunk("sRGB", Buffer.from([0])),
+    chunk("tEXt", Buffer.from("Software\0burnish")), chunk("IDAT", deflateSync(rows, { level: 6 })), chunk("IEND", Buffer.alloc(0)),
+  ]);
+}
+
+/** Decodes a texture with the optional packages pngjs and jpeg-js; null leaves it out. */
+export async function findDecoder() {
+  const optional = (name) => import(name).then((module) => module.default ?? module, () => null);
+  const [png, jpeg] = await Promise.all([optional("pngjs"), optional("jpeg-js")]);
+  return (bytes) => {
+    const isPng = bytes[0] === 137, isJpeg = bytes[0] === 255;
+    const decoded = isPng && png ? png.PNG.sync.read(Buffer.from(bytes)) : isJpeg && jpeg ? jpeg.decode(bytes, { useTArray: true }) : null;
+    if (!decoded) {
+      throw new Error("no decoder for this texture; install pngjs and jpeg-js");
+    }
+    return { width: decoded.width, height: decoded.height, pixels: new Uint8Array(decoded.data.buffer, decoded.data.byteOffset, decoded.data.length) };
+  };
+}
+
+/** Files of the input's folder whose names the input, or a material library among them, contains: by relative name. */
+export function companions(input, bytes) {
+  const files = {}, folder = dirname(input), found = [], texts = [Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength)];
+  if (![".obj", ".gltf", ".ply"].includes(extname(input).toLowerCase())) {
+    return files;
+  }
+  const visit = (place, depth) => {
+    for (const entry of readdirSync(place, { withFileTypes: true })) {
+      const path = join(place, entry.name);
+      if (entry.isDirectory() && depth < 3) {
+        visit(path, depth + 1);
+      } else if (entry.isFile() && /\.(mtl|bin|png|jpe?g|webp|bmp|tga)$/i.test(entry.name) && found.length < 10000) {
+        found.push(path);
+      }
+    }
+  };
+  visit(folder, 0);
+  const isLibrary = (path) => /\.mtl$/i.test(path);
+  found.sort((a, b) => isLibrary(b) - isLibrary(a)); // libraries name textures
+  for (const path of found) {
+    const name = basename(path);
+    if (texts.some((text) => text.includes(name) || text.includes(encodeURI(name))) && statSync(path).size < 1 << 28) {
+      const content = readFileSync(path);
+      files[relative(folder, path).split(sep).join("/")] = content;
+      isLibrary(path) && texts.push(content);
+    }
+  }
+  return files;
+}
