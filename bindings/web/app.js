@@ -20,7 +20,7 @@ const ROWS = [
   ["Multiplications", (f) => f.multiplications], ["Additions", (f) => f.additions], ["Max, min", (f) => f.comparisons],
   ["Divisions", (f) => f.divisions], ["pow, exp", (f) => f.transcendentals], ["Slope zeta", (f) => (f.zeta ? real(f.zeta) : "–")],
   ["Largest error", (f) => real(f.maximumError)], ["Half width", (f) => degrees(f.halfAngle)], ["Zero from", (f) => degrees(f.zeroAngle)],
-  ["Energy of power", (f, power) => `${((100 * f.integral) / power.integral).toFixed(1)} %`],
+  ["Energy of cos^n", (f, power) => `${((100 * f.integral) / power.integral).toFixed(1)} %`],
 ];
 
 const radians = (list) => list.map((x) => (x * Math.PI) / 180);
@@ -200,6 +200,7 @@ async function openFiles(list) {
   const files = [...list];
   const overlay = files.find(({ name }) => isOverlay(name));
   if (overlay && !files.some(({ name }) => isMesh(name))) {
+    show("");
     openOverlay(overlay);
     at("overlay").scrollIntoView({ block: "nearest" });
     return;

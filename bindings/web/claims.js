@@ -61,5 +61,6 @@ export async function showClaims() {
   const verdicts = [...claims.values()].map(([{ verdict }]) => verdict);
   const counts = Object.keys(MARKS).map((verdict) => [verdict, verdicts.filter((v) => v === verdict).length]).filter(([, count]) => count > 0);
   at("claims-count").textContent = `${verdicts.length} claims, computed just now. ${counts.map(([verdict, count]) => `${count} ${count > 1 ? verdict.replace("holds", "hold").replace("does", "do") : verdict}`).join(", ")}.`;
+  at("all-claims").addEventListener("click", () => at("claims").classList.add("is-whole"));
   at("claims").replaceChildren(...[...claims.values()].map(itemOf));
 }

@@ -16,7 +16,7 @@ function axis(format) {
 const round = (steps) => (u, i, low, high) =>
   Array.from({ length: 8 }, (_, k) => steps.map((step) => step * 10 ** (k - 2))).flat().filter((tick) => tick >= low * 0.999 && tick <= high * 1.001);
 
-const short = (y) => String(Number(y.toPrecision(3))).replace(/^(-?)0\./, "$1.");
+const short = (y) => String(Number(y.toPrecision(3)));
 const line = (name, dash) => ({ stroke: () => color(name), width: 2, dash, points: { show: false }, spanGaps: true });
 const dots = (name) => ({ stroke: () => color(name), paths: () => null, points: { show: true, size: 6, width: 1.5, fill: () => color("--paper") } });
 const LOBE = line("--lobe");

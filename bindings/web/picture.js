@@ -78,7 +78,7 @@ function showNumbers() {
   const items = [`hash <b>${(pictures[state.view === "against" ? pictures.length - 1 : 0]).hash}</b>`];
   if (difference) {
     items.push(`<b>${difference.most}</b> of 255 at most`, `<b>${(100 * difference.share).toFixed(1)}</b> % of pixels differ`);
-    at("legend-most").textContent = `${Math.max(difference.most, 8)} codes`;
+    at("legend-most").textContent = `${Math.max(difference.most, 8)} of 255`;
   } else {
     items.push(`<b>${grouped(pictures[0].triangles)}</b> triangles`, `<b>${milliseconds.toFixed(0)}</b> ms`);
   }
@@ -155,6 +155,7 @@ export async function open(input, loading, opened) {
     await opened();
   } catch (error) {
     show(error.message);
+    at("error").scrollIntoView({ block: "nearest" });
   } finally {
     --opening;
     showBusy();

@@ -44,7 +44,7 @@ local function address(file)
   if not exists(file) then
     error(source .. ': broken link to ' .. file)
   end
-  local picture = file:match('%.svg$') or file:match('%.png$') or file:match('%.jpe?g$')
+  local picture = file:match('%.svg$') or file:match('%.png$') or file:match('%.gif$') or file:match('%.jpe?g$')
   local copy = picture and file:gsub('^docs/', '') or 'source/' .. file .. '.html'
   files[#files + 1] = (picture and 'picture ' or 'source ') .. file .. ' ' .. copy
   return root .. copy
@@ -99,13 +99,20 @@ local function scrolling(block)
   return pandoc.Div({ block }, pandoc.Attr('', { 'table' }, { { 'tabindex', '0' } }))
 end
 
--- Turns a table of images, with labels in its first column, into tiles with captions.
+local function image_of(cell)
+  return cell and #cell == 1 and #cell[1].content == 1 and cell[1].content[1].t == 'Image' and cell[1].content[1]
+end
+
+-- Turns a table of images, with labels in its first column, into tiles with captions. The images can also be the headings of one row.
 local function picture_table(simple)
   local figures = pandoc.List()
+  if #simple.rows == 1 and image_of(simple.headers[1]) then
+    simple.headers, simple.rows = simple.rows[1], pandoc.List({ simple.headers })
+  end
   for _, row in ipairs(simple.rows) do
     local label = ''
     for column, cell in ipairs(row) do
-      local image = #cell == 1 and #cell[1].content == 1 and cell[1].content[1].t == 'Image' and cell[1].content[1]
+      local image = image_of(cell)
       local heading = utils.stringify(simple.headers[column] or {})
       if image then
         local caption = label == '' and heading or label .. ': ' .. heading
