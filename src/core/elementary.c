@@ -119,15 +119,10 @@ static const double arctangent_series[11] = {-1 / 3.0,  1 / 5.0,  -1 / 7.0,  1 /
                                              -1 / 19.0, 1 / 21.0, -1 / 23.0};
 static const double half_pi[2] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 
-/* The row of arctangents nearest to q in [0, 1]. */
-static inline const double *arctangent_row(double q) {
-    return arctangents[(int)(q * 8 + 0.5)];
-}
-
 /* atan(q) = *high + *low for q in [0, 1]: the difference to the nearest atan(k/8), by its series.
  */
 static void arctangent_kernel(double q, double *high, double *low) {
-    const double *row = arctangent_row(q);
+    const double *row = arctangents[(int)(q * 8 + 0.5)];
     double t = (q - row[0]) / (1 + q * row[0]);
     double tail = t * (t * t * polynomial(arctangent_series, 11, t * t));
     if (row[0] == 0) {
@@ -162,40 +157,6 @@ double burnish_atan2(double y, double x) {
         angle = high + low;
     }
     return y < 0 ? -angle : angle;
-}
-
-#define ARCTANGENT_LANES 2
-#define ARCTANGENT_TARGET
-#define ARCTANGENT(name) pair_##name
-#include "core/arctangent_simd.h"
-
-#if defined(__x86_64__)
-#define ARCTANGENT_LANES 4
-#define ARCTANGENT_TARGET __attribute__((target("avx2")))
-#define ARCTANGENT(name) four_##name
-#include "core/arctangent_simd.h"
-#define ARCTANGENT_LANES 8
-#define ARCTANGENT_TARGET __attribute__((target("avx512f,avx512dq")))
-#define ARCTANGENT(name) eight_##name
-#include "core/arctangent_simd.h"
-#endif
-
-void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count, int wide) {
-    size_t i = 0;
-#if defined(__x86_64__)
-    if (wide > 1) {
-        i = eight_array(y, x, angles, i, count);
-    }
-    if (wide) {
-        i = four_array(y, x, angles, i, count);
-    }
-#else
-    (void)wide;
-#endif
-    i = pair_array(y, x, angles, i, count);
-    for (; i < count; ++i) {
-        angles[i] = burnish_atan2(y[i], x[i]);
-    }
 }
 
 double burnish_acos(double x) {

@@ -21,14 +21,6 @@ void burnish_sincos(double x, double *sine, double *cosine);
  * the signs of the zeros, and y = -0 counts as 0. Two infinities count as equal; NaN gives NaN. */
 double burnish_atan2(double y, double x);
 
-/* The same bits for arrays of finite numbers, several times faster.
- *
- * y, x:   count numbers each, finite
- * angles: count numbers, written; may be y or x
- * count:  any
- * wide:   1: the processor has AVX2, 2: AVX-512, which are faster */
-void burnish_atan2_array(const double *y, const double *x, double *angles, size_t count, int wide);
-
 /* Arc cosine in [0, pi], within 2.5 ulp also near 1 (measured 2.06); arguments outside [-1, 1] are
  * clamped, NaN gives NaN. */
 double burnish_acos(double x);

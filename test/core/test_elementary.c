@@ -117,47 +117,6 @@ static void check_atan2(void) {
     CHECK1(isnan(burnish_atan2(NAN, 1)) && isnan(burnish_atan2(1, NAN)));
 }
 
-/* Arrays of every length up to 17, every bit of them: ordinary points, axes, diagonals, and what
- * any bits make, the infinite and NaN left out. */
-static void check_atan2_array(void) {
-    const int has_avx2 = (int)(burnish_isa_available() >> BURNISH_ISA_AVX2 & 1);
-    const int widest = (int)(burnish_isa_available() >> BURNISH_ISA_AVX512 & 1) ? 2 : has_avx2;
-    uint64_t state = test_seed(5);
-    int equal = 1;
-    for (int round = 0; round < 40000; ++round) {
-        double y[17], x[17], angles[17];
-        size_t count = (size_t)round % 18;
-        for (size_t i = 0; i < count; ++i) {
-            static const double special[] = {0, -0.0, 1, -1, DBL_MIN, -0x1p-1074, DBL_MAX};
-            uint64_t bits[2];
-            for (int k = 0; k < 2; ++k) {
-                bits[k] = (uint64_t)test_uniform(&state, 0, 0x1p32) << 32 |
-                          (uint64_t)test_uniform(&state, 0, 0x1p32);
-            }
-            memcpy(&y[i], &bits[0], sizeof y[i]);
-            memcpy(&x[i], &bits[1], sizeof x[i]);
-            if (round % 2 || !isfinite(y[i]) || !isfinite(x[i])) {
-                y[i] = test_uniform(&state, -1, 1);
-                x[i] = round % 8 == 1 ? y[i] : round % 8 == 3 ? -y[i] : test_uniform(&state, -1, 1);
-            }
-            if (bits[0] % 8 == 0) {
-                y[i] = special[bits[0] / 8 % 7];
-            }
-            if (bits[1] % 8 == 0) {
-                x[i] = special[bits[1] / 8 % 7];
-            }
-        }
-        for (int wide = 0; wide <= widest; ++wide) {
-            burnish_atan2_array(y, x, angles, count, wide);
-            for (size_t i = 0; i < count; ++i) {
-                double one = burnish_atan2(y[i], x[i]);
-                equal &= memcmp(&one, &angles[i], sizeof one) == 0;
-            }
-        }
-    }
-    CHECK(equal, "the array's bits differ");
-}
-
 static void check_acos(void) {
     uint64_t state = test_seed(4);
     worst w = {0};
@@ -260,7 +219,6 @@ int main(int count, char **arguments) {
     RUN(check_square_root());
     RUN(check_sincos());
     RUN(check_atan2());
-    RUN(check_atan2_array());
     RUN(check_acos());
     RUN(check_log());
     RUN(check_expm1());

@@ -22,20 +22,13 @@ typedef struct burnish_extra {
     const uint8_t *items;
 } burnish_extra;
 
-/* A triangle's unit normal, and twice its area. */
-typedef struct burnish_face {
-    burnish_vec3 normal;
-    double length;
-} burnish_face;
-
 /* The welded mesh, to measure the faces around a vertex and to look beyond them. */
 typedef struct burnish_surface {
     const float *positions;
     const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
     const uint32_t *first_corner;     /* as the builder has them */
     const uint32_t *corners;
-    burnish_face *faces; /* 1 per triangle; NULL: too many, each is computed when needed */
-    int is_organic;      /* burnish_surface_is_organic() */
+    int is_organic; /* burnish_surface_is_organic() */
 } burnish_surface;
 
 typedef struct burnish_builder {

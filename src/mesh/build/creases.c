@@ -44,9 +44,6 @@ static burnish_vec3 position_of(const burnish_surface *s, uint32_t position) {
 }
 
 static face face_of(const burnish_surface *s, uint32_t triangle) {
-    if (s->faces) {
-        return (face){triangle, s->faces[triangle].normal};
-    }
     const burnish_vec3 cross =
         burnish_face_cross(s->positions, s->corner_positions + 3 * (size_t)triangle);
     return (face){triangle, burnish_vec3_normalize(cross)};

@@ -60,10 +60,9 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
         rings->smooth_cosine = rings->sharp_cosine;
         rings->flat = crease_angle <= 0;
     }
-    double **doubles[] = {&rings->x,       &rings->y,    &rings->z,
-                          &rings->lengths, &rings->dots, &rings->angles};
+    double **doubles[] = {&rings->x, &rings->y, &rings->z, &rings->lengths, &rings->angles};
     uint32_t **numbers[] = {&rings->next, &rings->previous, &rings->parents};
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 5; ++i) {
         *doubles[i] = burnish_allocate(memory, padded, sizeof **doubles[i], what);
     }
     for (int i = 0; i < 3; ++i) {
@@ -74,9 +73,9 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
 }
 
 void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context) {
-    void *arrays[] = {rings->x,       rings->y,      rings->z,     rings->lengths,
-                      rings->dots,    rings->angles, rings->next,  rings->previous,
-                      rings->parents, rings->sets,   rings->edges, rings->answers};
+    void *arrays[] = {rings->x,      rings->y,     rings->z,        rings->lengths,
+                      rings->angles, rings->next,  rings->previous, rings->parents,
+                      rings->sets,   rings->edges, rings->answers};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(context, arrays[i]);
     }
@@ -85,58 +84,132 @@ void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context)
 
 /* ---- faces ---- */
 
-/* From squared lengths to lengths, and unit normals by them. Area makes the length positive: the
- * square of the smallest product does not underflow. */
-static inline __attribute__((always_inline)) void
-normalize_faces(double *restrict lengths, double *restrict x, double *restrict y,
-                double *restrict z, size_t count) {
+/* Faces are measured in blocks: scattered positions are brought together, then loops over arrays,
+ * which compilers vectorise, compute. The operations and their order are the same for any width. */
+enum {
+    BLOCK = 64,
+    LANES = 8 /* of the widest vectors: a block is filled up to a multiple */
+};
+
+/* The triangles of some corners, and where their faces go. */
+typedef struct block {
+    float positions[9][BLOCK]; /* x, y, z of the first corner, the second and the third */
+    double dots[3][BLOCK];     /* of the two edges from each corner */
+    uint8_t at[BLOCK];         /* 0..2: the corner that counts */
+    double *x, *y, *z, *lengths, *angles;
+} block;
+
+#define QUARTER_PI 0x1.921fb54442d18p-1
+#define TANGENT 0x1.a827999fcef32p-2 /* of pi / 8 */
+
+/* atan(t) = t + t^3 (c[0] + c[1] t^2 + ...) for abs(t) <= tan(pi / 8), within 6e-18: a Chebyshev
+ * expansion */
+static const double arctangent[11] = {
+    -0x1.5555555555555p-2, 0x1.999999999934cp-3, -0x1.2492492436201p-3, 0x1.c71c71853d7c8p-4,
+    -0x1.745d0b28a7649p-4, 0x1.3b12630643e8ap-4, -0x1.10fa77b104ae8p-4, 0x1.dfe6497394f40p-5,
+    -0x1.a0999c2994d42p-5, 0x1.4162bf84bf0bfp-5, -0x1.3a31b0297d745p-6};
+
+/* By bits, since compilers make branches of ?: here. */
+static inline __attribute__((always_inline)) double choose(int is, double yes, double no) {
+    const uint64_t mask = is ? UINT64_MAX : 0;
+    uint64_t first, second;
+    memcpy(&first, &yes, sizeof first);
+    memcpy(&second, &no, sizeof second);
+    first = (first & mask) | (second & ~mask);
+    memcpy(&yes, &first, sizeof yes);
+    return yes;
+}
+
+/* The angle between two vectors, in (0, pi], within 5e-16: from the length of their cross product,
+ * above 0, and their dot product. It is near 0, a right angle, or 45 degrees. */
+static inline __attribute__((always_inline)) double angle_of(double length, double dot) {
+    const double width = __builtin_fabs(dot);
+    const int flat = length <= TANGENT * width, steep = width <= TANGENT * length;
+    const double up = choose(flat, length, choose(steep, -width, length - width));
+    const double along = choose(flat, width, choose(steep, length, length + width));
+    const double base = choose(flat, 0, choose(steep, 2 * QUARTER_PI, QUARTER_PI));
+    const double t = up / along, z = t * t;
+    double sum = arctangent[10];
+    for (int i = 9; i >= 0; --i) {
+        sum = sum * z + arctangent[i];
+    }
+    const double angle = base + (t + t * (z * sum));
+    return choose(dot < 0, 4 * QUARTER_PI - angle, angle);
+}
+
+/* Area makes the length positive: the square of the smallest product does not underflow. */
+static inline __attribute__((always_inline)) void measure_any(block *b, size_t count) {
+    double *restrict x = b->x, *restrict y = b->y, *restrict z = b->z;
+    double *restrict lengths = b->lengths, *restrict angles = b->angles;
     for (size_t i = 0; i < count; ++i) {
-        double length = __builtin_sqrt(lengths[i]), scale = 1 / length;
+        double p[9];
+        for (int k = 0; k < 9; ++k) {
+            p[k] = b->positions[k][i];
+        }
+        const burnish_vec3 second = {p[3] - p[0], p[4] - p[1], p[5] - p[2]};
+        const burnish_vec3 third = {p[6] - p[0], p[7] - p[1], p[8] - p[2]};
+        const burnish_vec3 between = {p[6] - p[3], p[7] - p[4], p[8] - p[5]};
+        const burnish_vec3 cross = burnish_vec3_cross(second, third);
+        const double length = burnish_vec3_length(cross), scale = 1 / length;
         lengths[i] = length;
-        x[i] = x[i] * scale;
-        y[i] = y[i] * scale;
-        z[i] = z[i] * scale;
+        x[i] = cross.x * scale;
+        y[i] = cross.y * scale;
+        z[i] = cross.z * scale;
+        b->dots[0][i] = burnish_vec3_dot(second, third);
+        b->dots[1][i] = -burnish_vec3_dot(between, second);
+        b->dots[2][i] = burnish_vec3_dot(third, between);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        angles[i] = b->dots[b->at[i]][i];
+    }
+    for (size_t i = 0; i < count; ++i) {
+        angles[i] = angle_of(lengths[i], angles[i]);
     }
 }
+
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) static void normalize_faces_avx2(const burnish_rings *rings,
-                                                                 size_t count) {
-    normalize_faces(rings->lengths, rings->x, rings->y, rings->z, count);
+__attribute__((target("avx2"))) static void measure_avx2(block *b, size_t count) {
+    measure_any(b, count);
+}
+
+__attribute__((target("avx512f,avx512dq,prefer-vector-width=512"))) static void
+measure_avx512(block *b, size_t count) {
+    measure_any(b, count);
 }
 #endif
 
-/* a x b of the edges from the first corner, and its square. */
-static burnish_face cross_of(const burnish_surface *surface, const uint32_t *corners) {
-    const burnish_vec3 cross = burnish_face_cross(surface->positions, corners);
-    return (burnish_face){cross, burnish_vec3_dot(cross, cross)};
-}
-
-void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t end,
-                           burnish_face *faces) {
-    for (size_t i = first; i < end; ++i) {
-        const burnish_face face = cross_of(surface, surface->corner_positions + 3 * i);
-        const double length = __builtin_sqrt(face.length);
-        faces[i] = (burnish_face){burnish_vec3_scale(face.normal, 1 / length), length};
+/* Measures the first `count` triangles of a block, and some copies of the first, whose results go
+ * beyond the others. */
+static void measure_block(block *b, size_t count, int wide) {
+    for (; count % LANES != 0; ++count) {
+        for (int k = 0; k < 9; ++k) {
+            b->positions[k][count] = b->positions[k][0];
+        }
+        b->at[count] = 0;
     }
+#if defined(__x86_64__)
+    if (wide) {
+        (wide > 1 ? measure_avx512 : measure_avx2)(b, count);
+        return;
+    }
+#endif
+    (void)wide;
+    measure_any(b, count);
 }
 
-/* Prefetches data for corners a little later in the list: first the numbers of their positions,
- *            then the positions. */
+/* Prefetches what the corners a little later in the list need: first the numbers of their
+ * positions, then the positions. */
 static inline void fetch_ahead(const burnish_surface *surface, const uint32_t *corners, size_t i,
                                size_t count) {
     enum { NUMBERS_AHEAD = 24, POSITIONS_AHEAD = 8 };
     if (i + NUMBERS_AHEAD < count) {
-        const uint32_t later = corners[i + NUMBERS_AHEAD];
-        __builtin_prefetch(surface->corner_positions + later);
+        __builtin_prefetch(surface->corner_positions + corners[i + NUMBERS_AHEAD]);
     }
     if (i + POSITIONS_AHEAD < count) {
         const uint32_t later = corners[i + POSITIONS_AHEAD] / 3;
         const uint32_t *numbers = surface->corner_positions + 3 * (size_t)later;
         for (int k = 0; k < 3; ++k) {
             __builtin_prefetch(surface->positions + 3 * (size_t)numbers[k]);
-        }
-        if (surface->faces) {
-            __builtin_prefetch(surface->faces + later);
         }
     }
 }
@@ -145,38 +218,26 @@ void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
     const burnish_surface *surface = rings->surface;
     rings->corners = corners;
-    for (size_t i = 0; i < count; ++i) {
-        fetch_ahead(surface, corners, i, count);
-        const uint32_t triangle = corners[i] / 3, at = corners[i] % 3;
-        const uint32_t *numbers = surface->corner_positions + 3 * (size_t)triangle;
-        const uint32_t next = numbers[after[at + 1]], previous = numbers[after[at + 2]];
-        const burnish_vec3 here = burnish_vec3_loadf(surface->positions + 3 * (size_t)numbers[at]);
-        const burnish_vec3 a =
-            burnish_vec3_sub(burnish_vec3_loadf(surface->positions + 3 * (size_t)next), here);
-        const burnish_vec3 b =
-            burnish_vec3_sub(burnish_vec3_loadf(surface->positions + 3 * (size_t)previous), here);
-        const burnish_face face =
-            surface->faces ? surface->faces[triangle] : cross_of(surface, numbers);
-        rings->x[i] = face.normal.x;
-        rings->y[i] = face.normal.y;
-        rings->z[i] = face.normal.z;
-        rings->lengths[i] = face.length;
-        rings->dots[i] = burnish_vec3_dot(a, b);
-        rings->next[i] = next;
-        rings->previous[i] = previous;
-    }
-    if (!surface->faces) {
-#if defined(__x86_64__)
-        if (rings->wide) {
-            normalize_faces_avx2(rings, count);
-        } else
-#endif
-        {
-            normalize_faces(rings->lengths, rings->x, rings->y, rings->z, count);
+    for (size_t start = 0, size; start < count; start += size) {
+        size = count - start < BLOCK ? count - start : BLOCK;
+        block b;
+        b.x = rings->x + start, b.y = rings->y + start, b.z = rings->z + start;
+        b.lengths = rings->lengths + start, b.angles = rings->angles + start;
+        for (size_t i = 0; i < size; ++i) {
+            fetch_ahead(surface, corners, start + i, count);
+            const uint32_t triangle = corners[start + i] / 3, at = corners[start + i] % 3;
+            const uint32_t *numbers = surface->corner_positions + 3 * (size_t)triangle;
+            for (int corner = 0; corner < 3; ++corner) {
+                const float *position = surface->positions + 3 * (size_t)numbers[corner];
+                for (int k = 0; k < 3; ++k) {
+                    b.positions[3 * corner + k][i] = position[k];
+                }
+            }
+            b.at[i] = (uint8_t)at;
+            rings->next[start + i] = numbers[after[at + 1]];
+            rings->previous[start + i] = numbers[after[at + 2]];
         }
-    }
-    if (!rings->flat) {
-        burnish_atan2_array(rings->lengths, rings->dots, rings->angles, count, rings->wide);
+        measure_block(&b, size, rings->wide);
     }
 }
 
@@ -426,6 +487,10 @@ int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, floa
             burnish_store_unit(burnish_ring_normal(rings, first + i), normals + 3 * i);
         }
         return 0;
+    }
+    if (count <= BURNISH_PAIRWISE_MAX && burnish_join_fan(rings, first, count) &&
+        store_common(rings, first, count, normals)) {
+        return 1;
     }
     const size_t few = count <= BURNISH_SETS_MAX ? burnish_join_few(rings, first, count, sets) : 0;
     const int one = few == 0 ? burnish_join_many(rings, first, count) : few == 1;

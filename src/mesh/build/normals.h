@@ -21,12 +21,12 @@ typedef struct burnish_rings {
     int asks;                /* 1: edges in between ask the surface; 0: there are none */
     const uint32_t *corners; /* those measured */
     int flat;                /* crease angle 0: no edge is smooth */
-    int wide;                /* eight faces are compared at once: as burnish_atan2_array has it */
+    int wide;                /* 1: the processor has AVX2, 2: AVX-512 */
     size_t capacity;
     /* arrays of `capacity` + 8 items: eight can be read from any index */
     double *x, *y, *z;         /* unit normals of the corners' faces */
-    double *lengths, *dots;    /* |a x b| and a . b of the edges at the corner */
-    double *angles;            /* between them */
+    double *lengths;           /* twice their areas */
+    double *angles;            /* between the edges at the corner */
     uint32_t *next, *previous; /* the edges' other ends */
     uint32_t *parents;         /* sets of joined faces of the vertex at hand, and ... */
     burnish_face_set *sets;    /* ... what is known of them */
@@ -37,7 +37,7 @@ typedef struct burnish_rings {
 
 /* Scratch for one thread and `capacity` corners at a time. crease_angle is in degrees, [0, 180], or
  * BURNISH_CREASE_AUTO: then the measured surface, which stays until the rings go, decides. `wide`
- * is as burnish_atan2_array has it; the results have the same bits. Errors: memory->status; the
+ * does not affect the bits of the results. Errors: memory->status; the
  * arrays are then incomplete. */
 void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_angle,
                           const burnish_surface *surface, int wide, burnish_memory *memory);
@@ -50,10 +50,6 @@ void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context)
  * corners: count corners (3 * triangle + 0..2), grouped by vertex, valid until the next call
  * count:   at most the rings' capacity */
 void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t count);
-
-/* The faces [first, end) of a surface, for its array. */
-void burnish_measure_faces(const burnish_surface *surface, size_t first, size_t end,
-                           burnish_face *faces);
 
 /* Computes unit normals of the corners that meet in one vertex, in O(count log count).
  *

@@ -18,8 +18,7 @@ enum {
     CORNERS_PER_BATCH = 512, /* measured together; the rings stay in the first-level cache */
     FEW = 16,                /* corners that are compared one by one, ... */
     FEW_NORMALS = 64,        /* ... if they have only a normal */
-    PROBES = 8,              /* slots that a corner may be in */
-    FACES_MAX = 1 << 18      /* triangles whose faces are stored: more would not fit a cache */
+    PROBES = 8               /* slots that a corner may be in */
 };
 
 /* ---- what the two ways to vertices share ---- */
@@ -305,23 +304,6 @@ static void make_task(void *context, size_t task, int thread) {
 
 /* ---- makers ---- */
 
-static void measure_faces(void *context, size_t first, size_t end) {
-    const burnish_surface *surface = context;
-    burnish_measure_faces(surface, first, end, surface->faces);
-}
-
-/* Measures every face once, if the mesh lacks normals and is not too large. */
-static void keep_faces(burnish_builder *b) {
-    if (!b->normals_complete && b->triangle_count <= FACES_MAX) {
-        b->surface.faces =
-            burnish_allocate(b->memory, b->triangle_count, sizeof *b->surface.faces, "vertices");
-    }
-    if (b->surface.faces) {
-        burnish_tasks_ranges(b->data->tasks, b->triangle_count, BURNISH_BUILD_GRAIN, measure_faces,
-                             &b->surface);
-    }
-}
-
 static void destroy_scratch(vertex_maker *maker) {
     const burnish_context *context = maker->memory.context;
     burnish_rings_destroy(&maker->rings, context);
@@ -436,9 +418,8 @@ static burnish_status build_any(burnish_builder *b) {
         return status;
     }
     burnish_build_find_extras(b);
-    b->surface = (burnish_surface){
-        burnish_positions(b->data), b->corner_positions, b->first_corner, b->corners, NULL, 0};
-    keep_faces(b);
+    b->surface = (burnish_surface){burnish_positions(b->data), b->corner_positions, b->first_corner,
+                                   b->corners, 0};
     b->surface.is_organic = !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
                             burnish_surface_is_organic(&b->surface, b->position_count);
     vertex_maker *makers = create_makers(b, count);
@@ -446,7 +427,6 @@ static burnish_status build_any(burnish_builder *b) {
     if (status == BURNISH_STATUS_OK) {
         status = make_vertices(b, makers, count);
     }
-    burnish_release(b->memory->context, b->surface.faces);
     if (status == BURNISH_STATUS_OK) {
         burnish_build_release_corners(b, b->has_extras);
         status = burnish_build_allocate_vertices(b);
