@@ -28,7 +28,8 @@ typedef struct burnish_surface {
     const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
     const uint32_t *first_corner;     /* as the builder has them */
     const uint32_t *corners;
-    int is_organic; /* burnish_surface_is_organic() */
+    int is_organic;              /* burnish_surface_is_organic() */
+    struct burnish_known *known; /* a thread's own: normals that it computed; or NULL */
 } burnish_surface;
 
 typedef struct burnish_builder {

@@ -44,9 +44,17 @@ static burnish_vec3 position_of(const burnish_surface *s, uint32_t position) {
 }
 
 static face face_of(const burnish_surface *s, uint32_t triangle) {
+    burnish_known *known = s->known ? &s->known[triangle % BURNISH_KNOWN] : NULL;
+    if (known && known->after == triangle + 1) {
+        return (face){triangle, known->normal};
+    }
     const burnish_vec3 cross =
         burnish_face_cross(s->positions, s->corner_positions + 3 * (size_t)triangle);
-    return (face){triangle, burnish_vec3_normalize(cross)};
+    const burnish_vec3 normal = burnish_vec3_normalize(cross);
+    if (known) {
+        *known = (burnish_known){triangle + 1, normal};
+    }
+    return (face){triangle, normal};
 }
 
 /* The triangle's corner that is not on the edge, which is one of its own. */

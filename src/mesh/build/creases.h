@@ -14,6 +14,14 @@
 /* 160: in an organic surface, never smooth from there on. */
 #define BURNISH_ORGANIC_COSINE (-0.93969262078590838)
 
+/* Normals by the number of their triangle: neighbours are asked for again and again. */
+enum { BURNISH_KNOWN = 1024 };
+
+typedef struct burnish_known {
+    uint32_t after; /* the number of the triangle, + 1; 0: none */
+    burnish_vec3 normal;
+} burnish_known;
+
 /* Whether a surface is organic, as scans and sculptures are: hardly any two neighbours are in one
  * plane. Half of the edges of most machined parts are diagonals of flat faces. Measured at up to
  * 1,024 vertices, which do not depend on the threads. */

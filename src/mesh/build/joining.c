@@ -16,16 +16,17 @@ static uint32_t other_end(const burnish_rings *rings, size_t i, size_t j) {
 /* Whether the edge from the vertex to position `end` is smooth, if the angle of its faces does not
  * decide. */
 static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t end) {
-    const burnish_surface *surface = rings->surface;
-    const uint32_t here = surface->corner_positions[rings->corners[i]];
+    burnish_surface surface = *rings->surface;
+    const uint32_t here = surface.corner_positions[rings->corners[i]];
     const uint32_t from = rings->corners[i] / 3, to = rings->corners[j] / 3;
     const burnish_answer asked = {.triangles = {from < to ? from : to, from < to ? to : from},
                                   .edge = {here < end ? here : end, here < end ? end : here}};
     burnish_answer *kept =
         &rings->answers[(asked.triangles[0] * 5 + asked.triangles[1]) % BURNISH_ANSWERS];
     if (memcmp(kept, &asked, offsetof(burnish_answer, is_smooth)) != 0) {
+        surface.known = rings->known;
         *kept = asked;
-        kept->is_smooth = burnish_surface_is_smooth(surface, asked.triangles, asked.edge);
+        kept->is_smooth = burnish_surface_is_smooth(&surface, asked.triangles, asked.edge);
     }
     return kept->is_smooth;
 }
@@ -116,8 +117,8 @@ find_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neig
 /* Among up to BURNISH_SETS_MAX faces, as bits, the faces with an edge to position `end`. */
 typedef uint32_t find_edges(const burnish_rings *rings, size_t first, size_t count, uint32_t end);
 
-static uint32_t find_edges_scalar(const burnish_rings *rings, size_t first, size_t count,
-                                  uint32_t end) {
+static inline uint32_t find_edges_scalar(const burnish_rings *rings, size_t first, size_t count,
+                                         uint32_t end) {
     uint32_t found = 0;
     for (size_t i = 0; i < count; ++i) {
         found |= (uint32_t)((rings->next[first + i] == end) | (rings->previous[first + i] == end))
@@ -128,7 +129,7 @@ static uint32_t find_edges_scalar(const burnish_rings *rings, size_t first, size
 
 #if defined(__x86_64__)
 /* Reads up to BURNISH_PAIRWISE_MAX entries more. */
-__attribute__((target("avx2"))) static uint32_t
+__attribute__((target("avx2"))) static inline uint32_t
 find_edges_avx2(const burnish_rings *rings, size_t first, size_t count, uint32_t end) {
     const __m256i ends = _mm256_set1_epi32((int)end);
     uint32_t found = 0;
@@ -200,10 +201,21 @@ int burnish_join_fan(const burnish_rings *rings, size_t first, size_t count) {
     return walk_fan(rings, first, count, find_ends_scalar);
 }
 
+/* Whether more than BURNISH_PAIRWISE_MAX bits are set. Mostly two are. */
+static inline int has_many(uint32_t bits) {
+    int count = 0;
+    for (; bits != 0; bits &= bits - 1) {
+        ++count;
+    }
+    return count > BURNISH_PAIRWISE_MAX;
+}
+
 /* The same for more faces, few of which share an edge. Returns 0 if an edge has more than
  * BURNISH_PAIRWISE_MAX. */
-static int find_many_neighbors(const burnish_rings *rings, size_t first, size_t count,
-                               find_edges *find, neighbors *n) {
+static inline __attribute__((always_inline)) int find_many_neighbors(const burnish_rings *rings,
+                                                                     size_t first, size_t count,
+                                                                     find_edges *find,
+                                                                     neighbors *n) {
     n->any_doubtful = 0;
     for (size_t i = 0; i < count; ++i) {
         n->smooth[i] = n->doubtful[i] = 0;
@@ -211,8 +223,7 @@ static int find_many_neighbors(const burnish_rings *rings, size_t first, size_t 
     for (size_t i = 0; i < count; ++i) {
         const uint32_t after = find(rings, first, count, rings->next[first + i]);
         const uint32_t before = find(rings, first, count, rings->previous[first + i]);
-        if (__builtin_popcount(after) > BURNISH_PAIRWISE_MAX ||
-            __builtin_popcount(before) > BURNISH_PAIRWISE_MAX) {
+        if (has_many(after) || has_many(before)) {
             return 0;
         }
         const uint32_t later = (after | before) >> i >> 1;
@@ -231,23 +242,20 @@ static int find_many_neighbors(const burnish_rings *rings, size_t first, size_t 
     return 1;
 }
 
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) static int
+find_many_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
+    return find_many_neighbors(rings, first, count, find_edges_avx2, n);
+}
+#endif
+
 /* The faces joined with a set so far. */
-static uint32_t grow_set(const neighbors *n, size_t count, uint32_t set) {
-    uint32_t before;
-    if (count > BURNISH_PAIRWISE_MAX) {
-        for (uint32_t left = set; left != 0;) {
-            const uint32_t found = n->smooth[__builtin_ctz(left)] & ~set;
-            left = (left & (left - 1)) | found;
-            set |= found;
-        }
-        return set;
+static uint32_t grow_set(const neighbors *n, uint32_t set) {
+    for (uint32_t left = set; left != 0;) {
+        const uint32_t found = n->smooth[__builtin_ctz(left)] & ~set;
+        left = (left & (left - 1)) | found;
+        set |= found;
     }
-    do {
-        before = set;
-        for (size_t i = 0; i < count; ++i) {
-            set |= n->smooth[i] & (0U - (set >> i & 1));
-        }
-    } while (set != before);
     return set;
 }
 
@@ -255,13 +263,13 @@ static uint32_t grow_set(const neighbors *n, size_t count, uint32_t set) {
  * in a scan, makes no difference. */
 static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
     for (size_t i = 0; i < count; ++i) {
-        uint32_t set = n->doubtful[i] ? grow_set(n, count, 1U << i) : 0;
+        uint32_t set = n->doubtful[i] ? grow_set(n, 1U << i) : 0;
         for (uint32_t left = n->doubtful[i]; left != 0; left &= left - 1) {
             const size_t j = (size_t)__builtin_ctz(left), at = first + i, to = first + j;
             if (!(set >> j & 1) && ask_surface(rings, at, to, other_end(rings, at, to))) {
                 n->smooth[i] |= 1U << j;
                 n->smooth[j] |= 1U << i;
-                set = grow_set(n, count, set);
+                set = grow_set(n, set);
             }
         }
     }
@@ -273,7 +281,7 @@ static int find_any_neighbors(const burnish_rings *rings, size_t first, size_t c
 #if defined(__x86_64__)
     if (rings->wide) {
         if (count > BURNISH_PAIRWISE_MAX) {
-            return find_many_neighbors(rings, first, count, find_edges_avx2, n);
+            return find_many_neighbors_avx2(rings, first, count, n);
         }
         find_neighbors_avx2(rings, first, count, n);
         return 1;
@@ -295,7 +303,7 @@ size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
     if (!find_any_neighbors(rings, first, count, &n)) {
         return 0;
     }
-    sets[0] = grow_set(&n, count, 1);
+    sets[0] = grow_set(&n, 1);
     if (sets[0] == all) {
         return 1;
     }
@@ -303,7 +311,7 @@ size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
         ask_neighbors(rings, first, count, &n);
     }
     while (left != 0) {
-        sets[found] = grow_set(&n, count, left & (0U - left));
+        sets[found] = grow_set(&n, left & (0U - left));
         left &= ~sets[found++];
     }
     return found;

@@ -52,6 +52,7 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
         rings->asks = 1;
         rings->answers =
             burnish_allocate_zeroed(memory, BURNISH_ANSWERS, sizeof *rings->answers, what);
+        rings->known = burnish_allocate_zeroed(memory, BURNISH_KNOWN, sizeof *rings->known, what);
         rings->sharp_cosine = surface->is_organic ? BURNISH_ORGANIC_COSINE : BURNISH_SHARP_COSINE;
         rings->smooth_cosine = BURNISH_SMOOTH_COSINE;
     } else {
@@ -75,7 +76,7 @@ void burnish_rings_create(burnish_rings *rings, size_t capacity, double crease_a
 void burnish_rings_destroy(burnish_rings *rings, const burnish_context *context) {
     void *arrays[] = {rings->x,      rings->y,     rings->z,        rings->lengths,
                       rings->angles, rings->next,  rings->previous, rings->parents,
-                      rings->sets,   rings->edges, rings->answers};
+                      rings->sets,   rings->edges, rings->answers,  rings->known};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(context, arrays[i]);
     }

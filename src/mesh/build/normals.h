@@ -33,6 +33,7 @@ typedef struct burnish_rings {
     uint64_t *edges;           /* 2 per corner: other end and face */
     struct burnish_answer
         *answers; /* the latest answers of the surface: each edge is asked for from both ends */
+    struct burnish_known *known; /* for the surface while it answers */
 } burnish_rings;
 
 /* Scratch for one thread and `capacity` corners at a time. crease_angle is in degrees, [0, 180], or

@@ -418,8 +418,8 @@ static burnish_status build_any(burnish_builder *b) {
         return status;
     }
     burnish_build_find_extras(b);
-    b->surface = (burnish_surface){burnish_positions(b->data), b->corner_positions, b->first_corner,
-                                   b->corners, 0};
+    b->surface = (burnish_surface){
+        burnish_positions(b->data), b->corner_positions, b->first_corner, b->corners, 0, NULL};
     b->surface.is_organic = !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
                             burnish_surface_is_organic(&b->surface, b->position_count);
     vertex_maker *makers = create_makers(b, count);

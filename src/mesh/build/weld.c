@@ -411,9 +411,13 @@ typedef struct numbering {
 static void number_in_order(void *context, size_t first, size_t end) {
     numbering *numbers = context;
     uint32_t *heads = numbers->heads;
-    for (size_t i = first; i < end; ++i) {
-        heads[i] = heads[i] == i ? (uint32_t)numbers->next++ : heads[heads[i]];
+    uint32_t next = (uint32_t)numbers->next;
+    for (size_t i = first; i < end; ++i) { /* which are heads can't be predicted */
+        const uint32_t head = heads[i], is_head = head == i, mask = 0U - is_head;
+        heads[i] = (next & mask) | (heads[head] & ~mask);
+        next += is_head;
     }
+    numbers->next = next;
 }
 
 static size_t head_range_end(const numbering *numbers, size_t range) {
