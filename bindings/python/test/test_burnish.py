@@ -608,6 +608,16 @@ class Pages(unittest.TestCase):
                 exec(compile(block, "docs/python.md", "exec"), names)
         self.assertGreater(len(blocks), 4)
 
+    def test_notebook(self):
+        """The notebook has no outputs, and its cells run in their order."""
+        cells = json.loads((SOURCES / "docs/examples/notebook.ipynb").read_text())["cells"]
+        names = {}
+        for cell in cells:
+            if cell["cell_type"] == "code":
+                self.assertEqual((cell["outputs"], cell["execution_count"]), ([], None))
+                exec(compile("".join(cell["source"]), "notebook.ipynb", "exec"), names)
+        self.assertEqual(len({picture.hash for picture in names["views"].values()}), 4)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1], verbosity=1)
