@@ -56,6 +56,9 @@ static exr_result_t write_header(exr_context_t codec, const picture_channels *ch
         result = exr_initialize_required_attr_simple(codec, part, channels->width, channels->height,
                                                      EXR_COMPRESSION_ZIP);
     }
+    if (result == EXR_ERR_SUCCESS) {
+        result = exr_attr_set_string(codec, part, "software", "burnish");
+    }
     for (int i = 0; i < channels->count && result == EXR_ERR_SUCCESS; ++i) {
         const picture_channel *channel = &channels->items[i];
         result = exr_add_channel(codec, part, channel->name, type_of(channel),

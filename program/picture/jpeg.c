@@ -66,6 +66,7 @@ burnish_status picture_encode_jpeg(const burnish_pixels *pixels, const picture_o
     }
     set_up(&codec, pixels, options);
     jpeg_start_compress(&codec, TRUE);
+    jpeg_write_marker(&codec, JPEG_COM, (const JOCTET *)"burnish", 7); /* as PNG's Software */
     while (codec.next_scanline < codec.image_height) {
         JSAMPROW row = pixels->pixels + pixels->stride * codec.next_scanline;
         jpeg_write_scanlines(&codec, &row, 1);

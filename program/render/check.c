@@ -193,10 +193,29 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     return BURNISH_STATUS_OK;
 }
 
-/* 1 for a PNG whose first chunks name burnish as its writer. */
+/* What begins a file, and names burnish as its writer near the beginning. */
+typedef struct own_mark {
+    const char *magic, *mark;
+    size_t magic_size, mark_size;
+} own_mark;
+
+#define MARK(magic, mark) {magic, mark, sizeof(magic) - 1, sizeof(mark) - 1}
+
+static int has_bytes(const char *text, size_t size, const char *bytes, size_t count) {
+    for (size_t i = 0; i + count <= size; ++i) {
+        if (memcmp(text + i, bytes, count) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* 1 for a PNG, JPEG or EXR file that burnish wrote. */
 static int is_own_picture(const char *path) {
-    static const char mark[] = "tEXtSoftware\0burnish";
-    char head[128];
+    static const own_mark marks[] = {MARK("\x89PNG", "tEXtSoftware\0burnish"),
+                                     MARK("\xFF\xD8", "\xFF\xFE\0\x09" "burnish"),
+                                     MARK("v/1\x01", "software\0string\0\7\0\0\0burnish")};
+    char head[1024];
     struct stat status;
     FILE *file = stat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
     if (!file) {
@@ -205,10 +224,12 @@ static int is_own_picture(const char *path) {
     const size_t size = fread(head, 1, sizeof head, file);
     int found = 0;
     fclose(file);
-    for (size_t i = 0; i + sizeof mark - 1 <= size && !found; ++i) {
-        found = memcmp(head + i, mark, sizeof mark - 1) == 0;
+    for (size_t i = 0; i < sizeof marks / sizeof *marks && !found; ++i) {
+        const own_mark *m = &marks[i];
+        found = size >= m->magic_size && memcmp(head, m->magic, m->magic_size) == 0 &&
+                has_bytes(head, size, m->mark, m->mark_size);
     }
-    return found && memcmp(head, "\x89PNG", 4) == 0;
+    return found;
 }
 
 static burnish_status check_output(render_settings *settings, burnish_error *error) {
