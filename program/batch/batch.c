@@ -70,7 +70,7 @@ static const cli_flag flags[] = {
                "the meshes and a search box. It loads only the pictures."},
     {CLI_FLAG("title", "TEXT", "title of the page", cli_flag_text, title),
      .default_label = "the folder's name", .manual = "Title of *index.html*."},
-    {CLI_SWITCH("facts", "measure volume, area, whether closed", render.input.measure), .common = 1,
+    {CLI_SWITCH("facts", "measure volume, area and defects", render.input.measure), .common = 1,
      .aliases = "measure,volume,info",
      .manual = "Measures each mesh as *burnish info* does, and adds the results to the report and "
                "to *index.html*, which can then be sorted by volume, area and defects. Meshes "

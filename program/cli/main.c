@@ -15,11 +15,11 @@ const cli_command *const cli_commands[] = {CLI_COMMAND_LIST(ROW) NULL};
 #undef ROW
 
 const cli_example cli_examples[] = {
-    {"burnish part.stl", "part.png"},
+    {"burnish part.stl", "writes part.png"},
     {"burnish part.stl part.png --size=256", "a thumbnail"},
     {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
     {"burnish render :teapot --lobe=power,schlick,energy:2,taylor:2", "lobes side by side"},
-    {"burnish render part.obj --json --fail-on-blank", "for programs"},
+    {"burnish render part.obj --json --fail-on-blank", "a report for programs"},
     {"burnish batch parts --recursive -d thumbs --index", "many files, and an index page"},
     {"burnish compare before.stl after.stl -o changes.png", "the differences"},
     {"burnish render - --input-format=ply -o - <in.ply >out.png", "in a pipe"},
@@ -72,7 +72,7 @@ const cli_command cli_help_command = {
 };
 
 static void print_first_screen(void) {
-    printf("burnish %s: pictures of meshes without a GPU, the same bits on every machine\n\n"
+    printf("burnish %s: renders 3-D models without a GPU, with the same pixels everywhere\n\n"
            "Usage: burnish INPUT [OUTPUT] [options], or burnish COMMAND [options]\n",
            burnish_version());
     cli_print_parts(cli_commands);

@@ -234,7 +234,8 @@ static void print_environment(void) {
                  "which read other formats (FBX, COLLADA, STEP ...), instead of the folder in "
                  "which they are installed.");
     print_tagged("*BURNISH_ISA*", "the instruction set if *--isa* is *auto*; the same values.");
-    print_tagged("*PATH*", "the folders in which *burnish lobe plot* finds gnuplot.");
+    print_tagged("*PATH*",
+                 "the folders of gnuplot, for *burnish lobe plot*, and of ffmpeg, for videos.");
     printf(".PP\n");
     print_text("The locale is ignored: the decimal separator is always a point.");
 }
@@ -243,7 +244,7 @@ void cli_print_man(void) {
     printf(
         ".\\\" Made by burnish help --man; do not edit.\n"
         ".TH BURNISH 1 \"%s\" \"burnish %s\" \"User Commands\"\n"
-        ".SH NAME\nburnish \\- pictures of meshes without a GPU, the same bits on every machine\n"
+        ".SH NAME\nburnish \\- renders 3-D models without a GPU, with the same pixels everywhere\n"
         ".SH SYNOPSIS\n",
         PAGE_DATE, burnish_version());
     for (size_t i = 0; cli_commands[i]; ++i) {
@@ -254,8 +255,9 @@ void cli_print_man(void) {
     print_text("*burnish* _COMMAND_ *--help*[*=*_TOPIC_]");
     printf(".SH DESCRIPTION\n");
     print_paragraphs(
-        "*burnish* draws meshes into PNG files without a GPU, display or toolkit. Its highlights "
-        "use a family of specular lobes without pow and division.\nThe same input and flags give "
+        "*burnish* renders 3-D models (meshes) to images without a GPU, display or toolkit. Its "
+        "highlights use a family of specular lobes without pow and division.\nThe same input and "
+        "flags give "
         "the same pixels on every processor, with every compiler and any number of threads, and "
         "the hash in *--json* can be compared between machines.\nEvery command has *-h* and "
         "*--help*, which list its flags on one screen. Commands with many flags list the common "

@@ -448,7 +448,8 @@ void cli_word_list(const cli_word *words, char *text, size_t size) {
 burnish_status cli_flag_word(const cli_flag *flag, const char *text, void *target,
                              burnish_error *error) {
     for (const cli_word *word = flag->words; word->name; ++word) {
-        if (strcmp(word->name, text) == 0) {
+        const char *name = word->name + (word->name[0] == '+' && text[0] != '+'); /* z: +Z */
+        if (strcasecmp(name, text) == 0) {
             *(int *)target = word->value;
             return BURNISH_STATUS_OK;
         }

@@ -20,7 +20,7 @@ static const cli_flag table_flags[] = {
     {.group = "Contents",
      CLI_FLAG("lobes", "LIST", "rows, such as power,energy:2,minimax:4", cli_flag_text, lobes),
      .default_text = "power,schlick,taylor:2,energy:2,minimax:2,minimax:4,minimax:8",
-     .default_label = "a telling set",
+     .default_label = "a selection",
      .manual = "Lobes, between commas, in the words of *LOBES* and *LOBE*. If an exponent is too "
                "low for a lobe's order, the row has no numbers."},
     {CLI_FLAG("exponents", "LIST", "numbers and ranges: 10,100 1-1023 10-100:10 2-1024x2",
@@ -32,7 +32,7 @@ static const cli_flag table_flags[] = {
               cli_flag_text, metrics),
      .default_text = "zeta,max-error,max-error-angle,rms,energy,zero-angle,ratio,multiplications,"
                      "additions,comparisons,divisions,functions",
-     .default_label = "a telling set", .manual = "Columns, between commas; see *METRICS*."},
+     .default_label = "a selection", .manual = "Columns, between commas; see *METRICS*."},
     {CLI_FLAG("range", "NAME", "range of errors: all, inflection, level:L (down to cos^n = L)",
               cli_flag_text, range),
      .default_text = "all",
@@ -44,7 +44,7 @@ static const cli_flag table_flags[] = {
 
 static const cli_example examples[] = {
     {"burnish lobe table", "a first look"},
-    {"burnish lobe table --lobes=taylor:2 --range=inflection --metrics=max-relative", "fig. 4"},
+    {"burnish lobe table --lobes=taylor:2 --range=inflection --metrics=max-relative", "figure 4"},
     {"burnish lobe table --lobes=minimax:8 --exponents=8-1024x2 --metrics=errors", "against n"},
     {"burnish lobe table --metrics=angle:4,angle:8,ratio:4,ratio:8", "widths"},
     {"burnish lobe table --metrics=all --format=csv -o lobes.csv", "everything"},

@@ -199,7 +199,8 @@ typedef struct own_mark {
     size_t magic_size, mark_size;
 } own_mark;
 
-#define MARK(magic, mark) {magic, mark, sizeof(magic) - 1, sizeof(mark) - 1}
+#define MARK(magic, mark)                                                                          \
+    { magic, mark, sizeof(magic) - 1, sizeof(mark) - 1 }
 
 static int has_bytes(const char *text, size_t size, const char *bytes, size_t count) {
     for (size_t i = 0; i + count <= size; ++i) {
@@ -213,7 +214,8 @@ static int has_bytes(const char *text, size_t size, const char *bytes, size_t co
 /* 1 for a PNG, JPEG or EXR file that burnish wrote. */
 static int is_own_picture(const char *path) {
     static const own_mark marks[] = {MARK("\x89PNG", "tEXtSoftware\0burnish"),
-                                     MARK("\xFF\xD8", "\xFF\xFE\0\x09" "burnish"),
+                                     MARK("\xFF\xD8", "\xFF\xFE\0\x09"
+                                                      "burnish"),
                                      MARK("v/1\x01", "software\0string\0\7\0\0\0burnish")};
     char head[1024];
     struct stat status;

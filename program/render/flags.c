@@ -546,11 +546,11 @@ const cli_command render_command = {
     .summary = "draw a mesh into a picture",
     .operand_help = CLI_INPUT_HELP,
     .manual =
-        "Draws _INPUT_ with the Phong illumination equation. _INPUT_ is a glTF, GLB, OBJ (with its "
-        "material library), OFF, PLY, STL or 3MF file, optionally compressed with gzip, *-* for "
+        "Draws _INPUT_: a glTF, GLB, OBJ (with its material library), OFF, PLY, STL or 3MF file, "
+        "optionally compressed with gzip, *-* for "
         "standard input, or a built-in object: *:teapot*, *:sphere*, *:torus* or *:knot*.\nWithout "
-        "flags the picture shows the whole object in a three-quarter view, lit by a rig that "
-        "follows the camera. The value of a flag follows after *=* or as the next argument. Flags "
+        "flags the picture shows the whole object in a three-quarter view, lit by lights that "
+        "follow the camera. The value of a flag follows after *=* or as the next argument. Flags "
         "can't be abbreviated. If a flag is repeated, the last one counts, except for *--light*, "
         "*--clip* and *--plane*. *--* ends the flags. A flag without an effect is an error: "
         "*--frames* without *--turntable*, *--columns* for a single picture.\nSeveral inputs are "

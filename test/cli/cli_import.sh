@@ -34,7 +34,7 @@ refused() {
     check "no picture" [ "$(ls -A)" = a.fbx ]
 }
 
-refused 4 "reads such files and is not installed; build it (-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev), name its folder in BURNISH_IMPORTERS, or convert the file to glTF, OBJ, PLY or STL"
+refused 4 "reads such files and is not installed; install the Debian package of that name, build it (-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev), name its folder in BURNISH_IMPORTERS, or convert the file to glTF, OBJ, PLY or STL"
 importer 'exit 0'
 refused 4 'ended without a mesh'
 importer 'exit 3'

@@ -86,7 +86,9 @@ def main():
     os.symlink(COMPILER, SCRATCH + "/bin/cc")
     # Environments that the test python and make python leave.
     environments = [f"{venv}/bin" for venv in (SOURCE + "/build/python/venv", BUILD + "/test/scratch/python/venv") if os.path.exists(venv + "/bin/python3")]
-    os.environ["PATH"] = ":".join([*environments, SCRATCH + "/bin", os.environ["PATH"]])
+    # pyenv puts the folder of its Python first; Blender would look for its modules there
+    path = [folder for folder in os.environ["PATH"].split(":") if "/.pyenv/versions/" not in folder]
+    os.environ["PATH"] = ":".join([*environments, SCRATCH + "/bin", *path])
     os.environ["BURNISH"] = SOURCE  # the guides' name for the folder of the sources
     results = []
     for page in sorted(glob.glob(SOURCE + "/docs/guides/*.md")):

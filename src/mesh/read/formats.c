@@ -287,14 +287,13 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         static const char names[] = BURNISH_FORMAT_LIST(NAME);
 #undef NAME
         const char *what = burnish_describe_foreign(input->bytes, input->size, input->name);
-        status =
-            what ? burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                                       "%s, which burnish can't read; convert it to one of %s",
-                                       what, names + 2)
-                 : burnish_reader_fail(
-                       reader, BURNISH_STATUS_FORMAT, NULL,
-                       "neither its name nor its first bytes identify the format; name one of %s",
-                       names + 2);
+        status = what ? burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                            "%s, which burnish can't read; convert it to one of %s",
+                                            what, names + 2)
+                      : burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                            "neither its name nor its first bytes identify the "
+                                            "format; name the input format, one of %s",
+                                            names + 2);
     }
     burnish_reader_close(reader);
     if (status == BURNISH_STATUS_OK && !input->options->origin && reader->is_wide) {

@@ -452,7 +452,8 @@ static void test_files(void) {
                "empty.stl: byte 0: the file is empty");
     test_write_file("note.txt", "hello");
     check_load("note.txt", &options, BURNISH_STATUS_FORMAT,
-               "note.txt: neither its name nor its first bytes identify the format; name one of "
+               "note.txt: neither its name nor its first bytes identify the format; name the input "
+               "format, one of "
                "gltf, obj, off, ply, stl, 3mf, bms");
     test_write_file("bad.mtl", "newmtl a\nKd x\n");
     test_write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
