@@ -100,10 +100,37 @@ static int note_polygon(burnish_chunk *chunk, size_t count) {
     return 1;
 }
 
+/* The most common face: a triangle with the same attributes as those before it. Returns 0 if there
+ * is no room. */
+static inline int append_triangle(burnish_chunk *chunk, const uint32_t *corners, size_t stride,
+                                  unsigned used) {
+    const size_t count = chunk->data.triangle_count;
+    if (chunk->exact || chunk->used != used || chunk->triangles_before + count >= chunk->most) {
+        return 0;
+    }
+    for (unsigned i = 0; used >> i; ++i) {
+        burnish_stream *stream = &chunk->data.streams[i];
+        if (!(used >> i & 1)) {
+            continue;
+        }
+        if (count >= stream->corner_capacity) {
+            return 0;
+        }
+        for (size_t k = 0; k < 3; ++k) {
+            stream->corners[3 * count + k] = corners[k * stride + i];
+        }
+    }
+    ++chunk->data.triangle_count;
+    return 1;
+}
+
 burnish_status burnish_chunk_append_face(burnish_chunk *chunk, const uint8_t *at,
                                          const uint32_t *corners, size_t stride, size_t count,
                                          unsigned used) {
     const size_t first = chunk->data.triangle_count, more = count - 2;
+    if (count == 3 && append_triangle(chunk, corners, stride, used)) {
+        return BURNISH_STATUS_OK;
+    }
     const uint64_t limit = chunk->exact ? burnish_budget_triangles(chunk->exact) : chunk->most;
     if (chunk->triangles_before + first + more > limit) {
         return fail_triangles(chunk, at, chunk->triangles_before + first + more);

@@ -425,12 +425,109 @@ static void read_statement(obj_parser *obj) {
     }
 }
 
+/* ---- Plain lines ---- */
+
+/* Past the end of a line; NULL if anything but spaces precedes it. */
+static inline const uint8_t *end_plain_line(const obj_parser *obj, const uint8_t *p) {
+    while (obj->lexer.end - p > 2 && *p == ' ') {
+        ++p;
+    }
+    p += *p == '\r' && obj->lexer.end - p > 2;
+    return *p == '\n' && obj->lexer.end - p > 1 ? p + 1 : NULL;
+}
+
+/* Reads `count` numbers and the end of the line; NULL if they have another form. */
+static inline const uint8_t *scan_plain_numbers(const obj_parser *obj, const uint8_t *p,
+                                                double *values, int count) {
+    for (int i = 0; i < count; ++i) {
+        while (p < obj->lexer.end && *p == ' ') {
+            ++p;
+        }
+        if (obj->lexer.end - p <= BURNISH_DECIMAL_ROOM) {
+            return NULL;
+        }
+        const size_t size = burnish_scan_decimal(p, &values[i]);
+        p += size;
+        if (size == 0 || (i + 1 < count && *p != ' ')) {
+            return NULL;
+        }
+    }
+    return end_plain_line(obj, p);
+}
+
+/* Values of an attribute: those of positions are moved to the origin. */
+static inline const uint8_t *read_plain_values(obj_parser *obj, const uint8_t *p,
+                                               burnish_attribute attribute, int count) {
+    double values[3];
+    float rounded[3];
+    p = scan_plain_numbers(obj, p, values, count);
+    for (int k = 0; k < count && p; ++k) {
+        const double origin = attribute == BURNISH_POSITION ? obj->origin[k] : 0;
+        p = burnish_place(values[k], origin, &rounded[k]) ? p : NULL;
+    }
+    float *to = p ? burnish_chunk_append(obj->chunk, attribute) : NULL;
+    if (!to) {
+        return NULL;
+    }
+    memcpy(to, rounded, (size_t)count * sizeof *to);
+    return p;
+}
+
+/* A face of few corners with absolute indices. */
+static const uint8_t *read_plain_face(obj_parser *obj, const uint8_t *at) {
+    enum { MOST = 4 };
+    burnish_chunk *chunk = obj->chunk;
+    uint32_t corners[MOST * COLUMNS];
+    const uint8_t *after = NULL;
+    unsigned used = 0;
+    size_t count = 0;
+    obj->lexer.next = at + 1;
+    while (count < MOST && !after) {
+        uint32_t *numbers = corners + count++ * COLUMNS;
+        numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
+        numbers[RELATIVE] = 0;
+        const unsigned found = scan_corner(obj, numbers);
+        if (found == 0 || numbers[RELATIVE]) {
+            return NULL;
+        }
+        used |= found;
+        after = count < 3 ? NULL : end_plain_line(obj, obj->lexer.next);
+    }
+    return after && burnish_chunk_append_face(chunk, at, corners, COLUMNS, count, used) ==
+                        BURNISH_STATUS_OK
+               ? after
+               : NULL;
+}
+
+/* Reads a line of the most common forms, and moves to the next. Otherwise returns 0 and stays. */
+static inline int read_plain_line(obj_parser *obj) {
+    const uint8_t *at = obj->lexer.next, *after = NULL;
+    if (obj->lexer.end - at <= BURNISH_DECIMAL_ROOM) {
+        return 0;
+    }
+    if (at[0] == 'f' && at[1] == ' ') {
+        after = read_plain_face(obj, at);
+    } else if (at[0] == 'v' && at[1] == ' ' && obj->chunk->data.streams[BURNISH_COLOR].count == 0) {
+        after = read_plain_values(obj, at + 1, BURNISH_POSITION, 3);
+    } else if (at[0] == 'v' && at[1] == 'n' && at[2] == ' ') {
+        after = read_plain_values(obj, at + 2, BURNISH_NORMAL, 3);
+    } else if (at[0] == 'v' && at[1] == 't' && at[2] == ' ' && obj->with_texcoords) {
+        after = read_plain_values(obj, at + 2, BURNISH_TEXCOORD, 2);
+    }
+    obj->lexer.next = after ? after : at;
+    return after != NULL;
+}
+
 void burnish_obj_parse(burnish_chunk *chunk, int with_texcoords, const double origin[3]) {
     obj_parser obj = {chunk, {chunk->first, chunk->text_end, 1}, with_texcoords, origin};
-    do {
-        read_statement(&obj);
-    } while (chunk->status == BURNISH_STATUS_OK && burnish_lexer_next_line(&obj.lexer) &&
-             obj.lexer.next < chunk->end);
+    int more = 1;
+    while (more && chunk->status == BURNISH_STATUS_OK) {
+        if (!read_plain_line(&obj) && chunk->status == BURNISH_STATUS_OK) {
+            read_statement(&obj);
+            more = chunk->status == BURNISH_STATUS_OK && burnish_lexer_next_line(&obj.lexer);
+        }
+        more = more && obj.lexer.next < chunk->end;
+    }
     if (!chunk->bounded) {
         chunk->end = obj.lexer.next;
     }
