@@ -50,6 +50,7 @@ typedef struct burnish_annotate_options {
                                        used; all 0: the up axis of the mesh */
     double text_height;    /* of a capital letter in pixels, [5, 256]; 0: 1/44 of the
                                        smaller side, at least 9 */
+    uint32_t lengths;      /* of the axes that DIMENSIONS measures, a sum: 1 X, 2 Y, 4 Z; 0: all */
     uint8_t background[3]; /* sRGB; the colours of lines and letters contrast with it */
     int transparent;       /* 1: the background is unknown: dark ink with a pale outline */
     const float *depth;    /* distances as in burnish_target, of the size of the image: hidden parts

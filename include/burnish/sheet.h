@@ -99,6 +99,71 @@ BURNISH_API burnish_status burnish_drawing_sheet(const burnish_sheet_cell *cells
                                                  int columns, const uint8_t ink[3],
                                                  burnish_drawing **sheet, burnish_error *error);
 
+/* ---- Aligned views ---- */
+
+/* Where the views are: in third angle the top view is above the front view, and the right view at
+ * its right; in first angle the top view is below, and the left view at the right. */
+typedef enum burnish_projection_method {
+    BURNISH_PROJECTION_THIRD_ANGLE,
+    BURNISH_PROJECTION_FIRST_ANGLE
+} burnish_projection_method;
+
+/* The views of a sheet. SIDE is the right view in third angle, the left view in first angle. */
+enum {
+    BURNISH_SHEET_FRONT,
+    BURNISH_SHEET_TOP,
+    BURNISH_SHEET_SIDE,
+    BURNISH_SHEET_PICTORIAL, /* in the free corner */
+    BURNISH_SHEET_VIEWS
+};
+
+/* A rectangle of pixels. */
+typedef struct burnish_sheet_area {
+    int x, y, width, height;
+} burnish_sheet_area;
+
+/* A sheet of three aligned views at one scale and a pictorial view. */
+typedef struct burnish_projection_sheet {
+    burnish_projection_method method;
+    int width, height; /* pixels, from 240 */
+    double extents[3]; /* of the object: width, height and depth in the front view; >= 0, with a sum
+                          above 0 */
+    double pixels_per_millimetre; /* > 0: a unit is a millimetre, and the scale on paper is 1, 2 or
+                                     5 times a power of 10, or 1 divided by that (ISO 5455); 0: the
+                                     largest scale that fits */
+    /* Set by burnish_projection_lay_out(): */
+    double pixels_per_unit;                        /* of the three views */
+    char scale[16];                                /* "1:2"; "": not a scale on paper */
+    double text_height;                            /* of a capital, pixels */
+    burnish_sheet_area cells[BURNISH_SHEET_VIEWS]; /* the object is in the middle of its cell */
+} burnish_projection_sheet;
+
+/* Computes scale and positions. Errors: ARGUMENT. */
+BURNISH_API burnish_status burnish_projection_lay_out(burnish_projection_sheet *sheet,
+                                                      burnish_error *error);
+
+/* Composes views into an image, with a frame, a title, the scale and the symbol of the method (a
+ * truncated cone, ISO 5456-2).
+ *   sheet       laid out
+ *   title       ASCII; NULL: none
+ *   views       of the sizes of the cells, with equal channels
+ *   background  sRGB
+ *   ink         sRGB of lines and letters
+ *   image       receives the image, empty on error. It uses the context of the first view
+ * Errors: MEMORY. */
+BURNISH_API burnish_status burnish_projection_image(
+    const burnish_projection_sheet *sheet, const char *title,
+    const burnish_image *const views[BURNISH_SHEET_VIEWS], const uint8_t background[3],
+    const uint8_t ink[3], burnish_image *image, burnish_error *error);
+
+/* The same of drawings, which are copied.
+ *   drawing  receives the drawing, NULL on error. It uses the context of the first view
+ * Other parameters and errors as for burnish_projection_image(). */
+BURNISH_API burnish_status
+burnish_projection_drawing(const burnish_projection_sheet *sheet, const char *title,
+                           burnish_drawing *const views[BURNISH_SHEET_VIEWS], const uint8_t ink[3],
+                           burnish_drawing **drawing, burnish_error *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -10,6 +10,7 @@
 #include "cli/platform.h"
 #include "font/utf8.h"
 #include "picture/animation.h"
+#include "render/output/projection.h"
 #include "render/scene/options.h"
 #include "render/useless.h"
 
@@ -360,6 +361,7 @@ static burnish_status choose_look(render_settings *settings, burnish_error *erro
 
 burnish_status render_check(render_settings *settings, burnish_error *error) {
     burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
+    status = status == BURNISH_STATUS_OK ? render_check_projection(settings, error) : status;
     find_size(&settings->picture);
     status = status == BURNISH_STATUS_OK ? choose_look(settings, error) : status;
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;

@@ -30,8 +30,16 @@ static const cli_word up_words[] = {
     {"auto", UP_AUTO},     {"format", UP_FORMAT}, {NULL, 0},
 };
 static const cli_word view_words[] = {
-    {"front", VIEW_FRONT}, {"right", VIEW_RIGHT}, {"top", VIEW_TOP},       {"iso", VIEW_ISO},
-    {"back", VIEW_BACK},   {"left", VIEW_LEFT},   {"bottom", VIEW_BOTTOM}, {NULL, 0},
+    {"front", VIEW_FRONT},
+    {"right", VIEW_RIGHT},
+    {"top", VIEW_TOP},
+    {"iso", VIEW_ISO},
+    {"back", VIEW_BACK},
+    {"left", VIEW_LEFT},
+    {"bottom", VIEW_BOTTOM},
+    {"third-angle", VIEW_THIRD_ANGLE},
+    {"first-angle", VIEW_FIRST_ANGLE},
+    {NULL, 0},
 };
 static const cli_word edge_words[] = {{"silhouettes", BURNISH_EDGES_SILHOUETTES},
                                       {"creases", BURNISH_EDGES_CREASES},
@@ -146,11 +154,17 @@ static const cli_flag flags[] = {
      .manual = "Makes the background transparent: the PNG has an alpha channel."},
     {CLI_FLAG("views", "LIST", "one or more", render_flag_views, picture.views), .common = 1,
      .words = view_words, .aliases = "view",
-     .manual = "Standard views along the axes; a list with commas makes one labelled sheet. "
-               "*front* shows the side that faces the viewer when the up axis points up (+Z for up "
-               "+Y, -Y for up +Z), *iso* is the isometric view from the upper right front. They "
-               "are parallel projections unless *--camera-orthographic=no* is given. Each view is "
-               "framed separately, in its own scale unless *--same-scale* is given."},
+     .manual =
+         "Standard views along the axes; a list with commas makes one labelled sheet. "
+         "*front* shows the side that faces the viewer when the up axis points up (+Z for up "
+         "+Y, -Y for up +Z), *iso* is the isometric view from the upper right front. They "
+         "are parallel projections unless *--camera-orthographic=no* is given. Each view is "
+         "framed separately, in its own scale unless *--same-scale* is given. *third-angle* and "
+         "*first-angle* are drawing sheets: front, top and side view aligned at one scale, "
+         "*iso* in the free corner, a frame, and the symbol of the projection. "
+         "*--resolution* is the size of the whole sheet, by default A4 at 144 dots per inch. "
+         "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
+         "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
     {CLI_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
      .words = annotation_words,
      .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",

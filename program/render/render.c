@@ -19,6 +19,7 @@
 #include "render/output/annotate.h"
 #include "render/output/bands.h"
 #include "render/output/cells.h"
+#include "render/output/projection.h"
 #include "render/output/reference.h"
 #include "render/output/report.h"
 #include "render/output/sheet.h"
@@ -85,6 +86,9 @@ static void widen(render_room *shared, const render_room *room, double height) {
 /* The cameras of all cells. */
 static burnish_status aim_cells(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
+    if (render_is_projection(settings)) {
+        return render_lay_out_projection(result, error);
+    }
     const int is_shared = settings->camera.same_scale || settings->camera.orthographic_height.given;
     burnish_status status = BURNISH_STATUS_OK;
     render_room shared = {.is_given = 0};

@@ -40,6 +40,11 @@ static burnish_status check(const burnish_mesh *mesh, const burnish_annotate_opt
                             "annotations: kinds %u is not a sum of BURNISH_ANNOTATION_... values",
                             annotations->kinds);
     }
+    if (annotations->lengths > 7) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "annotations: lengths %u is not a sum of 1, 2 and 4",
+                            (unsigned)annotations->lengths);
+    }
     if (annotations->text_height != 0 &&
         !(annotations->text_height >= 5 && annotations->text_height <= 256)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -32,6 +32,7 @@ typedef struct burnish_annotation_view {
     double text;              /* height of a capital, whole pixels */
     double line;              /* width of a line, whole pixels */
     burnish_point corners[8]; /* of the box on the screen; bit a of the index: high in axis a */
+    uint32_t lengths;         /* of the axes that are measured: bit a for axis a */
     int corners_seen;         /* 1: all are in front of the camera */
     burnish_point hull[8];    /* convex hull of the corners */
     int hull_count;

@@ -232,7 +232,7 @@ static int list_edges(const burnish_annotation_view *view, int axis, edge edges[
 
 static int is_measured(const burnish_annotation_view *view, int axis) {
     const double x = burnish_axis(view->right, axis), y = burnish_axis(view->up, axis);
-    return x * x + y * y > LEAST_SINE * LEAST_SINE &&
+    return (view->lengths >> axis & 1) && x * x + y * y > LEAST_SINE * LEAST_SINE &&
            burnish_axis(view->high, axis) > burnish_axis(view->low, axis);
 }
 

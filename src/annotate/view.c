@@ -130,6 +130,7 @@ static void choose_up(const burnish_mesh_view *mesh, const double wanted[3],
 static void choose_sizes(const burnish_annotate_options *annotations,
                          burnish_annotation_view *view) {
     const double smaller = view->width < view->height ? view->width : view->height;
+    view->lengths = annotations->lengths ? annotations->lengths : 7;
     double text = annotations->text_height > 0 ? annotations->text_height : smaller / 44;
     text = annotations->text_height > 0 || text > 9 ? text : 9;
     view->text = (double)(int)(text + 0.5);

@@ -155,6 +155,48 @@ check "a sheet's cells" [ "$(grep -c '<svg x=' a.svg)" = 4 ]
 check "a sheet's labels" [ "$(grep -cE 'aria-label="(front|right|top|iso)"' a.svg)" = 4 ]
 rm a.svg a.png
 
+cat >../block.obj <<'END'
+v 0 0 0
+v 4 0 0
+v 4 2 0
+v 0 2 0
+v 0 0 1
+v 4 0 1
+v 4 2 1
+v 0 2 1
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+END
+# Aligned views: top and front share columns, front and side rows, and the scale on paper is round.
+for angle in third first; do
+    run render ../block.obj --look=drawing --views=$angle-angle --annotate=dimensions,axes --hidden-lines --dpi=100 --size=1000x700 --json -o a.png
+    check "$angle angle" python3 - "$out" $angle <<'END'
+import json, sys
+report = json.load(open(sys.argv[1]))
+assert (report["width"], report["height"]) == (1000, 700), report
+front, top, side, free = report["cells"]
+assert side["view"] == {"third": "right", "first": "left"}[sys.argv[2]]
+assert [c["column"] for c in report["cells"]] == [0, 0, 1, 1]
+assert [c["row"] for c in report["cells"]] == {"third": [1, 0, 1, 0], "first": [0, 1, 0, 1]}[sys.argv[2]]
+assert front["pixel_bounds"][0::2] == top["pixel_bounds"][0::2] and front["width"] == top["width"]
+assert front["pixel_bounds"][1::2] == side["pixel_bounds"][1::2] and front["height"] == side["height"]
+scale = front["pixels_per_unit"] * 25.4 / 100
+assert abs(top["pixels_per_unit"] / front["pixels_per_unit"] - 1) < 1e-9 and side["pixels_per_unit"] == front["pixels_per_unit"]
+assert any(abs(scale - d * 10.0**p) < 1e-9 * scale for d in (1, 2, 5) for p in range(-3, 4)), scale
+END
+done
+run render ../block.obj --look=drawing --views=third-angle --annotate=dimensions,axes --dpi=100 -o a.svg
+check "each length once: $(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -c 'aria-label="[0-9.]*"' a.svg)" = 3 ]
+expect 2 'burnish: --views: first-angle is a whole sheet; omit the other views' render :sphere --views=top,first-angle
+expect 2 'burnish: --zoom: a sheet of aligned views has its own layout; omit the flag' render :sphere --views=third-angle --zoom=2
+expect 2 'burnish: --camera-orthographic: aligned views are parallel; omit the flag' render :sphere --views=third-angle --camera-orthographic=no
+expect 2 'burnish: sheet: 100 x 100 pixels; aligned views need 240 to 16384 a side' render :sphere --views=third-angle --size=100
+rm a.svg a.png
+
 # The same bytes in the sandbox, by other threads and instruction sets.
 run render :torus --look=drawing --clip=0,0,1,0.1 --annotate=dimensions --threads=1 --isa=scalar -o a.svg
 run render :torus --look=drawing --clip=0,0,1,0.1 --annotate=dimensions --threads=3 -o b.svg

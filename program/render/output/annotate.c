@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/output/projection.h"
 #include "render/scene/camera.h"
 
 burnish_status render_draw(const render_result *result, burnish_renderer *renderer,
@@ -42,9 +43,12 @@ burnish_status render_draw(const render_result *result, burnish_renderer *render
 
 static burnish_annotate_options make_annotations(const render_result *result,
                                                  const burnish_render_options *options,
-                                                 const float *depth) {
+                                                 const render_cell *cell, const float *depth) {
     burnish_annotate_options annotations = render_make_annotations(result->mesh, result->settings);
     memcpy(annotations.background, options->background, sizeof annotations.background);
+    if (render_is_projection(result->settings)) {
+        render_limit_annotations(result, cell, &annotations);
+    }
     annotations.transparent = options->transparent;
     annotations.depth = depth;
     annotations.depth_stride = (size_t)options->width * sizeof *depth;
@@ -58,7 +62,7 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
         return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);
-    const burnish_annotate_options annotations = make_annotations(result, options, depth);
+    const burnish_annotate_options annotations = make_annotations(result, options, cell, depth);
     size_t left_out = 0;
     const burnish_status status =
         burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, &left_out, error);
@@ -84,7 +88,7 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
 burnish_status render_trace(const render_result *result, burnish_renderer *renderer,
                             const burnish_render_options *options, render_cell *cell,
                             const float *depth, burnish_error *error) {
-    const burnish_annotate_options annotations = make_annotations(result, options, depth);
+    const burnish_annotate_options annotations = make_annotations(result, options, cell, depth);
     burnish_status status =
         burnish_drawing_create(NULL, options->width, options->height, &cell->drawing, error);
     if (status == BURNISH_STATUS_OK) {
@@ -129,8 +133,10 @@ burnish_status render_encode_drawing(const render_result *result, const burnish_
     for (size_t i = 0; i < result->cell_count; ++i) {
         drawings[i] = result->cells[i].drawing;
     }
-    burnish_status status = burnish_drawing_sheet(cells, drawings, result->cell_count,
-                                                  result->columns, ink, &sheet, error);
+    burnish_status status = render_is_projection(result->settings)
+                                ? render_draw_projection(result, ink, &sheet, error)
+                                : burnish_drawing_sheet(cells, drawings, result->cell_count,
+                                                        result->columns, ink, &sheet, error);
     if (status == BURNISH_STATUS_OK) {
         status = write_svg(result, sheet, file, error);
     }

@@ -4,6 +4,7 @@
 #include "picture/formats.h"
 #include "render/output/annotate.h"
 #include "render/output/cells.h"
+#include "render/output/projection.h"
 #include "render/output/report.h"
 #include "render/scene/camera.h"
 
@@ -43,6 +44,9 @@ void render_warn_about_cell(render_result *result, const render_cell *cell) {
 
 void render_aim_options(const render_result *result, burnish_render_options *options,
                         const render_cell *cell) {
+    if (render_is_projection(result->settings)) {
+        render_aim_projection(result, cell, options);
+    }
     options->lobe = cell->lobe;
     options->camera = cell->camera;
     render_upward(result->mesh, &result->settings->camera, options->up);

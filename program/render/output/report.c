@@ -1,6 +1,8 @@
 /* The report of `burnish render`: JSON, times, warnings. */
 #include "render/output/report.h"
 
+#include "render/output/projection.h"
+
 #include <cjson/cJSON.h>
 #include <errno.h>
 #include <math.h>
@@ -104,9 +106,10 @@ static void add_picture(cJSON *object, const render_result *result, const render
     cli_json_add(object, "contrast", cli_json_real(cell->tones.contrast), failed);
     cli_json_add(object, "camera", render_camera_object(&cell->camera, origin, failed), failed);
     const double height = cell->camera.orthographic_height;
+    const int picture_height =
+        render_is_projection(result->settings) ? cell->image.height : result->options->height;
     cli_json_add(object, "pixels_per_unit",
-                 cli_json_real(height > 0 ? result->options->height / height : (double)NAN),
-                 failed);
+                 cli_json_real(height > 0 ? picture_height / height : (double)NAN), failed);
     cli_json_add(object, "lobe", cJSON_CreateString(lobe), failed);
 }
 
@@ -115,8 +118,10 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
     for (size_t i = 0; i < result->cell_count; ++i) {
         const render_cell *cell = &result->cells[i];
         cJSON *object = cJSON_CreateObject();
-        cli_json_add(object, "row", cli_json_count(i / (size_t)result->columns), failed);
-        cli_json_add(object, "column", cli_json_count(i % (size_t)result->columns), failed);
+        const size_t place =
+            render_is_projection(result->settings) ? render_projection_place(result, i) : i;
+        cli_json_add(object, "row", cli_json_count(place / (size_t)result->columns), failed);
+        cli_json_add(object, "column", cli_json_count(place % (size_t)result->columns), failed);
         if (cell->view != VIEW_FREE) {
             cli_json_add(object, "view", cJSON_CreateString(render_view_name(cell->view)), failed);
         }

@@ -3,6 +3,7 @@
 #define TOOL_RENDER_REPORT_H
 
 #include "burnish/drawing.h"
+#include "burnish/sheet.h"
 #include "font/font.h"
 #include "picture/verdict.h"
 #include "render/output/planes.h"
@@ -41,6 +42,7 @@ typedef struct render_result {
     render_plane_data planes;     /* of the only cell */
     uint64_t hash;
     int columns;
+    burnish_projection_sheet projection; /* of --views=third-angle and first-angle */
     render_environment environment;
     font *font;            /* of labels; NULL: burnish's own */
     size_t blank_cells;    /* blank cells */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "font/utf8.h"
+#include "render/output/projection.h"
 #include "render/scene/camera.h"
 
 static size_t empty_cells(size_t count, size_t columns) {
@@ -14,6 +15,9 @@ static size_t empty_cells(size_t count, size_t columns) {
  * cells; else almost a square, with one more column if that leaves fewer empty cells. */
 int render_sheet_columns(const render_settings *settings, size_t count) {
     size_t columns = 1;
+    if (render_is_projection(settings)) {
+        return 2;
+    }
     if (settings->picture.columns > 0) {
         return settings->picture.columns < (int)count ? settings->picture.columns : (int)count;
     }
@@ -128,7 +132,7 @@ static void warn_about_font(render_result *result) {
 burnish_status render_check_sheet(render_result *result, burnish_error *error) {
     render_sheet sheet;
     int width, height;
-    if (result->cell_count < 2) {
+    if (result->cell_count < 2 || render_is_projection(result->settings)) {
         return BURNISH_STATUS_OK;
     }
     render_list_cells(result, &sheet);
@@ -142,6 +146,9 @@ burnish_status render_compose(const render_result *result, burnish_image *image,
                               burnish_error *error) {
     render_sheet sheet;
     render_list_cells(result, &sheet);
+    if (render_is_projection(result->settings)) {
+        return render_compose_projection(result, sheet.ink, image, error);
+    }
     return burnish_image_sheet(image, sheet.cells, result->cell_count, result->columns,
                                result->options->background, sheet.ink, error);
 }

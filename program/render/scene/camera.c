@@ -73,6 +73,24 @@ const char *render_up_name(const burnish_mesh *mesh, const render_camera_setting
     return frame_in_use(mesh, camera)->name;
 }
 
+void render_axes(const burnish_mesh *mesh, const render_camera_settings *camera, int axes[3]) {
+    const frame *in_use = frame_in_use(mesh, camera);
+    const double *const along[3] = {in_use->right, in_use->up, in_use->front};
+    for (int k = 0; k < 3; ++k) {
+        axes[k] = along[k][0] != 0 ? 0 : along[k][1] != 0 ? 1 : 2;
+    }
+}
+
+void render_extents(const burnish_mesh *mesh, const render_camera_settings *camera,
+                    double extents[3]) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    int axes[3];
+    render_axes(mesh, camera, axes);
+    for (int k = 0; k < 3; ++k) {
+        extents[k] = (double)view->bounds_max[axes[k]] - (double)view->bounds_min[axes[k]];
+    }
+}
+
 static void combine(const frame *axes, const double weights[3], double scale, double result[3]) {
     for (int k = 0; k < 3; ++k) {
         result[k] = scale * (weights[0] * axes->right[k] + weights[1] * axes->up[k] +

@@ -11,6 +11,11 @@ typedef struct render_room {
     double height; /* of a parallel projection, before --zoom; 0: from the flags */
 } render_room;
 
+/* The mesh's axes along which width, height and depth of the front view lie, and these lengths. */
+void render_axes(const burnish_mesh *mesh, const render_camera_settings *camera, int axes[3]);
+void render_extents(const burnish_mesh *mesh, const render_camera_settings *camera,
+                    double extents[3]);
+
 /* The camera of one view of the mesh. room->inset receives the insets of the framing. */
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,

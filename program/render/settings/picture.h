@@ -13,12 +13,15 @@ typedef enum render_view {
     VIEW_LEFT,
     VIEW_TOP,
     VIEW_BOTTOM,
-    VIEW_ISO
+    VIEW_ISO,
+    VIEW_THIRD_ANGLE, /* layouts of several views */
+    VIEW_FIRST_ANGLE
 } render_view;
 
 typedef struct render_views {
     render_view items[RENDER_LIST_MAX];
     size_t count;
+    render_view layout; /* VIEW_THIRD_ANGLE, VIEW_FIRST_ANGLE, or VIEW_FREE: a contact sheet */
 } render_views;
 
 /* Rows of the picture that are drawn; count 0: all. */

@@ -100,6 +100,10 @@ burnish_status render_flag_rows(const cli_flag *flag, const char *text, void *ta
 
 burnish_status render_flag_views(const cli_flag *flag, const char *text, void *target,
                                  burnish_error *error) {
+    static const render_views third_angle = {
+        {VIEW_FRONT, VIEW_TOP, VIEW_RIGHT, VIEW_ISO}, 4, VIEW_THIRD_ANGLE};
+    static const render_views first_angle = {
+        {VIEW_FRONT, VIEW_TOP, VIEW_LEFT, VIEW_ISO}, 4, VIEW_FIRST_ANGLE};
     render_views *views = target;
     render_views read = {.count = 0};
     while (text) {
@@ -109,6 +113,15 @@ burnish_status render_flag_views(const cli_flag *flag, const char *text, void *t
         burnish_status status = cli_flag_word(flag, item, &view, error);
         if (status != BURNISH_STATUS_OK) {
             return status;
+        }
+        if (view == VIEW_THIRD_ANGLE || view == VIEW_FIRST_ANGLE) {
+            if (read.count > 0 || text) {
+                return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--%s: %s is a whole sheet; omit the other views", flag->name,
+                                item);
+            }
+            read = view == VIEW_FIRST_ANGLE ? first_angle : third_angle;
+            break;
         }
         if (read.count == RENDER_LIST_MAX) {
             return fail_list(flag, error);

@@ -1,0 +1,143 @@
+#include "render/output/projection.h"
+
+#include <string.h>
+
+#include "cli/main.h"
+#include "render/scene/camera.h"
+
+/* The size of a sheet without --resolution: A4 at 144 dots per inch. */
+enum { SHEET_WIDTH = 1684, SHEET_HEIGHT = 1190 };
+
+burnish_status render_check_projection(render_settings *settings, burnish_error *error) {
+    static const char *const fixed[] = {"camera-orthographic-height",
+                                        "zoom",
+                                        "camera-focal-point",
+                                        "margin",
+                                        "columns",
+                                        "labels",
+                                        "no-labels",
+                                        "font",
+                                        "lobe"};
+    static const char *const sizes[] = {"resolution", "size", "width", "height"};
+    int has_size = 0;
+    if (!render_is_projection(settings)) {
+        return BURNISH_STATUS_OK;
+    }
+    for (size_t i = 0; i < sizeof fixed / sizeof *fixed; ++i) {
+        if (cli_is_given(&render_command, settings, fixed[i])) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: a sheet of aligned views has its own layout; omit the flag",
+                            fixed[i]);
+        }
+    }
+    if (settings->camera.projection == PROJECTION_PERSPECTIVE) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--camera-orthographic: aligned views are parallel; omit the flag");
+    }
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        has_size |= cli_is_given(&render_command, settings, sizes[i]);
+    }
+    if (!has_size) {
+        settings->picture.size[0] = SHEET_WIDTH;
+        settings->picture.size[1] = SHEET_HEIGHT;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* The three views show the same scale with the object in the middle; the pictorial view has it too
+ * if it fits its cell. */
+static burnish_status aim(render_result *result, size_t i, burnish_error *error) {
+    render_settings settings = *result->settings;
+    const burnish_projection_sheet *sheet = &result->projection;
+    render_cell *cell = &result->cells[i];
+    render_room room = {.is_given = 1};
+    cell->image.width = settings.picture.size[0] = sheet->cells[i].width;
+    cell->image.height = settings.picture.size[1] = sheet->cells[i].height;
+    settings.picture.annotations = 0;
+    if (i == BURNISH_SHEET_PICTORIAL) {
+        room.is_given = 0;
+    } else {
+        room.height = sheet->cells[i].height / sheet->pixels_per_unit;
+    }
+    const burnish_status status =
+        render_camera(result->mesh, &settings, cell->view, &room, &cell->camera, error);
+    const double height = sheet->cells[i].height / sheet->pixels_per_unit;
+    if (cell->camera.orthographic_height < height) {
+        cell->camera.orthographic_height = height;
+    }
+    return status;
+}
+
+/* A pictorial view has no hidden lines. */
+void render_aim_projection(const render_result *result, const render_cell *cell,
+                           burnish_render_options *options) {
+    const int is_pictorial = cell - result->cells == BURNISH_SHEET_PICTORIAL;
+    options->width = cell->image.width;
+    options->height = cell->image.height;
+    if (result->settings->shading.hidden_lines) {
+        options->edges = is_pictorial ? options->edges & ~(unsigned)BURNISH_EDGES_HIDDEN
+                                      : options->edges | BURNISH_EDGES_HIDDEN;
+    }
+}
+
+burnish_status render_lay_out_projection(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    burnish_projection_sheet *sheet = &result->projection;
+    *sheet = (burnish_projection_sheet){.method = settings->picture.views.layout == VIEW_FIRST_ANGLE
+                                                      ? BURNISH_PROJECTION_FIRST_ANGLE
+                                                      : BURNISH_PROJECTION_THIRD_ANGLE,
+                                        .width = settings->picture.size[0],
+                                        .height = settings->picture.size[1],
+                                        .pixels_per_millimetre =
+                                            settings->output.dots_per_inch.value / 25.4};
+    render_extents(result->mesh, &settings->camera, sheet->extents);
+    burnish_status status = burnish_projection_lay_out(sheet, error);
+    for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+        status = aim(result, i, error);
+    }
+    return status;
+}
+
+/* Width and height belong to the front view, depth to the side view. */
+void render_limit_annotations(const render_result *result, const render_cell *cell,
+                              burnish_annotate_options *annotations) {
+    const size_t i = (size_t)(cell - result->cells);
+    int axes[3]; /* of width, height, depth */
+    render_axes(result->mesh, &result->settings->camera, axes);
+    annotations->text_height = result->projection.text_height;
+    annotations->kinds &= i == BURNISH_SHEET_FRONT  ? ~(unsigned)BURNISH_ANNOTATION_AXES
+                          : i == BURNISH_SHEET_SIDE ? BURNISH_ANNOTATION_DIMENSIONS
+                          : i == BURNISH_SHEET_TOP  ? 0
+                                                    : BURNISH_ANNOTATION_AXES;
+    annotations->lengths = i == BURNISH_SHEET_SIDE ? 1U << axes[2] : 1U << axes[0] | 1U << axes[1];
+}
+
+size_t render_projection_place(const render_result *result, size_t cell) {
+    static const uint8_t places[2][BURNISH_SHEET_VIEWS] = {{2, 0, 3, 1}, {0, 2, 1, 3}};
+    return places[result->projection.method == BURNISH_PROJECTION_FIRST_ANGLE][cell];
+}
+
+static const char *title(const render_result *result) {
+    const char *name = result->settings->input.name, *slash = strrchr(name, '/');
+    return slash ? slash + 1 : name;
+}
+
+burnish_status render_compose_projection(const render_result *result, const uint8_t ink[3],
+                                         burnish_image *image, burnish_error *error) {
+    const burnish_image *views[BURNISH_SHEET_VIEWS];
+    for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
+        views[i] = &result->cells[i].image;
+    }
+    return burnish_projection_image(&result->projection, title(result), views,
+                                    result->options->background, ink, image, error);
+}
+
+burnish_status render_draw_projection(const render_result *result, const uint8_t ink[3],
+                                      burnish_drawing **drawing, burnish_error *error) {
+    burnish_drawing *views[BURNISH_SHEET_VIEWS];
+    for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
+        views[i] = result->cells[i].drawing;
+    }
+    return burnish_projection_drawing(&result->projection, title(result), views, ink, drawing,
+                                      error);
+}

@@ -1,0 +1,36 @@
+/* --views=third-angle and first-angle: a sheet of aligned views. */
+#ifndef TOOL_RENDER_OUTPUT_PROJECTION_H
+#define TOOL_RENDER_OUTPUT_PROJECTION_H
+
+#include "render/output/report.h"
+
+/* 1: the views of the run are the cells of an aligned sheet. */
+static inline int render_is_projection(const render_settings *settings) {
+    return settings->picture.views.layout != VIEW_FREE &&
+           settings->picture.views.count == BURNISH_SHEET_VIEWS;
+}
+
+/* Refuses flags that the sheet leaves no choice, and finds its size. */
+burnish_status render_check_projection(render_settings *settings, burnish_error *error);
+
+/* Lays out the sheet of a loaded mesh, and gives cells their sizes and cameras. */
+burnish_status render_lay_out_projection(render_result *result, burnish_error *error);
+
+/* Gives options the size of a cell, and its lines. */
+void render_aim_projection(const render_result *result, const render_cell *cell,
+                           burnish_render_options *options);
+
+/* 2 * row + column of a cell. */
+size_t render_projection_place(const render_result *result, size_t cell);
+
+/* What is annotated in a cell of the sheet: each length once. */
+void render_limit_annotations(const render_result *result, const render_cell *cell,
+                              burnish_annotate_options *annotations);
+
+burnish_status render_compose_projection(const render_result *result, const uint8_t ink[3],
+                                         burnish_image *image, burnish_error *error);
+
+burnish_status render_draw_projection(const render_result *result, const uint8_t ink[3],
+                                      burnish_drawing **drawing, burnish_error *error);
+
+#endif
