@@ -1,6 +1,7 @@
-"""The wheel: Python's files, and the extension as CMake builds it with the library inside.
+"""The sdist with the C sources, and the wheel with the extension as CMake builds it, the library inside.
 
 BURNISH_BUILD names a build folder of the sources to build it in; without it there is one of its own.
+BURNISH_CMAKE has more options for CMake, and BURNISH_URL is the address of the repository.
 """
 
 import os
@@ -13,15 +14,18 @@ from pathlib import Path
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 from setuptools.command.sdist import sdist
-from setuptools.errors import SetupError
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
 except ImportError:  # before setuptools 70
     from wheel.bdist_wheel import bdist_wheel
 
-ROOT = Path(__file__).resolve().parents[2]
-BASE = ROOT / "build/setuptools"  # what setuptools leaves, besides the wheel
+HERE = Path(__file__).resolve().parent
+IN_SDIST = (HERE / "sources").exists()
+ROOT = HERE / "sources" if IN_SDIST else HERE.parents[1]
+BASE = (HERE if IN_SDIST else ROOT) / "build/setuptools"  # what setuptools leaves, besides the wheel
+URL = os.environ.get("BURNISH_URL")
+SYSTEM = {b"libc.so.6", b"libm.so.6", b"libdl.so.2", b"libpthread.so.0", b"ld-linux-x86-64.so.2", b"ld-linux-aarch64.so.1"}
 
 
 def version():
@@ -34,6 +38,7 @@ class Build(build_ext):
         folder = Path(os.environ.get("BURNISH_BUILD") or BASE / "cmake").resolve()
         if not (folder / "CMakeCache.txt").exists():
             options = ["-DCMAKE_BUILD_TYPE=Release", "-DBURNISH_PYTHON=ON", "-DBURNISH_TESTS=OFF", "-DBURNISH_SHARED=OFF"]
+            options += os.environ.get("BURNISH_CMAKE", "").split()
             subprocess.run(["cmake", "-S", ROOT, "-B", folder, f"-DPython3_EXECUTABLE={sys.executable}", *options], check=True)
         jobs = os.environ.get("BURNISH_JOBS") or str(os.cpu_count() or 1)
         subprocess.run(["cmake", "--build", folder, "--target", "burnish_python", "-j", jobs], check=True)
@@ -43,18 +48,34 @@ class Build(build_ext):
 
 
 class Sources(sdist):
-    def run(self):
-        raise SetupError("no sdist: the C sources are outside bindings/python; build a wheel in a checkout: pip wheel bindings/python")
+    """Puts what CMake reads into the folder sources."""
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        sources = Path(base_dir, "sources")
+        for folder in ("include", "src", "program", "scripts/cmake"):
+            shutil.copytree(ROOT / folder, sources / folder)
+        for file in (ROOT / "CMakeLists.txt", HERE / "CMakeLists.txt", *HERE.glob("*.[ch]")):
+            target = sources / file.relative_to(ROOT)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, target)
 
 
 class Wheel(bdist_wheel):
     def get_tag(self):
-        return ("cp311", "abi3", super().get_tag()[2])  # later Pythons load it too
+        """Later Pythons load it too, and so does any Linux with the C library's symbols, if no other library is needed."""
+        platform = super().get_tag()[2]
+        extension = Path(self.get_finalized_command("build_ext").get_ext_fullpath("burnish._burnish")).read_bytes()
+        if platform.startswith("linux_") and set(re.findall(rb"(?<=\0)(?:lib|ld-)[\w.+-]+\.so\.\d+(?=\0)", extension)) <= SYSTEM:
+            newest = max(map(int, re.findall(rb"\0GLIBC_2\.(\d+)", extension)))
+            platform = platform.replace("linux", f"manylinux_2_{newest}", 1)
+        return ("cp311", "abi3", platform)
 
 
 BASE.mkdir(parents=True, exist_ok=True)
 setup(
     version=version(),
+    project_urls={"Source": URL} if URL else {},
     ext_modules=[Extension("burnish._burnish", sources=[], py_limited_api=True)],
     cmdclass={"build_ext": Build, "bdist_wheel": Wheel, "sdist": Sources},
     options={"build": {"build_base": str(BASE / "base")}, "egg_info": {"egg_base": str(BASE)}},

@@ -1,0 +1,45 @@
+/* Old versions of the C library's functions, so one wheel works with every glibc since 2.17. The linker replaces calls of NAME by
+ * __wrap_NAME (--wrap), in the static libraries too. Newer glibc gave these functions new versions, with the same results: pow and
+ * its like without SVID's error handling, threads moved from libpthread, stat64 as a function of its own. */
+#include <math.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/stat.h>
+
+#ifndef __x86_64__
+#error "these versions are those of x86-64"
+#endif
+
+/* The function RESULT NAME(PARAMETERS) of version 2.2.5, which is called with ARGUMENTS. */
+#define OLD(result, name, parameters, arguments)                                                   \
+    result old_##name parameters;                                                                  \
+    __asm__(".symver old_" #name "," #name "@GLIBC_2.2.5");                                        \
+    result __wrap_##name parameters;                                                               \
+    result __wrap_##name parameters {                                                              \
+        return old_##name arguments;                                                               \
+    }
+
+OLD(double, exp, (double x), (x))
+OLD(double, exp2, (double x), (x))
+OLD(double, log, (double x), (x))
+OLD(double, pow, (double x, double y), (x, y))
+OLD(int, pthread_create,
+    (pthread_t * thread, const pthread_attr_t *attributes, void *(*start)(void *), void *data),
+    (thread, attributes, start, data))
+OLD(int, pthread_detach, (pthread_t thread), (thread))
+OLD(int, pthread_join, (pthread_t thread, void **result), (thread, result))
+OLD(int, pthread_once, (pthread_once_t * control, void (*start)(void)), (control, start))
+OLD(int, pthread_sigmask, (int how, const sigset_t *set, sigset_t *old), (how, set, old))
+
+/* Before 2.33, these functions had other names and took the version of struct stat, which is 1. */
+#define OLD_STAT(name, old, of)                                                                    \
+    int old_##name(int version, of, struct stat64 *status);                                        \
+    __asm__(".symver old_" #name "," #old "@GLIBC_2.2.5");                                         \
+    int __wrap_##name(of, struct stat64 *status);                                                  \
+    int __wrap_##name(of, struct stat64 *status) {                                                 \
+        return old_##name(1, file, status);                                                        \
+    }
+
+OLD_STAT(stat64, __xstat64, const char *file)
+OLD_STAT(lstat64, __lxstat64, const char *file)
+OLD_STAT(fstat64, __fxstat64, int file)
