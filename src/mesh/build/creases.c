@@ -229,6 +229,7 @@ static edge_counts count_edges(const burnish_surface *s, uint32_t position) {
     const uint32_t *corners = s->corners + s->first_corner[position];
     const size_t count = s->first_corner[position + (size_t)1] - s->first_corner[position];
     uint32_t next[FACES_MAX], previous[FACES_MAX];
+    burnish_vec3 normals[FACES_MAX];
     edge_counts counts = {0};
     if (count > FACES_MAX) {
         return counts;
@@ -237,12 +238,12 @@ static edge_counts count_edges(const burnish_surface *s, uint32_t position) {
         const uint32_t *around = s->corner_positions + corners[i] / 3 * (size_t)3;
         next[i] = around[after[corners[i] % 3 + 1]];
         previous[i] = around[after[corners[i] % 3 + 2]];
+        normals[i] = face_of(s, corners[i] / 3).normal;
     }
     for (size_t i = 0; i < count; ++i) {
         for (size_t j = 0; j < count; ++j) {
             if (next[i] == previous[j]) {
-                const double cosine = burnish_vec3_dot(face_of(s, corners[i] / 3).normal,
-                                                       face_of(s, corners[j] / 3).normal);
+                const double cosine = burnish_vec3_dot(normals[i], normals[j]);
                 ++counts.all;
                 counts.plane += cosine > PLANE_COSINE;
                 counts.flat += cosine > BURNISH_COPLANAR_COSINE;

@@ -15,7 +15,7 @@ enum {
     MAX_BITS = 6,        /* of a cell's number along an axis */
     CELL_TARGET = 512,   /* triangles per cell, on a surface of 4^bits cells */
     SLICES_MAX = 8,      /* counted separately: a megabyte each for large meshes */
-    SLICE_MIN = 1 << 16, /* triangles that are worth one */
+    SLICE_MIN = 1 << 14, /* triangles that are worth one */
     GROUP = 16,          /* triangles that are drawn together */
     GROUPS_SEEN = 512    /* of the file, at even distances */
 };

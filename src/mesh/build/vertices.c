@@ -69,6 +69,8 @@ typedef struct vertex_maker {
     burnish_weld_record *records; /* 1 per corner of one position */
     built_vertex *vertices;
     size_t count, capacity;
+    uint32_t *shared; /* of all makers, for each position with one vertex: its first corner; else
+                         BURNISH_NONE */
 } vertex_maker;
 
 /* ---- one position ---- */
@@ -208,14 +210,25 @@ static void number_corners(vertex_maker *maker, uint32_t position) {
     }
 }
 
-/* All corners of a position have one normal, the first in maker, and nothing else. */
+/* All corners of a position have one normal, the first in maker, and nothing else. Its corners are
+ * scattered: they get their indices later, in the order of the triangles. */
 static void share_vertex(vertex_maker *maker, uint32_t position) {
     const burnish_builder *b = maker->b;
-    const uint32_t *corners = b->corners + b->first_corner[position];
-    const uint32_t *end = b->corners + b->first_corner[position + (size_t)1];
-    append_vertex(maker, position, *corners, maker->normals);
-    for (const uint32_t *corner = corners; corner < end; ++corner) {
-        b->mesh->indices[*corner] = *corners;
+    const uint32_t corner = b->corners[b->first_corner[position]];
+    append_vertex(maker, position, corner, maker->normals);
+    maker->shared[position] = corner;
+}
+
+/* The first corner of its vertex for each corner of a position with one vertex. */
+static void index_shared(void *context, size_t first, size_t end) {
+    const vertex_maker *maker = context;
+    const uint32_t *positions = maker->b->corner_positions, *shared = maker->shared;
+    uint32_t *indices = maker->b->mesh->indices;
+    for (size_t i = 3 * first; i < 3 * end; ++i) {
+        const uint32_t corner = shared[positions[i]];
+        if (corner != BURNISH_NONE) {
+            indices[i] = corner;
+        }
     }
 }
 
@@ -331,13 +344,14 @@ static int find_width(void) {
                                        : isa == BURNISH_ISA_AVX2;
 }
 
-static vertex_maker *create_makers(burnish_builder *b, int count) {
+static vertex_maker *create_makers(burnish_builder *b, int count, uint32_t *shared) {
     const size_t corners = 3 * b->triangle_count;
     const int wide = find_width();
     vertex_maker *makers =
         burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *makers, "vertices");
     for (int i = 0; i < count && makers; ++i) {
         makers[i].b = b;
+        makers[i].shared = shared;
         makers[i].wide = wide;
         makers[i].memory = burnish_memory_of(b->memory->context, &makers[i].error);
         create_scratch(&makers[i], corners < CORNERS_PER_BATCH ? corners : CORNERS_PER_BATCH);
@@ -422,11 +436,18 @@ static burnish_status build_any(burnish_builder *b) {
         burnish_positions(b->data), b->corner_positions, b->first_corner, b->corners, 0, NULL};
     b->surface.is_organic = !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
                             burnish_surface_is_organic(&b->surface, b->position_count);
-    vertex_maker *makers = create_makers(b, count);
+    uint32_t *shared = burnish_allocate(b->memory, b->position_count, sizeof *shared, "vertices");
+    vertex_maker *makers = create_makers(b, count, shared);
     status = b->memory->status;
     if (status == BURNISH_STATUS_OK) {
+        memset(shared, 0xff, b->position_count * sizeof *shared);
         status = make_vertices(b, makers, count);
     }
+    if (status == BURNISH_STATUS_OK) {
+        burnish_tasks_ranges(b->data->tasks, b->triangle_count, BURNISH_BUILD_GRAIN, index_shared,
+                             &makers[0]);
+    }
+    burnish_release(b->memory->context, shared);
     if (status == BURNISH_STATUS_OK) {
         burnish_build_release_corners(b, b->has_extras);
         status = burnish_build_allocate_vertices(b);
