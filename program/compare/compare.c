@@ -19,7 +19,7 @@ static cli_work work;
 
 #define TARGET(member) .offset = offsetof(compare_settings, member)
 
-static const cli_word map_words[] = {{"codes", COMPARE_CODES}, {"flip", COMPARE_FLIP}, {NULL, 0}};
+static const cli_word map_words[] = {{"values", COMPARE_CODES}, {"flip", COMPARE_FLIP}, {NULL, 0}};
 
 static const cli_flag flags[] = {
     {.group = "Comparing",
@@ -42,8 +42,8 @@ static const cli_flag flags[] = {
          "The error of *--threshold*: *ssim*, 1 minus the structural similarity; *flip*, the mean "
          "of FLIP; *pixels*, the share of pixels that differ. See *NUMBERS OF A COMPARISON*."},
     {CLI_FLAG("map", "NAME", "content of the third panel", cli_flag_word, map),
-     .default_text = "codes", .words = map_words,
-     .manual = "Content of the third panel of the picture: *codes*, the difference of the channel "
+     .default_text = "values", .words = map_words,
+     .manual = "Content of the third panel of the picture: *values*, the difference of the channel "
                "that differs most; *flip*, FLIP of each pixel."},
     {CLI_JSON_FLAG(compare_settings, json, "one JSON object instead of text, in FILE too",
                    "NUMBERS OF A COMPARISON")},

@@ -155,10 +155,11 @@ static void write_numbers(const layout *l, const burnish_comparison *n, float y,
     if (isfinite(n->silhouette_iou)) {
         snprintf(iou, sizeof iou, ", silhouettes' IoU %.4f", n->silhouette_iou);
     }
-    snprintf(
-        lines[0], LINE_SIZE, "%.3g %% of the pixels differ, by %d codes at most, %.3g on average",
-        100 * (double)n->different_pixels / (double)n->pixels,
-        most > n->largest[2] ? most : n->largest[2], (n->mean[0] + n->mean[1] + n->mean[2]) / 3);
+    snprintf(lines[0], LINE_SIZE,
+             "%.3g %% of the pixels differ, by %d of 255 at most, by %.3g on average",
+             100 * (double)n->different_pixels / (double)n->pixels,
+             most > n->largest[2] ? most : n->largest[2],
+             (n->mean[0] + n->mean[1] + n->mean[2]) / 3);
     if (isfinite(n->psnr)) {
         snprintf(lines[1], LINE_SIZE, "PSNR %.2f dB%s, FLIP %.4f%s", n->psnr, ssim, n->flip, iou);
     } else {
@@ -173,7 +174,7 @@ static void annotate(const layout *l, const picture_panels *panels, double end,
                      burnish_image *made) {
     const char *labels[PANELS] = {
         panels->labels[0], panels->labels[1],
-        panels->flip_map ? "FLIP" : "B - A, 8-bit codes of the channel that differs most"};
+        panels->flip_map ? "FLIP" : "B - A, 8-bit values of the channel that differs most"};
     static const char *const letters[PANELS] = {"A: ", "B: ", ""};
     int x, y;
     for (int i = 0; i < PANELS; ++i) {

@@ -182,8 +182,8 @@ static void paint_errors(const viewer *v, const burnish_pixels *window) {
     if (d->pixels == 0) {
         snprintf(text, sizeof text, "%s minus %s: no pixel differs", names[1], names[0]);
     } else {
-        snprintf(text, sizeof text, "%s minus %s in codes: at most %d, PSNR %.1f dB", names[1],
-                 names[0], d->largest, 20 * log10(255 / d->rmse));
+        snprintf(text, sizeof text, "%s minus %s in 8-bit values: at most %d, PSNR %.1f dB",
+                 names[1], names[0], d->largest, 20 * log10(255 / d->rmse));
     }
     view_paint_scale(window, v->scale, text);
 }

@@ -158,7 +158,13 @@ static burnish_status parse(const char *text, int only_drawn, burnish_lobe_spec 
                             "to %d",
                             text, BURNISH_LOBE_ENTRIES_MAX);
     }
-    if (!word || !read_tail(word, text + strlen(word->text), &read)) {
+    const char *rest = word ? text + strlen(word->text) : "";
+    if (word && word->tail == ORDER && *rest == ':' && read_order(rest) == 0) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "\"%.40s\": the order, \"%.20s\", is not 2, 4, 8, 16 or 32", text,
+                            rest + 1);
+    }
+    if (!word || !read_tail(word, rest, &read)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "\"%.40s\" is not a lobe; %s%s", text,
                             BURNISH_LOBE_DRAWN_WORDS,
                             only_drawn ? "" : ", nv2x, kuijk-blake, tableN[:linear]");

@@ -50,6 +50,9 @@ static void check_words(void) {
                   error.text[0],
               "\"%s\" is no lobe to draw", BAD[i]);
     }
+    burnish_error error;
+    burnish_lobe_spec_parse("energy:3", &lobe, &error);
+    CHECK_TEXT(error.text, "\"energy:3\": the order, \"3\", is not 2, 4, 8, 16 or 32");
     CHECK1(burnish_lobe_spec_parse("shift7", &lobe, NULL) == BURNISH_STATUS_OK && lobe.order == 2);
     CHECK1(burnish_lobe_spec_check(&(burnish_lobe_spec){0}, NULL) == BURNISH_STATUS_ARGUMENT);
     burnish_lobe_spec_name(&(burnish_lobe_spec){.kind = BURNISH_LOBE_KIND_COUNT}, name,
