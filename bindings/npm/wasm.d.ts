@@ -228,10 +228,15 @@ export interface Comparison {
 
 /** A mesh in memory, for several pictures. */
 export interface Mesh {
+  readonly triangles: number;
+  readonly vertices: number;
+  readonly boundingBox: { min: number[]; max: number[] };
+  /** The up axis: "+Y". */
+  readonly up: string;
   /** With the option `measure`; null for a file of points or lines. */
   readonly facts?: Facts | null;
   render(options?: DrawOptions): Picture;
-  /** Releases its memory. */
+  /** Releases its memory at once. Without it, memory is released some time after the last reference is gone. */
   close(): void;
 }
 

@@ -30,7 +30,7 @@ const LOADING = new Set([
 ]);
 
 // In the order of session_number, theory_number and theory_convert.
-const NUMBERS = ["width", "height", "channels", "hashHigh", "hashLow", "coveredPixels", "triangles", "vertices"];
+const NUMBERS = ["width", "height", "channels", "hashHigh", "hashLow", "coveredPixels"];
 const FACTS = [
   "zeta", "scale", "cutoffCosine", "zeroAngle", "halfAngle", "maximumError", "integral", "cosineIntegral",
   "multiplications", "additions", "comparisons", "divisions", "transcendentals", "lookups",
@@ -239,7 +239,15 @@ class Burnish {
     return new Mesh(session, {
       draw: (at, drawn) => this.#draw(at, drawn),
       close: (at) => e.session_destroy(at),
-    }, options.measure ? this.#facts(session) : undefined);
+    }, { ...this.#size(session), facts: options.measure ? this.#facts(session) : undefined });
+  }
+
+  // What a mesh is before it is drawn.
+  #size(session) {
+    const numbers = Array.from({ length: 15 }, (_, i) => this.#exports.session_number(session, i));
+    return {
+      triangles: numbers[6], vertices: numbers[7], boundingBox: { min: numbers.slice(8, 11), max: numbers.slice(11, 14) }, up: UPS[numbers[14]],
+    };
   }
 
   // The facts of an open session; null for points and lines.
@@ -266,8 +274,7 @@ class Burnish {
         throw this.#failure();
       }
     });
-    const numbers = Array.from({ length: 15 }, (_, i) => e.session_number(session, i));
-    const facts = Object.fromEntries(NUMBERS.map((key, i) => [key, numbers[i]]));
+    const facts = Object.fromEntries(NUMBERS.map((key, i) => [key, e.session_number(session, i)]));
     const pixels = options.rgba ? this.#rgba(session, 4 * facts.width * facts.height)
       : new Uint8Array(e.memory.buffer, e.session_pixels(session), facts.width * facts.height * facts.channels).slice();
     const camera = [...new Float64Array(e.memory.buffer, e.session_camera(session), 11)];
@@ -283,10 +290,7 @@ class Burnish {
       pixels,
       hash: hex(facts.hashHigh) + hex(facts.hashLow),
       coveredPixels: facts.coveredPixels,
-      triangles: facts.triangles,
-      vertices: facts.vertices,
-      boundingBox: { min: numbers.slice(8, 11), max: numbers.slice(11, 14) },
-      up: UPS[numbers[14]],
+      ...this.#size(session),
       camera: {
         position: camera.slice(0, 3),
         focalPoint: camera.slice(3, 6),
@@ -458,16 +462,20 @@ class Burnish {
   }
 }
 
+// Releases the memory of meshes that were not closed, some time after the last reference is gone.
+const forgotten = typeof FinalizationRegistry === "function" ? new FinalizationRegistry(({ session, module }) => module.close(session)) : null;
+
 /** A loaded mesh, for several pictures. Close it when you no longer need it. */
 class Mesh {
   #session;
   #module;
 
-  constructor(session, module, facts) {
+  /** `what` has triangles, vertices, boundingBox, up, and facts with the option `measure`. */
+  constructor(session, module, what) {
     this.#session = session;
     this.#module = module;
-    /** With the option `measure`: size, area, volume and defects; null for points and lines. */
-    this.facts = facts;
+    Object.assign(this, what);
+    forgotten?.register(this, { session, module }, this);
   }
 
   render(options = {}) {
@@ -482,6 +490,7 @@ class Mesh {
   }
 
   close() {
+    forgotten?.unregister(this);
     this.#module.close(this.#session);
     this.#session = 0;
   }

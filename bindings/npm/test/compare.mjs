@@ -105,7 +105,10 @@ const [burnish] = instances;
 
 {
   const mesh = burnish.open(files["cube.obj"], { name: "cube.obj", files });
-  const first = mesh.render({ size: 64 }).hash;
+  const drawn = mesh.render({ size: 64 }), first = drawn.hash;
+  for (const key of ["triangles", "vertices", "boundingBox", "up"]) {
+    check(`mesh.${key}`, JSON.stringify(mesh[key]), JSON.stringify(drawn[key]));
+  }
   mesh.render({ size: 100, color: "red", material: "metal", look: "clay" });
   check("options of one picture do not stay", mesh.render({ size: 64 }).hash, first);
   mesh.close();
