@@ -47,20 +47,34 @@ async function info({ input }) {
   }
 }
 
-/** The camera that shows both boxes from the direction of a picture. */
-function cameraOfBoth(pictures) {
-  const { position, focalPoint, viewUp, viewAngle, orthographicHeight } = pictures[0].camera;
-  const low = [0, 1, 2].map((k) => Math.min(...pictures.map(({ boundingBox }) => boundingBox.min[k])));
-  const high = [0, 1, 2].map((k) => Math.max(...pictures.map(({ boundingBox }) => boundingBox.max[k])));
-  const radius = 0.5 * Math.hypot(...high.map((most, k) => most - low[k])) * 1.05;
-  const away = position.map((p, k) => p - focalPoint[k]), length = Math.hypot(...away);
-  const distance = orthographicHeight > 0 ? length : radius / Math.sin((viewAngle * Math.PI) / 360);
-  const middle = low.map((least, k) => 0.5 * (least + high[k]));
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const unit = (a) => a.map((x) => x / Math.hypot(...a));
+/** The middle of an interval that is common to, or holds, intervals around the coordinates `x`. */
+const middleOf = (x, sizes, isCommon) => {
+  const [low, high] = [x.map((v, i) => v - sizes[i]), x.map((v, i) => v + sizes[i])];
+  return 0.5 * (isCommon ? Math.max(...low) + Math.min(...high) : Math.min(...low) + Math.max(...high));
+};
+
+/** The camera that shows what two cameras with one direction show, in pictures of the same proportions. */
+function cameraOfBoth(cameras, aspect) {
+  const { position, focalPoint, viewUp, viewAngle, orthographicHeight } = cameras[0];
+  const away = unit(position.map((p, k) => p - focalPoint[k])), right = unit(cross(viewUp, away)), up = cross(away, right);
+  const [x, y, z] = [right, up, away].map((axis) => cameras.map((camera) => dot(camera.position, axis)));
+  const isParallel = orthographicHeight > 0, half = cameras.map((camera) => camera.orthographicHeight / 2);
+  const slope = Math.tan((viewAngle * Math.PI) / 360);
+  // a perspective moves back until its pyramid holds both positions
+  const back = isParallel ? Math.max(...z)
+    : Math.max(...z, 0.5 * (z[0] + z[1] + Math.max(Math.abs(x[0] - x[1]) / aspect, Math.abs(y[0] - y[1])) / slope));
+  const height = isParallel ? half : z.map((v) => slope * (back - v)), width = height.map((h) => aspect * h);
+  const at = [middleOf(x, width, !isParallel), middleOf(y, height, !isParallel), back];
+  const eye = [0, 1, 2].map((k) => right[k] * at[0] + up[k] * at[1] + away[k] * at[2]);
+  const reach = (v, sizes) => Math.max(...v.map((c, i) => c + sizes[i])) - Math.min(...v.map((c, i) => c - sizes[i]));
   return {
-    cameraFocalPoint: middle,
-    cameraPosition: middle.map((m, k) => m + (away[k] / length) * distance),
+    cameraPosition: eye,
+    cameraFocalPoint: eye.map((e, k) => e - away[k]),
     cameraViewUp: viewUp,
-    ...(orthographicHeight > 0 ? { cameraOrthographicHeight: 2 * radius } : { cameraViewAngle: viewAngle }),
+    ...(isParallel ? { cameraOrthographicHeight: Math.max(reach(y, height), reach(x, width) / aspect) } : { cameraViewAngle: viewAngle }),
   };
 }
 
@@ -68,10 +82,10 @@ async function drawBoth(inputs, view, width, height) {
   const meshes = [];
   try {
     for (const input of inputs) {
-      meshes.push(await open(input));
+      meshes.push(await open(input, meshes[0] && { up: meshes[0].up }));
     }
-    const first = meshes.map((mesh) => mesh.render({ size: 32, look: "plain", views: view }));
-    const camera = cameraOfBoth(first);
+    const framed = meshes.map((mesh) => mesh.render({ resolution: [width, height], samples: 1, look: "plain", views: view }).camera);
+    const camera = cameraOfBoth(framed, width / height);
     return meshes.map((mesh) => mesh.render({ ...camera, resolution: [width, height] }));
   } finally {
     meshes.forEach((mesh) => mesh.close());

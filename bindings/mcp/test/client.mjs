@@ -55,8 +55,12 @@ assert.equal(json.volume, json.boundingBox.size.reduce((product, side) => produc
 // compare: the same, a difference, pictures
 const same = await call("compare", { before: "cube.obj", after: join(folder, "cube.obj"), width: 32, height: 32 });
 assert.deepEqual([same.json.same, same.json.psnr, same.images[0].width], [true, null, 96]);
-const moved = await call("compare", { before: ":sphere", after: ":torus", view: "front", width: 64, height: 64 });
-assert.ok(!moved.json.same && moved.json.silhouetteIou < 0.9 && moved.json.differentPixels > 100);
+for (const view of ["front", undefined]) {
+  const { json } = await call("compare", { before: ":sphere", after: ":teapot", view, width: 160, height: 120 });
+  const [left, top, right, bottom] = json.bounds;
+  assert.ok(!json.same && json.silhouetteIou < 0.9 && json.differentPixels > 500, `${view}: ${JSON.stringify(json)}`);
+  assert.ok(left > 0 && top > 0 && right < 160 && bottom < 120 && (right - left > 120 || bottom - top > 90), `${view}: both fill the picture: ${json.bounds}`);
+}
 writeFileSync(join(folder, "picture.png"), pngjs.PNG.sync.write(drawn.images[0]));
 assert.equal((await call("compare", { before: "picture.png", after: "picture.png" })).json.same, true);
 await fails("compare", { before: "picture.png", after: ":sphere" }, /two of the same kind/);
