@@ -7,7 +7,7 @@ const HEIGHT = 210;
 
 function axis(format) {
   return {
-    stroke: () => color("--soft"), font: FONT, size: 46, gap: 6, values: (u, ticks) => ticks.map((tick) => (tick === null ? "" : format(tick))),
+    stroke: () => color("--soft"), font: FONT, size: 52, gap: 6, values: (u, ticks) => ticks.map((tick) => (tick === null ? "" : format(tick))),
     grid: { stroke: () => color("--line"), width: 1 }, ticks: { show: false },
   };
 }
@@ -80,7 +80,7 @@ export function makeCurves() {
   const value = plot({ id: "plot-value", series: [LOBE, OTHER, OVERLAY, line("--overlay")], x: angle,
     y: { range: [0, 1.03], format: (v) => v.toFixed(1), read: (v) => v.toFixed(3) } });
   const error = plot({ id: "plot-error", series: [LOBE, OTHER, OVERLAY, line("--overlay")], x: angle,
-    y: { range: reach(1e-4), format: (v) => (v === 0 ? "0" : v.toFixed(3).replace(/^(-?)0/, "$1")), read: (v) => v.toFixed(4) } });
+    y: { range: reach(1e-4), format: (v) => (v === 0 ? "0" : v.toFixed(3)), read: (v) => v.toFixed(4) } });
   const largest = over("plot-largest", [LOBE, OTHER], { range: (u, low, high) => [0, Math.max(1e-3, high ?? 0) * 1.12], format: short, read: (v) => v.toFixed(4) });
   const energy = over("plot-energy", [LOBE, OTHER], {
     range: (u, low, high) => [Math.min(95, (low ?? 100) - 2), Math.max(105, (high ?? 100) + 2)], format: (v) => `${short(v)}%`, read: (v) => `${v.toFixed(1)} %` });
