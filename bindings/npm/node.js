@@ -3,6 +3,8 @@ import { readFileSync, readdirSync, statSync } from "node:fs";
 import { basename, dirname, extname, join, relative, sep } from "node:path";
 import { deflateSync } from "node:zlib";
 
+const MOST_PIXELS = 2 ** 27;
+
 /** A PNG file of a picture with three or four channels. */
 export function encodePng({ width, height, channels, pixels }) {
   const stride = width * channels, rows = Buffer.alloc(height * (stride + 1));
@@ -39,7 +41,10 @@ export async function findDecoder() {
   const optional = (name) => import(name).then((module) => module.default ?? module, () => null);
   const [png, jpeg] = await Promise.all([optional("pngjs"), optional("jpeg-js")]);
   return (bytes) => {
-    const isPng = bytes[0] === 137, isJpeg = bytes[0] === 255;
+    const isPng = bytes[0] === 137, isJpeg = bytes[0] === 255, head = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    if (isPng && (bytes.length < 24 || head.getUint32(16) * head.getUint32(20) > MOST_PIXELS)) {
+      throw new Error("more pixels than any texture needs"); // pngjs would allocate them first
+    }
     const decoded = isPng && png ? png.PNG.sync.read(Buffer.from(bytes)) : isJpeg && jpeg ? jpeg.decode(bytes, { useTArray: true }) : null;
     if (!decoded) {
       throw new Error("no decoder for this texture; install pngjs and jpeg-js");
