@@ -119,17 +119,16 @@ static const cli_flag flags[] = {
          "Each input is read and drawn in a process of its own. If the program was built with "
          "libseccomp, that process can't open files (docs/security.md). With this flag it can; the "
          "next run then does not check referenced textures and material libraries for changes."},
-    {CLI_SWITCH("no-seconds", "leave seconds out of the report", no_seconds),
+    {CLI_SWITCH("no-seconds", "omit times from the report", no_seconds),
      .manual =
          "Leaves *seconds* out of the report, which is then identical on every run and machine."},
-    {CLI_FLAG("runners", "N", "use N runners, connected from descriptor 3 on", cli_flag_integer,
-              runners),
+    {CLI_FLAG("runners", "N", "share the work with N processes", cli_flag_integer, runners),
      CLI_RANGE(0, 65536),
      .manual = "For programs that start runners on other machines, such as *burnish-mpi* "
                "(docs/scale.md): the sockets from descriptor 3 on are connected to processes "
                "*burnish batch --runner* with the same flags. If a socket closes, its items go to "
                "other runners. The default of *--jobs* is then 1."},
-    {CLI_SWITCH("runner", "be a runner", runner),
+    {CLI_SWITCH("runner", "draw for a process with --runners", runner),
      .manual = "Draws the items received on the socket at descriptor 3. _INPUT_ is ignored."},
     {.group = "Picture",
      .topic = "picture",

@@ -119,13 +119,20 @@ static burnish_status help_work(void *from, cli_call *call, burnish_error *error
 
 /* ---- The program ---- */
 
+static int is_command(const char *name) {
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        if (strcmp(name, cli_commands[i]->name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* Whether the first argument is a mesh or a flag instead of a command: `render` is implied. */
 static int implies_render(const char *argument) {
     const char *dot = strrchr(argument, '.');
-    for (size_t i = 0; cli_commands[i]; ++i) {
-        if (strcmp(argument, cli_commands[i]->name) == 0) {
-            return 0;
-        }
+    if (is_command(argument)) {
+        return 0;
     }
     return argument[0] == ':' || argument[0] == '-' || strchr(argument, '/') ||
            (dot && strlen(dot) <= 5) || access(argument, F_OK) == 0;
@@ -137,6 +144,10 @@ int main(int argc, char **argv) {
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
         print_first_screen();
         return cli_exit_code(cli_finish_output(&error), &error);
+    }
+    if (argc == 2 && strncmp(argv[1], "--help=", 7) == 0 && is_command(argv[1] + 7)) {
+        char *name = argv[1] + 7;
+        return cli_run(&cli_help_command, 1, &name);
     }
     if (argc > 1 && (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)) {
         printf("burnish %s\n", burnish_version());

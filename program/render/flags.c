@@ -387,7 +387,7 @@ static const cli_flag flags[] = {
     {CLI_FLAG("environment-strength", "F", "factor of the environment's light", cli_flag_real,
               shading.environment.strength),
      CLI_RANGE(0, 1000), .default_text = "1", .manual = "Factor of the environment's light."},
-    {CLI_FLAG("environment-turn", "DEGREES", "turns the environment about the up axis",
+    {CLI_FLAG("environment-turn", "DEGREES", "rotation of the environment about the up axis",
               cli_flag_real, shading.environment.turn),
      CLI_RANGE(-3600, 3600), .default_text = "0",
      .manual = "Turns the environment about the up axis, counter-clockwise from above. At 0 the "
@@ -402,7 +402,7 @@ static const cli_flag flags[] = {
      .manual = "Ambient occlusion darkens creases, holes and undersides. _N_ is the number of "
                "directions from which light arrives, or *none*; odd numbers are rounded up. More "
                "directions are smoother and slower."},
-    {CLI_SWITCH("ground", "a soft shadow below the object", shading.ground), .common = 1,
+    {CLI_SWITCH("ground", "draw a soft shadow below the object", shading.ground), .common = 1,
      .aliases = "contact-shadow,ground-shadow",
      .manual = "A soft shadow on the horizontal plane through the object's lowest point, if the "
                "camera is above it. The plane itself is invisible: it darkens the background, and "
