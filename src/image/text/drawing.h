@@ -1,8 +1,8 @@
 /* Drawings within the library: what the public functions put into one.
  *
- * A drawing is the text of an SVG's body, in the order of the calls: later parts cover earlier
- * ones. Coordinates are pixels from the top left corner, rounded to hundredths; libc does not
- * format them, since a locale could change its output. */
+ * A drawing is a display list of operations in the order of the calls: later parts cover earlier
+ * ones. Coordinates are pixels from the top left corner. svg.c and pdf.c round them to hundredths
+ * and write them. */
 #ifndef BURNISH_IMAGE_TEXT_DRAWING_H
 #define BURNISH_IMAGE_TEXT_DRAWING_H
 
@@ -12,18 +12,52 @@
 #include "core/memory.h"
 #include "image/text/outline.h"
 #include "image/text/strokes.h"
+#include "image/text/writer.h"
+
+typedef enum burnish_drawing_kind {
+    BURNISH_DRAWING_OPEN,  /* a group of lines: color; width is its opacity */
+    BURNISH_DRAWING_CLOSE, /* ... ends */
+    BURNISH_DRAWING_LINES, /* of one width, in the group's colour, with round ends */
+    BURNISH_DRAWING_HATCH, /* of one width, with ends that are cut straight */
+    BURNISH_DRAWING_AREA,  /* between closed lines */
+    BURNISH_DRAWING_PLACE, /* a drawing within this one: area */
+    BURNISH_DRAWING_LEAVE  /* ... ends */
+} burnish_drawing_kind;
+
+typedef struct burnish_drawing_op {
+    burnish_drawing_kind kind;
+    uint8_t color[3];
+    int is_even_odd; /* of an area */
+    float width;
+    int area[4];       /* x, y, width, height */
+    size_t name;       /* 1 + where it starts in the names; 0: none */
+    size_t first, end; /* lines */
+} burnish_drawing_op;
 
 struct burnish_drawing {
     const burnish_context *context;
     int width, height;
     burnish_memory memory; /* of the current call */
-    char *text;
-    size_t size, capacity;
-    int has_point; /* 1: the current path has a point; the next one is relative to it */
-    int32_t x, y;  /* that point, hundredths */
-    float *points; /* of the current line: x, y */
+    burnish_drawing_op *ops;
+    size_t op_count, op_capacity;
+    size_t *starts; /* of each line its first point, and the end of the last */
+    size_t line_count, start_capacity;
+    float *points; /* x, y */
     size_t point_count, point_capacity;
+    char *names; /* each ends in 0 */
+    size_t name_size, name_capacity;
 };
+
+/* The text that an operation shows, or NULL. */
+const char *burnish_drawing_name(const burnish_drawing *drawing, const burnish_drawing_op *op);
+
+/* Checks arguments of encoders. Errors: ARGUMENT. */
+burnish_status burnish_drawing_check_encode(const char *format, const burnish_drawing *drawing,
+                                            double dots_per_inch, int has_target,
+                                            burnish_error *error);
+
+/* Hands over what was written; returns its status. */
+burnish_status burnish_drawing_end_encode(burnish_text_writer *out, char **text, size_t *size);
 
 /* Errors of the functions below go to `error`, and stay in drawing->memory.status. */
 void burnish_drawing_use(burnish_drawing *drawing, burnish_error *error);
@@ -45,12 +79,11 @@ void burnish_drawing_lines(burnish_drawing *drawing, const uint32_t *starts, con
 void burnish_drawing_strokes(burnish_drawing *drawing, const burnish_stroke *strokes, size_t count,
                              const char *name);
 
-/* An area between closed lines: begin, each line, end.
+/* An area between closed lines: begin, then each line.
  *   is_even_odd  1: a line inside another is a hole; 0: one of the same sense is not
  *   points       count of them, the last one equal to the first */
 void burnish_drawing_begin_area(burnish_drawing *drawing, const uint8_t color[3], int is_even_odd);
 void burnish_drawing_add_border(burnish_drawing *drawing, const float *points, size_t count);
-void burnish_drawing_end_area(burnish_drawing *drawing);
 
 /* Lines of one width whose ends are cut straight: x0, y0, x1, y1 of each. */
 void burnish_drawing_hatch(burnish_drawing *drawing, const uint8_t color[3], float width,

@@ -267,7 +267,6 @@ static void add_areas(const tracing *t, burnish_drawing *drawing, burnish_memory
             burnish_drawing_add_border(drawing, borders.points + 2 * start,
                                        borders.starts[k + 1] - start);
         }
-        burnish_drawing_end_area(drawing);
         if (a->way >= 0) { /* through the middles of pixels, as the picture has them */
             burnish_borders_hatch(&borders, a->way, BURNISH_HATCH_PERIOD, a->way ? 0 : 1, memory);
             store_color(a->light, 1, color);
