@@ -10,7 +10,7 @@ const SWITCHES = new Set(["cull-back-faces", "no-background", "ground", "shadow"
 const OPTIONAL = new Set(["edges", "camera-orthographic"]); // --name or --name=VALUE
 const SHORT = { o: "output", s: "size", q: "quiet" };
 const EXIT = { ARGUMENT: 2, READ: 3, FORMAT: 4, LIMIT: 5, MEMORY: 6, WRITE: 7 };
-const IMAGES = new Set([".png", ".jpg", ".jpeg", ".webp", ".gif", ".svg", ".exr", ".npy", ".bmp"]);
+const IMAGES = new Set([".png", ".jpg", ".jpeg", ".webp", ".gif", ".svg", ".pdf", ".exr", ".npy", ".bmp"]);
 const HELP = `Usage: burnish INPUT [OUTPUT.png] [options]   draws a mesh into a PNG
 
   -o, --output=FILE   the PNG; - is standard output [INPUT's name]

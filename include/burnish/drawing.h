@@ -1,4 +1,4 @@
-/* burnish/drawing.h: a drawing of lines and areas, written as SVG.
+/* burnish/drawing.h: a drawing of lines and areas, written as SVG or PDF.
  *
  * burnish_renderer_trace() of render.h adds a mesh to a drawing, burnish_annotate_drawing() of
  * annotate.h dimensions and axes, burnish_drawing_sheet() of sheet.h arranges several.
@@ -44,6 +44,17 @@ BURNISH_API burnish_status burnish_drawing_create(const burnish_context *context
  *   size           receives the size in bytes, without the 0
  * Errors: ARGUMENT, MEMORY. */
 BURNISH_API burnish_status burnish_drawing_encode_svg(const burnish_drawing *drawing,
+                                                      const char *title,
+                                                      const uint8_t background[3],
+                                                      double dots_per_inch, char **text,
+                                                      size_t *size, burnish_error *error);
+
+/* Encodes a drawing as a PDF of one page, with the same bytes on every machine. Letters are paths;
+ * labels are in addition invisible text, which readers can search.
+ *   title          ASCII; other characters become '?'; NULL: no title
+ *   dots_per_inch  [1, 1e6]; 0: 96
+ * Other parameters and errors as for burnish_drawing_encode_svg(). */
+BURNISH_API burnish_status burnish_drawing_encode_pdf(const burnish_drawing *drawing,
                                                       const char *title,
                                                       const uint8_t background[3],
                                                       double dots_per_inch, char **text,

@@ -321,7 +321,7 @@ static burnish_status check(batch *b, burnish_error *error) {
     burnish_status status = render_finish(&settings, error);
     if (status == BURNISH_STATUS_OK && b->settings->sheet &&
         (settings.output.format == PICTURE_EXR || settings.output.format == PICTURE_NPY ||
-         settings.output.format == PICTURE_SVG)) {
+         picture_is_drawing((picture_format)settings.output.format))) {
         status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
                           "--sheet: needs pictures in PNG, JPEG or WebP; see --output");
     }

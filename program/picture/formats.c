@@ -26,6 +26,7 @@ static const format_row rows[PICTURE_COUNT] = {
                      WITH(BURNISH_HAS_EXR, "OpenEXR")},
     [PICTURE_NPY] = {"NPY", "npy", NULL, PICTURE_STILL | PICTURE_PLANE, NULL},
     [PICTURE_SVG] = {"SVG", "svg", NULL, PICTURE_LINES, NULL},
+    [PICTURE_PDF] = {"PDF", "pdf", NULL, PICTURE_LINES, NULL},
     [PICTURE_GIF] = {"GIF", "gif", NULL, PICTURE_ANIMATION, NULL},
     [PICTURE_Y4M] = {"Y4M", "y4m", NULL, PICTURE_ANIMATION, NULL},
     [PICTURE_MP4] = {"MP4", "mp4", NULL, PICTURE_ANIMATION, NULL},
@@ -34,8 +35,8 @@ static const format_row rows[PICTURE_COUNT] = {
 
 /* Extensions of other picture formats; a PNG with such a name would be misleading. The second list
  * has animations. */
-static const char *const foreign[] = {"tif", "tiff", "bmp", "ppm", "pgm", "pnm",  "avif", "pdf",
-                                      "ico", "tga",  "hdr", "jxl", "eps", "heic", "jp2",  "qoi"};
+static const char *const foreign[] = {"tif", "tiff", "bmp", "ppm", "pgm",  "pnm", "avif", "ico",
+                                      "tga", "hdr",  "jxl", "eps", "heic", "jp2", "qoi"};
 static const char *const moving[] = {"gif", "y4m", "apng", "mp4", "webm",
                                      "mov", "avi", "mkv",  "ogv"};
 

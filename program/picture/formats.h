@@ -14,6 +14,7 @@ typedef enum picture_format {
     PICTURE_EXR,
     PICTURE_NPY,
     PICTURE_SVG, /* line drawings; not written by picture_encode */
+    PICTURE_PDF,
     PICTURE_GIF,
     PICTURE_Y4M,
     PICTURE_MP4, /* Y4M that ffmpeg encodes */
@@ -28,6 +29,11 @@ typedef enum picture_use {
     PICTURE_LINES = 4,
     PICTURE_ANIMATION = 8 /* PNG is APNG */
 } picture_use;
+
+/* 1: lines and areas, written from a burnish_drawing. */
+static inline int picture_is_drawing(picture_format format) {
+    return format == PICTURE_SVG || format == PICTURE_PDF;
+}
 
 /* The file extension of a format, without the dot: "jpg". */
 const char *picture_extension(picture_format format);

@@ -134,34 +134,40 @@ static burnish_status check_planes(render_settings *settings, burnish_error *err
     return BURNISH_STATUS_OK;
 }
 
-static int is_svg(const render_settings *settings) {
+/* SVG, PDF, or another format that --output-format or the extension names. */
+static picture_format drawing_format(const render_settings *settings) {
     const char *dot = strrchr(render_output_path(&settings->output), '.');
-    return settings->output.format == PICTURE_SVG ||
-           (settings->output.format == PICTURE_AUTO && dot && strcasecmp(dot, ".svg") == 0);
+    if (settings->output.format != PICTURE_AUTO || !dot) {
+        return (picture_format)settings->output.format;
+    }
+    return strcasecmp(dot, ".svg") == 0   ? PICTURE_SVG
+           : strcasecmp(dot, ".pdf") == 0 ? PICTURE_PDF
+                                          : PICTURE_AUTO;
 }
 
-/* An SVG holds the lines and flat areas of a drawing. */
-static burnish_status choose_svg(render_settings *settings, burnish_error *error) {
+/* An SVG or PDF holds the lines and flat areas of a drawing. */
+static burnish_status choose_drawing(render_settings *settings, burnish_error *error) {
+    const char *what = drawing_format(settings) == PICTURE_PDF ? "a PDF" : "an SVG";
     if (settings->shading.look != BURNISH_LOOK_DRAWING) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: \"%.200s\": an SVG has lines, not shading; use --look=drawing, "
+                        "--output: \"%.200s\": %s has lines, not shading; use --look=drawing, "
                         "or the extension .png",
-                        render_output_path(&settings->output));
+                        render_output_path(&settings->output), what);
     }
     if (settings->picture.rows.count > 0) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
-            "--rows: an SVG has the lines of all rows; omit the flag, or use the extension .png");
+            "--rows: %s has the lines of all rows; omit the flag, or use the extension .png", what);
     }
-    settings->output.format = PICTURE_SVG;
+    settings->output.format = (int)drawing_format(settings);
     return BURNISH_STATUS_OK;
 }
 
 /* Finds the output's format, and checks the flags that it does not support. */
 static burnish_status choose_format(render_settings *settings, burnish_error *error) {
     picture_format format;
-    if (!settings->output.turntable && is_svg(settings)) {
-        return choose_svg(settings, error);
+    if (!settings->output.turntable && picture_is_drawing(drawing_format(settings))) {
+        return choose_drawing(settings, error);
     }
     burnish_status status = picture_choose(
         settings->output.turntable ? "turntable" : "output", render_output_path(&settings->output),
@@ -189,7 +195,7 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     if (settings->output.dots_per_inch.given &&
         (settings->output.turntable || (format != PICTURE_PNG && format != PICTURE_JPEG))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--dpi: only PNG, JPEG and SVG have it; omit the flag");
+                        "--dpi: only PNG, JPEG, SVG and PDF have it; omit the flag");
     }
     return BURNISH_STATUS_OK;
 }

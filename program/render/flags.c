@@ -10,19 +10,13 @@
 #include "render/settings/lights.h"
 #include "render/settings/values.h"
 
-static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
-                                        {"png", PICTURE_PNG},
-                                        {"jpeg", PICTURE_JPEG},
-                                        {"jpg", PICTURE_JPEG},
-                                        {"webp", PICTURE_WEBP},
-                                        {"svg", PICTURE_SVG},
-                                        {"exr", PICTURE_EXR},
-                                        {"npy", PICTURE_NPY},
-                                        {"gif", PICTURE_GIF},
-                                        {"y4m", PICTURE_Y4M},
-                                        {"mp4", PICTURE_MP4},
-                                        {"webm", PICTURE_WEBM},
-                                        {NULL, 0}};
+static const cli_word format_words[] = {{"auto", PICTURE_AUTO}, {"png", PICTURE_PNG},
+                                        {"jpeg", PICTURE_JPEG}, {"jpg", PICTURE_JPEG},
+                                        {"webp", PICTURE_WEBP}, {"svg", PICTURE_SVG},
+                                        {"pdf", PICTURE_PDF},   {"exr", PICTURE_EXR},
+                                        {"npy", PICTURE_NPY},   {"gif", PICTURE_GIF},
+                                        {"y4m", PICTURE_Y4M},   {"mp4", PICTURE_MP4},
+                                        {"webm", PICTURE_WEBM}, {NULL, 0}};
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
     {"+Y", UP_POSITIVE_Y}, {"-Y", UP_NEGATIVE_Y}, {"+Z", UP_POSITIVE_Z},
@@ -76,7 +70,8 @@ static const cli_word normals_words[] = {{"auto", BURNISH_NORMALS_AUTO},
 static const cli_flag flags[] = {
     {.group = "Picture",
      .topic = "picture",
-     CLI_FLAG("output", "FILE", ".png .jpg .webp .svg .exr .npy, or -", cli_flag_text, output.path),
+     CLI_FLAG("output", "FILE", ".png .jpg .webp .svg .pdf .exr .npy, or -", cli_flag_text,
+              output.path),
      .default_label = "INPUT's name",
      .letter = 'o',
      .common = 1,
@@ -84,7 +79,8 @@ static const cli_flag flags[] = {
      .aliases = "out",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*. The file extension chooses "
-         "the format: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.exr* or *.npy*; see *FORMATS*. "
+         "the format: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.pdf*, *.exr* or *.npy*; see "
+         "*FORMATS*. "
          "Other names are PNG, but extensions of formats that burnish can not write are an error, "
          "and so is a terminal as standard output. The file is complete or does not appear: it is "
          "written under a temporary name and renamed. An existing _FILE_ is replaced. Without this "
@@ -204,7 +200,8 @@ static const cli_flag flags[] = {
     {CLI_FLAG("dpi", "N", "dots per inch, for printing", cli_flag_real, output.dots_per_inch),
      CLI_RANGE(1, 65535), .default_label = "none",
      .manual = "Print resolution stored in PNG and JPEG; the pixels do not change. The width and "
-               "height of an SVG are then in millimetres: pixels times 25.4 / _N_. With _N_ = 25.4 "
+               "height of an SVG or PDF are then in millimetres: pixels times 25.4 / _N_. With _N_ "
+               "= 25.4 "
                "times *pixels_per_unit* of the report, a drawing in millimetres prints at 1:1."},
     {CLI_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
               render_flag_plane, output.planes),

@@ -31,8 +31,9 @@ static const cli_term look_terms[] = {
     {"*technical*",
      "edges on light, matt surfaces: *--look=plain --edges --light=directional:-0.45,0.75,0.85:0.5 "
      "--ambient=0.36 --specular=0*, on a light grey."},
-    {"*drawing*", "only edges, as SVG if the output ends in *.svg*: *--look=plain --edges "
-                  "--color=white --specular=0 --light=none --ambient=1*."},
+    {"*drawing*",
+     "only edges, as lines if the output ends in *.svg* or *.pdf*: *--look=plain --edges "
+     "--color=white --specular=0 --light=none --ambient=1*."},
     {"*lobes*",
      "highlights on dark surfaces, which *--exponent*, *--lobe* and *--equation* change: "
      "*--look=plain --light=directional:-0.55,0.75,0.85 --specular=0.9*, on a dark "
@@ -73,6 +74,8 @@ static const cli_term format_terms[] = {
      "from the background, cut faces with their hatching, and annotations. Sheets are supported. "
      "Letters are paths; their text is in *aria-label*. Flags of light and shading are errors. "
      "Sizes are in pixels, or in millimetres with *--dpi*."},
+    {"*.pdf*", "the same lines and areas on one page, at 96 dots per inch unless *--dpi* is given. "
+               "Labels can be searched."},
     {"*.exr*", "32 bits per channel: *R*, *G*, *B* (linear, alpha multiplied in), *A*, *Z*, *N.X*, "
                "*N.Y*, *N.Z*, *id*, *material* and *coverage*, as in *PLANES*. No sheets."},
     {"*.npy*",

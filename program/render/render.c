@@ -181,7 +181,7 @@ static burnish_status encode(render_result *result, picture_file *file, burnish_
     if (format == PICTURE_EXR || format == PICTURE_NPY) {
         return render_encode_planes(&result->planes, format, file, error);
     }
-    if (format == PICTURE_SVG) {
+    if (picture_is_drawing(format)) {
         render_sheet sheet;
         render_list_cells(result, &sheet);
         return render_encode_drawing(result, sheet.cells, sheet.ink, file, error);

@@ -64,9 +64,9 @@ static burnish_status check_svg(const render_settings *settings, burnish_error *
             ? "occlusion"
             : find_given(settings, unshown, name, sizeof name);
     return flag ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                           "--%s: it does not affect the lines and areas of an SVG; omit the flag, "
+                           "--%s: it does not affect the lines and areas of %s; omit the flag, "
                            "or use the extension .png",
-                           flag)
+                           flag, settings->output.format == PICTURE_PDF ? "a PDF" : "an SVG")
                 : BURNISH_STATUS_OK;
 }
 
@@ -95,5 +95,6 @@ burnish_status render_check_useless(render_settings *settings, burnish_error *er
             return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, needs[i].why);
         }
     }
-    return settings->output.format == PICTURE_SVG ? check_svg(settings, error) : BURNISH_STATUS_OK;
+    return picture_is_drawing((picture_format)settings->output.format) ? check_svg(settings, error)
+                                                                       : BURNISH_STATUS_OK;
 }

@@ -146,6 +146,13 @@ run render :torus --look=drawing --clip=0,0,1,0.1 --clip=1,0,0,0.2 -o a.svg
 check "areas: $(grep -c evenodd a.svg)" [ "$(grep -c evenodd a.svg)" = 2 ]
 check "hatching" [ "$(grep -c '<path fill="none" stroke' a.svg)" = 2 ]
 
+# A PDF has the same lines, on a page in points.
+run render :teapot --look=drawing --annotate=dimensions --size=100 --dpi=72 -o a.pdf
+check "a PDF: $(cat "$err")" grep -q '/MediaBox \[0 0 100 100\]' a.pdf
+check "labels of a PDF" grep -q '(6.434) Tj' a.pdf
+expect 2 'burnish: --output: "a.pdf": a PDF has lines, not shading; use --look=drawing, or the extension .png' render :teapot -o a.pdf
+rm a.pdf
+
 # A sheet is as large as the picture of it, with its labels; dots per inch make millimetres.
 run render :teapot --look=drawing --views=front,right,top,iso --size=100 --dpi=254 -o a.svg
 run render :teapot --look=drawing --views=front,right,top,iso --size=100 --json -o a.png

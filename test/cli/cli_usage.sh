@@ -45,7 +45,7 @@ expect 2 'burnish: --camera-position: "1e308,0,0" has a number beyond 1e100; giv
 expect 2 'burnish: --bg-color: unknown flag; did you mean --background-color?' render :sphere --bg-color=red
 expect 2 'burnish: --help: "nonsense" is not one of picture, files, camera, light, report, all' render --help=nonsense
 for name in picture.bmp out/picture.TIF; do
-    expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR, NPY or SVG; end the name in .png, .jpg, .webp, .exr, .npy or .svg" render :sphere -o $name
+    expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR, NPY, SVG or PDF; end the name in .png, .jpg, .webp, .exr, .npy, .svg or .pdf" render :sphere -o $name
 done
 expect 2 'burnish: --output: "a.svg": an SVG has lines, not shading; use --look=drawing, or the extension .png' render :sphere -o a.svg
 expect 2 'burnish: --edges: "corners" is not one of silhouettes, creases, boundaries, materials, none' render :sphere --edges=creases,corners
@@ -53,7 +53,7 @@ expect 2 'burnish: --edge-width: "0" is not a number from 0.1 to 100' render :sp
 expect 2 'burnish: --quality: only JPEG and WebP have it; omit the flag' render :sphere --quality=50 -o x.png
 expect 2 'burnish: --quality: "0" is not a whole number from 1 to 100' render :sphere --quality=0 -o x.jpg
 expect 2 'burnish: --dpi: "0" is not a number from 1 to 65535' render :sphere --dpi=0
-expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, jpg, webp, svg, exr, npy, gif, y4m, mp4, webm' render :sphere --output-format=bmp
+expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, jpg, webp, svg, pdf, exr, npy, gif, y4m, mp4, webm' render :sphere --output-format=bmp
 BURNISH_ISA=foo
 export BURNISH_ISA
 run render :sphere --size=16 -o x.png

@@ -496,6 +496,73 @@ static void test_projection_sheet(void) {
     burnish_image_destroy(&drawn);
 }
 
+/* How often a letter stands after a blank or a digit: the operators of paths. */
+static int count_operators(const char *text, char first, char other) {
+    int count = 0;
+    for (const char *c = text; *c; ++c) {
+        count += (*c == first || *c == other) && c > text &&
+                 (c[-1] == ' ' || c[-1] == '"' || c[-1] == 'z' || (c[-1] >= '0' && c[-1] <= '9')) &&
+                 (c[1] == '\n' || c[1] == ' ' || c[1] == '-' || c[1] == '.' ||
+                  (c[1] >= '0' && c[1] <= '9'));
+    }
+    return count;
+}
+
+static int count_text(const char *text, const char *part) {
+    int count = 0;
+    for (const char *c = text; (c = strstr(c, part)) != NULL; ++c) {
+        ++count;
+    }
+    return count;
+}
+
+/* A PDF's table leads to its objects, its stream has the length that it states, its page the size
+ * in points, and its content one path for each of the SVG's. */
+static void test_pdf(void) {
+    static const uint8_t white[3] = {255, 255, 255};
+    burnish_mesh *mesh = load(":torus");
+    cut(mesh, 0, 0, 1, 0.1);
+    burnish_render_options options = make_options(mesh, 1);
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    burnish_drawing *drawing;
+    burnish_annotate_options annotations = burnish_annotate_options_default();
+    annotations.kinds = BURNISH_ANNOTATION_DIMENSIONS | BURNISH_ANNOTATION_BOX;
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
+    CHECK_OK(burnish_drawing_create(NULL, WIDTH, HEIGHT, &drawing, &error), error);
+    CHECK_OK(burnish_renderer_trace(renderer, mesh, &options, drawing, &error), error);
+    CHECK_OK(burnish_annotate_drawing(mesh, &annotations, &options.camera, drawing, NULL, &error),
+             error);
+    char *text, *svg = svg_of(drawing, 0);
+    size_t size;
+    CHECK_OK(burnish_drawing_encode_pdf(drawing, "a(b", white, 144, &text, &size, &error), error);
+    CHECK1(strlen(text) == size && strncmp(text, "%PDF-1.4\n", 9) == 0);
+    const char *table = text + strtoul(strstr(text, "startxref\n") + 10, NULL, 10);
+    CHECK1(strncmp(table, "xref\n0 6\n", 9) == 0);
+    for (int i = 1; i < 6; ++i) {
+        char head[16];
+        snprintf(head, sizeof head, "%d 0 obj\n", i);
+        CHECK(strncmp(text + strtoul(table + 9 + 20 * i, NULL, 10), head, strlen(head)) == 0, "%s",
+              head);
+    }
+    const char *stream = strstr(text, "stream\n") + 7;
+    CHECK1(stream + strtoul(strstr(text, "/Length") + 7, NULL, 10) == strstr(text, "endstream"));
+    CHECK1(strstr(text, "/MediaBox [0 0 240 180]") && strstr(text, "/Title (a\\(b)"));
+    CHECK1(count_text(text, ") Tj") == count_text(svg, "aria-label=") && strstr(text, ") Tj"));
+    CHECK(count_operators(stream, 'm', 'm') == count_operators(svg, 'M', 'm') &&
+              count_operators(stream, 'm', 'm') > 50,
+          "%d and %d", count_operators(stream, 'm', 'm'), count_operators(svg, 'M', 'm'));
+    burnish_release(NULL, text);
+    burnish_release(NULL, svg);
+    CHECK1(burnish_drawing_encode_pdf(drawing, NULL, NULL, 0.5, &text, &size, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    burnish_drawing_destroy(drawing);
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
 /* A font of squares, one per byte, whose lower and upper sides outlines leave out. */
 static int32_t set_squares(void *user_data, const char *text, size_t length, int height,
                            burnish_outline_sink *take, void *context) {
@@ -607,6 +674,10 @@ static void test_memory(void) {
         if (status == BURNISH_STATUS_OK) {
             status = burnish_drawing_encode_svg(drawing, "t", NULL, 0, &text, &size, &error);
         }
+        if (status == BURNISH_STATUS_OK) {
+            burnish_release(context, text);
+            status = burnish_drawing_encode_pdf(drawing, "t", NULL, 0, &text, &size, &error);
+        }
         CHECK(status == BURNISH_STATUS_OK || status == BURNISH_STATUS_MEMORY, "%s", error.text);
         burnish_release(context, text);
         burnish_drawing_destroy(drawing);
@@ -628,6 +699,7 @@ int main(int count, char **arguments) {
     RUN(test_sheet());
     RUN(test_projection_layout());
     RUN(test_projection_sheet());
+    RUN(test_pdf());
     RUN(test_font());
     RUN(test_arguments());
     RUN(test_memory());

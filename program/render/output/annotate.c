@@ -101,12 +101,12 @@ burnish_status render_trace(const render_result *result, burnish_renderer *rende
     return status;
 }
 
-static void release_svg(void *bytes) {
+static void release_text(void *bytes) {
     burnish_release(NULL, bytes);
 }
 
-static burnish_status write_svg(const render_result *result, const burnish_drawing *drawing,
-                                picture_file *file, burnish_error *error) {
+static burnish_status encode_drawing(const render_result *result, const burnish_drawing *drawing,
+                                     picture_file *file, burnish_error *error) {
     const render_settings *settings = result->settings;
     const burnish_render_options *options = result->options;
     const char *slash = strrchr(settings->input.name, '/');
@@ -115,11 +115,13 @@ static burnish_status write_svg(const render_result *result, const burnish_drawi
     for (char *c = title; *c; ++c) {
         *c = (signed char)*c < 0 ? '?' : *c; /* names can contain bytes that are not UTF-8 */
     }
-    const burnish_status status = burnish_drawing_encode_svg(
-        drawing, title, options->transparent ? NULL : options->background,
-        settings->output.dots_per_inch.value, &text, &file->size, error);
+    const burnish_status status =
+        (settings->output.format == PICTURE_PDF ? burnish_drawing_encode_pdf
+                                                : burnish_drawing_encode_svg)(
+            drawing, title, options->transparent ? NULL : options->background,
+            settings->output.dots_per_inch.value, &text, &file->size, error);
     file->bytes = (uint8_t *)text;
-    file->release = release_svg;
+    file->release = release_text;
     return status;
 }
 
@@ -128,7 +130,7 @@ burnish_status render_encode_drawing(const render_result *result, const burnish_
                                      burnish_error *error) {
     burnish_drawing *drawings[RENDER_LIST_MAX * RENDER_LIST_MAX], *sheet = NULL;
     if (result->cell_count == 1) {
-        return write_svg(result, result->cells[0].drawing, file, error);
+        return encode_drawing(result, result->cells[0].drawing, file, error);
     }
     for (size_t i = 0; i < result->cell_count; ++i) {
         drawings[i] = result->cells[i].drawing;
@@ -138,7 +140,7 @@ burnish_status render_encode_drawing(const render_result *result, const burnish_
                                 : burnish_drawing_sheet(cells, drawings, result->cell_count,
                                                         result->columns, ink, &sheet, error);
     if (status == BURNISH_STATUS_OK) {
-        status = write_svg(result, sheet, file, error);
+        status = encode_drawing(result, sheet, file, error);
     }
     burnish_drawing_destroy(sheet);
     return status;

@@ -80,7 +80,8 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
     }
     render_warn_about_cell(result, cell);
     status = render_annotate(result, options, cell, depth, error);
-    if (status == BURNISH_STATUS_OK && result->settings->output.format == PICTURE_SVG) {
+    if (status == BURNISH_STATUS_OK &&
+        picture_is_drawing((picture_format)result->settings->output.format)) {
         status = render_trace(result, renderer, options, cell, depth, error);
     }
     free(depth);
