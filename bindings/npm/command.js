@@ -6,7 +6,7 @@ import { companions, encodePng, findDecoder } from "./node.js";
 import { BurnishError, render } from "./wasm.js";
 
 // Flags of render without a value. Every other flag takes one, as --name=VALUE or --name VALUE.
-const SWITCHES = new Set(["cull-back-faces", "no-background", "ground", "shadow", "wireframe", "strict", "no-textures", "no-libraries", "quiet", "json", "overwrite", "no-colors", "hidden-lines"]);
+const SWITCHES = new Set(["cull-back-faces", "no-background", "ground", "shadow", "wireframe", "strict", "no-textures", "no-libraries", "quiet", "json", "overwrite", "no-colors", "hidden-lines", "center-lines"]);
 const OPTIONAL = new Set(["edges", "camera-orthographic"]); // --name or --name=VALUE
 const SHORT = { o: "output", s: "size", q: "quiet" };
 const EXIT = { ARGUMENT: 2, READ: 3, FORMAT: 4, LIMIT: 5, MEMORY: 6, WRITE: 7 };

@@ -140,6 +140,8 @@ export interface DrawOptions {
   wireframe?: boolean;
   /** Hidden edges as dashed lines. */
   hiddenLines?: boolean;
+  /** Axes of holes and cylinders as chain lines. */
+  centerLines?: boolean;
   edgeWidth?: number;
   edgeColor?: string | [number, number, number];
   /** Limit on how often large triangles cover the picture; default 1000. */

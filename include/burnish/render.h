@@ -84,7 +84,10 @@ enum {
      * has the same colour as the surface behind it; no lines in other views. */
     BURNISH_EDGES_AXIS_VIEWS = 32,
     /* In addition, dashes for edges that the surface hides and no other line covers (ISO 128-2) */
-    BURNISH_EDGES_HIDDEN = 64
+    BURNISH_EDGES_HIDDEN = 64,
+    /* In addition, chain lines along the axes that two circles of hard edges have in common, and
+     * crosses where such an axis points to the viewer; without HIDDEN only if one circle is seen */
+    BURNISH_EDGES_CENTERS = 128
 };
 
 /* The widest line, in pixels. */

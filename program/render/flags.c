@@ -424,6 +424,11 @@ static const cli_flag flags[] = {
      .aliases = "hidden",
      .manual = "Draws the edges that the object hides as dashed lines, 3/5 as wide as outlines, "
                "where no other line covers them. Draws edges like *--edges* if the look does not."},
+    {CLI_SWITCH("center-lines", "draw axes of holes and cylinders", shading.center_lines),
+     .aliases = "centre-lines,axis-lines",
+     .manual = "Draws axes that two circles of hard edges have in common as chain lines, with a "
+               "cross where the axis points to the viewer. Axes of hidden circles are drawn only "
+               "together with *--hidden-lines*. Draws edges like *--edges* if the look does not."},
     {CLI_FLAG("edge-width", "PIXELS", "width of outlines; other lines: 3/5 of it", cli_flag_real,
               shading.edge_width),
      CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .aliases = "line-width",

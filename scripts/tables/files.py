@@ -99,7 +99,7 @@ README = [  # its images of parts; helmet.jpg is a public asset (FlightHelmet.gl
     ("metal.jpg", "impeller", ["--material=metal", "--color=#c8763a", "--ground", "-s", "480x360"]),
     ("section.jpg", "mug", ["--clip=0,-1,0,0", "--color=#c0392b", "--ground", "-s", "480x360"]),
     ("drawing.svg", "bracket", ["--look=drawing", "--views=iso", "--annotate=dimensions", "-s", "480x360"]),
-    ("drawing-sheet.svg", "bracket", ["--look=drawing", "--views=third-angle", "--hidden-lines", "--annotate=dimensions", "-s", "900x636"]),
+    ("drawing-sheet.svg", "bracket", ["--look=drawing", "--views=third-angle", "--hidden-lines", "--center-lines", "--annotate=dimensions", "-s", "900x636"]),
     ("drawing-hidden.png", "mug", ["--look=technical", "--hidden-lines", "--views=iso", "-s", "480x360"]),
     ("drawing-cut.svg", "mug", ["--look=drawing", "--clip=0,-1,0,0", "--annotate=dimensions", "-s", "480x360"]),
     ("turntable.gif", "gear", ["--material=metal", "-s", "240x180", "--frames=24"]),

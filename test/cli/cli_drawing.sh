@@ -71,6 +71,7 @@ refused shadow
 drawn edges=creases
 drawn wireframe
 drawn hidden-lines
+same center-lines
 drawn edge-width=5
 drawn edge-color=blue
 other input-format

@@ -217,6 +217,51 @@ static void test_dashes(double height) {
     burnish_mesh_destroy(mesh);
 }
 
+/* The axis of a prism of 24 sides: a chain line from the side, a cross along it, 12 widths longer at
+ * each end than the prism is high or wide. */
+static void test_centers(int is_along) {
+    enum { SIDES = 24 };
+    const double position[3] = {0, is_along ? 0 : -9, is_along ? 9 : 0};
+    shape s = {.point_count = 0};
+    for (int i = 0; i < SIDES; ++i) {
+        const double angle = 2 * acos(-1) * i / SIDES;
+        add_point(&s, cos(angle), sin(angle), -1); /* 2 i, and 2 i + 1 above it */
+        add_point(&s, cos(angle), sin(angle), 1);
+    }
+    for (uint32_t i = 0; i < SIDES; ++i) {
+        const uint32_t next = (i + 1) % SIDES;
+        add_quad(&s, 2 * i, 2 * next, 2 * next + 1, 2 * i + 1);
+        if (i > 0 && next > 0) {
+            add_triangle(&s, 1, 2 * i + 1, 2 * next + 1);
+            add_triangle(&s, 0, 2 * next, 2 * i);
+        }
+    }
+    burnish_mesh *mesh = mesh_of(&s);
+    burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
+    if (is_along) {
+        options.camera.view_up[1] = 1;
+        options.camera.view_up[2] = 0;
+    }
+    burnish_renderer *renderer;
+    burnish_image image = {0};
+    const double bare = length_of_lines(draw(mesh, &options, &renderer, &image));
+    options.edges |= BURNISH_EDGES_CENTERS;
+    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
+    const burnish_lines *lines = burnish_renderer_get_lines(renderer);
+    const double width = 0.6 * (double)options.edge_width, over = 12 * width;
+    const double reach = 1.0 * SIZE / 4 + over, length = 2 * reach;
+    const double count = floor((length + 8 * width) / (31 * width) + 0.5);
+    const double expected = length * 23 * count / (31 * count - 8);
+    const double sum = length_of_lines(lines) - bare;
+    CHECK(fabs(sum - (is_along ? 2 : 1) * expected) < 2, "%g pixels, expected %g", sum, expected);
+    const screen middle = {SIZE / 2.0, SIZE / 2.0};
+    const screen end = {middle.x, middle.y - reach}, near = {middle.x, middle.y - reach + 5};
+    CHECK(covered(lines, end, near) > 4, "%g", covered(lines, end, near));
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_mesh_destroy(mesh);
+}
+
 /* Along an axis each hidden edge of a box is behind a visible one. */
 static void test_covered_lines(void) {
     static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {0, -9, 0};
@@ -704,6 +749,8 @@ int main(int count, char **arguments) {
     RUN(test_dashes(0));
     RUN(test_dashes(4));
     RUN(test_covered_lines());
+    RUN(test_centers(0));
+    RUN(test_centers(1));
     RUN(test_hidden_part());
     RUN(test_step());
     RUN(test_sphere());

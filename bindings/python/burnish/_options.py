@@ -78,6 +78,7 @@ class Options(TypedDict, total=False):
     edges: Union[str, bool]
     wireframe: Switch
     hidden_lines: Switch
+    center_lines: Switch
     edge_width: float
     edge_color: Color
     max_overdraw: float

@@ -68,16 +68,16 @@ static burnish_status aim(render_result *result, size_t i, burnish_error *error)
     return status;
 }
 
-/* A pictorial view has no hidden lines. */
+/* A pictorial view has neither hidden lines nor centre lines. */
 void render_aim_projection(const render_result *result, const render_cell *cell,
                            burnish_render_options *options) {
     const int is_pictorial = cell - result->cells == BURNISH_SHEET_PICTORIAL;
     options->width = cell->image.width;
     options->height = cell->image.height;
-    if (result->settings->shading.hidden_lines) {
-        options->edges = is_pictorial ? options->edges & ~(unsigned)BURNISH_EDGES_HIDDEN
-                                      : options->edges | BURNISH_EDGES_HIDDEN;
-    }
+    const burnish_edge_flags hidden =
+        (result->settings->shading.hidden_lines ? BURNISH_EDGES_HIDDEN : 0) |
+        (result->settings->shading.center_lines ? BURNISH_EDGES_CENTERS : 0);
+    options->edges = is_pictorial ? options->edges & ~hidden : options->edges | hidden;
 }
 
 burnish_status render_lay_out_projection(render_result *result, burnish_error *error) {

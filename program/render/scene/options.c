@@ -154,12 +154,13 @@ burnish_render_options render_make_options(const render_settings *settings) {
     if (shading->wireframe) {
         options.edges = (options.edges & BURNISH_EDGES_FEATURES) | BURNISH_EDGES_ALL;
     }
-    if (shading->hidden_lines) {
-        options.edges |=
-            BURNISH_EDGES_HIDDEN |
-            (options.edges & BURNISH_EDGES_AXIS_VIEWS || !options.edges ? BURNISH_EDGES_FEATURES
-                                                                        : 0);
-        options.edges &= ~BURNISH_EDGES_AXIS_VIEWS;
+    if (shading->hidden_lines || shading->center_lines) {
+        options.edges = (options.edges & ~(unsigned)BURNISH_EDGES_AXIS_VIEWS) |
+                        (options.edges & (BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL)
+                             ? 0
+                             : BURNISH_EDGES_FEATURES) |
+                        (shading->hidden_lines ? BURNISH_EDGES_HIDDEN : 0) |
+                        (shading->center_lines ? BURNISH_EDGES_CENTERS : 0);
     }
     if (shading->edge_width.given) {
         options.edge_width = (float)shading->edge_width.value;

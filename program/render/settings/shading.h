@@ -57,7 +57,7 @@ typedef struct render_shading_settings {
     render_occlusion occlusion;
     int ground, shadow;
     render_edges edges;
-    int wireframe, hidden_lines;
+    int wireframe, hidden_lines, center_lines;
     cli_real edge_width;
     cli_color edge_color;
 } render_shading_settings;

@@ -5,8 +5,10 @@
 
 #include "core/vector.h"
 #include "image/text/strokes.h"
+#include "render/lines/centers.h"
 #include "render/lines/lines_loose.h"
 #include "render/lines/lines_seen.h"
+#include "render/lines/projection.h"
 
 enum {
     EDGE_BLOCK = 1 << 14, /* edges that a thread selects at a time */
@@ -39,49 +41,6 @@ enum {
 
 /* ---- Projection ---- */
 
-/* From the mesh's space to the screen, in double precision. */
-typedef struct projection {
-    double rows[4][4];
-    burnish_vec3 origin;
-    double middle[2], size[2]; /* pixels */
-    burnish_view_distance distance;
-    int is_parallel;
-    burnish_vec3 viewer; /* position, or in parallel projection the direction toward it */
-} projection;
-
-typedef struct clip_point {
-    double x, y, z, w;
-} clip_point;
-
-static projection make_projection(const burnish_line_view *view,
-                                  const burnish_render_options *options) {
-    const burnish_camera *camera = &options->camera;
-    projection p = {.origin = burnish_vec3_loadf(view->raster->origin),
-                    .middle = {options->width * 0.5, options->height * 0.5},
-                    .size = {options->width, options->height},
-                    .distance = view->distance,
-                    .is_parallel = camera->orthographic_height > 0,
-                    .viewer = burnish_vec3_load(camera->position)};
-    for (int i = 0; i < 16; ++i) {
-        p.rows[i / 4][i % 4] = (double)view->raster->rows[i / 4][i % 4];
-    }
-    if (p.is_parallel) {
-        p.viewer = burnish_vec3_normalize(
-            burnish_vec3_sub(p.viewer, burnish_vec3_load(camera->focal_point)));
-    }
-    return p;
-}
-
-static double row_times(const double row[4], burnish_vec3 v) {
-    return row[0] * v.x + row[1] * v.y + row[2] * v.z + row[3];
-}
-
-static clip_point project(const projection *p, const float position[3]) {
-    const burnish_vec3 v = burnish_vec3_sub(burnish_vec3_loadf(position), p->origin);
-    return (clip_point){row_times(p->rows[0], v), row_times(p->rows[1], v),
-                        row_times(p->rows[2], v), row_times(p->rows[3], v)};
-}
-
 /* Cuts [*from, *to] of a + t (b - a) to where it is at least 0. Returns 0 where nothing is left. */
 static int cut(double a, double b, double *from, double *to) {
     if (a < 0 && b < 0) {
@@ -97,27 +56,27 @@ static int cut(double a, double b, double *from, double *to) {
     return *from < *to;
 }
 
-static clip_point between(clip_point a, clip_point b, double t) {
-    return (clip_point){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z),
-                        a.w + t * (b.w - a.w)};
+static burnish_clip_point between(burnish_clip_point a, burnish_clip_point b, double t) {
+    return (burnish_clip_point){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z),
+                                a.w + t * (b.w - a.w)};
 }
 
-static void store_end(const projection *p, clip_point c, burnish_line_segment *segment, int end) {
+static void store_end(const burnish_line_projection *p, burnish_clip_point c,
+                      burnish_line_segment *segment, int end) {
     const double x = p->middle[0] + c.x / c.w, y = p->middle[1] - c.y / c.w;
-    const double w = c.w * (double)p->distance.constant;
     segment->x[end] = (float)(x > 0 ? x < p->size[0] ? x : p->size[0] : 0);
     segment->y[end] = (float)(y > 0 ? y < p->size[1] ? y : p->size[1] : 0);
-    segment->key[end] = (float)(p->is_parallel ? (1 - c.z) * (double)p->distance.slope
-                                : w > 0        ? 1 / w
-                                               : 0);
+    segment->key[end] = (float)burnish_line_key(p, c);
 }
 
 /* Ends on the screen, cut to what is before the camera and within the picture: the sides of the
  * picture are planes x = +-w middle. */
-static void place_segment(const projection *p, const burnish_mesh_view *mesh,
+static void place_segment(const burnish_line_projection *p, const burnish_mesh_view *mesh,
                           const burnish_edge *edge, burnish_line_segment *segment) {
-    const clip_point a = project(p, mesh->positions + 3 * (size_t)edge->ends[0]);
-    const clip_point b = project(p, mesh->positions + 3 * (size_t)edge->ends[1]);
+    const burnish_clip_point a =
+        burnish_line_project(p, burnish_vec3_loadf(mesh->positions + 3 * (size_t)edge->ends[0]));
+    const burnish_clip_point b =
+        burnish_line_project(p, burnish_vec3_loadf(mesh->positions + 3 * (size_t)edge->ends[1]));
     const double wide = p->middle[0], high = p->middle[1];
     double from = 0, to = 1;
     const int is_inside = (cut(a.w - a.z, b.w - b.z, &from, &to) &&
@@ -141,7 +100,7 @@ typedef struct selection {
     burnish_line_art *art;
     const burnish_mesh_view *mesh;
     const burnish_render_options *options;
-    projection projection;
+    burnish_line_projection projection;
 } selection;
 
 static void find_facing(void *context, size_t first, size_t end) {
@@ -449,7 +408,7 @@ static burnish_status update_edges(burnish_line_art *art, const burnish_mesh_vie
     if (art->mesh == mesh->serial) {
         return BURNISH_STATUS_OK;
     }
-    art->mesh = 0;
+    art->mesh = art->axes_mesh = 0;
     burnish_release(memory->context, art->edges.items);
     const burnish_status status = burnish_edges_find(mesh, tasks, memory, &art->edges);
     art->mesh = status == BURNISH_STATUS_OK ? mesh->serial : 0;
@@ -506,7 +465,7 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
                                        const burnish_render_options *options,
                                        const burnish_target *target, burnish_tasks *tasks,
                                        burnish_memory *memory) {
-    selection s = {art, mesh, options, make_projection(view, options)};
+    selection s = {art, mesh, options, burnish_line_project_view(view, options)};
     memset(&art->lines, 0, sizeof art->lines);
     burnish_status status = update_edges(art, mesh, tasks, memory);
     if (status == BURNISH_STATUS_OK) {
@@ -521,6 +480,10 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
         describe_lines(art, options);
         drop_noise(art, options, memory);
         trace_hidden(art, &scene, options, tasks, memory);
+        if (options->edges & BURNISH_EDGES_CENTERS) {
+            describe_lines(art, options);
+            burnish_line_art_add_centers(art, mesh, &scene, &s.projection, options, memory);
+        }
         describe_lines(art, options);
         status = memory->status != BURNISH_STATUS_OK ? memory->status
                                                      : burnish_tasks_check(tasks, memory->error);
@@ -584,9 +547,10 @@ burnish_status burnish_line_art_draw(const burnish_line_art *art,
 }
 
 void burnish_line_art_destroy(burnish_line_art *art, const burnish_context *context) {
-    void *const arrays[] = {art->edges.items, art->joints, art->facing, art->block_counts,
-                            art->segments,    art->links,  art->points, art->starts,
-                            art->widths,      art->is_rim, art->depth,  art->triangles};
+    void *const arrays[] = {art->axes.items,   art->edges.items, art->joints, art->facing,
+                            art->block_counts, art->segments,    art->links,  art->points,
+                            art->starts,       art->widths,      art->is_rim, art->depth,
+                            art->triangles};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(context, arrays[i]);
     }

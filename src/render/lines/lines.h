@@ -12,6 +12,7 @@
 #include "core/tasks.h"
 #include "mesh/edges.h"
 #include "raster/view.h"
+#include "render/lines/axes.h"
 #include "render/space.h"
 
 /* The view of the frame whose lines are drawn. */
@@ -40,6 +41,8 @@ enum { BURNISH_LINE_OUTSIDE = 1, BURNISH_LINE_VISIBLE, BURNISH_LINE_HIDDEN };
 typedef struct burnish_line_art {
     uint64_t mesh; /* whose edges they are, burnish_mesh_view.serial; 0: nobody's */
     burnish_edges edges;
+    uint64_t axes_mesh; /* whose axes they are; 0: nobody's */
+    burnish_line_axes axes;
     uint32_t *joints; /* of each vertex: a segment's end there, while segments are linked */
     size_t joint_capacity;
 

@@ -188,6 +188,17 @@ void burnish_line_scene_take(burnish_line_scene *scene, const burnish_lines *lin
     }
 }
 
+int burnish_line_scene_shows(const burnish_line_scene *scene, double x, double y, double distance) {
+    if (!(x >= 0 && y >= 0 && x < scene->width && y < scene->height) ||
+        triangle_at(scene->target, (int)x, (int)y) == BURNISH_TRIANGLE_NONE) {
+        return 0;
+    }
+    const double away = (double)depth_at(scene->target, (int)x, (int)y) - distance;
+    const double pixel = scene->is_parallel ? scene->footprint : scene->footprint * distance;
+    const double slack = STUB * pixel + DISTANCE_PRECISION * distance;
+    return away <= slack && away >= -slack;
+}
+
 /* ---- Runs of samples ---- */
 
 static size_t run_end(const uint8_t *states, size_t first, size_t count) {
@@ -369,6 +380,14 @@ static void add_line(burnish_line_art *art, cursor *c, const chain_part *part,
             break;
         }
     }
+    end_line(&g);
+}
+
+void burnish_line_art_add(burnish_line_art *art, const double from[2], const double to[2],
+                          double width, burnish_memory *memory) {
+    growing g = {.art = art, .memory = memory};
+    begin_line(&g, width, 0, from);
+    add_point(&g, to);
     end_line(&g);
 }
 

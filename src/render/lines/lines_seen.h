@@ -28,4 +28,11 @@ void burnish_line_scene_take(burnish_line_scene *scene, const burnish_lines *lin
 void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, const uint32_t *chain,
                             size_t count, burnish_memory *memory);
 
+/* Appends a straight line from x, y to x, y. Errors: memory->status. */
+void burnish_line_art_add(burnish_line_art *art, const double from[2], const double to[2],
+                          double width, burnish_memory *memory);
+
+/* 1: the surface is seen within a few pixels of depth of a distance at a position on the screen. */
+int burnish_line_scene_shows(const burnish_line_scene *scene, double x, double y, double distance);
+
 #endif

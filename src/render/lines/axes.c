@@ -1,0 +1,183 @@
+/* Circles among sharp edges, and the axes that they share. */
+#include "render/lines/axes.h"
+
+#include <string.h>
+
+enum { LEAST_VERTICES = 12, AXES_MAX = 4096 };
+
+#define NO_EDGE UINT32_MAX
+#define CROWDED (UINT32_MAX - 1) /* more than two sharp edges meet */
+
+#define ROUND_SHARE 0.004 /* of the radius: how far vertices are from the circle and its plane */
+#define CHORD_SHARE 0.6   /* of the radius: the longest edge */
+#define SAME_SINE 0.005   /* of the angle between directions that are one */
+#define LEAST_SPAN 0.01   /* of the radius: between circles that are two */
+
+typedef struct finder {
+    const burnish_mesh_view *mesh;
+    const burnish_edges *edges;
+    burnish_memory *memory;
+    uint32_t *at; /* of each vertex: two sharp edges */
+    uint8_t *is_walked;
+    burnish_vec3 *points; /* of the loop at hand */
+    size_t point_count, point_capacity;
+    burnish_line_axes *axes;
+} finder;
+
+static int is_sharp(const burnish_edge *edge) {
+    return edge->flags & BURNISH_EDGE_SHARP;
+}
+
+static void note_edge(finder *f, uint32_t edge, uint32_t vertex) {
+    uint32_t *at = f->at + 2 * (size_t)vertex;
+    if (at[0] == NO_EDGE) {
+        at[0] = edge;
+    } else if (at[1] == NO_EDGE) {
+        at[1] = edge;
+    } else {
+        at[0] = at[1] = CROWDED;
+    }
+}
+
+/* Walks from an edge's second end to its first; returns 1 if that closes a loop. */
+static int walk(finder *f, uint32_t start) {
+    const burnish_edge *items = f->edges->items;
+    uint32_t edge = start, vertex = items[start].ends[1];
+    f->point_count = 0;
+    do {
+        const uint32_t *at = f->at + 2 * (size_t)vertex;
+        f->is_walked[edge] = 1;
+        f->points = burnish_reserve(f->memory, f->points, &f->point_capacity, f->point_count + 1,
+                                    sizeof *f->points, "circles");
+        if (f->memory->status != BURNISH_STATUS_OK || at[1] >= CROWDED) {
+            return 0;
+        }
+        f->points[f->point_count++] = burnish_vec3_loadf(f->mesh->positions + 3 * (size_t)vertex);
+        edge = at[0] == edge ? at[1] : at[0];
+        vertex = items[edge].ends[items[edge].ends[0] == vertex];
+    } while (edge != start && !f->is_walked[edge]);
+    return edge == start;
+}
+
+/* A circle through points: its centre by least squares (Kasa 1976), relative to their mean. */
+static int fit_circle(const finder *f, burnish_vec3 *center, burnish_vec3 *normal, double *radius) {
+    const size_t n = f->point_count;
+    burnish_vec3 mean = {0, 0, 0}, area = {0, 0, 0};
+    for (size_t i = 0; i < n; ++i) {
+        mean = burnish_vec3_add(mean, f->points[i]);
+    }
+    mean = burnish_vec3_scale(mean, 1 / (double)n);
+    for (size_t i = 0; i < n; ++i) {
+        area = burnish_vec3_add(area,
+                                burnish_vec3_cross(burnish_vec3_sub(f->points[i], mean),
+                                                   burnish_vec3_sub(f->points[(i + 1) % n], mean)));
+    }
+    *normal = burnish_vec3_normalize(area);
+    const burnish_vec3 u = burnish_vec3_normalize(burnish_vec3_sub(f->points[0], mean));
+    const burnish_vec3 v = burnish_vec3_cross(*normal, u);
+    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, squares = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const burnish_vec3 p = burnish_vec3_sub(f->points[i], mean);
+        const double x = burnish_vec3_dot(p, u), y = burnish_vec3_dot(p, v), z = x * x + y * y;
+        xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z, squares += z;
+    }
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 1e-6 * xx * yy)) {
+        return 0;
+    }
+    const double a = (xz * yy - yz * xy) / (2 * determinant);
+    const double b = (yz * xx - xz * xy) / (2 * determinant);
+    *center = burnish_vec3_add(
+        mean, burnish_vec3_add(burnish_vec3_scale(u, a), burnish_vec3_scale(v, b)));
+    *radius = burnish_sqrt(squares / (double)n + a * a + b * b);
+    return 1;
+}
+
+static double magnitude(double x) {
+    return x < 0 ? -x : x;
+}
+
+static int is_circle(const finder *f, burnish_vec3 center, burnish_vec3 normal, double radius) {
+    for (size_t i = 0; i < f->point_count; ++i) {
+        const burnish_vec3 p = burnish_vec3_sub(f->points[i], center);
+        const burnish_vec3 next =
+            burnish_vec3_sub(f->points[(i + 1) % f->point_count], f->points[i]);
+        if (magnitude(burnish_vec3_dot(p, normal)) > ROUND_SHARE * radius ||
+            magnitude(burnish_vec3_length(p) - radius) > ROUND_SHARE * radius ||
+            burnish_vec3_length(next) > CHORD_SHARE * radius) {
+            return 0;
+        }
+    }
+    return radius > 0;
+}
+
+static void add_circle(finder *f, burnish_vec3 center, burnish_vec3 normal, double radius) {
+    burnish_line_axes *axes = f->axes;
+    for (size_t i = 0; i < axes->count; ++i) {
+        burnish_line_axis *axis = &axes->items[i];
+        const burnish_vec3 away = burnish_vec3_sub(center, axis->origin);
+        const double largest = radius > axis->radius ? radius : axis->radius;
+        const double at = burnish_vec3_dot(away, axis->direction);
+        if (burnish_vec3_length(burnish_vec3_cross(normal, axis->direction)) < SAME_SINE &&
+            burnish_vec3_length(burnish_vec3_cross(away, axis->direction)) <
+                2 * ROUND_SHARE * largest) {
+            axis->radii[0] = at < axis->from ? radius : axis->radii[0];
+            axis->radii[1] = at > axis->to ? radius : axis->radii[1];
+            axis->from = at < axis->from ? at : axis->from;
+            axis->to = at > axis->to ? at : axis->to;
+            axis->radius = largest;
+            return;
+        }
+    }
+    axes->items = burnish_reserve(f->memory, axes->items, &axes->capacity, axes->count + 1,
+                                  sizeof *axes->items, "axes");
+    if (f->memory->status == BURNISH_STATUS_OK) {
+        axes->items[axes->count++] =
+            (burnish_line_axis){center, normal, 0, 0, {radius, radius}, radius};
+    }
+}
+
+static void find_axes(finder *f) {
+    burnish_line_axes *axes = f->axes;
+    size_t kept = 0;
+    for (uint32_t i = 0;
+         i < f->edges->count && f->memory->status == BURNISH_STATUS_OK && axes->count <= AXES_MAX;
+         ++i) {
+        burnish_vec3 center, normal;
+        double radius;
+        if (is_sharp(&f->edges->items[i]) && !f->is_walked[i] && walk(f, i) &&
+            f->point_count >= LEAST_VERTICES && fit_circle(f, &center, &normal, &radius) &&
+            is_circle(f, center, normal, radius)) {
+            add_circle(f, center, normal, radius);
+        }
+    }
+    axes->count = axes->count > AXES_MAX ? 0 : axes->count;
+    for (size_t i = 0; i < axes->count; ++i) {
+        const burnish_line_axis *axis = &axes->items[i];
+        if (axis->to - axis->from > LEAST_SPAN * axis->radius) {
+            axes->items[kept++] = *axis;
+        }
+    }
+    axes->count = kept;
+}
+
+void burnish_line_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
+                            burnish_memory *memory, burnish_line_axes *axes) {
+    finder f = {.mesh = mesh, .edges = edges, .memory = memory, .axes = axes};
+    axes->count = 0;
+    f.at = burnish_allocate(memory, mesh->vertex_count, 2 * sizeof *f.at, "circles");
+    f.is_walked = burnish_allocate_zeroed(memory, edges->count, 1, "circles");
+    if (memory->status == BURNISH_STATUS_OK) {
+        memset(f.at, 0xff, mesh->vertex_count * 2 * sizeof *f.at);
+        for (uint32_t i = 0; i < edges->count; ++i) {
+            if (is_sharp(&edges->items[i])) {
+                note_edge(&f, i, edges->items[i].ends[0]);
+                note_edge(&f, i, edges->items[i].ends[1]);
+            }
+        }
+        find_axes(&f);
+    }
+    burnish_release(memory->context, f.at);
+    burnish_release(memory->context, f.is_walked);
+    burnish_release(memory->context, f.points);
+}
