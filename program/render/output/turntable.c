@@ -210,12 +210,17 @@ burnish_status render_turntable_camera(const burnish_mesh *mesh, const render_se
 /* Maximum number of frames for the palette. */
 enum { SAMPLED = 8 };
 
+/* Bytes of frames drawn for the palette that are kept until they are written. */
+enum { KEPT_BYTES = 64 << 20 };
+
 /* A turntable that is being written. */
 typedef struct stream {
     const render_turntable *turntable;
     picture_animation *animation;
     render_pieces *pieces; /* NULL: all are drawn here */
     burnish_camera first;  /* the first frame's camera */
+    int kept[SAMPLED];     /* numbers of the frames for the palette, whose pixels are in ... */
+    uint8_t *kept_pixels;  /* ... this array; NULL: drawn again */
 } stream;
 
 /* Draws a frame into the cell; render_piece_drawer. */
@@ -232,6 +237,23 @@ static burnish_status draw_frame(void *context, int frame, burnish_error *error)
     return status;
 }
 
+static size_t image_size(const burnish_image *image) {
+    return (size_t)image->width * (size_t)image->height * (size_t)image->channels;
+}
+
+/* Draws a frame, or copies it if it was drawn for the palette. */
+static burnish_status make_frame(stream *s, int frame, burnish_error *error) {
+    burnish_image *image = &s->turntable->result->cells[0].image;
+    for (int i = 0; i < SAMPLED && s->kept_pixels; ++i) {
+        if (s->kept[i] == frame) {
+            memcpy(image->pixels, s->kept_pixels + (size_t)i * image_size(image),
+                   image_size(image));
+            return BURNISH_STATUS_OK;
+        }
+    }
+    return draw_frame(s, frame, error);
+}
+
 /* render_stream_next */
 static burnish_status next_frame(void *context, int frame, const uint8_t **bytes, size_t *size,
                                  burnish_error *error) {
@@ -241,7 +263,7 @@ static burnish_status next_frame(void *context, int frame, const uint8_t **bytes
     burnish_status status = BURNISH_STATUS_OK;
     if (is_frame) {
         status =
-            s->pieces ? render_pieces_take(s->pieces, frame, error) : draw_frame(s, frame, error);
+            s->pieces ? render_pieces_take(s->pieces, frame, error) : make_frame(s, frame, error);
     }
     if (status == BURNISH_STATUS_OK) {
         const double start = cli_seconds_now();
@@ -259,14 +281,23 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
     const render_turntable *t = s->turntable;
     const int count = t->result->settings->output.frames;
     const int sampled = count < SAMPLED ? count : SAMPLED;
+    const burnish_image *image = &t->result->cells[0].image;
+    const size_t size = image_size(image);
+    s->kept_pixels = !t->result->settings->job.runners && size <= KEPT_BYTES / SAMPLED
+                         ? malloc(SAMPLED * size)
+                         : NULL;
     picture_histogram *histogram = picture_histogram_create();
     burnish_status status = histogram ? BURNISH_STATUS_OK
                                       : cli_fail(error, BURNISH_STATUS_MEMORY,
                                                  "out of memory: the palette; write APNG or WebP");
     for (int i = 0; i < sampled && status == BURNISH_STATUS_OK; ++i) {
-        status = draw_frame(s, (int)((long)i * count / sampled), error);
+        s->kept[i] = (int)((long)i * count / sampled);
+        status = draw_frame(s, s->kept[i], error);
         if (status == BURNISH_STATUS_OK) {
-            picture_histogram_add(histogram, &t->result->cells[0].image);
+            picture_histogram_add(histogram, image);
+        }
+        if (status == BURNISH_STATUS_OK && s->kept_pixels) {
+            memcpy(s->kept_pixels + (size_t)i * size, image->pixels, size);
         }
     }
     if (status == BURNISH_STATUS_OK) {
@@ -330,5 +361,6 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     }
     render_pieces_destroy(s.pieces);
     picture_animation_destroy(s.animation);
+    free(s.kept_pixels);
     return status;
 }
