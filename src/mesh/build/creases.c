@@ -278,11 +278,11 @@ int burnish_surface_is_smooth(const burnish_surface *s, const uint32_t triangles
     const face faces[2] = {face_of(s, triangles[0]), face_of(s, triangles[1])};
     const double cosine = burnish_vec3_dot(faces[0].normal, faces[1].normal);
     face outer[2][2];
-    int smooth = 0;
-    if (cosine > BURNISH_SHARP_COSINE) {
+    int smooth = s->is_organic && is_noise(s, edge);
+    if (!smooth && cosine > BURNISH_SHARP_COSINE) {
         smooth = is_bent(s, &faces[0], edge, outer[0]) && is_bent(s, &faces[1], edge, outer[1])
                      ? is_curved(s, faces, edge, outer, cosine)
                      : cosine > STEP_COSINE && is_step(s, faces, edge);
     }
-    return smooth || (s->is_organic && is_noise(s, edge));
+    return smooth;
 }

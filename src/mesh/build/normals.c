@@ -173,8 +173,7 @@ __attribute__((target("avx2"))) static void measure_avx2(block *b, size_t count)
     measure_any(b, count);
 }
 
-__attribute__((target("avx512f,avx512dq,prefer-vector-width=512"))) static void
-measure_avx512(block *b, size_t count) {
+__attribute__((target("avx512f,avx512dq"))) static void measure_avx512(block *b, size_t count) {
     measure_any(b, count);
 }
 #endif
