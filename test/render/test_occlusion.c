@@ -135,9 +135,9 @@ static void test_exposure(burnish_look look, int low, int high) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    RUN(test_wall(BURNISH_OCCLUSION_MAX, 0.025));
-    RUN(test_wall(72, 0.065));
-    RUN(test_wall(54, 0.065));
+    RUN(test_wall(BURNISH_OCCLUSION_MAX, 0.015));
+    RUN(test_wall(72, 0.04));
+    RUN(test_wall(54, 0.045));
     RUN(test_sphere());
     RUN(test_exposure(BURNISH_LOOK_THREE_POINT, 222, 238));
     RUN(test_exposure(BURNISH_LOOK_STUDIO, 238, 252));

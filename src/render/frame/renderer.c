@@ -194,10 +194,9 @@ static burnish_status update_maps(drawing *d, const double eye[3],
                                   burnish_occlusion_lookup *lookup) {
     burnish_renderer *renderer = d->renderer;
     const burnish_render_options *options = d->options;
-    const int side = options->width < options->height ? options->width : options->height;
     const burnish_occlusion_options wanted = {
         .count = options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
-        .size = side < 384 ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE,
+        .side = options->width < options->height ? options->width : options->height,
         .eye = eye,
         .up = up_of(d),
         .pixel = d->view.pixel};

@@ -19,6 +19,10 @@
 #define REACH 1.5
 #define SQRT2 1.4142135623730951
 
+/* Pixels along the picture's shorter edge: smaller maps suffice below, more directions are needed
+ * from there on. */
+enum { SMALL_SIDE = 384, LARGE_SIDE = 600 };
+
 /* The sky below is this bright where above it is 1. */
 #define DARK_SKY 0.35
 
@@ -39,18 +43,22 @@ burnish_map_view burnish_occlusion_view(int i, int count, int size) {
 }
 
 /* As many directions as do not show as silhouettes on large flat faces, which meshes of few
- * triangles have, and as few as do not take too long where a mesh is large: those are rough. */
-static int choose_count(const burnish_mesh_view *mesh) {
+ * triangles have, and as few as do not take too long where a mesh is large: those are rough. Deep
+ * places of large pictures need more. */
+static int choose_count(const burnish_mesh_view *mesh, int is_large) {
     static const struct {
         size_t triangles;
-        int count;
-    } steps[] = {{8192, 72}, {65536, 54}, {262144, 36}, {1048576, 28}};
-    for (size_t i = 0; i < sizeof steps / sizeof *steps; ++i) {
-        if (mesh->triangle_count <= steps[i].triangles) {
-            return steps[i].count;
-        }
+        int counts[2];
+    } steps[] = {{8192, {72, 72}},
+                 {65536, {54, 54}},
+                 {262144, {36, 54}},
+                 {1048576, {28, 36}},
+                 {SIZE_MAX, {18, 18}}};
+    int i = 0;
+    while (mesh->triangle_count > steps[i].triangles) {
+        ++i;
     }
-    return 18;
+    return steps[i].counts[is_large];
 }
 
 /* Numbers of a map and its blockers. */
@@ -126,9 +134,9 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup) {
     const int count = options->count == BURNISH_OCCLUSION_AUTO
-                          ? choose_count(mesh)
+                          ? choose_count(mesh, options->side >= LARGE_SIDE)
                           : options->count + options->count % 2;
-    const int size = options->size;
+    const int size = options->side < SMALL_SIDE ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE;
     double texels = 1, plane = 0;
     if (occlusion->mesh != mesh->serial || occlusion->count != count || occlusion->size != size ||
         occlusion->max_overdraw > occlusion->drawer.max_overdraw) {

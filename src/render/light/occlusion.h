@@ -59,7 +59,7 @@ const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int
 typedef struct burnish_occlusion_options {
     int count; /* directions, [1, BURNISH_OCCLUSION_MAX], or BURNISH_OCCLUSION_AUTO; odd: one more
                 */
-    int size;  /* of a map */
+    int side;  /* pixels along the shorter edge of the picture */
     const double *eye; /* the camera, in the raster's space */
     burnish_vec3 up;   /* the brighter side of the sky, a unit vector */
     double pixel;      /* about what one is wide at the mesh, in the raster's space */

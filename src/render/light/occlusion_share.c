@@ -3,6 +3,10 @@
 /* Least cosine between normals that share: 10 degrees. */
 #define ALIKE 0.985f
 
+/* In large pictures, squares of 4 x 4 pixels that lose more than this share of what they can lose
+ * are looked up again as squares of 2 x 2: a grid would be visible there. */
+#define DEEP 0.2f
+
 enum { NO_KEY = 0xffff };
 
 /* Positions themselves, unit normals. */
@@ -38,9 +42,8 @@ static int is_alike(const burnish_share_scratch *scratch, int point, int key, fl
 }
 
 /* The key of a point: one of its square that is alike, or a new one. */
-static int find_key(const burnish_occlusion_lookup *lookup, int point, int square, int *count,
+static int find_key(float reach_squared, int point, int square, int *count,
                     burnish_share_scratch *scratch) {
-    const float reach_squared = lookup->reach * lookup->reach;
     const int first = scratch->first[square];
     const int is_known = first < *count && scratch->square[first] == square;
     for (int key = is_known ? first : NO_KEY; key != NO_KEY; key = scratch->next[key]) {
@@ -81,7 +84,8 @@ static void sort_points(const burnish_share_points *points, int count, uint16_t 
 
 /* Chooses the points that are looked up; returns how many. */
 static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_share_points *points,
-                     int count, burnish_share_scratch *scratch) {
+                     int count, int share, burnish_share_scratch *scratch) {
+    const float reach_squared = lookup->reach * lookup->reach;
     uint16_t order[BURNISH_SHARE_BATCH];
     int keys = 0;
     if (points->pixels) {
@@ -93,26 +97,50 @@ static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_share
         scratch->key[at] = NO_KEY;
         if (!points->shown || points->shown[at] >= 0) {
             scratch->key[at] =
-                (uint16_t)find_key(lookup, at, square_of(pixel, lookup->share), &keys, scratch);
+                (uint16_t)find_key(reach_squared, at, square_of(pixel, share), &keys, scratch);
         }
     }
     return keys;
 }
 
-void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
-                            const burnish_share_points *points, int count,
-                            burnish_share_scratch *scratch, float *const rgb[3]) {
+/* Writes what each point sees of the sky, [0, 1], if it is looked up. */
+static void look_up(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
+                    const burnish_share_points *points, int count, int share,
+                    burnish_share_scratch *scratch) {
     const float *const position[3] = {scratch->key_position[0], scratch->key_position[1],
                                       scratch->key_position[2]};
     const float *const normal[3] = {scratch->key_normal[0], scratch->key_normal[1],
                                     scratch->key_normal[2]};
-    prepare(ops, points, count, scratch);
-    const int keys = find_keys(lookup, points, count, scratch);
-    ops->occlude(lookup, position, normal, (size_t)keys, scratch->open);
+    const int keys = find_keys(lookup, points, count, share, scratch);
+    ops->occlude(lookup, position, normal, (size_t)keys, scratch->key_open);
     for (int i = 0; i < count; ++i) {
-        const float open = scratch->key[i] == NO_KEY ? 1.0f : scratch->open[scratch->key[i]];
+        if (scratch->key[i] != NO_KEY) {
+            scratch->open[i] = scratch->key_open[scratch->key[i]];
+        }
+    }
+}
+
+void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
+                            const burnish_share_points *points, int count,
+                            burnish_share_scratch *scratch, float *const rgb[3]) {
+    prepare(ops, points, count, scratch);
+    for (int i = 0; i < count; ++i) {
+        scratch->open[i] = 1.0f;
+    }
+    look_up(lookup, ops, points, count, lookup->share, scratch);
+    if (lookup->share == 4) {
+        const float limit = 1.0f - DEEP * lookup->strength;
+        burnish_share_points again = *points;
+        int32_t shown[BURNISH_SHARE_BATCH];
+        for (int i = 0; i < count; ++i) {
+            shown[i] = scratch->open[i] < limit ? 0 : -1;
+        }
+        again.shown = shown;
+        look_up(lookup, ops, &again, count, 2, scratch);
+    }
+    for (int i = 0; i < count; ++i) {
         for (int k = 0; k < 3; ++k) {
-            rgb[k][i] *= open;
+            rgb[k][i] *= scratch->open[i];
         }
     }
 }

@@ -27,8 +27,9 @@ typedef struct burnish_share_points {
 typedef struct burnish_share_scratch {
     float position[3][BURNISH_SHARE_BATCH], normal[3][BURNISH_SHARE_BATCH]; /* of the points */
     float key_position[3][BURNISH_SHARE_BATCH], key_normal[3][BURNISH_SHARE_BATCH];
-    float open[BURNISH_SHARE_BATCH];   /* of the keys: the points that are looked up */
-    uint16_t key[BURNISH_SHARE_BATCH]; /* of a point */
+    float open[BURNISH_SHARE_BATCH];
+    float key_open[BURNISH_SHARE_BATCH]; /* of the keys: the points that are looked up */
+    uint16_t key[BURNISH_SHARE_BATCH];   /* of a point */
     uint16_t square[BURNISH_SHARE_BATCH], next[BURNISH_SHARE_BATCH]; /* of a key */
     uint16_t first[BURNISH_SHARE_SQUARES]; /* key of a square, if square[key] is that square */
 } burnish_share_scratch;

@@ -5,10 +5,13 @@
 #include "render/light/depth_map_simd.h"
 #include "render/light/occlusion.h"
 
-/* Hidden shares are means of four taps at these offsets, in radii: a rotated square, because an
- * edge along a map's axis would meet two taps of an upright one at once. */
-static const float TAPS[4][2] = {
-    {0.35f, 0.94f}, {-0.94f, 0.35f}, {-0.35f, -0.94f}, {0.94f, -0.35f}};
+/* Hidden shares are means of taps at these offsets, in radii: two rotated squares, because an edge
+ * along a map's axis would meet two taps of an upright one at once. A single square shows as
+ * blotches in deep places, where most directions are hidden by something far away. */
+enum { TAP_COUNT = 8 };
+static const float TAPS[TAP_COUNT][2] = {{0.35f, 0.94f},  {-0.94f, 0.35f}, {-0.35f, -0.94f},
+                                         {0.94f, -0.35f}, {0.5f, 0.02f},   {-0.02f, 0.5f},
+                                         {-0.5f, -0.02f}, {0.02f, -0.5f}};
 
 BURNISH_INLINE vf map_magnitude(vf x) {
     return vf_from_bits(vi_and(vf_bits(x), vi_set(0x7fffffff)));
@@ -44,7 +47,7 @@ BURNISH_INLINE vf look_up_wide(const burnish_occlusion_lookup *lookup,
                                vf radius) {
     const vf one = vf_set(1.0f), factor = vf_set(lookup->slope);
     vf hidden = vf_set(0.0f);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < TAP_COUNT; ++i) {
         const vf dx = vf_mul(radius, vf_set(TAPS[i][0])), dy = vf_mul(radius, vf_set(TAPS[i][1]));
         const vf rise = vf_add(vf_mul(dx, point->slope_x), vf_mul(dy, point->slope_y));
         map_point tap = *point;
@@ -53,7 +56,7 @@ BURNISH_INLINE vf look_up_wide(const burnish_occlusion_lookup *lookup,
         tap.depth = vf_add(point->depth, rise);
         hidden = vf_add(hidden, map_over(pair->depths, shift, lookup->size, &tap, one, factor));
     }
-    return vf_mul(hidden, vf_set(0.25f));
+    return vf_mul(hidden, vf_set(1.0f / TAP_COUNT));
 }
 
 enum { OCCLUDED_ROOM = BURNISH_OCCLUDED_MAX + LANES };
