@@ -145,6 +145,24 @@ static void test_light(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* A shadow that leaves the image has faded at its edge. */
+static void test_border(void) {
+    burnish_mesh *mesh = load_mesh(":sphere", NULL);
+    float *pixels;
+    double darkest = 0;
+    casts_shadow = 1;
+    pixels = draw(mesh, 3, 0, 1, NULL);
+    casts_shadow = 0;
+    for (int i = 0; i < SIZE; ++i) {
+        const double lost = 1 - (double)pixel_at(pixels, 0, i)[0];
+        darkest = lost > darkest ? lost : darkest;
+    }
+    CHECK(darkest < 0.01, "the edge of the image loses %g", darkest);
+    CHECK((double)pixel_at(pixels, 30, SIZE / 2)[0] < 0.7, "no shadow further inside");
+    free(pixels);
+    burnish_mesh_destroy(mesh);
+}
+
 /* Over white, a transparent picture is the opaque one. */
 static void test_transparent(void) {
     burnish_mesh *mesh = load_mesh(":teapot", NULL);
@@ -243,6 +261,7 @@ int main(int count, char **arguments) {
     RUN(test_ball());
     RUN(test_plate());
     RUN(test_light());
+    RUN(test_border());
     RUN(test_transparent());
     RUN(test_directions());
     RUN(test_renderer_again());

@@ -288,7 +288,8 @@ static burnish_status update_ground(drawing *d) {
         status = burnish_ground_draw(ground, d->view.shading.ops, &renderer->occlusion, shadow,
                                      &renderer->tasks, &d->memory);
     }
-    d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye);
+    d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye, d->options->width,
+                                         d->options->height);
     return status;
 }
 

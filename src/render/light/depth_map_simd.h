@@ -30,6 +30,10 @@ BURNISH_INLINE map_point map_locate(const burnish_map_rows *rows, const vf p[3],
     return point;
 }
 
+BURNISH_INLINE vf map_magnitude(vf x) {
+    return vf_from_bits(vi_and(vf_bits(x), vi_set(0x7fffffff)));
+}
+
 /* A whole number at most half a texel from x - 1/2, inside a map with its neighbour; NaN becomes
  * 0. */
 BURNISH_INLINE vf texel_before(vf x, int size) {

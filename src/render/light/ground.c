@@ -21,6 +21,10 @@
  * more lets light in at contacts. */
 #define CONE 1.2
 
+/* The border in which the shadow fades, as a share of the image's shorter edge: a shadow that leaves
+ * the image would look cut off. */
+#define BORDER 0.2f
+
 /* Directions nearer to the horizon count for nothing. */
 #define LOWEST 0.02
 
@@ -322,13 +326,16 @@ static void along_rays(const burnish_rays *rays, burnish_vec3 v, double out[3]) 
  * (eye . up - height) / -(d . up); times -(d . up), a coordinate is linear in x and y. A parallel
  * one starts at eye + d and goes along ray_depth; everything is linear. */
 burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burnish_rays *rays,
-                                        burnish_vec3 eye) {
+                                        burnish_vec3 eye, int width, int height) {
     const int is_parallel = rays->q_per_depth == 0;
     const double above = burnish_vec3_dot(eye, ground->up) - ground->height;
     const double texels = texels_of(ground);
     const burnish_vec3 forward = burnish_vec3_loadf(rays->ray_depth);
     const double fall = -burnish_vec3_dot(forward, ground->up);
-    burnish_ground_view view = {.texels = ground->texels};
+    burnish_ground_view view = {.texels = ground->texels,
+                                .half = {(float)width / 2, (float)height / 2},
+                                .per_border =
+                                    1 / (BORDER * (float)(width < height ? width : height))};
     double down[3], coordinates[2][3];
     along_rays(rays, burnish_vec3_scale(ground->up, -1), down);
     for (int axis = 0; axis < 2; ++axis) {

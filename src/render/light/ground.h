@@ -51,6 +51,8 @@ typedef struct burnish_ground {
 typedef struct burnish_ground_view {
     const uint16_t *texels;
     float column[3], row[3], depth[3];
+    float half[2];    /* of the image, in pixels */
+    float per_border; /* the shadow fades toward the image's edge: 1 / the width of that border */
 } burnish_ground_view;
 
 /* Computes the plane. Errors: none. */
@@ -71,8 +73,9 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_
                                    const burnish_occlusion *occlusion, const burnish_shadow *shadow,
                                    burnish_tasks *tasks, burnish_memory *memory);
 
+/*   width, height  of the image, in pixels */
 burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burnish_rays *rays,
-                                        burnish_vec3 eye);
+                                        burnish_vec3 eye, int width, int height);
 void burnish_ground_destroy(burnish_ground *ground, const burnish_context *context);
 
 #endif

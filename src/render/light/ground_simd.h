@@ -68,6 +68,14 @@ static void add_silhouette(const burnish_silhouette *silhouette, float row, size
     }
 }
 
+/* 1 inside, 0 at two opposite edges of the image, smooth.
+ *   at    from its middle, half of it at the edges */
+BURNISH_INLINE vf border_fade(vf at, float half, float per_border) {
+    const vf inside = vf_mul(vf_sub(vf_set(half), map_magnitude(at)), vf_set(per_border));
+    const vf t = vf_min(vf_max(inside, vf_set(0.0f)), vf_set(1.0f));
+    return vf_mul(vf_mul(t, t), vf_sub(vf_set(3.0f), vf_add(t, t)));
+}
+
 static void shadow_ground(const burnish_ground_view *view, const burnish_screen_points *points,
                           size_t count, float *shadow) {
     const vf zero = vf_set(0.0f), least = vf_set(0x1p-40f);
@@ -87,6 +95,8 @@ static void shadow_ground(const burnish_ground_view *view, const burnish_screen_
         if (vm_any(seen)) {
             dark = map_over(view->texels, vi_set(0), BURNISH_GROUND_SIZE, &point, vf_set(1.0f),
                             vf_set(1.0f / 65535.0f));
+            dark = vf_mul(dark, border_fade(x, view->half[0], view->per_border));
+            dark = vf_mul(dark, border_fade(y, view->half[1], view->per_border));
         }
         vf_store(shadow + i, vf_and_mask(seen, dark));
     }

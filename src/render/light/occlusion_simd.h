@@ -13,10 +13,6 @@ static const float TAPS[TAP_COUNT][2] = {{0.35f, 0.94f},  {-0.94f, 0.35f}, {-0.3
                                          {0.94f, -0.35f}, {0.5f, 0.02f},   {-0.02f, 0.5f},
                                          {-0.5f, -0.02f}, {0.02f, -0.5f}};
 
-BURNISH_INLINE vf map_magnitude(vf x) {
-    return vf_from_bits(vi_and(vf_bits(x), vi_set(0x7fffffff)));
-}
-
 /* How far above a point the blockers around it reach, in codes: the coarse map's maxima, bilinear,
  * less what the point's own plane rises in a cell. Most points have no blockers there, which a
  * single look-up detects. */
