@@ -97,14 +97,6 @@ static burnish_status receive_cell(const sheet *s, burnish_image *cell, char *la
 
 enum { LABEL_BYTES = 64 };
 
-/* Shortens a label that is too long. */
-static void shorten(char *label, int width) {
-    const size_t most = (size_t)width / 9 > 4 ? (size_t)width / 9 : 4, length = strlen(label);
-    if (length > most) {
-        memcpy(label + most - 2, "..", 3);
-    }
-}
-
 static burnish_status make_sheet(const sheet *s, picture_file *file, burnish_error *error) {
     static const uint8_t paper[3] = {255, 255, 255}, ink[3] = {40, 40, 40};
     burnish_sheet_cell *cells = calloc(s->count, sizeof *cells);
@@ -116,7 +108,6 @@ static burnish_status make_sheet(const sheet *s, picture_file *file, burnish_err
                                 : cli_fail(error, BURNISH_STATUS_MEMORY, "--sheet: out of memory");
     for (size_t i = 0; i < s->count && status == BURNISH_STATUS_OK; ++i) {
         status = receive_cell(s, &images[i], labels[i], sizeof labels[i], error);
-        shorten(labels[i], s->width);
         cells[i] = (burnish_sheet_cell){.image = &images[i],
                                         .label = s->width >= LABEL_MIN ? labels[i] : NULL};
     }
@@ -173,6 +164,28 @@ static int is_shown(const batch_item *item) {
     return !item->has_failed && item->line;
 }
 
+static int continues(char byte) {
+    return ((unsigned char)byte & 0xc0) == 0x80; /* a character of UTF-8 */
+}
+
+/* The name, without its middle if it is too long for a cell: names of parts differ at their ends. */
+static void write_label(char label[LABEL_BYTES], const char *name, int width) {
+    const size_t fits = width / 7 > 8 ? (size_t)width / 7 : 8;
+    const size_t most = fits < LABEL_BYTES - 1 ? fits : LABEL_BYTES - 1, length = strlen(name);
+    if (length <= most) {
+        memcpy(label, name, length + 1);
+        return;
+    }
+    size_t head = (most - 2) / 3, tail = length - (most - 2 - head);
+    while (head > 0 && continues(name[head])) {
+        --head;
+    }
+    while (tail < length && continues(name[tail])) {
+        ++tail;
+    }
+    snprintf(label, LABEL_BYTES, "%.*s..%s", (int)head, name, name + tail);
+}
+
 static void send_pictures(const sheet *s) {
     for (size_t i = 0; i < s->b->list.count; ++i) {
         const batch_item *item = &s->b->list.items[i];
@@ -180,9 +193,7 @@ static void send_pictures(const sheet *s) {
         if (!is_shown(item)) {
             continue;
         }
-        snprintf(label, sizeof label, "%s", batch_base_name(item->input));
-        char *dot = strrchr(label, '.');
-        *(dot && dot > label ? dot : label + strlen(label)) = 0;
+        write_label(label, batch_base_name(item->input), s->width);
         FILE *file = fopen(item->output, "rb");
         uint8_t *bytes = NULL;
         long size = file && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : 0;

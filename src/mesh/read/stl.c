@@ -118,9 +118,11 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
         }
     }
     if (*count != room && room > 0 && (input->size - HEADER_SIZE) % FACET_SIZE == 0) {
-        burnish_reader_warn(reader, input->bytes + TITLE_SIZE,
-                            "%zu triangles are announced, but the file has %zu, which are drawn",
-                            *count, room);
+        if (*count > 0 || input->pieces) { /* programs that write to a pipe announce 0 */
+            burnish_reader_warn(
+                reader, input->bytes + TITLE_SIZE,
+                "%zu triangles are announced, but the file has %zu, which are drawn", *count, room);
+        }
         *count = room;
     }
     if (*count > room) {

@@ -208,7 +208,8 @@ static void test_stl_text(void) {
     }
 }
 
-/* The size determines the number of facets, unless nothing matches it. */
+/* The size determines the number of facets, unless nothing matches it. 0, which programs write that
+ * can not seek in their output, is no reason to warn. */
 static void test_stl_count(void) {
     static const uint32_t counts[] = {0, 11, 13, UINT32_MAX};
     byte_list other = {.size = 0}; /* a size that matches counts, whatever the name is */
@@ -225,7 +226,8 @@ static void test_stl_count(void) {
         snprintf(warning, sizeof warning,
                  "a.stl: byte 80: %u triangles are announced, but the file has 12, which are drawn",
                  counts[i]);
-        burnish_mesh *mesh = load_tolerantly("a.stl", list.bytes, list.size, warning);
+        burnish_mesh *mesh =
+            load_tolerantly("a.stl", list.bytes, list.size, counts[i] > 0 ? warning : NULL);
         CHECK(triangles_of(mesh) == 12, "%zu", triangles_of(mesh));
         burnish_mesh_destroy(mesh);
     }
@@ -369,17 +371,22 @@ static void test_face_colors(void) {
             burnish_mesh_destroy(mesh);
         }
     }
-    burnish_mesh *mesh =
-        load_text("a.ply",
-                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
-                  "property float y\nproperty float z\nproperty uchar r\n"
-                  "property uchar g\nproperty uchar b\nelement face 1\n"
-                  "property list uchar int vertex_indices\nproperty uchar red\n"
-                  "property uchar green\nproperty uchar blue\nend_header\n"
-                  "0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 7\n3 0 1 2 1 2 3\n",
-                  "a.ply: colours of faces are not drawn, the colours of vertices are");
-    CHECK1(color_at_is(mesh, 1, 0, 9, 8, 7));
-    burnish_mesh_destroy(mesh);
+    for (int alike = 0; alike < 2; ++alike) { /* faces have the colours if vertices all have one */
+        char text[600];
+        snprintf(text, sizeof text,
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                 "property float y\nproperty float z\nproperty uchar r\n"
+                 "property uchar g\nproperty uchar b\nelement face 1\n"
+                 "property list uchar int vertex_indices\nproperty uchar red\n"
+                 "property uchar green\nproperty uchar blue\nend_header\n"
+                 "0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 %d\n3 0 1 2 1 2 3\n",
+                 alike ? 7 : 6);
+        burnish_mesh *mesh = load_text(
+            "a.ply", text,
+            alike ? NULL : "a.ply: colours of faces are not drawn, the colours of vertices are");
+        CHECK1(alike ? color_at_is(mesh, 1, 0, 1, 2, 3) : color_at_is(mesh, 1, 0, 9, 8, 7));
+        burnish_mesh_destroy(mesh);
+    }
 }
 
 /* ---- Material libraries: where they are ---- */

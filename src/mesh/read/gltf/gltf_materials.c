@@ -117,6 +117,10 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
         burnish_gltf_read_texture(gltf, value, "normalTexture", 0, "scale");
     textures[BURNISH_TEXTURE_EMISSIVE] =
         burnish_gltf_read_texture(gltf, value, "emissiveTexture", 1, NULL);
+    if (textures[BURNISH_TEXTURE_EMISSIVE].texture == 0 &&
+        burnish_json_member(&gltf->json, value, "emissiveTexture") != BURNISH_JSON_NONE) {
+        memset(material->emissive, 0, sizeof material->emissive); /* the texture is mostly black */
+    }
     textures[BURNISH_TEXTURE_OCCLUSION] =
         burnish_gltf_read_texture(gltf, value, "occlusionTexture", 0, "strength");
     if (glossy != BURNISH_JSON_NONE) {

@@ -236,7 +236,7 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
     }
     ply->takes_face_colors =
         element->kind == BURNISH_PLY_ELEMENT_FACE && ply->header.has_face_colors &&
-        !ply->header.has_vertex_colors &&
+        (!ply->header.has_vertex_colors || ply->ignores_vertex_colors) &&
         ply->reader->mesh->streams[BURNISH_COLOR].count == ply->reader->mesh->triangle_count;
     for (int i = 0; i < BURNISH_PLY_ROLE_COUNT && ply->takes_face_colors; ++i) {
         ply->face_types[i] = rows.columns[i].type;
@@ -285,11 +285,31 @@ static int first_line_is_row(const burnish_ply_state *ply, const uint8_t *at) {
 }
 
 /* *left: bytes of an ASCII file after the last row and blanks. */
+/* Vertices that all have one colour say less than the faces, whose colours are taken then. */
+static void judge_colors(burnish_ply_state *ply) {
+    burnish_mesh_data *mesh = ply->reader->mesh;
+    const burnish_stream *stream = &mesh->streams[BURNISH_COLOR];
+    const uint8_t *colors = stream->items;
+    size_t i = 1;
+    while (i < stream->count && memcmp(colors, colors + 4 * i, 4) == 0) {
+        ++i;
+    }
+    if (stream->count > 0 && i == stream->count) {
+        burnish_mesh_data_drop(mesh, BURNISH_COLOR);
+        ply->per_triangle |= 1U << BURNISH_COLOR;
+        ply->ignores_vertex_colors = 1;
+    }
+}
+
 static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
     const uint8_t *at = ply->header.body,
                   *end = ply->reader->input->bytes + ply->reader->input->size;
     burnish_status status = BURNISH_STATUS_OK;
     ply->few_corners = ply->fields = (burnish_warning_group){0};
+    ply->per_triangle = (unsigned)(ply->header.has_face_colors && !ply->header.has_vertex_colors)
+                            << BURNISH_COLOR |
+                        (unsigned)ply->takes_face_coordinates << BURNISH_TEXCOORD;
+    ply->ignores_vertex_colors = 0;
     ply->run_start = 0;
     ply->run_texture = 0;
     for (size_t i = 0; i < ply->header.element_count && status == BURNISH_STATUS_OK; ++i) {
@@ -299,6 +319,10 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
             ply->is_odd = 1;
         }
         status = read_element(ply, &at);
+        if (status == BURNISH_STATUS_OK && ply->element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
+            ply->header.has_vertex_colors && ply->header.has_face_colors) {
+            judge_colors(ply);
+        }
     }
     while (!ply->reader->is_binary && !ply->reader->input->pieces && at < end &&
            (burnish_is_blank(*at) || burnish_is_line_end(*at))) {
@@ -389,9 +413,6 @@ static burnish_status read_body(burnish_ply_state *ply) {
         burnish_reader_keeps_coordinates(ply->reader, header->texture_count > 0);
     ply->takes_face_coordinates = ply->keeps_coordinates && header->has_face_coordinates;
     ply->takes_textures = ply->takes_face_coordinates && header->texture_count > 0;
-    ply->per_triangle = (unsigned)(header->has_face_colors && !header->has_vertex_colors)
-                            << BURNISH_COLOR |
-                        (unsigned)ply->takes_face_coordinates << BURNISH_TEXCOORD;
     for (size_t i = 0; i < ply->header.element_count; ++i) {
         const burnish_ply_element *element = &ply->header.elements[i];
         has_faces |= element->count > 0 && element->kind > BURNISH_PLY_ELEMENT_VERTEX;

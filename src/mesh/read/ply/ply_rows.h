@@ -14,6 +14,7 @@ typedef struct burnish_ply_state {
     size_t vertex_count;
     burnish_ply_type types[BURNISH_PLY_ROLE_COUNT];      /* of a vertex; NONE: not there */
     burnish_ply_type face_types[BURNISH_PLY_ROLE_COUNT]; /* of a face's colours */
+    int ignores_vertex_colors;  /* 1: they are all the same, and faces have colours */
     int takes_face_colors;      /* 1: each triangle appends its face's colour */
     int keeps_coordinates;      /* 1: texture coordinates are wanted */
     int takes_face_coordinates; /* 1: each triangle appends 3 of its face */
