@@ -115,6 +115,9 @@ static const cli_term json_terms[] = {
     {"*up, up_source, view*",
      "the up axis; its source: flag, format, or auto if it is not the format's; the standard view, "
      "if any"},
+    {"*inside_out*",
+     "true if a closed surface is inside out: its triangles are clockwise seen from "
+     "outside, which pictures do not show; null if the surface is open"},
     {"*triangles_drawn*", "triangles that are visible in at least one sample"},
     {"*hidden*", "share of the object's area in the other triangles"},
     {"*covered_pixels, pixel_bounds*",

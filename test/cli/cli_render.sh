@@ -338,6 +338,17 @@ same "a floor is seen from above" "$(hash flat.obj --size=32 --up=+Z --camera-or
 same "other formats state their axis" "$(up :sphere)" "+Y format"
 same "the guess draws what its axis draws" "$(hash sheet.obj --size=32 --up=auto)" "$(hash sheet.obj --size=32 --up=+Z)"
 
+# A tetrahedron that shows one face is turned.
+printf 'v 0 -1 1\nv 0 1 1\nv -1 0 -1\nv 1 0 -1\nf 3 2 4\nf 3 4 1\nf 3 1 2\nf 4 2 1\n' >tet.obj
+same "a tetrahedron is turned" "$(hash tet.obj --size=32)" "$(hash tet.obj --size=32 --azimuth=-30)"
+run render tet.obj --size=16 --json -o s.png
+same "a closed surface" "$(json inside_out)" false
+sed 's/f \(.\) \(.\) \(.\)/f \1 \3 \2/' tet.obj >tot.obj
+run render tot.obj --size=16 --json -o s.png
+same "the same, inside out" "$(json inside_out)" true
+run render flat.obj --size=16 --json -o s.png
+same "a sheet" "$(json inside_out)" null
+
 # Labels beyond ASCII.
 expect 2 'burnish: --labels: byte 4, 0xff, is not UTF-8; use UTF-8' render :torus --views=front,top --labels="a,b$(printf '\377')" -o s.png
 expect 2 'burnish: --labels: byte 3, 0xc3, is not UTF-8; use UTF-8' render :torus --views=front,top --labels="a,$(printf '\303')" -o s.png

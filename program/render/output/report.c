@@ -153,6 +153,29 @@ static cJSON *output_name(const render_result *result, const char *path) {
     return cli_json_text(result->written ? path : NULL);
 }
 
+/* Whether the surface is inside out; null if it is not closed: its area vectors do not add up to 0.
+ */
+static cJSON *inside_out(const burnish_mesh_view *view, int has_faces) {
+    double sum[3] = {0}, area = 0, volume = 0;
+    for (size_t t = 0; t < view->triangle_count; ++t) {
+        double p[3][3], normal[3];
+        for (int i = 0; i < 9; ++i) {
+            p[i / 3][i % 3] =
+                (double)view->positions[3 * (size_t)view->indices[3 * t + (size_t)i / 3] + i % 3];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int a = (k + 1) % 3, b = (k + 2) % 3;
+            normal[k] = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) -
+                        (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
+            sum[k] += normal[k];
+            volume += normal[k] * p[0][k];
+        }
+        area += sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    }
+    const double rest = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    return has_faces && rest <= 1e-6 * area ? cJSON_CreateBool(volume < 0) : cJSON_CreateNull();
+}
+
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const render_settings *settings = result->settings;
     const burnish_mesh *mesh = result->mesh;
@@ -193,6 +216,8 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const char *up = render_up_name(mesh, &settings->camera);
     cli_json_add(root, "up", cJSON_CreateString(up), failed);
     cli_json_add(root, "up_source", cJSON_CreateString(source), failed);
+    cli_json_add(root, "inside_out", inside_out(view, info->point_count + info->line_count == 0),
+                 failed);
 }
 
 static const char *word_of(const cli_word *words, int value) {

@@ -1,6 +1,7 @@
 /* Cameras from flags. Everything that affects pixels uses plain IEEE operations. */
 #include "render/scene/camera.h"
 
+#include <math.h>
 #include <string.h>
 
 /* A right-handed frame for every up axis: right x up = front, which points to the viewer. */
@@ -247,13 +248,78 @@ static burnish_status explicit_camera(request from, burnish_camera *camera, burn
     return BURNISH_STATUS_OK;
 }
 
+/* Triangles of an object that can be turned; more hardly show a single plane. */
+enum { TURNED_MAX = 64 };
+
+/* The share of a view of a convex object that the largest plane takes.
+ *   total  receives twice the area that is seen, times the length of direction */
+static double plane_share(const burnish_mesh_view *view, const double direction[3],
+                          double *total) {
+    double normals[TURNED_MAX][3], areas[TURNED_MAX], largest = 0;
+    *total = 0;
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        double edges[2][3];
+        for (int k = 0; k < 6; ++k) {
+            edges[k / 3][k % 3] =
+                (double)view->positions[3 * view->indices[3 * i + 1 + k / 3] + k % 3] -
+                (double)view->positions[3 * view->indices[3 * i] + k % 3];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int next = (k + 1) % 3, last = (k + 2) % 3;
+            normals[i][k] = edges[0][next] * edges[1][last] - edges[0][last] * edges[1][next];
+        }
+        areas[i] = -dot(normals[i], direction);
+        *total += areas[i] > 0 ? areas[i] : 0;
+    }
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        double area = 0;
+        for (size_t k = 0; k < view->triangle_count; ++k) {
+            area += areas[k] > 0 && parallel(normals[i], normals[k]) ? areas[k] : 0;
+        }
+        largest = area > largest ? area : largest;
+    }
+    return *total > 0 ? largest / *total : 0;
+}
+
+/* Turns the three-quarter view of a simple object, such as a tetrahedron, if it shows a single plane
+ * and another view shows more of the object but not much less area: plates stay. */
+static void turn_default(request *from) {
+    static const double azimuths[] = {0, 30, -30, 60, -60};
+    const burnish_mesh_view *view = burnish_mesh_get_view(from->mesh);
+    burnish_framing framing = from->framing;
+    double seen = 0;
+    for (size_t i = 0; i < 5 && view->triangle_count <= TURNED_MAX; ++i) {
+        burnish_camera camera;
+        double direction[3], total;
+        framing.azimuth = azimuths[i];
+        if (burnish_camera_frame(from->mesh, &framing, &camera, NULL) != BURNISH_STATUS_OK) {
+            return;
+        }
+        subtract(camera.focal_point, camera.position, direction);
+        const double share = plane_share(view, direction, &total);
+        total /= sqrt(dot(direction, direction));
+        seen = i == 0 ? total : seen;
+        if (i == 0 && share < 0.97) {
+            return;
+        }
+        if (share < 0.8 && total > 0.6 * seen) {
+            from->framing.azimuth = framing.azimuth;
+            return;
+        }
+    }
+}
+
 /* The default view: three-quarter, or the standard view that shows a sheet face on. */
-static render_view default_view(const request *from) {
+static render_view default_view(request *from) {
     const render_camera_settings *camera = &from->settings->camera;
     const frame *axes = from->axes;
     const int k = camera->sheet - 1;
-    if (k < 0 || camera->direction.given || camera->view_up.given || camera->azimuth.value != 0 ||
+    if (camera->direction.given || camera->view_up.given || camera->azimuth.value != 0 ||
         camera->elevation.value != 0) {
+        return VIEW_FREE;
+    }
+    if (k < 0) {
+        turn_default(from);
         return VIEW_FREE;
     }
     return axes->up[k] != 0 ? VIEW_TOP : axes->front[k] != 0 ? VIEW_FRONT : VIEW_RIGHT;
@@ -268,14 +334,14 @@ static burnish_status framed_camera(request from, render_view view, burnish_came
     burnish_framing *framing = &from.framing;
     double direction[3], upward[3];
     burnish_status status;
+    memcpy(framing->up, axes->up, sizeof framing->up);
     view = view == VIEW_FREE ? default_view(&from) : view;
     if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
         combine(axes, views[view].upward, 1, upward);
         return fit_along(from, direction, upward, camera, error);
     }
-    memcpy(framing->up, axes->up, sizeof framing->up);
-    framing->azimuth = settings->camera.azimuth.value;
+    framing->azimuth += settings->camera.azimuth.value;
     framing->elevation = settings->camera.elevation.value;
     if (settings->camera.direction.given) {
         memcpy(framing->direction, settings->camera.direction.values, sizeof framing->direction);
