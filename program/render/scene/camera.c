@@ -253,8 +253,7 @@ enum { TURNED_MAX = 64 };
 
 /* The share of a view of a convex object that the largest plane takes.
  *   total  receives twice the area that is seen, times the length of direction */
-static double plane_share(const burnish_mesh_view *view, const double direction[3],
-                          double *total) {
+static double plane_share(const burnish_mesh_view *view, const double direction[3], double *total) {
     double normals[TURNED_MAX][3], areas[TURNED_MAX], largest = 0;
     *total = 0;
     for (size_t i = 0; i < view->triangle_count; ++i) {

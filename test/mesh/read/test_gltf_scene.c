@@ -427,14 +427,16 @@ static void test_damaged_images(void) {
                  "$head$triangle_accessors,'images':[%s,%s],'textures':[{'source':0},"
                  "{'source':1}],'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'ind"
                  "ex':0}},'normalTexture':{'index':1},'emissiveTexture':{'index':9},"
-                 "'emissiveFactor':[1,1,1]}],"
+                 "'emissiveFactor':[1,1,1]},{'extensions':{'KHR_materials_pbrSpecularGlossiness':"
+                 "{'specularGlossinessTexture':{'index':0}}}}],"
                  "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
                  "$node}",
                  images[i], images[i]);
         read_good(json, NULL, &s);
         CHECK1(s.triangle_count == 1 && s.texture_count == 0 && s.warning_count >= 1 &&
                s.materials[0].textures[BURNISH_TEXTURE_COLOR].texture == 0 &&
-               s.materials[0].emissive[0] == 0);
+               s.materials[0].emissive[0] == 0 && s.materials[1].exponent == 1 &&
+               s.materials[1].reflectance[0] == 0.04f);
         burnish_mesh_data_destroy(&s);
     }
 }

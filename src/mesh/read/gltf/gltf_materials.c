@@ -143,6 +143,25 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
     }
 }
 
+/* Without the texture of reflectance and glossiness its factors, mostly 1, would make a mirror. */
+static void settle_gloss(burnish_gltf *gltf, uint32_t glossy, gltf_surface *surface,
+                         burnish_material *material) {
+    if (material->textures[BURNISH_TEXTURE_SPECULAR].texture > 0 ||
+        burnish_json_member(&gltf->json, glossy, "specularGlossinessTexture") ==
+            BURNISH_JSON_NONE) {
+        return;
+    }
+    surface->roughness = 1;
+    surface->reflectance[0] = surface->reflectance[1] = surface->reflectance[2] = 0.04;
+    const burnish_material dull = make_material(surface);
+    material->roughness = dull.roughness;
+    material->exponent = dull.exponent;
+    memcpy(material->reflectance, dull.reflectance, sizeof dull.reflectance);
+    if (!material->is_unlit) {
+        memcpy(material->specular, dull.specular, sizeof dull.specular);
+    }
+}
+
 static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
     gltf_surface surface = {.base = {1, 1, 1, 1}};
     const uint32_t glossy =
@@ -160,6 +179,7 @@ static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
     read_emission(gltf, value, &material);
     read_alpha(gltf, value, surface.base[3], &material);
     read_textures(gltf, value, glossy, &material);
+    settle_gloss(gltf, glossy, &surface, &material);
     return material;
 }
 
