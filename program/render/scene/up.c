@@ -19,12 +19,17 @@ enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
 #define DOUBTED_STL 2
 #define BELIEVED_STL 60
 
+/* A surface is open if its area vectors add up to more than this share of its area. Open surfaces
+ * that are balanced on the usual axis, such as reliefs on their tip, stay: they are doubted only
+ * below -DOUBTED. */
+#define OPEN_SHARE 0.05
+
 /* The largest extent of a sheet along its normal, in its longest extents. */
 #define SHEET 0.005
 
-/* Centroid of the surface. */
-static void find_center(const burnish_mesh_view *view, double center[3]) {
-    double sum[3] = {0}, total = 0;
+/* Centroid of the surface. Returns 1 if the surface is open. */
+static int find_center(const burnish_mesh_view *view, double center[3]) {
+    double sum[3] = {0}, vector[3] = {0}, total = 0;
     for (size_t t = 0; t < view->triangle_count; ++t) {
         const uint32_t *corner = view->indices + 3 * t;
         const float *a = view->positions + 3 * (size_t)corner[0];
@@ -38,6 +43,9 @@ static void find_center(const burnish_mesh_view *view, double center[3]) {
         const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2];
         const double z = u[0] * v[1] - u[1] * v[0], area = sqrt(x * x + y * y + z * z);
         total += area;
+        vector[0] += x;
+        vector[1] += y;
+        vector[2] += z;
         for (int k = 0; k < 3; ++k) {
             sum[k] += area * ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
         }
@@ -46,6 +54,8 @@ static void find_center(const burnish_mesh_view *view, double center[3]) {
         center[k] = total > 0 ? sum[k] / total
                               : ((double)view->bounds_min[k] + (double)view->bounds_max[k]) / 2;
     }
+    return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]) >
+           OPEN_SHARE * total;
 }
 
 /* Distance from the centre to the edge of the contact area, in each direction. */
@@ -115,11 +125,11 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     }
     stance.usual = usual;
     stance.other = 3 - usual;
-    find_center(view, center);
+    const int is_open = find_center(view, center);
     stance.tipping[1] = tipping(view, 1, center);
     stance.tipping[2] = tipping(view, 2, center);
-    stance.is_other = !stance.sheet &&
-                      stance.tipping[stance.usual] < (is_stl ? DOUBTED_STL : DOUBTED) &&
+    const double doubted = is_stl ? DOUBTED_STL : is_open ? -DOUBTED : DOUBTED;
+    stance.is_other = !stance.sheet && stance.tipping[stance.usual] < doubted &&
                       stance.tipping[stance.other] >= (is_stl ? BELIEVED_STL : BELIEVED);
     return stance;
 }

@@ -16,7 +16,7 @@ typedef struct render_stance {
 } render_stance;
 
 /* OBJ, PLY, OFF and arrays take the other axis if the object can lean by less than 5.7 degrees on the usual
- * one and by 21.8 or more on the other. STL, whose axis is more reliable: less than 2, and 60. A
+ * one, or -5.7 if its surface is open, and by 21.8 or more on the other. STL, whose axis is more reliable: less than 2, and 60. A
  * sheet, an object with an extent of at most 0.5 % of its longest one, keeps the usual axis: it is a
  * drawing, which does not need to stand. */
 render_stance render_find_stance(const burnish_mesh *mesh);
