@@ -319,7 +319,8 @@ expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; omi
 expect 2 'burnish: --zoom: --camera-orthographic-height already sets the scale; omit one of them' render block.obj --camera-orthographic-height=3 --zoom=2
 
 # A block that is flat in x and z keeps +Y as its up axis; a sheet on its edge does not.
-printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nv 0 0 .1\nv 9 0 .1\nv 9 7 .1\nv 0 7 .1\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 4 3 7 8\nf 1 4 8 5\nf 2 3 7 6\n' >sheet.obj
+printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nv 0 0 .1\nv 9 0 .1\nv 9 7 .1\nv 0 7 .1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n' >sheet.obj
+sed '/^f 5/d' sheet.obj >open.obj
 up() {
     run render "$@" --size=16 --occlusion=none --json -o s.png
     echo "$(json up) $(json up_source)"
@@ -327,6 +328,7 @@ up() {
 same "the format's axis" "$(up sheet.obj --up=format)" "+Y format"
 same "a flag's axis" "$(up sheet.obj --up=-X)" "-X flag"
 same "a sheet lies down" "$(up sheet.obj)" "+Z auto"
+same "an open relief stands" "$(up open.obj)" "+Y format"
 same "a cut does not turn it" "$(up sheet.obj --clip=0,1,0,0.05)" "+Z auto"
 same "a block stands" "$(up block.obj)" "+Y format"
 printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nf 1 2 3\n' >flat.obj
