@@ -441,6 +441,17 @@ static void test_damaged_images(void) {
     }
 }
 
+/* A required extension that only changes the look does not refuse the file. */
+static void test_required_look(void) {
+    burnish_mesh_data s;
+    read_good("$head$triangle_accessors,'extensionsRequired':['KHR_materials_x'],"
+              "'extensionsUsed':['KHR_materials_x'],"
+              "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],$node}",
+              NULL, &s);
+    check_warning(&s, "mesh.gltf: drawn without the extension KHR_materials_x");
+    burnish_mesh_data_destroy(&s);
+}
+
 /* ---- Nothing to be seen ---- */
 
 #define MATERIALS(first, second)                                                                   \
@@ -505,6 +516,7 @@ int main(int count, char **arguments) {
     RUN(test_invisible_vertices());
     RUN(test_hierarchy());
     RUN(test_normals_of_nodes());
+    RUN(test_required_look());
     RUN(test_materials());
     RUN(test_morph_targets());
     RUN(test_skin());

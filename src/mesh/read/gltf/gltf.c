@@ -129,13 +129,20 @@ static int is_drawn(const burnish_gltf *gltf, uint32_t name) {
     return 0;
 }
 
+/* Extensions of materials and textures change the look: the shapes can be drawn without, and the
+ * list of used extensions causes a warning. */
+static int changes_shapes(const char *extension) {
+    return strncmp(extension, "KHR_materials_", 14) != 0 &&
+           strncmp(extension, "KHR_texture_", 12) != 0;
+}
+
 static void refuse_required(burnish_gltf *gltf) {
     const uint32_t names = burnish_gltf_array(gltf, 0, "extensionsRequired");
     uint32_t name = names + 1;
     for (size_t i = burnish_json_length(&gltf->json, names); i > 0; --i) {
-        if (!is_drawn(gltf, name)) {
-            char text[64];
-            burnish_json_text(&gltf->json, name, text, sizeof text);
+        char text[64];
+        burnish_json_text(&gltf->json, name, text, sizeof text);
+        if (!is_drawn(gltf, name) && changes_shapes(text)) {
             burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, name,
                               "the file can't be drawn without the extension %s, which is not "
                               "supported; export it without",
