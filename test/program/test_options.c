@@ -135,7 +135,8 @@ static void test_errors(void) {
                                      "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 "
                                      "or 32, or lyon:ORDER, power, schlick, gaussian, gx");
     expect_error("--views=front,,top",
-                 "--views: \"\" is not one of front, right, top, iso, back, left, bottom");
+                 "--views: \"\" is not one of front, right, top, iso, back, left, bottom, "
+                 "third-angle, first-angle");
     expect_error("--size=\x1b[2J", "--size: \"?[2J\" is not a whole number from 1 to 16384");
 }
 

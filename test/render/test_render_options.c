@@ -54,7 +54,7 @@ static void test_options(burnish_mesh *sphere) {
     WRONG(options.occlusion = BURNISH_OCCLUSION_MAX + 1, "directions");
     WRONG(options.occlusion = 1; options.occlusion_strength = NAN, "occlusion: a strength");
     WRONG(options.edges = UINT32_MAX, "edges: 4294967295");
-    WRONG(options.edges = 64, "edges: 64");
+    WRONG(options.edges = 256, "edges: 256");
     WRONG(options.edge_width = 0, "edges: a width of 0");
     WRONG(options.edge_width = NAN, "edges: a width");
     WRONG(options.edge_width = 101, "edges: a width of 101");
