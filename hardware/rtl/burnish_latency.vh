@@ -118,4 +118,11 @@ function integer latency_light(input integer kind, input integer squarings,
     latency_light = latency_light_specular(kind, squarings, narrow, rows, span, dsp) +
         latency_accumulate(rows, span, dsp);
 endfunction
+
+function integer latency_pixel(input integer lights, input integer normalize, input integer kind,
+    input integer squarings, input integer narrow, input integer rows, input integer span,
+    input integer dsp);
+    latency_pixel = (normalize != 0 ? latency_normalize(rows, span, dsp) : 0) +
+        lights * latency_light(kind, squarings, narrow, rows, span, dsp);
+endfunction
 // verilator lint_on VARHIDDEN

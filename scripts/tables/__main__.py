@@ -11,6 +11,7 @@ sys.dont_write_bytecode = True
 
 import drawings
 import files
+import latency
 import lobes
 import machine_code
 import measurements
@@ -36,7 +37,7 @@ def fill(folder, name, *exceptions):
 
 COMMANDS = [check, fill, lobes.theory, lobes.figures, measurements.performance, measurements.frames, measurements.scale, measurements.shaders,
             files.formats, files.importers, files.gallery, machine_code.firmware, machine_code.operations, rtl.rtl, ports.rtl_ports,
-            drawings.rtl_area, drawings.rtl_wave]
+            drawings.rtl_area, drawings.rtl_wave, latency.rtl_latency]
 
 
 def main(arguments):

@@ -1,9 +1,10 @@
 """The parameters and ports of hardware/rtl's top modules, read from the Verilog, for docs/hardware.md and VHDL."""
+import os
 import re
 
 from page import ROOT, Refused, fill, read, table, write
 
-MODULES = "taylor shift7 shift3 energy zeta lobe boundary stream axis wishbone pixel light channel highlight dot chord normalize".split()
+MODULES = "taylor shift7 shift3 energy zeta lobe boundary stream axis register wishbone axi_lite pixel pixel_stream light channel highlight dot chord normalize".split()
 VHDL_HEAD = """-- burnish_components: the modules of rtl/ for VHDL, as scripts/tables rtl-ports reads them from the Verilog.
 --
 -- Compile it with the Verilog in a tool that takes both languages.
@@ -46,7 +47,8 @@ def rtl_ports(page, vhdl):
 def declarations(module):
     """(kind, name, width or default, meaning): one per line of the module's head, the meaning as the line's comment."""
     items, inside = [], False
-    for at, line in enumerate(read(f"{ROOT}/hardware/rtl/{module}.v").splitlines(), 1):
+    path = next(path for path in (f"hardware/rtl/{folder}{module}.v" for folder in ("", "bus/")) if os.path.exists(f"{ROOT}/{path}"))
+    for at, line in enumerate(read(f"{ROOT}/{path}").splitlines(), 1):
         if line.startswith("module "):
             inside = True
         elif line == ");":
@@ -54,7 +56,7 @@ def declarations(module):
         elif inside and line != ") (":
             declaration, _, meaning = line.partition(" // ")
             if not meaning:
-                raise Refused(f"hardware/rtl/{module}.v: line {at}: expected a comment that says what it means")
+                raise Refused(f"{path}: line {at}: expected a comment that says what it means")
             words = declaration.strip().rstrip(",").split()
             if words[0] == "parameter" and words[2] == "=":
                 items.append((words[0], words[1], words[3], meaning))
@@ -63,8 +65,8 @@ def declarations(module):
                 width = width[1] if width else "0"
                 items.append((words[0], words[-1], str(int(width) + 1) if width.isdigit() else width[:-2], meaning))
             else:
-                raise Refused(f"hardware/rtl/{module}.v: line {at}: expected a parameter or a port")
-    raise Refused(f"hardware/rtl/{module}.v: expected the end of the ports")
+                raise Refused(f"{path}: line {at}: expected a parameter or a port")
+    raise Refused(f"{path}: expected the end of the ports")
 
 
 def shown(kind, width):

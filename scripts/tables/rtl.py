@@ -33,13 +33,16 @@ schlick_16_dsp|Schlick, divider, 16 bits
 schlick_rom_8|Schlick, reciprocals in memory, 8 bits
 power_tables_8|cos^n, tables of log and exp, 8 bits"""
 OTHERS = "taylor shift7 shift7_rows2 shift7_dsp zeta_rows2 schlick_16 schlick_8 schlick_16_dsp schlick_rom_8 power_tables_8".split()
-# Module, label, inputs, outputs; ports as for wrap().
+# Module, label, inputs, outputs, parameters; ports as for wrap().
 PARTS = """dot|`burnish_dot`|enable a:48 b:48|cosine:16
 chord|`burnish_chord`|enable a:48 b:48|lambda:24
 normalize|`burnish_normalize`|enable v:48|unit:48
 channel|`burnish_channel`, cosine or chord|enable normal:48 half:48 exponent:10 lit:1 color:48 sum_in:48 user_in|sum_out:48
 pixel|`burnish_pixel`, one light|enable normal:48 exponent:10 ambient:48 light:48 half:48 diffuse:48 specular:48 user_in|color:48
-stream|`burnish_stream`, shift7|reset:1 s_valid:1 s_exponent:10 s_angle:16 s_user:1 m_ready:1|s_ready:1 m_valid:1 m_value:16 m_user:1"""
+stream|`burnish_stream`, shift7|reset:1 s_valid:1 s_exponent:10 s_angle:16 s_user:1 m_ready:1|s_ready:1 m_valid:1 m_value:16 m_user:1
+stream|`burnish_stream`, shift7, OUTPUT=1|reset:1 s_valid:1 s_exponent:10 s_angle:16 s_user:1 m_ready:1|s_ready:1 m_valid:1 m_value:16 m_user:1|OUTPUT=1
+wishbone|`burnish_wishbone`, shift7|reset:1 cyc:1 stb:1 we:1 adr:2 sel:4 dat_w:32|dat_r:32 ack:1 err:1
+axi_lite|`burnish_axi_lite`, shift7|aresetn:1 s_axi_awvalid:1 s_axi_awaddr:4 s_axi_awprot:3 s_axi_wvalid:1 s_axi_wdata:32 s_axi_wstrb:4 s_axi_bready:1 s_axi_arvalid:1 s_axi_araddr:4 s_axi_arprot:3 s_axi_rready:1|s_axi_awready:1 s_axi_wready:1 s_axi_bvalid:1 s_axi_bresp:2 s_axi_arready:1 s_axi_rvalid:1 s_axi_rdata:32 s_axi_rresp:2"""
 GATES = r"\$_(AND|OR|XOR|NAND|NOR|XNOR|NOT|ANDNOT|ORNOT|MUX)_"
 ICE40 = {"hx8k": ("ct256", "-device hx"), "up5k": ("sg48", "-device u -dsp")}
 BENCH = """module bench;
@@ -97,9 +100,24 @@ def rtl(work, page, errors, short=""):
         "parts": table("unit|HX8K, ROWS=2: LUT4 / flip-flops|MHz|latency|UP5K, DSP=1: LUT4 / flip-flops / MAC|MHz|latency|"
                        "ECP5, DSP=1: LUT4 / flip-flops / MULT18", rows[3]),
     }
+    if not short:
+        tables["summary"] = summary(*({row[0]: row for row in each} for each in (rows[0], rows[1], rows[3])))
     fill(page, tables, ("MAC", "RAM"), keep=True)
     area = "chip,unit,lut,flipflops,cells,mhz,error,bits\n" + "".join(line + "\n" for line in sorted(synthesis.area))
     write(os.path.join(os.path.dirname(page), "images", "rtl-area.csv"), area)
+
+
+def summary(hx8k, up5k, parts):
+    """The first table of the page, from rows of the others."""
+    lobe, rows, fast, pixel = up5k["`burnish_shift7` DSP=1"], hx8k["`burnish_shift7` ROWS=2"], hx8k["`burnish_shift7` SEGMENT=6, highest clock"], parts["`burnish_pixel`, one light"]
+    lut, flipflops, multipliers = pixel[4].split(" / ")
+    ecp5 = pixel[7].split(" / ")
+    return table("circuit|chip|LUT4|flip-flops|multipliers|MHz|results per clock|latency, clocks", [
+        ["lobe `burnish_shift7`, DSP=1", "iCE40 UP5K", lobe[1], lobe[2], lobe[3], lobe[5].split()[0], 1, lobe[6]],
+        ["the same, ROWS=2", "iCE40 HX8K", rows[1], rows[2], "-", rows[4].split()[0], 1, rows[5]],
+        ["the same, SEGMENT=6", "iCE40 HX8K", fast[1], fast[2], "-", fast[4].split()[0], 1, fast[5]],
+        ["pixel `burnish_pixel`, one light, DSP=1", "iCE40 UP5K, synthesis only", lut, flipflops, multipliers, pixel[5], 1, pixel[6]],
+        ["the same", "ECP5, synthesis only", *ecp5, "-", 1, pixel[6]]], left=2)
 
 
 def wrap(module, parameters, inputs, outputs, pins=""):
@@ -109,7 +127,7 @@ def wrap(module, parameters, inputs, outputs, pins=""):
     pins: "serial" takes the inputs from a shift register, for packages with fewer pins than the unit has ports; "narrow" also
     sends the outputs through one.
     """
-    ports, bits, out = ["clk(clk)"], 0, 0
+    ports, bits, out = [f"{'aclk' if 'aresetn' in inputs else 'clk'}(clk)"], 0, 0
     for name, _, width in (port.partition(":") for port in inputs.split()):
         if width:
             ports.append(f"{name}(in[{bits + int(width) - 1}:{bits}])")
@@ -172,7 +190,7 @@ class Synthesis:
         """Leaves the number of each cell in NAME.stat. For iCE40 multipliers are separate modules (burnish_multiplier) until the end."""
         chip = "" if command.startswith("synth_ice40") else "-DBURNISH_NOT_ICE40 "
         rtl = f"{ROOT}/hardware/rtl"
-        script = f"read_verilog {chip}-I{rtl} {rtl}/burnish_*.v {rtl}/opponents/*.v {self.path(wrapper)}\n{command}\n"
+        script = f"read_verilog {chip}-I{rtl} {rtl}/burnish_*.v {rtl}/bus/*.v {rtl}/opponents/*.v {self.path(wrapper)}\n{command}\n"
         script += f"setattr -mod -unset keep_hierarchy *; flatten; tee -o {self.path(name)}.stat stat\n"
         write(self.path(name + ".ys"), script)
         try:
@@ -234,11 +252,11 @@ class Synthesis:
         lut = self.cells(name + ".ecp5", "LUT4") + 2 * self.blocks(name + ".ecp5", "CCU2C")
         return f"{lut} / {self.cells(name + '.ecp5', 'TRELLIS_FF')} / {self.blocks(name + '.ecp5', 'MULT18X18D')}"
 
-    def part(self, name, label, inputs, outputs):
-        """A unit that is more than a lobe."""
+    def part(self, name, label, inputs, outputs, more=""):
+        """A unit that is more than a lobe. A bus has no latency of its own."""
         columns = []
-        for device, parameters in (("hx8k", "ROWS=2"), ("up5k", "DSP=1")):
-            kind = f"{name}.{device[:2]}"
+        for device, parameters in (("hx8k", f"ROWS=2 {more}"), ("up5k", f"DSP=1 {more}")):
+            kind = f"{name}{more}.{device[:2]}"
             module = "burnish_" + name
             free = re.sub(r"\b(reset|m_ready):1", r"\1", inputs)
             for suffix, ports, pins in ((".v", inputs, ""), (".narrow.v", inputs, "narrow"), (".free.v", free, "")):
@@ -249,8 +267,8 @@ class Synthesis:
             speed = self.place(kind, device)[1]
             area = f"{self.cells(kind, 'SB_LUT4')} / {self.cells(kind, 'SB_DFF.*')}"
             area += f" / {self.blocks(kind, 'SB_MAC16')}" if device == "up5k" else ""
-            columns += [area, speed, self.latency(kind + ".free.v")]
-        return [label, *columns, self.ecp5(name + ".up.v", name)]
+            columns += [area, speed, "-" if "cyc" in inputs or "aresetn" in inputs else self.latency(kind + ".free.v")]
+        return [label, *columns, self.ecp5(f"{name}{more}.up.v", name + more)]
 
     def others(self, name, label):
         """Synthesis for other chips and for a plain gate library; not placed."""

@@ -178,6 +178,7 @@ package burnish_components is
             ROWS : integer := 1;  -- adder rows between two registers, 1 or more
             SEGMENT : integer := 0;  -- 0, or the longest carry chain in columns
             DSP : integer := 0;  -- 1: multipliers of the chip; 0: rows of adders
+            OUTPUT : integer := 0;  -- 1: a register at the output, which alone sees m_ready
             USER_WIDTH : integer := 1  -- width of the user data: TLAST, TUSER, TID ...
         );
         port (
@@ -205,6 +206,7 @@ package burnish_components is
             ROWS : integer := 1;  -- adder rows between two registers, 1 or more
             SEGMENT : integer := 0;  -- 0, or the longest carry chain in columns
             DSP : integer := 0;  -- 1: multipliers of the chip; 0: rows of adders
+            OUTPUT : integer := 0;  -- 1: a register at the output, which alone sees m_axis_tready
             USER_WIDTH : integer := 1  -- width of TUSER
         );
         port (
@@ -220,6 +222,22 @@ package burnish_components is
             m_axis_tdata : out std_logic_vector(choose(RESULT = 8, 8, 16) - 1 downto 0);  -- RESULT bits of the value, 0 above them
             m_axis_tlast : out std_logic;  -- the word's s_axis_tlast
             m_axis_tuser : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- the word's s_axis_tuser
+        );
+    end component;
+
+    component burnish_register is
+        generic (
+            WIDTH : integer := 16  -- of a word
+        );
+        port (
+            clk : in std_logic;  -- rising edge
+            reset : in std_logic;  -- 1: drops both words; at least one clock after power-up
+            s_valid : in std_logic;  -- a word comes
+            s_ready : out std_logic;  -- it is taken
+            s_word : in std_logic_vector(WIDTH - 1 downto 0);  -- any bits
+            m_valid : out std_logic;  -- a word is there
+            m_ready : in std_logic;  -- it is taken
+            m_word : out std_logic_vector(WIDTH - 1 downto 0)  -- the oldest word inside
         );
     end component;
 
@@ -249,6 +267,42 @@ package burnish_components is
         );
     end component;
 
+    component burnish_axi_lite is
+        generic (
+            UNIT : integer := 1;  -- 0: taylor, 1: shift7, 2: shift3, 3: energy
+            SQUARINGS : integer := 1;  -- log2 of the order, 1 .. 4; for taylor and energy
+            RESULT : integer := 16;  -- bits of the value: 16, 12, 10 or 8
+            ROUND : integer := 0;  -- 0: fast; 1: near, half the error for one more adder (RESULT 16)
+            LAMBDA : integer := 0;  -- 0: ANGLE is the cosine; 1: it is 1 - cosine
+            ROWS : integer := 1;  -- adder rows between two registers, 1 or more
+            SEGMENT : integer := 0;  -- 0, or the longest carry chain in columns
+            DSP : integer := 0  -- 1: multipliers of the chip; 0: rows of adders
+        );
+        port (
+            aclk : in std_logic;  -- rising edge
+            aresetn : in std_logic;  -- 0: drops all values inside; at least one clock after power-up
+            s_axi_awvalid : in std_logic;  -- a write's address comes
+            s_axi_awready : out std_logic;  -- it is taken, in the clock in which the data is
+            s_axi_awaddr : in std_logic_vector(3 downto 0);  -- counts bytes
+            s_axi_awprot : in std_logic_vector(2 downto 0);  -- not read
+            s_axi_wvalid : in std_logic;  -- a write's data comes
+            s_axi_wready : out std_logic;  -- it is taken
+            s_axi_wdata : in std_logic_vector(31 downto 0);  -- a register's bits
+            s_axi_wstrb : in std_logic_vector(3 downto 0);  -- its bytes that are written
+            s_axi_bvalid : out std_logic;  -- a write's response is there
+            s_axi_bready : in std_logic;  -- it is taken
+            s_axi_bresp : out std_logic_vector(1 downto 0);  -- 0: OKAY; 2: SLVERR, the access can't be done
+            s_axi_arvalid : in std_logic;  -- a read's address comes
+            s_axi_arready : out std_logic;  -- it is taken
+            s_axi_araddr : in std_logic_vector(3 downto 0);  -- counts bytes
+            s_axi_arprot : in std_logic_vector(2 downto 0);  -- not read
+            s_axi_rvalid : out std_logic;  -- a read's response is there
+            s_axi_rready : in std_logic;  -- it is taken
+            s_axi_rdata : out std_logic_vector(31 downto 0);  -- the register
+            s_axi_rresp : out std_logic_vector(1 downto 0)  -- 0: OKAY; 2: SLVERR, the access can't be done
+        );
+    end component;
+
     component burnish_pixel is
         generic (
             LIGHTS : integer := 1;  -- number of lights, 1 or more
@@ -275,6 +329,40 @@ package burnish_components is
             user_in : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- a valid bit, a tag, a pixel's address
             color : out std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each, limited to 0xFFFF
             user_out : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- user_in, delayed by the latency; 0 from power-up until then
+        );
+    end component;
+
+    component burnish_pixel_stream is
+        generic (
+            LIGHTS : integer := 1;  -- number of lights, 1 or more
+            NORMALIZE : integer := 1;  -- 1: normal is nearly of unit length; 0: it is of unit length
+            UNIT : integer := 1;  -- 0: taylor, 1: shift7, 2: shift3, 3: energy, 4: zeta
+            SQUARINGS : integer := 1;  -- log2 of the order, 1 .. 4
+            NARROW : integer := 2;  -- 0: cosine; 1: chord; 2: chord from exponent 32 on, as the C core
+            HELD : integer := 1;  -- 1: light, half, diffuse and specular hold still while a pixel is inside; 0: they belong to the word
+            ROWS : integer := 1;  -- adder rows between two registers, 1 or more
+            SEGMENT : integer := 0;  -- 0, or the longest carry chain in columns
+            DSP : integer := 0;  -- 1: multipliers of the chip; 0: rows of adders
+            OUTPUT : integer := 1;  -- 1: a register at the output, which alone sees m_ready
+            USER_WIDTH : integer := 1  -- width of the user data: a pixel's address, TLAST, TUSER ...
+        );
+        port (
+            clk : in std_logic;  -- rising edge
+            reset : in std_logic;  -- 1: drops all pixels inside; at least one clock after power-up
+            s_valid : in std_logic;  -- a pixel comes
+            s_ready : out std_logic;  -- it is taken; a register
+            s_normal : in std_logic_vector(47 downto 0);  -- {z, y, x}, Q15, as NORMALIZE says
+            s_exponent : in std_logic_vector(choose(UNIT = 4, 21, 10) - 1 downto 0);  -- n, 1 .. 1023, at orders above 2 from the order on; UNIT 4: {chord, shift, slope}, 1, 4, 16 bits
+            s_ambient : in std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each
+            s_user : in std_logic_vector(USER_WIDTH - 1 downto 0);  -- travels with the pixel
+            light : in std_logic_vector(48*LIGHTS - 1 downto 0);  -- per light, the first lowest: {z, y, x}, Q15, unit vector to the light
+            half : in std_logic_vector(48*LIGHTS - 1 downto 0);  -- per light: {z, y, x}, Q15, unit vector halfway to the viewer
+            diffuse : in std_logic_vector(48*LIGHTS - 1 downto 0);  -- per light: {blue, green, red}, UQ1.15: light times surface
+            specular : in std_logic_vector(48*LIGHTS - 1 downto 0);  -- per light: {blue, green, red}, UQ1.15: light times surface
+            m_valid : out std_logic;  -- a colour is there
+            m_ready : in std_logic;  -- it is taken
+            m_color : out std_logic_vector(47 downto 0);  -- {blue, green, red}, UQ1.15 each, limited to 0xFFFF
+            m_user : out std_logic_vector(USER_WIDTH - 1 downto 0)  -- the pixel's s_user
         );
     end component;
 

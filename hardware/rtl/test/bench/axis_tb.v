@@ -12,6 +12,7 @@ module axis_tb;
     parameter LAMBDA = 0;
     parameter ROWS = 1;
     parameter DSP = 0;
+    parameter OUTPUT = 0;
     parameter COUNT = 100;
     localparam IN = (UNIT == 4 ? 40 : 32) + (LAMBDA != 0 ? 8 : 0);
     localparam OUT = RESULT == 8 ? 8 : 16;
@@ -27,7 +28,7 @@ module axis_tb;
     wire [IN-1:0] s_data = vectors[sent % COUNT][16+:IN] | (fill >> USED << USED);
 
     burnish_axis #(.UNIT(UNIT), .SQUARINGS(SQUARINGS), .RESULT(RESULT), .LAMBDA(LAMBDA), .ROWS(ROWS), .DSP(DSP),
-        .USER_WIDTH(8)) unit (
+        .OUTPUT(OUTPUT), .USER_WIDTH(8)) unit (
         .aclk(clk), .aresetn(aresetn), .s_axis_tvalid(s_valid), .s_axis_tready(s_ready), .s_axis_tdata(s_data),
         .s_axis_tlast(sent % 7 == 6), .s_axis_tuser(sent[7:0]), .m_axis_tvalid(m_valid), .m_axis_tready(m_ready),
         .m_axis_tdata(m_data), .m_axis_tlast(m_last), .m_axis_tuser(m_user));

@@ -10,7 +10,7 @@
 //                                  read, bits 31 .. 16: 0xB115
 //
 // Invalid accesses end with err instead of ack, so no cycle hangs: VALUE without an angle before it, ANGLE while the
-// unit is full (until VALUE is read), and any access that the table lacks. The unit always accepts two angles before a
+// unit is full (until VALUE is read), and any access that the table lacks. The unit always accepts three angles before a
 // VALUE must be read, and more if they arrive faster than its latency.
 //
 // Latency    ack one clock after stb; VALUE waits for the unit's latency + 1

@@ -5,7 +5,7 @@
 // s_axis_tdata is the angle in its lowest 16 bits, 24 with LAMBDA 1, and above it the exponent in 10, with UNIT 4
 // {shift, slope} in 20. Bits that fill up bytes are not read, and 0 in m_axis_tdata. TLAST travels with its word.
 //
-// Latency    the unit's + 1
+// Latency    the unit's + 1 + OUTPUT
 // Throughput one word per clock
 //
 // SPDX-License-Identifier: MIT
@@ -20,6 +20,7 @@ module burnish_axis #(
     parameter ROWS = 1, // adder rows between two registers, 1 or more
     parameter SEGMENT = 0, // 0, or the longest carry chain in columns
     parameter DSP = 0, // 1: multipliers of the chip; 0: rows of adders
+    parameter OUTPUT = 0, // 1: a register at the output, which alone sees m_axis_tready
     parameter USER_WIDTH = 1 // width of TUSER
 ) (
     input wire aclk, // rising edge
@@ -40,7 +41,8 @@ module burnish_axis #(
     localparam FILL = RESULT < 8 ? 0 : (RESULT == 8 ? 8 : 16) - RESULT;
     wire [RESULT-1:0] value;
     burnish_stream #(.UNIT(UNIT), .SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND),
-        .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(1 + USER_WIDTH)) stream (
+        .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .OUTPUT(OUTPUT),
+        .USER_WIDTH(1 + USER_WIDTH)) stream (
         .clk(aclk), .reset(!aresetn), .s_valid(s_axis_tvalid), .s_ready(s_axis_tready),
         .s_exponent(s_axis_tdata[WIDTH+CONTROL-1:WIDTH]), .s_angle(s_axis_tdata[WIDTH-1:0]),
         .s_user({s_axis_tlast, s_axis_tuser}), .m_valid(m_axis_tvalid), .m_ready(m_axis_tready),
