@@ -10,6 +10,10 @@
 #define SCENE_SIZE 80 /* pixels, up to 240; a multiple of SCENE_ROWS */
 #endif
 
+#ifndef SCENE_BACKGROUND
+#define SCENE_BACKGROUND 0x0842 /* nearly black: the picture's square shows */
+#endif
+
 enum { SCENE_ROWS = 4, SCENE_STRIPS = SCENE_SIZE / SCENE_ROWS };
 
 typedef struct scene {
@@ -57,7 +61,7 @@ static void scene_turn(scene *s, uint8_t frame) {
 static void scene_strip(scene *s, uint8_t strip) {
     uint16_t i;
     for (i = 0; i < SCENE_SIZE * SCENE_ROWS; ++i) {
-        s->colors[i] = 0x0842; /* nearly black: the picture's square shows */
+        s->colors[i] = SCENE_BACKGROUND;
     }
     s->strip.top = (uint8_t)(strip * SCENE_ROWS);
     burnish_strip_clear(&s->strip);
