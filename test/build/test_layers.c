@@ -91,6 +91,8 @@ static const struct layer {
     {"hardware/arduino/test/core", ""},
     {"hardware/arduino/test/libraries/Adafruit_GFX", ""},
     {"hardware/arduino/test/libraries/Adafruit_ST7735", ""},
+    {"hardware/arduino/test/libraries/FastLED", ""},
+    {"hardware/arduino/test/libraries/TFT_eSPI", ""},
     {"hardware/arduino/test/pico", "hardware pico"},
     {"hardware/arduino/test/pico/hardware", "pico"},
     {"hardware/arduino/test/pico/pico", ""},
