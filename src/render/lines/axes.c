@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { LEAST_VERTICES = 12, AXES_MAX = 4096 };
+enum { LEAST_VERTICES = 12, AXES_MAX = 4096, CIRCLES_MAX = 1 << 14 };
 
 #define NO_EDGE UINT32_MAX
 #define CROWDED (UINT32_MAX - 1) /* more than two sharp edges meet */
@@ -139,9 +139,9 @@ static void add_circle(finder *f, burnish_vec3 center, burnish_vec3 normal, doub
 
 static void find_axes(finder *f) {
     burnish_line_axes *axes = f->axes;
-    size_t kept = 0;
-    for (uint32_t i = 0;
-         i < f->edges->count && f->memory->status == BURNISH_STATUS_OK && axes->count <= AXES_MAX;
+    size_t kept = 0, circles = 0;
+    for (uint32_t i = 0; i < f->edges->count && f->memory->status == BURNISH_STATUS_OK &&
+                         axes->count <= AXES_MAX && circles <= CIRCLES_MAX;
          ++i) {
         burnish_vec3 center, normal;
         double radius;
@@ -149,9 +149,10 @@ static void find_axes(finder *f) {
             f->point_count >= LEAST_VERTICES && fit_circle(f, &center, &normal, &radius) &&
             is_circle(f, center, normal, radius)) {
             add_circle(f, center, normal, radius);
+            ++circles;
         }
     }
-    axes->count = axes->count > AXES_MAX ? 0 : axes->count;
+    axes->count = axes->count > AXES_MAX || circles > CIRCLES_MAX ? 0 : axes->count;
     for (size_t i = 0; i < axes->count; ++i) {
         const burnish_line_axis *axis = &axes->items[i];
         if (axis->to - axis->from > LEAST_SPAN * axis->radius) {

@@ -20,8 +20,8 @@ typedef struct burnish_line_axes {
 
 /* Finds axes that two circles or more have in common. A circle is a closed loop of at least 12
  * sharp edges that meets no other sharp edge, with its vertices in a plane and on a circle to 0.4 %
- * of its radius, none of them further apart than 3/5 of it. Meshes with more than 4,096 axes have
- * none. Errors: memory->status. Release items with burnish_release. */
+ * of its radius, none of them further apart than 3/5 of it. Meshes with more than 4,096 axes or
+ * 16,384 circles have none. Errors: memory->status. Release items with burnish_release. */
 void burnish_line_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
                             burnish_memory *memory, burnish_line_axes *axes);
 
