@@ -103,6 +103,9 @@ typedef enum burnish_normals_source {
                              60 degrees or more has this normal on both sides */
     BURNISH_NORMALS_FILE, /* those of the input; missing ones are generated */
     BURNISH_NORMALS_OWN   /* all are generated; triangles keep their winding */
+    /* A point cloud takes those of the file for AUTO and FILE, if there are some. Otherwise AUTO
+       and OWN estimate them from neighbouring points, if two thirds of these are like a surface,
+       and FILE draws balls. */
 } burnish_normals_source;
 
 /* No animation: the scene as stored in the file. */
@@ -156,8 +159,10 @@ typedef struct burnish_load_options {
                                      with different coordinates are not welded */
     int ignore_textures;            /* 1: no texture is loaded or used */
     int measure;                    /* 1: compute the facts that burnish_mesh_get_facts() returns */
-    double point_size;    /* diameter of points and lines in a file without faces, in its units; 0:
-                          from their density */
+    double point_size;    /* diameter of points and lines in a file without faces, in its units. 0:
+                          the radius of points closes a sampled surface (docs/formats.md),
+                          but their diameter between 1/2000 and 1/25 of the bounds' diagonal; the
+                          diameter of lines is 1/300 of the diagonal */
     const double *origin; /* 3 numbers in [-1e30, 1e30], subtracted from the coordinates of the file
                              before they are rounded to float. The origin of another mesh puts both
                              into one space. NULL: 0, 0, 0; or a point near the middle, if the mesh
@@ -308,10 +313,14 @@ typedef enum burnish_inside {
 
 /* The arrays of a mesh, only to be read. Valid until the mesh is destroyed or cut. */
 typedef struct burnish_mesh_view {
-    size_t vertex_count;              /* [3, 2^32 - 2] */
-    size_t triangle_count;            /* [1, BURNISH_TRIANGLES_MAX] */
+    size_t vertex_count;              /* [1, 2^32 - 2] */
+    size_t triangle_count;            /* [0, BURNISH_TRIANGLES_MAX]; 0: a point cloud */
+    float point_radius;               /* > 0: a point cloud. Each vertex is drawn as a sphere of
+                              this radius: a disc that faces the viewer, with the depth of the
+                              sphere in each pixel. 0: triangles */
     const float *positions;           /* 3 per vertex, finite */
-    const float *normals;             /* 3 per vertex, unit length */
+    const float *normals;             /* 3 per vertex, unit length. Of a point cloud of either
+                              direction, turned toward the viewer; or 0, 0, 0: the sphere's own */
     const uint8_t *colors;            /* 4 per vertex, sRGB and alpha; NULL: none */
     int has_transparent_colors;       /* 1: an alpha value is below 255 */
     const float *texture_coordinates; /* 2 per vertex; NULL: none */
@@ -319,9 +328,11 @@ typedef struct burnish_mesh_view {
                               direction of u, and the sign s of the bitangent
                               s cross(normal, tangent), in direction of v. NULL unless a
                               material uses a normal texture */
-    const uint32_t *indices;          /* 3 per triangle, counter-clockwise as seen from the front */
+    const uint32_t *indices;          /* 3 per triangle, counter-clockwise as seen from the front;
+                              NULL: no triangles */
     const uint16_t *triangle_materials; /* 1 per triangle; NULL: all have material 0 */
-    float bounds_min[3], bounds_max[3]; /* of the positions that triangles use */
+    float bounds_min[3], bounds_max[3]; /* of the positions that triangles use; of the spheres of a
+                              point cloud without outliers (burnish_mesh_get_bounds) */
     double origin[3]; /* add it to coordinates of the mesh, its cameras and its facts to get
                          coordinates of the file; see burnish_load_options.origin */
     float up_axis[3]; /* unit vector */
@@ -335,14 +346,20 @@ typedef struct burnish_mesh_view {
 BURNISH_API const burnish_mesh_view *burnish_mesh_get_view(const burnish_mesh *mesh);
 
 /* The bounding box of the content of the file: the bounds of the view or, for points and lines, the
- * bounds of their positions without the solids that represent them; after cuts, the remaining part.
- * Relative to the origin of the view. All 0 for NULL. */
+ * bounds of all their positions without the spheres and prisms that represent them; after cuts, the
+ * remaining part. Relative to the origin of the view. All 0 for NULL.
+ *
+ * Outliers of a point cloud count here, but not in the bounds of the view, which cameras frame: if
+ * a cloud has 8 points or more, let T be the box of all points but the most extreme 1/1000, at
+ * least one, at either end of each axis, widened on all sides by half its longest side. If this
+ * bounding box is more than 4 times as long, along its diagonal, as the box of the points in T,
+ * points outside T are outliers, and a warning counts them. */
 BURNISH_API void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[3]);
 
 /* How a mesh was made. */
 typedef struct burnish_mesh_info {
     burnish_format format;          /* not AUTO */
-    size_t point_count, line_count; /* in a file without faces, drawn as small solids */
+    size_t point_count, line_count; /* in a file without faces: drawn as spheres and prisms */
     double read_seconds;            /* wall-clock time of opening and parsing, or copying arrays */
     double build_seconds;           /* wall-clock time of welding, normals, order */
     const char *unit;               /* of length, from the file or format: "micron",

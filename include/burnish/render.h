@@ -211,15 +211,15 @@ typedef struct burnish_render_report {
  *   error    receives the message; may be NULL
  * Memory besides the image: 36 bytes per vertex (20 for its position on the screen, 16 for its
  * normal), 16 more with vertex colours; 13 bytes per triangle, 1 more if drawn triangles are
- * counted; 0.3 kB per material and 76 bytes more per light. Tile lists take 8 bytes per entry of up
- * to 16 neighbouring triangles, at most about 128 MiB unless a single row of tiles needs more. Each
- * thread takes 0.2 MB and, with several samples, 0.2 MB and 0.7 MB per sample more. Ambient
- * occlusion takes 130 KiB per direction (33 KiB for images below 384 pixels), and vertices,
- * triangles and tile lists again. The ground takes the same for at least 16 directions, and 2.2 MB.
- * A shadow takes 2 MB, 8 MB in images above 1024 pixels. Transparent triangles take 1 bit per
- * triangle of the mesh and, for each thread, 1.1 MB per sample. Distant area lights, a dome or an
- * environment take at most 2.2 MB for each roughness of the materials, at most 16, and 5 MB if
- * textures vary roughness.
+ * counted; 13 bytes per point of a cloud; 0.3 kB per material and 76 bytes more per light. Tile
+ * lists take 8 bytes per entry of up to 16 neighbouring triangles, at most about 128 MiB unless
+ * a single row of tiles needs more. Each thread takes 0.2 MB and, with several samples, 0.2 MB
+ * and 0.7 MB per sample more. Ambient occlusion takes 130 KiB per direction (33 KiB for images
+ * below 384 pixels), and vertices, triangles and tile lists again. The ground takes the same for
+ * at least 16 directions, and 2.2 MB. A shadow takes 2 MB, 8 MB in images above 1024 pixels.
+ * Transparent triangles take 1 bit per triangle of the mesh and, for each thread, 1.1 MB per
+ * sample. Distant area lights, a dome or an environment take at most 2.2 MB for each roughness
+ * of the materials, at most 16, and 5 MB if textures vary roughness.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (max_overdraw, or a mesh that is too small, below
  * about 1e-33 across, or too much enlarged for single precision). */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,

@@ -103,7 +103,7 @@ cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
     .default_label = "by density", .low = 1e-30, .high = 1e30,                                     \
     .manual =                                                                                      \
         "Diameter, in the units of _INPUT_, in which the points of a file without faces are "      \
-        "drawn as balls, or its lines as rods.",                                                   \
+        "drawn, or its lines as rods. By default points close a sampled surface.",                 \
     .handler = cli_flag_real, .offset = offsetof(type, member.point_size)
 
 #define CLI_NO_LIBRARIES_FLAG(type, member)                                                        \

@@ -113,14 +113,18 @@ static burnish_status choose_size(comparison *c, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-/* All triangles of both meshes as one mesh, for framing. Only positions matter; normals are copied
- * because generating them takes time. */
+/* All triangles of both meshes as one mesh, for framing; points become triangles with their
+ * successors. Only positions matter; normals are copied because generating them takes time. */
 static burnish_status join(const burnish_mesh *const meshes[2], burnish_mesh **joined,
                            burnish_error *error) {
     const burnish_mesh_view *views[2] = {burnish_mesh_get_view(meshes[0]),
                                          burnish_mesh_get_view(meshes[1])};
     const size_t first = views[0]->vertex_count, vertices = first + views[1]->vertex_count;
-    const size_t corners = 3 * (views[0]->triangle_count + views[1]->triangle_count);
+    size_t corners = 0;
+    for (int side = 0; side < 2; ++side) {
+        const burnish_mesh_view *view = views[side];
+        corners += 3 * (view->triangle_count > 0 ? view->triangle_count : view->vertex_count);
+    }
     burnish_mesh_description all = burnish_mesh_description_default();
     burnish_load_options options = burnish_load_options_default();
     float *positions = calloc(vertices, 2 * 3 * sizeof *positions); /* and normals */
@@ -138,6 +142,9 @@ static burnish_status join(const burnish_mesh *const meshes[2], burnish_mesh **j
         }
         for (size_t i = 0; i < 3 * view->triangle_count; ++i, ++k) {
             indices[k] = before + view->indices[i];
+        }
+        for (size_t i = 0; i < 3 * view->vertex_count && view->triangle_count == 0; ++i, ++k) {
+            indices[k] = (uint32_t)((before + i / 3 + i % 3) % vertices);
         }
     }
     if (status == BURNISH_STATUS_OK) {

@@ -105,7 +105,7 @@ static const cli_term json_terms[] = {
     {"*triangles, vertices, materials, textures, exponents*",
      "of the drawn mesh. A position with two normals counts as two vertices here, and as one in "
      "the command info"},
-    {"*points, lines*", "of an input without faces, which are drawn as small solids"},
+    {"*points, lines*", "of an input without faces, which are drawn as discs and rods"},
     {"*bounding_box, unit*",
      "*min* and *max* of the object, for points and lines without the solids that are drawn; the "
      "unit, such as millimeter, if the input has one (3MF, glTF), else null"},

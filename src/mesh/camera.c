@@ -209,9 +209,18 @@ typedef struct view_mesh {
     burnish_vec3 middle;
     view_frame frame;
     double diagonal; /* of the bounds */
+    double radius;   /* of a point cloud's spheres; 0: triangles */
     group_bounds *groups;
     size_t group_count;
 } view_mesh;
+
+/* Outliers of a point cloud are not framed. */
+static int is_framed(const view_mesh *view, size_t i) {
+    const float *p = view->mesh->positions + 3 * i;
+    const float *low = view->mesh->bounds_min, *high = view->mesh->bounds_max;
+    return view->radius == 0 || (p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] &&
+                                 p[1] <= high[1] && p[2] >= low[2] && p[2] <= high[2]);
+}
 
 static burnish_vec3 view_vertex(const view_mesh *view, size_t i) {
     burnish_vec3 p =
@@ -231,6 +240,9 @@ static void measure_group(const view_mesh *view, size_t first, size_t end, group
     bounds->high = (burnish_vec3){-DBL_MAX, -DBL_MAX, -DBL_MAX};
     for (size_t i = first; i < end; ++i) {
         const burnish_vec3 p = view_vertex(view, i);
+        if (!is_framed(view, i)) {
+            continue;
+        }
         bounds->low.x = p.x < bounds->low.x ? p.x : bounds->low.x;
         bounds->low.y = p.y < bounds->low.y ? p.y : bounds->low.y;
         bounds->low.z = p.z < bounds->low.z ? p.z : bounds->low.z;
@@ -257,6 +269,9 @@ static void push_group(const view_mesh *view, size_t group, const double t[4], e
     const size_t end = first + GROUP < count ? first + GROUP : count;
     for (size_t i = first; i < end; ++i) {
         burnish_vec3 p = view_vertex(view, i);
+        if (!is_framed(view, i)) {
+            continue;
+        }
         double value[4] = {p.x + t[0] * p.z, t[1] * p.z - p.x, p.y + t[2] * p.z, t[3] * p.z - p.y};
         for (int k = 0; k < 4; ++k) {
             if (value[k] > side[k].value) {
@@ -280,6 +295,9 @@ static void push_sides(const view_mesh *view, const double t[4], extreme side[4]
             push_group(view, i, t, side);
         }
     }
+    for (int k = 0; k < 4; ++k) { /* spheres reach farther by their radius across the side */
+        side[k].value += view->radius * __builtin_sqrt(1 + t[k] * t[k]);
+    }
 }
 
 static void measure_depth(const view_mesh *view, double *near_depth, double *far_depth) {
@@ -290,6 +308,8 @@ static void measure_depth(const view_mesh *view, double *near_depth, double *far
         *near_depth = group->high.z > *near_depth ? group->high.z : *near_depth;
         *far_depth = group->low.z < *far_depth ? group->low.z : *far_depth;
     }
+    *near_depth += view->radius;
+    *far_depth -= view->radius;
 }
 
 /* The position across the view, at distance cz, with room on both sides in the proportion of the
@@ -389,6 +409,7 @@ static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing
                       burnish_vec3_scale(burnish_vec3_add(low, high), 0.5),
                       choose_frame(options, arrays->up_axis),
                       burnish_vec3_length(burnish_vec3_sub(high, low)),
+                      (double)arrays->point_radius,
                       NULL,
                       0};
     burnish_memory memory = burnish_memory_of(mesh->context, error);

@@ -191,6 +191,53 @@ static void cut_triangles(cutter *cut) {
     }
 }
 
+/* ---- Points ---- */
+
+/* Keeps the points that are not beyond the plane. Returns how many there are. */
+static size_t keep_points(burnish_mesh *mesh, const burnish_clip_plane *plane, int is_count) {
+    const burnish_vec3 normal = burnish_vec3_load(plane->normal);
+    size_t kept = 0;
+    for (size_t i = 0; i < mesh->view.vertex_count; ++i) {
+        const burnish_vec3 p = burnish_vec3_loadf(mesh->view.positions + 3 * i);
+        if (burnish_vec3_dot(normal, p) > plane->offset) {
+            continue;
+        }
+        for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT && !is_count; ++a) {
+            const size_t size = burnish_attribute_size((burnish_attribute)a);
+            uint8_t *items = mesh->attributes[a];
+            if (items) {
+                memmove(items + kept * size, items + i * size, size);
+            }
+        }
+        ++kept;
+    }
+    return kept;
+}
+
+static burnish_status fail_empty(const burnish_mesh *mesh, const burnish_clip_plane *plane,
+                                 burnish_error *error) {
+    const double *n = plane->normal, *o = mesh->view.origin; /* as the file's coordinates have it */
+    return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "clip: all of the mesh is beyond the plane %g,%g,%g,%g; negate all four "
+                        "numbers, or change the last one",
+                        n[0], n[1], n[2], plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
+}
+
+static burnish_status clip_points(burnish_mesh *mesh, const burnish_clip_plane *plane,
+                                  burnish_error *error) {
+    const size_t kept = keep_points(mesh, plane, 1);
+    if (kept == 0) {
+        return fail_empty(mesh, plane, error);
+    }
+    if (kept < mesh->view.vertex_count) {
+        keep_points(mesh, plane, 0);
+        mesh->view.cuts[mesh->view.cut_count++] = *plane;
+        mesh->view.vertex_count = mesh->info.point_count = kept;
+        burnish_mesh_update_view(mesh);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 /* ---- The whole ---- */
 
 static void release(cutter *cut) {
@@ -303,6 +350,9 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    if (mesh->view.point_radius > 0) {
+        return clip_points(mesh, plane, error);
+    }
     burnish_memory memory = burnish_memory_of(mesh->context, error);
     burnish_mesh_view *view = &mesh->view;
     cutter cut = {.mesh = mesh, .plane = *plane};
@@ -312,13 +362,8 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
     status = memory.status;
     if (status == BURNISH_STATUS_OK) {
         count_parts(&cut, &triangles, &vertices);
-        if (triangles == 0) { /* as the file's coordinates have it */
-            const double *n = plane->normal, *o = view->origin;
-            status = burnish_fail(
-                error, BURNISH_STATUS_ARGUMENT,
-                "clip: all of the mesh is beyond the plane %g,%g,%g,%g; negate all four "
-                "numbers, or change the last one",
-                n[0], n[1], n[2], plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
+        if (triangles == 0) {
+            status = fail_empty(mesh, plane, error);
         }
     }
     if (status != BURNISH_STATUS_OK || !cut.cuts_something) {

@@ -76,7 +76,7 @@ static int bin_triangle(const burnish_bins *bins, burnish_bin_slice *slice,
     box.row0 = box.row0 < bins->first_row ? bins->first_row : box.row0;
     box.row1 = box.row1 >= bins->end_row ? bins->end_row - 1 : box.row1;
     tile_edges edges = {{0}, {0}, {0}};
-    if (box.column1 > box.column0 && box.row1 > box.row0) {
+    if (geometry->indices && box.column1 > box.column0 && box.row1 > box.row0) {
         edges = find_tile_edges(geometry, batch * BURNISH_BATCH_SIZE + lane, back, box.column0,
                                 box.row0);
     }

@@ -22,7 +22,8 @@ typedef struct burnish_fragments {
     float x[BURNISH_FRAGMENT_BATCH]; /* pixels from the image's centre, right */
     float y[BURNISH_FRAGMENT_BATCH]; /* up */
     float depth[BURNISH_FRAGMENT_BATCH];
-    /* screen-space barycentric weights of vertices 1 and 2 */
+    /* screen-space barycentric weights of vertices 1 and 2; of points: where in the disc, right and
+       up from its centre in units of its radius */
     float weight1[BURNISH_FRAGMENT_BATCH], weight2[BURNISH_FRAGMENT_BATCH];
 } burnish_fragments;
 

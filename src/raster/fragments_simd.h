@@ -3,6 +3,7 @@
 #define BURNISH_RASTER_FRAGMENTS_SIMD_H
 
 #include "raster/fragments.h"
+#include "raster/points.h"
 #include "raster/stamps_simd.h"
 
 /* ---- Block rows ---- */
@@ -166,6 +167,26 @@ BURNISH_INLINE void weigh_vector(const burnish_tile *tile, const burnish_raster_
     }
 }
 
+/* The same for points: positions in their discs. */
+static void weigh_points(const burnish_tile *tile, const burnish_raster_view *view,
+                         const sample_points *points, burnish_fragments *fragments) {
+    const float step = 1.0f / BURNISH_SUBPIXELS;
+    const int left = tile->x * BURNISH_SUBPIXELS - view->width * HALF_PIXEL;
+    const int below = view->height * HALF_PIXEL - tile->y * BURNISH_SUBPIXELS;
+    for (int i = 0; i < fragments->count; ++i) {
+        const size_t id = (size_t)points->id[i];
+        const burnish_primitive_edges *disc = &tile->primitives.edges[id];
+        const float *depth = tile->primitives.depths[id].depth;
+        const burnish_disc_position at = burnish_disc_position_of(
+            points->x[i] - disc->constant[0], points->y[i] - disc->constant[1], disc->dx[0]);
+        fragments->weight1[i] = at.x;
+        fragments->weight2[i] = at.y;
+        fragments->x[i] = (float)(points->x[i] + left) * step;
+        fragments->y[i] = (float)(below - points->y[i]) * step;
+        fragments->depth[i] = depth[0] + depth[1] * at.toward;
+    }
+}
+
 /* Appends the fragments of a block. */
 static void append_groups(const burnish_tile *tile, int block, const sample_groups *groups,
                           sample_points *points, burnish_fragments *fragments) {
@@ -203,8 +224,11 @@ static int next_fragments(const burnish_tile *tile, const burnish_raster_view *v
         }
         append_groups(tile, block, &groups, &points, fragments);
     }
-    for (int first = 0; first < fragments->count; first += LANES) {
+    for (int first = 0; !tile->are_points && first < fragments->count; first += LANES) {
         weigh_vector(tile, view, &points, first, fragments);
+    }
+    if (tile->are_points) {
+        weigh_points(tile, view, &points, fragments);
     }
     *next_block = block;
     return fragments->count > 0;

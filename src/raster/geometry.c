@@ -6,8 +6,10 @@
 #include <string.h>
 
 #include "core/memory.h"
+#include "core/vector.h"
 #include "raster/clip.h"
 #include "raster/layout.h"
+#include "raster/points.h"
 #include "raster/raster_ops.h"
 
 /* A vertex that clipping made, on the screen and in the mesh. */
@@ -153,6 +155,21 @@ static uint64_t batch_cells(const burnish_geometry *geometry, size_t number,
     return cells;
 }
 
+/* The same for points, whose cells are those of their bounds. */
+static uint64_t box_cells(const burnish_geometry *geometry, size_t number) {
+    const burnish_triangle_batch *batch = &geometry->batches[number];
+    uint64_t cells = 0;
+    for (unsigned rest = geometry->headers[number].visible[0]; rest; rest &= rest - 1) {
+        const unsigned i = (unsigned)__builtin_ctz(rest);
+        const uint32_t first = batch->first[i], last = batch->last[i];
+        if (((last - first) & 0xfffefffeu) != 0) {
+            cells += (uint64_t)(BURNISH_PACKED_X(last) - BURNISH_PACKED_X(first) + 1) *
+                     (BURNISH_PACKED_Y(last) - BURNISH_PACKED_Y(first) + 1);
+        }
+    }
+    return cells;
+}
+
 burnish_status burnish_check_overdraw(double overdraw, double limit, const char *what,
                                       burnish_error *error) {
     if (overdraw <= limit) {
@@ -162,6 +179,97 @@ burnish_status burnish_check_overdraw(double overdraw, double limit, const char 
                         "the triangles cover %s %.0f times, which takes long; the limit is %.0f: "
                         "raise max-overdraw, or leave out what is hidden",
                         what, overdraw, limit);
+}
+
+/* ---- Points ---- */
+
+static double length_of(const float row[4]) {
+    return burnish_vec3_length(burnish_vec3_loadf(row));
+}
+
+static void store_unit(const float row[4], float out[3]) {
+    const burnish_vec3 unit = burnish_vec3_normalize(burnish_vec3_loadf(row));
+    out[0] = (float)unit.x;
+    out[1] = (float)unit.y;
+    out[2] = (float)unit.z;
+}
+
+/* Rows of a view are its axes, scaled: right, up, and forward in w, or against it in z. */
+static burnish_point_view make_point_view(const burnish_raster_view *view, float radius) {
+    const double size = (double)radius, w = length_of(view->rows[3]);
+    const double pixels = length_of(view->rows[0]);
+    burnish_point_view points = {
+        .radius_w = (float)(size * pixels),
+        .nearer_z = (float)(size * length_of(view->rows[2])),
+        .nearer_w = (float)(-size * w),
+        .slope = (float)(w / pixels),
+        .center = {view->width * (BURNISH_SUBPIXELS / 2), view->height * (BURNISH_SUBPIXELS / 2)}};
+    store_unit(view->rows[0], points.right);
+    store_unit(view->rows[1], points.up);
+    store_unit(w > 0 ? view->rows[3] : view->rows[2], points.forward);
+    for (int k = 0; k < 3 && !(w > 0); ++k) {
+        points.forward[k] = -points.forward[k];
+    }
+    return points;
+}
+
+/* The first and last pixel that a disc may touch along an axis, of `size` pixels; 0: none. */
+static int touch_pixels(int32_t center, int32_t radius, int size, int *first, int *last) {
+    const int32_t low = center - radius, high = center + radius;
+    if (high < 0 || low >= size * BURNISH_SUBPIXELS) {
+        return 0;
+    }
+    *first = low > 0 ? low / BURNISH_SUBPIXELS : 0;
+    *last = high / BURNISH_SUBPIXELS;
+    *last = *last < size ? *last : size - 1;
+    return 1;
+}
+
+static int bound_point(const burnish_geometry *geometry, const burnish_raster_view *view,
+                       size_t point, burnish_triangle_batch *batch, size_t i) {
+    const burnish_screen_vertex *v = &geometry->vertices.items[point];
+    int x0, y0, x1, y1;
+    if (v->outcode & BURNISH_OUT_CLIP) {
+        return 0;
+    }
+    const burnish_disc disc =
+        burnish_disc_of(&geometry->points, v->depth, geometry->vertices.inverse_w[point]);
+    if (!(disc.nearest < 1 && (disc.nearest > 0 || geometry->points.slope == 0)) ||
+        !touch_pixels(v->x, disc.radius, view->width, &x0, &x1) ||
+        !touch_pixels(v->y, disc.radius, view->height, &y0, &y1)) {
+        return 0;
+    }
+    batch->nearest[i] = disc.nearest;
+    batch->first[i] = BURNISH_PACK(x0 / BURNISH_HIZ_PIXELS, y0 / BURNISH_HIZ_PIXELS);
+    batch->last[i] = BURNISH_PACK(x1 / BURNISH_HIZ_PIXELS, y1 / BURNISH_HIZ_PIXELS);
+    return 1;
+}
+
+/* Bounds the points [first, first + count), which are a batch, and fills its header. Points that
+ * reach the near plane or the guard band are left out. Returns bits of the visible ones. */
+static unsigned bound_points(burnish_geometry *geometry, const burnish_raster_view *view,
+                             size_t first, size_t count) {
+    const size_t number = first / BURNISH_BATCH_SIZE;
+    burnish_triangle_batch *batch = &geometry->batches[number];
+    burnish_batch_header *header = &geometry->headers[number];
+    unsigned visible = 0;
+    for (size_t i = 0; i < BURNISH_BATCH_SIZE; ++i) {
+        batch->nearest[i] = 0;
+        batch->first[i] = batch->last[i] = 0;
+        visible |= i < count && bound_point(geometry, view, first + i, batch, i) ? 1U << i : 0;
+    }
+    const unsigned any = visible ? (unsigned)__builtin_ctz(visible) : 0;
+    const uint32_t tile = batch->first[any] & BURNISH_HIZ_TILE_MASK;
+    unsigned elsewhere = 0;
+    for (unsigned rest = visible; rest; rest &= rest - 1) {
+        const int i = __builtin_ctz(rest);
+        elsewhere |= (batch->first[i] & BURNISH_HIZ_TILE_MASK) != tile ||
+                     (batch->last[i] & BURNISH_HIZ_TILE_MASK) != tile;
+    }
+    header->visible[0] = (uint16_t)visible;
+    header->visible[1] = 0;
+    header->tile = elsewhere ? BURNISH_NO_TILE : tile / BURNISH_HIZ_SIZE;
+    return visible;
 }
 
 /* ---- Culling ---- */
@@ -184,6 +292,12 @@ static void cull_task(void *context, size_t index, int thread) {
         const size_t count = end - at < BURNISH_BATCH_SIZE ? end - at : BURNISH_BATCH_SIZE;
         const size_t batch = at / BURNISH_BATCH_SIZE;
         unsigned clipped;
+        if (!geometry->indices) {
+            const unsigned visible = bound_points(geometry, update->view, at, count);
+            part->visible += (size_t)__builtin_popcount(visible);
+            part->cells += box_cells(geometry, batch);
+            continue;
+        }
         part->visible += (size_t)update->ops->cull_and_bound(
             &geometry->vertices, update->view, geometry->indices + 3 * at, count,
             &geometry->batches[batch], &geometry->headers[batch], &clipped);
@@ -354,6 +468,9 @@ burnish_status burnish_geometry_update(burnish_geometry *geometry, const burnish
     update_context update = {geometry, ops, view, triangles};
     geometry->context = tasks ? tasks->context : NULL;
     burnish_status status = reserve_mesh(geometry, triangles, part_count, error);
+    if (!triangles->indices) {
+        geometry->points = make_point_view(view, triangles->point_radius);
+    }
     if (status == BURNISH_STATUS_OK) {
         burnish_tasks_run(tasks, (triangles->vertex_count + grain - 1) / grain, 1, 0,
                           transform_task, &update);

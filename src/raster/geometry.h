@@ -85,20 +85,32 @@ typedef struct burnish_batch_header {
 } burnish_batch_header;
 #define BURNISH_NO_TILE UINT32_MAX
 
-/* The mesh that is drawn. */
+/* The mesh that is drawn: triangles, or points. */
 typedef struct burnish_triangles {
     const float *positions; /* 3 per vertex */
     size_t vertex_count;
-    const uint32_t *indices; /* 3 per triangle */
-    size_t triangle_count;
+    const uint32_t *indices; /* 3 per triangle; NULL: points, each of which counts as a triangle */
+    size_t triangle_count;   /* or points, as many as vertices */
     /* per batch; bit i: triangle i is transparent and counts BURNISH_LAYER_WORK times. NULL: none
      */
     const uint16_t *transparent;
+    float point_radius; /* in units of the positions; read if there are no indices */
 } burnish_triangles;
 
 /* How much longer a sample of a transparent triangle takes than one of an opaque triangle, at most:
  * it moves up to 31 other layers. */
 enum { BURNISH_LAYER_WORK = 28 };
+
+/* What spheres of one radius are drawn with: discs, whose plane faces the viewer. */
+typedef struct burnish_point_view {
+    float radius_w; /* a disc's radius in pixels times w */
+    float nearer_z,
+        nearer_w; /* added to z and w: from a sphere's centre to its point nearest to the
+                                 viewer */
+    float right[3], up[3], forward[3]; /* unit vectors, in model space */
+    float slope; /* of the ray through a pixel, per pixel from the image's centre; 0: parallel */
+    int32_t center[2]; /* of the image, 1/256 pixel */
+} burnish_point_view;
 
 /* A frame's geometry; every array but the mesh's indices is owned. All zero before the first frame;
  * later frames use the arrays again. A primitive has the index of its triangle in the mesh;
@@ -107,7 +119,8 @@ typedef struct burnish_geometry {
     const burnish_context *context;
     burnish_screen_vertices vertices;
     burnish_clip_vertex *clip_vertices; /* vertices.count - vertices.mesh_count of them */
-    const uint32_t *indices;            /* the mesh's */
+    const uint32_t *indices;            /* the mesh's; NULL: points */
+    burnish_point_view points;          /* valid if there are points */
     uint32_t *clipped_indices;          /* 3 per clipped triangle, into vertices */
     uint32_t *clipped_ids;              /* the mesh's triangle of each */
     burnish_triangle_batch *batches;    /* the mesh's, then the clipped ones */

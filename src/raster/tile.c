@@ -147,9 +147,11 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_raster_ops *ops,
     for (int i = 0; i < BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE; ++i) {
         tile->hiz.cells[i] = BURNISH_FARTHEST;
     }
-    tile->is_overdrawn = burnish_overdraw(geometry->cells, view) >= BURNISH_TILE_OVERDRAWN;
+    tile->is_overdrawn =
+        geometry->indices && burnish_overdraw(geometry->cells, view) >= BURNISH_TILE_OVERDRAWN;
     memset(tile->buffer.dirty_blocks, 0, sizeof tile->buffer.dirty_blocks);
     tile->primitives.count = 0;
+    tile->are_points = !geometry->indices;
     fill_outside(tile, BURNISH_NEAREST); /* nothing is drawn there, and HiZ does not wait for it */
     ops->draw_tile(tile, geometry, bins, column, row);
     fill_outside(tile, BURNISH_FARTHEST);

@@ -65,7 +65,10 @@ typedef struct burnish_hiz {
     float quads[BURNISH_HIZ_SIZE * BURNISH_HIZ_SIZE];
 } burnish_hiz;
 
-/* Data for fragments of the primitives that samples of the tile show, or have shown: arrays of four
+/* Of points: edges has the centre of the disc in constant and its radius in dx[0], depths the depth
+ * of the sphere's centre, and of its nearest point minus that.
+ *
+ * Data for fragments of the primitives that samples of the tile show, or have shown: arrays of four
  * words per primitive, stored and loaded as vectors. Coordinates are 1/256 pixel from the tile's
  * corner. The edge function of edge i = 1, 2, opposite vertex i, is E(x, y) = dx[i - 1] y - dy[i -
  * 1] x + constant[i - 1], and E / area the barycentric weight of vertex i. */
@@ -136,6 +139,7 @@ typedef struct burnish_tile {
     const burnish_float4 *attributes[2]; /* one item per screen vertex each; the second or NULL */
     burnish_tile_buffer buffer;
     burnish_hiz hiz;
+    int are_points;   /* 1: primitives are points */
     int is_overdrawn; /* 1: large triangles cover the picture so often that HiZ looks ahead */
     burnish_tile_primitives primitives; /* with several samples */
     /* per batch, the caller's to set; bit i: triangle i is transparent. NULL: none is */

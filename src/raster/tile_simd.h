@@ -431,7 +431,11 @@ static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
             primitives->count + count + BURNISH_TILE_PRIMITIVES_EXTRA > primitives->capacity) {
             evict_hidden(tile);
         }
-        draw_primitives(tile, geometry, indices, count, back, are_layers);
+        if (geometry->indices) {
+            draw_primitives(tile, geometry, indices, count, back, are_layers);
+        } else {
+            draw_points(tile, geometry, indices, count);
+        }
         age += are_layers ? 0 : count;
     }
 }

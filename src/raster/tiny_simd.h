@@ -1,8 +1,9 @@
-/* Drawing tiny triangles: the pixels, or the samples, of as many as a vector has lanes at once;
+/* Drawing points, and tiny triangles: the pixels, or the samples, of as many as a vector has lanes at once;
  * then what they cover goes into the tile, one triangle after another. */
 #ifndef BURNISH_RASTER_TINY_SIMD_H
 #define BURNISH_RASTER_TINY_SIMD_H
 
+#include "raster/points.h"
 #include "raster/stamps_simd.h"
 
 /* ---- One sample per pixel ---- */
@@ -228,6 +229,129 @@ static void draw_tiny_samples(burnish_tile *tile, const triangle_setup *setup,
         for (; whole; whole &= whole - 1) {
             draw_center(tile, setup, lane, __builtin_ctzll(whole) / TINY_SAMPLES, planes);
         }
+    }
+}
+
+/* ---- Points: discs have few pixels, so they are drawn one after another ---- */
+
+/* A disc in the tile: coordinates count from the tile's corner. */
+typedef struct tile_disc {
+    uint32_t point;
+    int32_t id; /* what samples that show it get */
+    int32_t x, y, radius;
+    float depth, rise; /* of the sphere's centre; of its nearest point minus that */
+} tile_disc;
+
+BURNISH_INLINE float depth_in_disc(const tile_disc *disc, int32_t x, int32_t y) {
+    return disc->depth + disc->rise * burnish_disc_position_of(x, y, disc->radius).toward;
+}
+
+/* Stores the attributes of a pixel at its centre, all of whose samples show the disc. */
+BURNISH_INLINE void shade_disc(const burnish_tile *tile, const burnish_point_view *points,
+                               const tile_disc *disc, int32_t x, int32_t y, int pixel) {
+    const int planes = tile->options.planes;
+    if (tile->options.samples > 1 && tile->options.needs_position) {
+        tile->buffer.center_depths[pixel] = depth_in_disc(disc, x, y);
+    }
+    if (planes == 0) {
+        return;
+    }
+    const burnish_float4 attribute = tile->attributes[0][disc->point];
+    const burnish_disc_position at = burnish_disc_position_of(x, y, disc->radius);
+    const float own[3] = {attribute[0], attribute[1], attribute[2]};
+    const float step = 1.0f / BURNISH_SUBPIXELS;
+    const int32_t left = points->center[0] - tile->x * BURNISH_SUBPIXELS - disc->x;
+    const int32_t above = points->center[1] - tile->y * BURNISH_SUBPIXELS - disc->y;
+    float normal[3];
+    burnish_point_normal(points, own, &at, (float)(x - left) * step, (float)(above - y) * step,
+                         normal);
+    const float scale = own[0] == 0 && own[1] == 0 && own[2] == 0 ? attribute[3] : 1.0f;
+    for (int k = 0; k < 3; ++k) {
+        tile->buffer.planes[BURNISH_PLANE_X + k][pixel] = normal[k] * scale;
+    }
+    if (planes > BURNISH_PLANE_W) {
+        tile->buffer.planes[BURNISH_PLANE_W][pixel] = attribute[3];
+    }
+    for (int k = 0; planes > BURNISH_PLANE_R && k < 3; ++k) {
+        tile->buffer.planes[BURNISH_PLANE_R + k][pixel] = tile->attributes[1][disc->point][k];
+    }
+}
+
+/* Draws the samples of a pixel; x, y: of its centre from the disc's. */
+BURNISH_INLINE void draw_disc_pixel(burnish_tile *tile, const burnish_point_view *points,
+                                    const tile_disc *disc, int32_t x, int32_t y, int pixel) {
+    const int samples = tile->options.samples;
+    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
+    const int64_t most = (int64_t)disc->radius * disc->radius;
+    int drawn = 0;
+    for (int s = 0; s < samples; ++s) {
+        const int32_t u = x + offsets[s][0] * BURNISH_SAMPLE_STEP;
+        const int32_t v = y + offsets[s][1] * BURNISH_SAMPLE_STEP;
+        const int sample = burnish_sample_index(samples, pixel, s);
+        if ((int64_t)u * u + (int64_t)v * v > most) {
+            continue;
+        }
+        const float depth = depth_in_disc(disc, u, v);
+        if (!(depth > tile->buffer.depths[sample])) {
+            continue;
+        }
+        tile->buffer.depths[sample] = depth;
+        if (samples > 1 || tile->options.keep_ids) {
+            tile->buffer.ids[sample] = disc->id;
+        }
+        ++drawn;
+    }
+    if (drawn == samples) {
+        shade_disc(tile, points, disc, x, y, pixel);
+    }
+    mark_dirty(tile, pixel, drawn > 0);
+}
+
+BURNISH_INLINE int clamp_pixel(int32_t position) {
+    const int pixel = position >> BURNISH_SUBPIXEL_BITS;
+    return pixel < 0 ? 0 : pixel >= BURNISH_TILE_SIZE ? BURNISH_TILE_SIZE - 1 : pixel;
+}
+
+static void draw_disc(burnish_tile *tile, const burnish_point_view *points, const tile_disc *disc) {
+    const int x0 = clamp_pixel(disc->x - disc->radius), x1 = clamp_pixel(disc->x + disc->radius);
+    const int y0 = clamp_pixel(disc->y - disc->radius), y1 = clamp_pixel(disc->y + disc->radius);
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            draw_disc_pixel(tile, points, disc, x * BURNISH_SUBPIXELS + HALF_PIXEL - disc->x,
+                            y * BURNISH_SUBPIXELS + HALF_PIXEL - disc->y,
+                            burnish_pixel_index(x, y));
+        }
+    }
+}
+
+static void append_disc(burnish_tile_primitives *primitives, tile_disc *disc, uint32_t id) {
+    const size_t at = primitives->count++;
+    primitives->edges[at] = (burnish_primitive_edges){{disc->x, disc->y}, {disc->radius, 0}};
+    primitives->weights[at] = (burnish_primitive_weights){{0, 0}, 0, 0};
+    primitives->depths[at] = (burnish_primitive_depths){{disc->depth, disc->rise, 0}, 0};
+    primitives->primitives[at] = (burnish_primitive){{disc->point, disc->point, disc->point}, id};
+    disc->id = (int32_t)at;
+}
+
+static void draw_points(burnish_tile *tile, const burnish_geometry *geometry,
+                        const uint32_t *indices, size_t count) {
+    const burnish_point_view *points = &geometry->points;
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t point = indices[i];
+        const burnish_screen_vertex *v = &geometry->vertices.items[point];
+        const burnish_disc size =
+            burnish_disc_of(points, v->depth, geometry->vertices.inverse_w[point]);
+        tile_disc disc = {point,
+                          (int32_t)(point * 2),
+                          v->x - tile->x * BURNISH_SUBPIXELS,
+                          v->y - tile->y * BURNISH_SUBPIXELS,
+                          size.radius,
+                          v->depth,
+                          size.nearest - v->depth};
+        if (tile->options.samples > 1) {
+            append_disc(&tile->primitives, &disc, point * 2);
+        }
+        draw_disc(tile, points, &disc);
     }
 }
 

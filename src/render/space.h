@@ -5,6 +5,11 @@
 #include "burnish/mesh.h"
 #include "core/vector.h"
 
+/* Triangles, or points of a cloud. */
+static inline size_t burnish_drawn_count(const burnish_mesh_view *mesh) {
+    return mesh->point_radius > 0 ? mesh->vertex_count : mesh->triangle_count;
+}
+
 /* The middle of the mesh, rounded to floats: what the raster subtracts from positions. */
 static inline burnish_vec3 burnish_space_center(const burnish_mesh_view *mesh) {
     float center[3];

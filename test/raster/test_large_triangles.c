@@ -452,7 +452,7 @@ static void draw_alone(const burnish_raster_view *view, const screen_point at[3]
     }
     add_triangle(&scene, 0, 1, 2, state);
     const burnish_raster_ops *ops = burnish_raster_ops_for(pick_isa(state));
-    const burnish_triangles triangles = {scene.positions, 3, scene.indices, 1, NULL};
+    const burnish_triangles triangles = {scene.positions, 3, scene.indices, 1, NULL, 0};
     burnish_geometry_update(&geometry, ops, view, &triangles, NULL, NULL);
     const int side = reference_side(&geometry, 0);
     if (side < 0) {

@@ -69,8 +69,8 @@ static void make_plane(test_mesh *mesh, int snap, uint64_t state) {
 static burnish_status update_geometry(burnish_geometry *geometry, const burnish_raster_ops *ops,
                                       const burnish_raster_view *view, const test_mesh *mesh,
                                       burnish_error *error) {
-    const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
-                                         mesh->triangle_count, NULL};
+    const burnish_triangles triangles = {
+        mesh->positions, mesh->vertex_count, mesh->indices, mesh->triangle_count, NULL, 0};
     return burnish_geometry_update(geometry, ops, view, &triangles, NULL, error);
 }
 

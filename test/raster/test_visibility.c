@@ -125,7 +125,7 @@ static void check_forgetting(void) {
     burnish_tile fast;
     const burnish_raster_ops *ops = burnish_raster_ops_for(BURNISH_ISA_SCALAR);
     const burnish_tile_options options = {.samples = SAMPLES, .planes = 3};
-    const burnish_triangles triangles = {positions, 3 * (size_t)LAYERS, indices, LAYERS, NULL};
+    const burnish_triangles triangles = {positions, 3 * (size_t)LAYERS, indices, LAYERS, NULL, 0};
     burnish_geometry_update(&geometry, ops, &view, &triangles, NULL, NULL);
     const burnish_mesh_view mesh = {.normals = normals, .indices = indices};
     burnish_memory memory = burnish_memory_of(NULL, NULL);

@@ -317,8 +317,8 @@ static void check_layers(const random_scene *scene, const burnish_raster_view *v
     static expected_layers layers;
     static uint16_t masks[2 * MOST_TRIANGLES];
     const burnish_raster_ops *ops = burnish_raster_ops_for(pick_isa(state));
-    const burnish_triangles triangles = {scene->positions, scene->vertex_count, scene->indices,
-                                         scene->triangle_count, NULL};
+    const burnish_triangles triangles = {
+        scene->positions, scene->vertex_count, scene->indices, scene->triangle_count, NULL, 0};
     const burnish_tile_options options = {.samples = view->samples, .keep_ids = 1, .has_layers = 1};
     reference_tile tile;
     burnish_tile fast;

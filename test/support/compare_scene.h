@@ -342,8 +342,8 @@ static inline void compare_scene(const random_scene *scene, const burnish_raster
     reference_tile tile;
     burnish_tile fast;
     const burnish_raster_ops *ops = burnish_raster_ops_for(pick_isa(state));
-    const burnish_triangles triangles = {scene->positions, scene->vertex_count, scene->indices,
-                                         scene->triangle_count, NULL};
+    const burnish_triangles triangles = {
+        scene->positions, scene->vertex_count, scene->indices, scene->triangle_count, NULL, 0};
     burnish_geometry_update(&geometry, ops, view, &triangles, NULL, NULL);
     check_geometry(scene, view, &geometry, number);
     make_shading(&shading, scene, view, &geometry, state);

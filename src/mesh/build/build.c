@@ -59,6 +59,9 @@ static void describe_mesh(burnish_builder *b) {
     b->mesh->view.vertex_count = b->vertex_count;
     b->mesh->view.triangle_count = b->triangle_count;
     memcpy(b->mesh->view.origin, b->data->origin, sizeof b->data->origin);
+    b->mesh->view.point_radius = b->data->point_radius;
+    memcpy(b->mesh->inner_min, b->data->inner_min, sizeof b->mesh->inner_min);
+    memcpy(b->mesh->inner_max, b->data->inner_max, sizeof b->mesh->inner_max);
     b->mesh->info.point_count = b->data->point_count;
     b->mesh->info.line_count = b->data->line_count;
     memcpy(b->mesh->points_min, b->data->points_min, sizeof b->mesh->points_min);
@@ -67,6 +70,19 @@ static void describe_mesh(burnish_builder *b) {
     b->mesh->info.normals = b->has_file_normals ? BURNISH_NORMALS_FILE : BURNISH_NORMALS_OWN;
     b->mesh->info.normals_replaced = b->normals_replaced;
     burnish_mesh_update_view(b->mesh);
+}
+
+/* A point cloud needs nothing but its arrays. */
+static burnish_status take_points(burnish_builder *b) {
+    static const burnish_attribute taken[] = {BURNISH_POSITION, BURNISH_NORMAL, BURNISH_COLOR};
+    b->vertex_count = b->data->point_count;
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i) {
+        burnish_stream *stream = &b->data->streams[taken[i]];
+        b->mesh->attributes[taken[i]] = stream->items;
+        stream->items = NULL;
+        stream->count = stream->capacity = 0;
+    }
+    return take_materials(b);
 }
 
 /* The steps in order, each with its share of the time; on failure b and its mesh keep what was made
@@ -82,6 +98,9 @@ static burnish_status build(burnish_builder *b) {
                  {take_materials, 1}};
     burnish_tasks *tasks = b->data->tasks;
     burnish_status status = b->memory->status;
+    if (status == BURNISH_STATUS_OK && b->data->point_count > 0) {
+        return take_points(b);
+    }
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == BURNISH_STATUS_OK; ++i) {
         status = steps[i].run(b);
         if (status == BURNISH_STATUS_OK) {
@@ -108,13 +127,13 @@ static burnish_mesh *allocate_mesh(burnish_mesh_data *data, burnish_format forma
 
 /* Normals of OBJ, PLY, OFF and, rarely, glTF come from tools that average them across edges. Normal
  * textures are relative to them, so they stay. Other sources state the normals that they mean, and
- * solids for points have the right ones. */
+ * prisms for lines have the right ones. */
 static burnish_normals_source choose_normals(const burnish_load_options *options,
                                              burnish_format format, const burnish_mesh_data *data) {
     const int is_questioned = format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
                               format == BURNISH_FORMAT_OFF ||
                               (format == BURNISH_FORMAT_GLTF && !data->has_normal_textures);
-    if (data->point_count + data->line_count > 0) {
+    if (data->line_count > 0) {
         return BURNISH_NORMALS_FILE;
     }
     if (options->normals != BURNISH_NORMALS_AUTO) {

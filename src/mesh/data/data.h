@@ -50,8 +50,11 @@ typedef struct burnish_stream {
 typedef struct burnish_mesh_data {
     burnish_stream streams[BURNISH_ATTRIBUTE_COUNT];
     size_t triangle_count;
-    size_t point_count, line_count;     /* drawn as triangles */
-    float points_min[3], points_max[3]; /* bounds of these points, or of the lines' ends */
+    size_t point_count; /* > 0: a point cloud, without triangles; a normal per position */
+    float point_radius;
+    float inner_min[3], inner_max[3];   /* of a point cloud: what is framed (read/common/cloud.h) */
+    size_t line_count;                  /* drawn as triangles */
+    float points_min[3], points_max[3]; /* bounds of the lines' ends */
     float up_axis[3];                   /* unit length; all 0: the format's */
     const char *unit;                   /* burnish_mesh_info.unit */
 

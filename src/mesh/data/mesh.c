@@ -1,6 +1,7 @@
 /* Meshes: options, release, access, materials. */
 #include "mesh/data/mesh.h"
 
+#include <float.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
@@ -130,6 +131,40 @@ static int has_alpha(const uint8_t *colors, size_t count) {
     return all < 255;
 }
 
+/* The bounds of the positions in the box from `least` to `most`, NULL: of all. Returns 0 if there
+ * are none. */
+static int bound_positions(const burnish_mesh_view *view, const float *least, const float *most,
+                           float low[3], float high[3]) {
+    int is_first = 1;
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        const float *p = view->positions + 3 * i;
+        if (least && !(p[0] >= least[0] && p[0] <= most[0] && p[1] >= least[1] && p[1] <= most[1] &&
+                       p[2] >= least[2] && p[2] <= most[2])) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            low[k] = is_first || p[k] < low[k] ? p[k] : low[k];
+            high[k] = is_first || p[k] > high[k] ? p[k] : high[k];
+        }
+        is_first = 0;
+    }
+    return !is_first;
+}
+
+/* The bounds of a point cloud's view: of the spheres that are framed. */
+static void bound_cloud(burnish_mesh *mesh) {
+    burnish_mesh_view *view = &mesh->view;
+    memcpy(mesh->points_min, view->bounds_min, sizeof mesh->points_min);
+    memcpy(mesh->points_max, view->bounds_max, sizeof mesh->points_max);
+    bound_positions(view, mesh->inner_min, mesh->inner_max, view->bounds_min, view->bounds_max);
+    for (int k = 0; k < 3; ++k) { /* stays finite at the end of the range */
+        const float low = view->bounds_min[k] - view->point_radius;
+        const float high = view->bounds_max[k] + view->point_radius;
+        view->bounds_min[k] = low < -FLT_MAX ? -FLT_MAX : low;
+        view->bounds_max[k] = high > FLT_MAX ? FLT_MAX : high;
+    }
+}
+
 void burnish_mesh_update_view(burnish_mesh *mesh) {
     static atomic_uint_fast64_t last_serial;
     burnish_mesh_view *view = &mesh->view;
@@ -143,15 +178,9 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     view->triangle_materials = mesh->triangle_materials;
     view->has_transparent_colors = has_alpha(view->colors, view->vertex_count);
     view->serial = atomic_fetch_add_explicit(&last_serial, 1, memory_order_relaxed) + 1;
-    memcpy(view->bounds_min, positions, sizeof view->bounds_min);
-    memcpy(view->bounds_max, positions, sizeof view->bounds_max);
-    for (size_t i = 0; i < view->vertex_count; ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float value = positions[3 * i + (size_t)axis];
-            float *low = &view->bounds_min[axis], *high = &view->bounds_max[axis];
-            *low = value < *low ? value : *low;
-            *high = value > *high ? value : *high;
-        }
+    bound_positions(view, NULL, NULL, view->bounds_min, view->bounds_max);
+    if (view->point_radius > 0) {
+        bound_cloud(mesh);
     }
 }
 
@@ -192,11 +221,11 @@ const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh) {
 }
 
 void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[3]) {
-    const int has_faces = !mesh || (mesh->info.point_count == 0 && mesh->info.line_count == 0);
+    const int are_points = mesh && mesh->view.point_radius > 0;
     for (int k = 0; k < 3; ++k) {
-        low[k] = mesh ? mesh->view.bounds_min[k] : 0;
-        high[k] = mesh ? mesh->view.bounds_max[k] : 0;
-        if (!has_faces) { /* inside the solids, unless a cut has left less */
+        low[k] = !mesh ? 0 : are_points ? mesh->points_min[k] : mesh->view.bounds_min[k];
+        high[k] = !mesh ? 0 : are_points ? mesh->points_max[k] : mesh->view.bounds_max[k];
+        if (mesh && mesh->info.line_count > 0) { /* inside the prisms, unless a cut left less */
             low[k] = low[k] < mesh->points_min[k] ? mesh->points_min[k] : low[k];
             high[k] = high[k] > mesh->points_max[k] ? mesh->points_max[k] : high[k];
         }

@@ -10,6 +10,7 @@
 #include "render/frame/frame.h"
 #include "render/light/casters.h"
 #include "render/lines/lines.h"
+#include "render/space.h"
 
 /* ---- Renderers ---- */
 
@@ -136,9 +137,12 @@ static double overdraw_limit(const drawing *d) {
 static burnish_status transform(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_mesh_view *mesh = d->mesh.view;
-    const burnish_triangles triangles = {mesh->positions, mesh->vertex_count, mesh->indices,
-                                         mesh->triangle_count,
-                                         transparency_of(d) ? renderer->transparency.masks : NULL};
+    const burnish_triangles triangles = {mesh->positions,
+                                         mesh->vertex_count,
+                                         mesh->indices,
+                                         burnish_drawn_count(mesh),
+                                         transparency_of(d) ? renderer->transparency.masks : NULL,
+                                         mesh->point_radius};
     const picture_key key = key_of(d);
     const int is_done = is_part(d) && memcmp(&key, &renderer->picture, sizeof key) == 0;
     burnish_status status = BURNISH_STATUS_OK;
@@ -274,7 +278,7 @@ static burnish_status update_ground(drawing *d) {
     const double origin[3] = {0, 0, 0};
     const burnish_shadow *shadow = d->report.shadow ? &renderer->shadow : NULL;
     burnish_occlusion_lookup lookup;
-    if (!d->options->ground || !d->target.pixels.pixels || mesh->triangle_count == 0) {
+    if (!d->options->ground || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
     }
     burnish_ground_place(ground, mesh, up_of(d));
@@ -301,7 +305,7 @@ static int marks_drawn(const drawing *d) {
 static uint8_t *clear_drawn(drawing *d) {
     burnish_renderer *renderer = d->renderer;
     const size_t count = d->report.triangles;
-    if (!marks_drawn(d)) {
+    if (!marks_drawn(d) || count == 0) {
         return NULL;
     }
     renderer->drawn = burnish_reserve_discard(
@@ -350,20 +354,22 @@ static burnish_status draw_tiles(drawing *d) {
     const burnish_caps caps = d->mesh.view->cut_count > 0
                                   ? burnish_caps_create(d->mesh.view, &d->view.raster)
                                   : (burnish_caps){0};
-    burnish_frame frame = {.ops = d->raster,
-                           .geometry = &renderer->geometry,
-                           .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
-                                       d->mesh.view->triangle_materials, transparency_of(d),
-                                       caps.count > 0 ? &caps : NULL, 0},
-                           .output = {.ops = d->view.shading.ops,
-                                      .encoder = &renderer->encoder,
-                                      .view = &d->view,
-                                      .ground = d->report.ground ? &d->view.ground : NULL},
-                           .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
-                           .layer_passes = layer_passes(d),
-                           .drawn = clear_drawn(d),
-                           .tasks = &renderer->tasks,
-                           .context = renderer->context};
+    burnish_frame frame = {
+        .ops = d->raster,
+        .geometry = &renderer->geometry,
+        .surface = {&d->view.raster, &d->view.shading, &renderer->attributes,
+                    d->mesh.view->triangle_materials, transparency_of(d),
+                    caps.count > 0 ? &caps : NULL,
+                    d->mesh.view->point_radius > 0 ? &renderer->geometry.points : NULL, 0},
+        .output = {.ops = d->view.shading.ops,
+                   .encoder = &renderer->encoder,
+                   .view = &d->view,
+                   .ground = d->report.ground ? &d->view.ground : NULL},
+        .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
+        .layer_passes = layer_passes(d),
+        .drawn = clear_drawn(d),
+        .tasks = &renderer->tasks,
+        .context = renderer->context};
     burnish_status status = burnish_output_begin(&frame.output, &d->target, d->options,
                                                  &renderer->background, &d->memory);
     if (status == BURNISH_STATUS_OK) {
@@ -471,12 +477,13 @@ static burnish_status draw(drawing *d) {
     if (status == BURNISH_STATUS_OK) {
         d->report.seconds_transform = burnish_seconds_now() - start;
     }
-    if (status != BURNISH_STATUS_OK || !d->options->edges) {
+    const int has_edges = d->options->edges && d->report.triangles > 0;
+    if (status != BURNISH_STATUS_OK || !has_edges) {
         memset(&renderer->line_art.lines, 0, sizeof renderer->line_art.lines);
         renderer->has_picture_lines = 0;
     }
     if (status == BURNISH_STATUS_OK) {
-        status = (d->options->edges ? draw_edged : draw_tiles)(d);
+        status = (has_edges ? draw_edged : draw_tiles)(d);
     }
     if (status == BURNISH_STATUS_OK) {
         d->report.seconds_draw = burnish_seconds_now() - start - d->report.seconds_transform;

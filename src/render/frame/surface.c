@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "raster/points.h"
 #include "render/texture/masks.h"
 #include "render/texture/texture_points.h"
 #include "render/texture/texture_shade.h"
@@ -444,6 +445,19 @@ static burnish_float4 interpolate(const burnish_float4 *attribute, const uint32_
     return (attribute[v[0]] * weight0 + attribute[v[1]] * weight1) + attribute[v[2]] * weight2;
 }
 
+static burnish_float4 point_normal(const burnish_surface *surface,
+                                   const burnish_fragments *fragments, int i) {
+    const burnish_float4 own = surface->attributes->normals[fragments->primitives[i].vertices[0]];
+    const float x = fragments->weight1[i], y = fragments->weight2[i];
+    const float rest = 1.0f - (x * x + y * y);
+    const burnish_disc_position at = {x, y, __builtin_sqrtf(rest > 0 ? rest : 0)};
+    const float of_point[3] = {own[0], own[1], own[2]};
+    float normal[3];
+    burnish_point_normal(surface->points, of_point, &at, fragments->x[i], fragments->y[i], normal);
+    const float scale = own[0] == 0 && own[1] == 0 && own[2] == 0 ? own[3] : 1.0f;
+    return (burnish_float4){normal[0] * scale, normal[1] * scale, normal[2] * scale, own[3]};
+}
+
 static void gather(const burnish_surface *surface, burnish_fragments *fragments,
                    burnish_fragment_scratch *scratch) {
     const burnish_attributes *attributes = surface->attributes;
@@ -452,14 +466,18 @@ static void gather(const burnish_surface *surface, burnish_fragments *fragments,
         const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
         const float side = primitive->id_and_facing & 1 ? -1.0f : 1.0f;
         const burnish_float4 normal =
-            interpolate(attributes->normals, primitive->vertices, weight1, weight2);
+            surface->points
+                ? point_normal(surface, fragments, i)
+                : interpolate(attributes->normals, primitive->vertices, weight1, weight2);
         scratch->normal[0][i] = normal[0] * side;
         scratch->normal[1][i] = normal[1] * side;
         scratch->normal[2][i] = normal[2] * side;
         scratch->inverse_w[i] = normal[3];
         if (attributes->has_colors) {
             const burnish_float4 color =
-                interpolate(attributes->colors, primitive->vertices, weight1, weight2);
+                surface->points
+                    ? attributes->colors[primitive->vertices[0]]
+                    : interpolate(attributes->colors, primitive->vertices, weight1, weight2);
             scratch->color[0][i] = color[0];
             scratch->color[1][i] = color[1];
             scratch->color[2][i] = color[2];

@@ -65,6 +65,7 @@ typedef struct burnish_surface {
     const uint16_t *triangle_materials;       /* NULL: all have material 0 */
     const burnish_transparency *transparency; /* NULL: every triangle is opaque */
     const burnish_caps *caps;                 /* NULL: none */
+    const burnish_point_view *points;         /* NULL: triangles */
     int is_layers;                            /* 1: fragments are of layers of transparency */
 } burnish_surface;
 

@@ -137,8 +137,11 @@ static void aim(tracing *t) {
 
 /* Whether the triangle is seen from inside the solid. */
 static int shows_inside(const tracing *t, uint32_t triangle) {
-    const uint32_t *corners = t->view->indices + 3 * (size_t)triangle;
     burnish_vec3 p[3];
+    if (t->view->inside == BURNISH_INSIDE_UNKNOWN) {
+        return 0;
+    }
+    const uint32_t *corners = t->view->indices + 3 * (size_t)triangle;
     for (int i = 0; i < 3; ++i) {
         p[i] = burnish_vec3_loadf(t->view->positions + 3 * (size_t)corners[i]);
     }
@@ -147,9 +150,7 @@ static int shows_inside(const tracing *t, uint32_t triangle) {
     const burnish_vec3 toward =
         t->is_parallel ? burnish_vec3_scale(t->forward, -1) : burnish_vec3_sub(t->eye, p[0]);
     const double facing = burnish_vec3_dot(normal, toward);
-    return t->view->inside == BURNISH_INSIDE_BACK    ? facing < 0
-           : t->view->inside == BURNISH_INSIDE_FRONT ? facing > 0
-                                                     : 0;
+    return t->view->inside == BURNISH_INSIDE_BACK ? facing < 0 : facing > 0;
 }
 
 /* The cut that is entered last along a pixel's ray, where what is seen is that cut; else -1. */

@@ -55,10 +55,11 @@ static int choose_count(const burnish_mesh_view *mesh, int is_large) {
                  {1048576, {28, 36}},
                  {SIZE_MAX, {18, 18}}};
     int i = 0;
-    while (mesh->triangle_count > steps[i].triangles) {
+    while (burnish_drawn_count(mesh) > steps[i].triangles) {
         ++i;
     }
-    return steps[i].counts[is_large];
+    const int count = steps[i].counts[is_large];
+    return mesh->point_radius > 0 && count < 36 ? 36 : count; /* points are rough, too */
 }
 
 /* Numbers of a map and its blockers. */
@@ -170,7 +171,10 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
     lookup->least_radius = LEAST_RADIUS;
     lookup->most_radius = (float)(MOST_RADIUS * texels);
     lookup->reach = (float)(REACH / texels);
-    lookup->share = options->pixel > 0 && 4 * SQRT2 * options->pixel * texels < REACH ? 4 : 2;
+    lookup->share =
+        mesh->point_radius == 0 && options->pixel > 0 && 4 * SQRT2 * options->pixel * texels < REACH
+            ? 4
+            : 2;
     return BURNISH_STATUS_OK;
 }
 

@@ -105,7 +105,8 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
     const size_t materials = mesh->material_count;
     const size_t batches = (view->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
     const int had_alpha = transparency->has_alpha;
-    transparency->has_alpha = view->has_transparent_colors && !mesh->ignore_colors;
+    const int are_points = view->point_radius > 0; /* always opaque */
+    transparency->has_alpha = view->has_transparent_colors && !mesh->ignore_colors && !are_points;
     transparency->has_some = transparency->has_alpha;
     transparency->texturing = texturing;
     transparency->opacities =
@@ -115,7 +116,7 @@ burnish_status burnish_transparency_update(burnish_transparency *transparency,
         const burnish_material *material = burnish_mesh_get_material(mesh->mesh, i);
         const int is_masked = material->alpha_mode == BURNISH_ALPHA_MASK; /* the mask says all */
         transparency->opacities[i] = is_masked ? 1 : 1 - material->transparency;
-        transparency->has_some |= is_transparent_material(transparency, i);
+        transparency->has_some |= !are_points && is_transparent_material(transparency, i);
     }
     if (memory->status == BURNISH_STATUS_OK) {
         update_version(transparency, view, materials, had_alpha, memory);

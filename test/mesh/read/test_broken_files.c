@@ -58,7 +58,10 @@ static int is_sound(burnish_status status, const burnish_mesh_data *s, const bur
             return 0;
         }
     }
-    return s->triangle_count > 0;
+    return s->point_count > 0 ? s->triangle_count == 0 && s->point_radius > 0 &&
+                                    s->point_count == s->streams[BURNISH_POSITION].count &&
+                                    s->point_count == s->streams[BURNISH_NORMAL].count
+                              : s->triangle_count > 0;
 }
 
 static burnish_status try_bytes(burnish_format format, const void *bytes, size_t size,

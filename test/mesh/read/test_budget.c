@@ -105,14 +105,14 @@ static byte_list make_shared(int mode, int points, int times) {
     return list;
 }
 
-/* Points and lines count as their solids; a limit of triangles replaces the rule. */
+/* Points count as a vertex and a triangle, lines as their prisms; a limit of triangles replaces the rule. */
 static void test_solids(void) {
     enum { POINTS = 900, MUCH = 16 << 20 };
     static const struct {
         int mode, times;
         burnish_status status;
         const char *kind;
-    } cases[] = {{0, 450, BURNISH_STATUS_LIMIT, "points: 900 * 450 * (6 + 8)"},
+    } cases[] = {{0, 3000, BURNISH_STATUS_LIMIT, "points: 900 * 3000 * (1 + 1)"},
                  {3, 250, BURNISH_STATUS_LIMIT, "lines: 899 * 250 * 24"},
                  {4, 4500, BURNISH_STATUS_LIMIT, "triangles: 900 * 4500 * (1 + 1 / 3)"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {

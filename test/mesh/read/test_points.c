@@ -1,4 +1,4 @@
-/* Point clouds and lines: each is a small solid of the mesh, as large as density says. */
+/* Point clouds, whose points are as large as density says, and lines, which are prisms. */
 #include <float.h>
 
 #include "burnish/mesh.h"
@@ -11,87 +11,105 @@ static burnish_mesh *load(const char *name, const char *text, const burnish_load
     return mesh;
 }
 
-/* What closed surfaces enclose, wherever they are: positive where they are wound outward. */
-static double volume_of(const burnish_mesh_view *view) {
-    double volume = 0;
-    for (size_t i = 0; i < view->triangle_count; ++i) {
-        double p[3][3];
-        for (size_t k = 0; k < 9; ++k) {
-            p[k / 3][k % 3] =
-                (double)view->positions[3 * (size_t)view->indices[3 * i + k / 3] + k % 3];
-        }
-        volume += p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
-                  p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
-                  p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
-    }
-    return volume / 6;
-}
-
-/* Balls of a given size: where they should be, wound outward, with their points' colours and the
- * volume of an icosahedron, 2.536 r^3. */
-static void test_balls(void) {
+/* Points of a given size keep their positions and colours. */
+static void test_sizes(void) {
     burnish_load_options options = burnish_load_options_default();
     options.point_size = 0.5;
     burnish_mesh *mesh = load("a.obj", "v 1 2 3 1 0 0\nv -4 5 6 0 1 0\n", &options);
     const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
-    if (CHECK1(view && view->triangle_count == 40 && view->vertex_count == 24)) {
+    if (CHECK1(view && view->triangle_count == 0 && view->vertex_count == 2 && !view->indices)) {
+        static const float positions[6] = {1, 2, 3, -4, 5, 6};
+        static const uint8_t colors[8] = {255, 0, 0, 255, 0, 255, 0, 255};
         CHECK1(burnish_mesh_get_info(mesh)->point_count == 2 &&
-               burnish_mesh_get_info(mesh)->line_count == 0);
-        for (size_t i = 0; i < view->vertex_count; ++i) {
-            const float *p = view->positions + 3 * i, *n = view->normals + 3 * i;
-            const int red = view->colors[4 * i] == 255;
-            const double center[3] = {red ? 1 : -4, red ? 2 : 5, red ? 3 : 6};
-            for (int k = 0; k < 3; ++k) {
-                const double error = (double)p[k] - center[k] - 0.25 * (double)n[k];
-                CHECK(error < 1e-6 && error > -1e-6, "%zu: %g", i, error);
-            }
-            CHECK1(view->colors[4 * i] + view->colors[4 * i + 1] == 255);
-        }
-        const double volume = volume_of(view) / (2 * 2.5361507 * 0.015625);
-        CHECK(volume > 0.9999 && volume < 1.0001, "%g", volume);
+               burnish_mesh_get_info(mesh)->line_count == 0 && view->point_radius == 0.25f);
+        CHECK1(memcmp(view->positions, positions, sizeof positions) == 0 &&
+               memcmp(view->colors, colors, sizeof colors) == 0);
+        CHECK1(view->bounds_min[0] == -4.25f && view->bounds_max[2] == 6.25f);
     }
     burnish_mesh_destroy(mesh);
 }
 
-/* A square lattice of step 1/64: balls of twice the step. With the file's normals they are shaded
- * by those. Threads change nothing. */
-static void test_density(void) {
-    enum { SIDE = 64, ROOM = SIDE * SIDE * 40 + 400 };
+enum { SIDE = 64 };
+
+/* A square lattice of step 1/64 in z = 0, with normals or without. The caller frees it. */
+static char *make_lattice(int has_normals) {
+    enum { ROOM = SIDE * SIDE * 40 + 400 };
     char *text = malloc(ROOM);
     if (!text) {
         abort();
     }
     size_t size = (size_t)snprintf(text, ROOM,
                                    "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\n"
-                                   "property float y\nproperty float z\nproperty float nx\n"
-                                   "property float ny\nproperty float nz\nend_header\n",
-                                   SIDE * SIDE);
+                                   "property float y\nproperty float z\n%send_header\n",
+                                   SIDE * SIDE,
+                                   has_normals ? "property float nx\nproperty float ny\n"
+                                                 "property float nz\n"
+                                               : "");
     for (int i = 0; i < SIDE * SIDE; ++i) {
-        size += (size_t)snprintf(text + size, ROOM - size, "%g %g 0 0 0 1\n",
-                                 (double)(i % SIDE) / 64, (double)(i / SIDE) / 64);
+        size += (size_t)snprintf(text + size, ROOM - size, "%g %g 0%s\n", (double)(i % SIDE) / 64,
+                                 (double)(i / SIDE) / 64, has_normals ? " 0 3 -4" : "");
     }
+    return text;
+}
+
+/* The 6th nearest point of a lattice is sqrt(2) steps away: 1.2 times that is the radius. Normals
+ * are the file's, the plane's or none. Threads change nothing. */
+static void test_density(void) {
+    static const float file[3] = {0, 0.6f, -0.8f};
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *meshes[3] = {NULL};
-    for (int i = 0; i < 3; ++i) {
-        options.threads = 1 + 3 * i;
-        meshes[i] = load("a.ply", text, &options);
-        CHECK1(meshes[0] && same_meshes(meshes[0], meshes[i]));
-    }
-    const burnish_mesh_view *view = meshes[0] ? burnish_mesh_get_view(meshes[0]) : NULL;
-    if (CHECK1(view && view->triangle_count == 20 * SIDE * SIDE)) {
-        /* an icosahedron reaches 0.85065 r along each axis */
-        CHECK(view->bounds_max[2] > 0.85064f / 64 && view->bounds_max[2] < 0.85066f / 64, "%g",
-              (double)view->bounds_max[2] * 64);
-        size_t wrong = 0;
-        for (size_t i = 0; i < view->vertex_count; ++i) {
-            wrong += view->normals[3 * i + 2] != 1;
+    for (int has_normals = 0; has_normals < 2; ++has_normals) {
+        char *text = make_lattice(has_normals);
+        burnish_mesh *meshes[3] = {NULL};
+        for (int i = 0; i < 3; ++i) {
+            options.threads = 1 + 3 * i;
+            meshes[i] = load("a.ply", text, &options);
+            CHECK1(meshes[0] && same_meshes(meshes[0], meshes[i]));
         }
-        CHECK(wrong == 0, "%zu", wrong);
+        const burnish_mesh_view *view = meshes[0] ? burnish_mesh_get_view(meshes[0]) : NULL;
+        if (CHECK1(view && view->vertex_count == SIDE * SIDE)) {
+            const double error = (double)view->point_radius * 64 / (1.2 * 1.41421356) - 1;
+            CHECK(error > -1e-6 && error < 1e-6, "%g", error);
+            size_t wrong = 0;
+            for (size_t i = 0; i < view->vertex_count; ++i) {
+                const float *n = view->normals + 3 * i;
+                wrong += has_normals ? memcmp(n, file, sizeof file) != 0
+                                     : n[2] * n[2] < 0.999999f || n[0] * n[0] > 1e-6f;
+            }
+            CHECK(wrong == 0, "%zu", wrong);
+        }
+        for (int i = 0; i < 3; ++i) {
+            burnish_mesh_destroy(meshes[i]);
+        }
+        free(text);
     }
-    for (int i = 0; i < 3; ++i) {
-        burnish_mesh_destroy(meshes[i]);
-    }
+    options.normals = BURNISH_NORMALS_FILE;
+    char *text = make_lattice(0);
+    burnish_mesh *mesh = load("a.ply", text, &options);
+    CHECK1(mesh && burnish_mesh_get_view(mesh)->normals[2] == 0);
+    burnish_mesh_destroy(mesh);
     free(text);
+}
+
+/* One point of 41 is far away: the view's bounds leave it out, the box of the content does not. */
+static void test_outliers(void) {
+    burnish_load_options options = burnish_load_options_default();
+    options.point_size = 2;
+    char text[2000];
+    size_t size = (size_t)snprintf(text, sizeof text, "v 500 0 0\n");
+    for (int i = 0; i < 40; ++i) {
+        size += (size_t)snprintf(text + size, sizeof text - size, "v %d %d %d\n", i % 10, i / 10,
+                                 i % 3);
+    }
+    burnish_mesh *mesh = load_bytes(text, size, "a.obj", &options);
+    float low[3], high[3];
+    if (CHECK1(mesh && burnish_mesh_get_warning_count(mesh) == 1)) {
+        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0),
+                   "a.obj: 1 of 41 points are far from the others, so the picture is framed "
+                   "without them; remove them, or set the camera");
+        burnish_mesh_get_bounds(mesh, low, high);
+        CHECK1(high[0] == 500 && burnish_mesh_get_view(mesh)->bounds_max[0] == 10);
+    }
+    burnish_mesh_destroy(mesh);
 }
 
 /* Rods between vertices, by numbers from either end. */
@@ -114,7 +132,7 @@ static void test_lines(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* Bounds contain the positions, for any size of the solids. The solids have no facts. */
+/* Bounds contain the positions, for any size of the solids. Points and lines have no facts. */
 static void test_bounds(void) {
     static const struct {
         const char *name, *text;
@@ -146,8 +164,7 @@ static void test_bounds(void) {
     float low[3], high[3];
     CHECK1(burnish_mesh_clip(mesh, &plane, NULL) == BURNISH_STATUS_OK);
     burnish_mesh_get_bounds(mesh, low, high);
-    CHECK(low[0] == 0 && high[0] > 0.2f && high[0] <= 0.25f, "cut: %g to %g", (double)low[0],
-          (double)high[0]);
+    CHECK(low[0] == 0 && high[0] == 0, "cut: %g to %g", (double)low[0], (double)high[0]);
     burnish_mesh_destroy(mesh);
     burnish_mesh_get_bounds(NULL, low, high);
     CHECK1(low[0] == 0 && high[2] == 0);
@@ -158,15 +175,11 @@ static void test_limits(void) {
     burnish_mesh *mesh = NULL;
     burnish_error error;
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    options.max_triangles = 24; /* three octahedra, no icosahedra */
-    mesh = load("a.obj", text, &options);
-    CHECK1(mesh && burnish_mesh_get_view(mesh)->triangle_count == 24);
-    burnish_mesh_destroy(mesh);
-    options.max_triangles = 23;
+    options.max_triangles = 2;
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.obj", &options, &mesh, &error) ==
            BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text, "a.obj: 3 points are too many: each is drawn as 8 triangles; thin them "
-                           "out");
+    CHECK_TEXT(error.text, "a.obj: 3 points are too many: each counts as a triangle; raise "
+                           "max-triangles, or thin them out");
     options = burnish_load_options_default();
     options.point_size = -1;
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.obj", &options, &mesh, &error) ==
@@ -185,8 +198,9 @@ static void test_limits(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_bounds());
-    RUN(test_balls());
+    RUN(test_sizes());
     RUN(test_density());
+    RUN(test_outliers());
     RUN(test_lines());
     RUN(test_limits());
     return test_end("points");

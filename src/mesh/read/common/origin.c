@@ -123,6 +123,9 @@ burnish_status burnish_read_from_origin(burnish_reader *reader,
         memcpy(mesh->streams, again.streams, sizeof mesh->streams);
         memcpy(mesh->points_min, again.points_min, sizeof mesh->points_min);
         memcpy(mesh->points_max, again.points_max, sizeof mesh->points_max);
+        memcpy(mesh->inner_min, again.inner_min, sizeof mesh->inner_min);
+        memcpy(mesh->inner_max, again.inner_max, sizeof mesh->inner_max);
+        mesh->point_radius = again.point_radius;
         memset(again.streams, 0, sizeof again.streams);
         memcpy(mesh->origin, origin, sizeof mesh->origin);
         mesh->memory.status = again.memory.status;

@@ -1,5 +1,4 @@
-/* Point clouds and lines as meshes: a small round solid for each point, a thin prism for each line.
- * Everything that works with triangles then works with them. */
+/* Point clouds, which are drawn as spheres, and lines as meshes of thin prisms. */
 #ifndef BURNISH_MESH_READ_COMMON_POINTS_H
 #define BURNISH_MESH_READ_COMMON_POINTS_H
 
@@ -10,13 +9,17 @@ typedef struct burnish_segment {
     uint32_t from, to;
 } burnish_segment;
 
-/* Replaces mesh data without triangles by solids at its positions, or along lines between them.
- * Colours are kept. If the file has normals, numbered like positions, a point's solid is shaded by
- * the point's normal, otherwise as a ball. Texture coordinates are dropped.
+/* Completes mesh data without triangles: a point cloud, or lines. Colours are kept, texture
+ * coordinates dropped.
  *
- * Their diameter is the option point_size. If that is 0, the diameter of points is twice the median
- * distance to the nearest other point, which closes a scanned surface. Lines use 1/300 of the
- * bounding box's diagonal. Both are clamped to 1/2000 to 1/25 of the diagonal.
+ * A cloud keeps its positions and gets point_radius. Normals are those of the file, if there is one
+ * per position and the option `normals` is not OWN; they are estimated for AUTO and OWN; a normal
+ * of 0, 0, 0 means that the point looks like a ball. Lines are replaced by prisms.
+ *
+ * The diameter is the option point_size. If that is 0, the radius of points is 1.2 times wide
+ * (cloud.h) or, if they are not like a surface, a quarter of the spacing; the diameter of lines is
+ * 1/300 of the bounding box's diagonal. That of points is clamped to 1/2000 to 1/25 of the diagonal
+ * of the inner box.
  *
  *   segments  `count` lines between positions; count 0: every position is a point
  * Errors: LIMIT (max_triangles, budget, positions), MEMORY, CANCELLED. */

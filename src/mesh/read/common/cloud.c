@@ -1,0 +1,247 @@
+#include "mesh/read/common/cloud.h"
+
+#include <stdlib.h>
+
+#include "core/vector.h"
+
+enum {
+    BOX_SAMPLES = 1 << 16,
+    OUTLIERS_LEAST = 8,   /* points of which some may be outliers */
+    OUTLIER_SHARE = 1000, /* one of so many at either end of an axis */
+    SAMPLES = 1024,       /* points whose neighbours are searched */
+    NEIGHBORS = 6,
+    CELLS_MOST = 1 << 22, /* of the grid that finds them */
+    PER_CELL = 2048       /* points of a cell that are examined: more are at one position */
+};
+#define DOMINATED 4.0
+
+/* ---- Boxes ---- */
+
+double burnish_cloud_diagonal(const burnish_cloud_box *box) {
+    return burnish_vec3_length(
+        burnish_vec3_sub(burnish_vec3_loadf(box->high), burnish_vec3_loadf(box->low)));
+}
+
+static double longest_side(const burnish_cloud_box *box) {
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double side = (double)box->high[k] - (double)box->low[k];
+        longest = side > longest ? side : longest;
+    }
+    return longest;
+}
+
+/* The box of the points inside `within`, NULL: of all. Returns how many there are. */
+static size_t box_points(const burnish_cloud *cloud, const burnish_cloud_box *within,
+                         burnish_cloud_box *box) {
+    size_t count = 0;
+    for (size_t i = 0; i < cloud->count; ++i) {
+        const float *p = cloud->positions + 3 * i;
+        if (within && !burnish_cloud_is_inside(within, p)) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            box->low[k] = count == 0 || p[k] < box->low[k] ? p[k] : box->low[k];
+            box->high[k] = count == 0 || p[k] > box->high[k] ? p[k] : box->high[k];
+        }
+        ++count;
+    }
+    return count;
+}
+
+static int compare_floats(const void *a, const void *b) {
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+/* The box of all points but the most extreme ones of each axis, widened. */
+static burnish_status trim_box(const burnish_cloud *cloud, burnish_cloud_box *box,
+                               burnish_memory *memory) {
+    const size_t step = cloud->count / BOX_SAMPLES + 1, count = (cloud->count - 1) / step + 1;
+    const size_t rest = count / OUTLIER_SHARE > 0 ? count / OUTLIER_SHARE : 1;
+    float *values = burnish_allocate(memory, count, sizeof *values, "a sample of points");
+    if (!values) {
+        return memory->status;
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        for (size_t i = 0; i < count; ++i) {
+            values[i] = cloud->positions[3 * i * step + k];
+        }
+        qsort(values, count, sizeof *values, compare_floats);
+        box->low[k] = values[rest];
+        box->high[k] = values[count - 1 - rest];
+    }
+    burnish_release(memory->context, values);
+    const float margin = (float)(longest_side(box) / 2);
+    for (int k = 0; k < 3; ++k) {
+        box->low[k] -= margin;
+        box->high[k] += margin;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status find_inner(burnish_cloud *cloud, burnish_memory *memory) {
+    burnish_cloud_box trimmed, inside;
+    box_points(cloud, NULL, &cloud->inner);
+    cloud->outside = 0;
+    if (cloud->count < OUTLIERS_LEAST) {
+        return BURNISH_STATUS_OK;
+    }
+    if (trim_box(cloud, &trimmed, memory) != BURNISH_STATUS_OK) {
+        return memory->status;
+    }
+    const double all = burnish_cloud_diagonal(&cloud->inner);
+    if (all > DOMINATED * burnish_cloud_diagonal(&trimmed) / 2) { /* at most: the box is wider */
+        const size_t count = box_points(cloud, &trimmed, &inside);
+        const double diagonal = count > 0 ? burnish_cloud_diagonal(&inside) : 0;
+        if (diagonal > 0 && all > DOMINATED * diagonal) {
+            cloud->inner = inside;
+            cloud->outside = cloud->count - count;
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* ---- Density ---- */
+
+/* Points sorted by cell: cell c has order[first[c]] to order[first[c + 1]]. */
+typedef struct grid {
+    const burnish_cloud *cloud;
+    size_t cells[3];
+    double scale; /* cells per unit */
+    uint32_t *first, *order;
+} grid;
+
+static size_t cell_along(const grid *g, size_t axis, double value) {
+    const double at = (value - (double)g->cloud->inner.low[axis]) * g->scale;
+    const size_t last = g->cells[axis] - 1;
+    return at <= 0 ? 0 : at >= (double)last ? last : (size_t)at;
+}
+
+static size_t cell_of(const grid *g, const float *p) {
+    return (cell_along(g, 2, (double)p[2]) * g->cells[1] + cell_along(g, 1, (double)p[1])) *
+               g->cells[0] +
+           cell_along(g, 0, (double)p[0]);
+}
+
+/* About as many cells as points, all cubes of one size. */
+static void size_grid(grid *g) {
+    const burnish_cloud_box *box = &g->cloud->inner;
+    const size_t count = g->cloud->count;
+    const double most = count < CELLS_MOST ? (double)count : CELLS_MOST;
+    const double longest = longest_side(box);
+    double along = 1; /* cells along the longest side: doubled while there are few enough */
+    for (;; along *= 2) {
+        double cells = 1;
+        for (int k = 0; k < 3; ++k) {
+            const double n = ((double)box->high[k] - (double)box->low[k]) / longest * 2 * along;
+            cells *= n < 1 ? 1 : n + 1;
+        }
+        if (!(cells <= 2 * most) || along > 1 << 20) {
+            break;
+        }
+    }
+    g->scale = along / longest;
+    for (int k = 0; k < 3; ++k) {
+        g->cells[k] = (size_t)(((double)box->high[k] - (double)box->low[k]) * g->scale) + 1;
+    }
+}
+
+static burnish_status fill_grid(grid *g, burnish_memory *memory) {
+    const size_t cells = g->cells[0] * g->cells[1] * g->cells[2], count = g->cloud->count;
+    const float *positions = g->cloud->positions;
+    g->first = burnish_allocate_zeroed(memory, cells + 2, sizeof *g->first, "a grid of points");
+    g->order = burnish_allocate(memory, count, sizeof *g->order, "a grid of points");
+    if (memory->status != BURNISH_STATUS_OK) {
+        return memory->status;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        ++g->first[cell_of(g, positions + 3 * i) + 2];
+    }
+    for (size_t c = 2; c < cells + 2; ++c) {
+        g->first[c] += g->first[c - 1];
+    }
+    for (size_t i = 0; i < count; ++i) { /* moves each start to its end, which is the next one's */
+        g->order[g->first[cell_of(g, positions + 3 * i) + 1]++] = (uint32_t)i;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static double square_distance(const float *a, const float *b) {
+    const burnish_vec3 d = burnish_vec3_sub(burnish_vec3_loadf(a), burnish_vec3_loadf(b));
+    return burnish_vec3_dot(d, d);
+}
+
+/* Squared distances to the nearest other positions, ascending. */
+typedef struct nearest {
+    int count;
+    double squares[NEIGHBORS];
+} nearest;
+
+static void add_neighbor(nearest *found, double square) {
+    if (square == 0 || (found->count == NEIGHBORS && square >= found->squares[NEIGHBORS - 1])) {
+        return;
+    }
+    int at = found->count < NEIGHBORS ? found->count++ : NEIGHBORS - 1;
+    for (; at > 0 && found->squares[at - 1] > square; --at) {
+        found->squares[at] = found->squares[at - 1];
+    }
+    found->squares[at] = square;
+}
+
+/* The nearest other positions in the 27 cells around a point. */
+static nearest find_nearest(const grid *g, const float *p) {
+    size_t low[3], high[3];
+    nearest found = {0};
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t at = cell_along(g, k, (double)p[k]);
+        low[k] = at > 0 ? at - 1 : 0;
+        high[k] = at + 1 < g->cells[k] ? at + 1 : at;
+    }
+    for (size_t z = low[2]; z <= high[2]; ++z) {
+        for (size_t y = low[1]; y <= high[1]; ++y) {
+            for (size_t x = low[0]; x <= high[0]; ++x) {
+                const size_t cell = (z * g->cells[1] + y) * g->cells[0] + x;
+                const size_t end = g->first[cell + 1] - g->first[cell] < PER_CELL
+                                       ? g->first[cell + 1]
+                                       : g->first[cell] + PER_CELL;
+                for (size_t i = g->first[cell]; i < end; ++i) {
+                    add_neighbor(&found,
+                                 square_distance(p, g->cloud->positions + 3 * (size_t)g->order[i]));
+                }
+            }
+        }
+    }
+    return found;
+}
+
+static int compare_doubles(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory) {
+    grid g = {.cloud = cloud};
+    double found[SAMPLES];
+    size_t samples = 0;
+    cloud->spacing = cloud->wide = 0;
+    if (find_inner(cloud, memory) != BURNISH_STATUS_OK || !(longest_side(&cloud->inner) > 0)) {
+        return memory->status;
+    }
+    size_grid(&g);
+    if (fill_grid(&g, memory) == BURNISH_STATUS_OK) {
+        const size_t step = cloud->count / SAMPLES + 1;
+        for (size_t i = 0; i < cloud->count && samples < SAMPLES; i += step) {
+            const nearest near = find_nearest(&g, cloud->positions + 3 * i);
+            if (near.count > 0) {
+                found[samples++] = near.squares[near.count - 1];
+            }
+        }
+        qsort(found, samples, sizeof *found, compare_doubles);
+        cloud->spacing = samples > 0 ? __builtin_sqrt(found[samples / 2]) : 0;
+        cloud->wide = samples > 0 ? __builtin_sqrt(found[samples * 3 / 4]) : 0;
+    }
+    burnish_release(memory->context, g.first);
+    burnish_release(memory->context, g.order);
+    return memory->status;
+}

@@ -1,0 +1,38 @@
+/* Measures point clouds: where most points are, and how dense they are. All results depend
+ * on the points and their order alone. */
+#ifndef BURNISH_MESH_READ_COMMON_CLOUD_H
+#define BURNISH_MESH_READ_COMMON_CLOUD_H
+
+#include "core/memory.h"
+
+typedef struct burnish_cloud_box {
+    float low[3], high[3];
+} burnish_cloud_box;
+
+typedef struct burnish_cloud {
+    const float *positions; /* 3 per point, finite */
+    size_t count;           /* > 0 */
+    burnish_cloud_box inner;
+    size_t outside; /* points outside the inner box */
+    double spacing; /* median distance to the 6th nearest point, or to the farthest of fewer */
+    double wide;    /* the same, but three quarters are below it; 0: no two points are near */
+} burnish_cloud;
+
+static inline int burnish_cloud_is_inside(const burnish_cloud_box *box, const float p[3]) {
+    return p[0] >= box->low[0] && p[0] <= box->high[0] && p[1] >= box->low[1] &&
+           p[1] <= box->high[1] && p[2] >= box->low[2] && p[2] <= box->high[2];
+}
+
+/* Measures the points, positions and count being set.
+ *
+ * The inner box is the bounding box, unless outliers dominate it: with 8 points or more, let T be
+ * the box of all points but the most extreme 1/1000 (at least one) at either end of each axis,
+ * widened on all sides by half its longest side. If the bounding box is over 4 times as long, along
+ * its diagonal, as the box of the points in T, the inner box is the latter.
+ *
+ * Errors: MEMORY. */
+burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory);
+
+double burnish_cloud_diagonal(const burnish_cloud_box *box);
+
+#endif
