@@ -21,6 +21,12 @@ export interface LoadOptions {
   up?: string;
   /** A plane "X,Y,Z,D" or [X, Y, Z, D]: everything beyond it is cut away. Several planes: an array of strings. */
   clip?: string | number[] | string[];
+  /** "height", "normal" or a scalar property of a PLY file: colours by these values. */
+  colorBy?: string;
+  /** "viridis" (default), "coolwarm" or "grey". */
+  colorMap?: "viridis" | "coolwarm" | "grey";
+  /** "LO:HI": values with the first and the last colour. By default the range of the values. */
+  colorRange?: string;
   /** "auto" (default), "file" or "own": whether the normals of the file are used. */
   normals?: "auto" | "file" | "own";
   /** Degrees below which edges are smooth. By default each edge depends on its surroundings. */

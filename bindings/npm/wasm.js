@@ -25,7 +25,7 @@ export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 
 // Options of loading; the others are options of drawing.
 const LOADING = new Set([
-  "inputFormat", "clip", "normals", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize",
+  "inputFormat", "clip", "colorBy", "colorMap", "colorRange", "normals", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize",
   "strict", "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up", "measure",
 ]);
 

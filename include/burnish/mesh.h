@@ -159,10 +159,14 @@ typedef struct burnish_load_options {
                                      with different coordinates are not welded */
     int ignore_textures;            /* 1: no texture is loaded or used */
     int measure;                    /* 1: compute the facts that burnish_mesh_get_facts() returns */
-    double point_size;    /* diameter of points and lines in a file without faces, in its units. 0:
+    double point_size; /* diameter of points and lines in a file without faces, in its units. 0:
                           the radius of points closes a sampled surface (docs/formats.md),
                           but their diameter between 1/2000 and 1/25 of the bounds' diagonal; the
                           diameter of lines is 1/300 of the diagonal */
+    const char *scalar_property; /* NULL, or the name of a scalar property of the vertices of a PLY
+                             file, which replaces the texture coordinates: u and v are its value.
+                             Use it with keep_texture_coordinates. A file without it fails with
+                             FORMAT; other formats ignore it */
     const double *origin; /* 3 numbers in [-1e30, 1e30], subtracted from the coordinates of the file
                              before they are rounded to float. The origin of another mesh puts both
                              into one space. NULL: 0, 0, 0; or a point near the middle, if the mesh
@@ -454,6 +458,55 @@ BURNISH_API const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *
  * MEMORY, LIMIT. */
 BURNISH_API burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *plane,
                                              burnish_error *error);
+
+/* ---- Colours ---- */
+
+/* Maps from [0, 1] to colours, piecewise linear in sRGB between published values. */
+typedef enum burnish_color_map {
+    BURNISH_COLOR_MAP_VIRIDIS,  /* matplotlib's (S. van der Walt, N. Smith; CC0), at each tenth */
+    BURNISH_COLOR_MAP_COOLWARM, /* K. Moreland, "Diverging Color Maps for Scientific Visualization",
+                                   2009, at each eighth */
+    BURNISH_COLOR_MAP_GREY,     /* black to white */
+    BURNISH_COLOR_MAP_COUNT
+} burnish_color_map;
+
+/* The sRGB colour of a value, which is clamped to [0, 1]; NaN counts as 0. */
+BURNISH_API void burnish_color_map_get(burnish_color_map map, double value, uint8_t srgb[3]);
+
+/* What a mesh is coloured by. */
+typedef enum burnish_color_source {
+    BURNISH_COLOR_BY_HEIGHT,  /* along the up axis, in coordinates of the file */
+    BURNISH_COLOR_BY_NORMAL,  /* red, green and blue are (1 + x, y, z of the normal) / 2 */
+    BURNISH_COLOR_BY_PROPERTY /* burnish_load_options.scalar_property */
+} burnish_color_source;
+
+/* Start from burnish_coloring_default(). */
+typedef struct burnish_coloring {
+    uint32_t cookie; /* set by burnish_coloring_default() */
+    burnish_color_source source;
+    burnish_color_map map;
+    double up[3];    /* of any length; all 0: the up axis of the mesh */
+    double range[2]; /* values with the first and the last colour; equal: the least and greatest
+                        value, without outliers of a point cloud */
+} burnish_coloring;
+
+/* Height, viridis, the range of the mesh. */
+BURNISH_API void burnish_coloring_init(burnish_coloring *coloring, uint64_t layout);
+static inline burnish_coloring burnish_coloring_default(void) {
+    burnish_coloring coloring;
+    burnish_coloring_init(&coloring, BURNISH_LAYOUT(burnish_coloring));
+    return coloring;
+}
+
+/* Colours a mesh by values of its vertices. Values are interpolated over triangles, then mapped: a
+ * mesh gets a texture of the map, and all its materials and textures are replaced. Points and
+ * normals become vertex colours. No other thread may use the mesh during the call.
+ *   coloring  from burnish_coloring_default()
+ *   range     receives the range that is used; may be NULL
+ * Errors: ARGUMENT (a mesh without the property, a value out of range), MEMORY. */
+BURNISH_API burnish_status burnish_mesh_color_by(burnish_mesh *mesh,
+                                                 const burnish_coloring *coloring, double range[2],
+                                                 burnish_error *error);
 
 /* ---- Cameras ---- */
 

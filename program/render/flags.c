@@ -48,6 +48,10 @@ static const cli_word annotation_words[] = {{"axes", BURNISH_ANNOTATION_AXES},
                                             {"scale", BURNISH_ANNOTATION_SCALE},
                                             {"grid", BURNISH_ANNOTATION_GRID},
                                             {NULL, 0}};
+static const cli_word color_map_words[] = {{"viridis", BURNISH_COLOR_MAP_VIRIDIS},
+                                           {"coolwarm", BURNISH_COLOR_MAP_COOLWARM},
+                                           {"grey", BURNISH_COLOR_MAP_GREY},
+                                           {NULL, 0}};
 static const cli_word equation_words[] = {
     {"blinn", BURNISH_SPECULAR_BLINN}, {"phong", BURNISH_SPECULAR_PHONG}, {NULL, 0}};
 static const cli_word viewer_words[] = {{"local", 1}, {"distant", 0}, {NULL, 0}};
@@ -448,6 +452,25 @@ static const cli_flag flags[] = {
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
                "winding, are filled and hatched; cuts through other meshes and transparent "
                "surfaces are not. The camera frames the rest."},
+    {CLI_FLAG("color-by", "VALUE", "height, normal or a property of PLY", cli_flag_text,
+              input.coloring.by),
+     .manual =
+         "Colours the object by values of its vertices instead of its own colours: *height* along "
+         "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
+         "property of the vertices of a PLY file, such as *intensity*. Values are interpolated "
+         "over "
+         "triangles and then mapped. A legend shows the range; framing leaves room for it."},
+    {CLI_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
+     .words = color_map_words, .default_text = "viridis",
+     .manual = "Colours of *--color-by*: *viridis*, *coolwarm*, which diverges from a grey middle, "
+               "or *grey*. The colours are then lit like any others."},
+    {CLI_FLAG("color-range", "LO:HI", "range of --color-by", render_flag_range,
+              input.coloring.range),
+     .default_label = "of the values",
+     .manual = "Values with the first and the last colour of the map. Values beyond them get the "
+               "nearest of the two. If _LO_ is more than _HI_, the map is reversed."},
+    {CLI_SWITCH("no-legend", "no legend of --color-by", input.coloring.no_legend),
+     .manual = "Omits the bar of *--color-by* with its numbers, and the room for it."},
     {CLI_FLAG("normals", "NAME", "source", cli_flag_word, input.normals), .words = normals_words,
      .default_text = "auto",
      .manual =

@@ -105,6 +105,8 @@ static const cli_term json_terms[] = {
     {"*triangles, vertices, materials, textures, exponents*",
      "of the drawn mesh. A position with two normals counts as two vertices here, and as one in "
      "the command info"},
+    {"*color_by, color_range*", "what *--color-by* names, and the values of the first and the last "
+                                "colour; null without it"},
     {"*points, lines*", "of an input without faces, which are drawn as discs and rods"},
     {"*bounding_box, unit*",
      "*min* and *max* of the object, for points and lines without the solids that are drawn; the "

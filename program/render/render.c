@@ -26,6 +26,7 @@
 #include "render/output/turntable.h"
 #include "render/render.h"
 #include "render/scene/camera.h"
+#include "render/scene/color.h"
 #include "render/scene/options.h"
 #include "render/scene/origin.h"
 #include "render/scene/up.h"
@@ -280,6 +281,9 @@ static burnish_status load(render_result *result, render_settings *settings,
     render_set_stance(mesh, &settings->camera);
     if (status == BURNISH_STATUS_OK) {
         status = render_cut(result, mesh, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_color(settings, mesh, result->color_range, error);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;

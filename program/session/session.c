@@ -12,6 +12,7 @@
 #include "render/output/cells.h"
 #include "render/output/report.h"
 #include "render/scene/camera.h"
+#include "render/scene/color.h"
 #include "render/scene/options.h"
 #include "render/scene/origin.h"
 #include "render/scene/up.h"
@@ -41,10 +42,10 @@ struct session {
 const cli_command session_open_command = {
     .name = "open",
     .base = &render_command,
-    .base_flags =
-        "input-format,clip,normals,crease-angle,tessellation,animation-time,animation,point-size,"
-        "strict,no-textures,no-libraries,max-triangles,max-texture-pixels,"
-        "max-input-bytes,up,threads",
+    .base_flags = "input-format,clip,color-by,color-map,color-range,normals,crease-angle,"
+                  "tessellation,animation-time,animation,point-size,"
+                  "strict,no-textures,no-libraries,max-triangles,max-texture-pixels,"
+                  "max-input-bytes,up,threads",
     .settings_size = sizeof(render_settings),
 };
 const cli_command session_draw_command = {
@@ -274,6 +275,9 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
         s->stance.up = s->settings.camera.up;
         render_set_stance(s->mesh, &s->stance);
         status = render_cut(&s->result, s->mesh, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_color(&s->settings, s->mesh, s->result.color_range, error);
     }
     s->loading_warnings = s->result.warning_count;
     if (status == BURNISH_STATUS_OK) {

@@ -76,6 +76,10 @@ drawn edge-width=5
 drawn edge-color=blue
 other input-format
 drawn clip=0,1,0,1
+drawn color-by=height
+other color-map
+other color-range
+other no-legend
 other normals
 other crease-angle
 drawn tessellation=4

@@ -24,6 +24,9 @@ class Options(TypedDict, total=False):
     input_format: str
     up: str
     clip: Union[Vector, Sequence[str]]
+    color_by: str
+    color_map: str
+    color_range: str
     normals: str
     crease_angle: float
     tessellation: int

@@ -4,6 +4,7 @@
 #include "picture/formats.h"
 #include "render/output/annotate.h"
 #include "render/output/cells.h"
+#include "render/output/legend.h"
 #include "render/output/projection.h"
 #include "render/output/report.h"
 #include "render/scene/camera.h"
@@ -80,6 +81,9 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
     }
     render_warn_about_cell(result, cell);
     status = render_annotate(result, options, cell, depth, error);
+    if (status == BURNISH_STATUS_OK) {
+        render_draw_legend(result, options->background, &cell->image);
+    }
     if (status == BURNISH_STATUS_OK &&
         picture_is_drawing((picture_format)result->settings->output.format)) {
         status = render_trace(result, renderer, options, cell, depth, error);

@@ -213,6 +213,10 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "unit", cli_json_text(info->unit), failed);
     cli_json_add(root, "origin", cli_json_reals(3, view->origin), failed);
     add_cuts(root, view, failed);
+    const char *by = settings->input.coloring.by;
+    cli_json_add(root, "color_by", cli_json_text(by), failed);
+    cli_json_add(root, "color_range",
+                 by ? cli_json_reals(2, result->color_range) : cJSON_CreateNull(), failed);
     const char *up = render_up_name(mesh, &settings->camera);
     cli_json_add(root, "up", cJSON_CreateString(up), failed);
     cli_json_add(root, "up_source", cJSON_CreateString(source), failed);

@@ -41,6 +41,7 @@ typedef struct render_result {
     const burnish_image *picture; /* the only cell's image or the sheet */
     render_plane_data planes;     /* of the only cell */
     uint64_t hash;
+    double color_range[2]; /* of --color-by */
     int columns;
     burnish_projection_sheet projection; /* of --views=third-angle and first-angle */
     render_environment environment;

@@ -1,6 +1,7 @@
 /* Cameras from flags. Everything that affects pixels uses plain IEEE operations. */
 #include "render/scene/camera.h"
 
+#include "render/scene/color.h"
 #include <math.h>
 #include <string.h>
 
@@ -203,6 +204,8 @@ static burnish_status frame_with_room(const request *from, burnish_camera *camer
     }
     if (!room->is_given) {
         add_ground_inset(settings, room->inset);
+        room->inset[1] += render_legend_inset(settings);
+        room->inset[1] = room->inset[1] < 0.45 ? room->inset[1] : 0.45;
     }
     memcpy(framing.inset, room->inset, sizeof framing.inset);
     return status == BURNISH_STATUS_OK ? burnish_camera_frame(mesh, &framing, camera, error)

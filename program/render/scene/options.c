@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "render/scene/color.h"
 #include "render/settings/values.h"
 #include "sandbox/worker.h"
 
@@ -12,6 +13,10 @@ burnish_load_options render_load_options(const render_input_settings *input, int
         options.crease_angle = input->crease.value;
     }
     options.normals = (burnish_normals_source)input->normals;
+    if (render_colors_by_property(&input->coloring)) {
+        options.scalar_property = input->coloring.by;
+        options.keep_texture_coordinates = 1;
+    }
     options.threads = threads;
     options.measure = input->measure || input->clip.count > 0; /* only solids are filled */
     return options;

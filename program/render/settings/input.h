@@ -14,12 +14,21 @@ typedef burnish_status render_load_mesh(void *user_data, const char *input,
                                         const burnish_load_options *options, burnish_mesh **mesh,
                                         burnish_error *error);
 
+/* --color-by, --color-map, --color-range. */
+typedef struct render_coloring {
+    const char *by; /* "height", "normal" or a property; NULL: the colours of the input */
+    int map;        /* burnish_color_map */
+    double range[2];
+    int no_legend;
+} render_coloring;
+
 typedef struct render_input_settings {
     const char *name;
     cli_input load;
     cli_real crease;
     int normals; /* burnish_normals_source */
     render_clip clip;
+    render_coloring coloring;
     int measure; /* 1: the mesh gets its facts, also without a cut */
 
     render_load_mesh *load_mesh; /* NULL: sandbox_load */

@@ -252,6 +252,21 @@ burnish_status render_flag_projection(const cli_flag *flag, const char *text, vo
     return cli_flag_word(&named, text ? text : "yes", target, error);
 }
 
+burnish_status render_flag_range(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
+    const char *colon = strchr(text, ':');
+    double range[2] = {0, 0};
+    if (!colon || !cli_read_reals(text, (size_t)(colon - text), range, 1) ||
+        !cli_read_reals(colon + 1, strlen(colon + 1), range + 1, 1) || range[0] == range[1] ||
+        !(range[0] >= -1e30 && range[0] <= 1e30 && range[1] >= -1e30 && range[1] <= 1e30)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not two different numbers, such as 0:25", flag->name,
+                        text);
+    }
+    memcpy(target, range, sizeof range);
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_flag_annotate(const cli_flag *flag, const char *text, void *target,
                                     burnish_error *error) {
     int kinds;

@@ -6,8 +6,10 @@
 
 #include "core/vector.h"
 
-/* Cells are so many spacings long: the 27 around a point hold about 45 points of a surface. */
-#define CELL_SPACINGS 1.7
+/* Cells are so many spacings long: the 27 around a point hold about 45 points of a surface. Larger
+ * ones follow for scans whose noise is as large as their spacing. */
+enum { SCALES = 2 };
+static const double cell_spacings[SCALES] = {1.7, 6};
 
 enum {
     GRAIN = 1 << 10,
@@ -282,24 +284,34 @@ static size_t count_loose(const voxels *v) {
     return (size_t)loose;
 }
 
-burnish_status burnish_cloud_normals(const burnish_cloud *cloud, float *normals, int *are_surface,
-                                     burnish_tasks *tasks, burnish_memory *memory) {
-    voxels v = {.cloud = cloud, .scale = 1 / (CELL_SPACINGS * cloud->spacing), .normals = normals};
-    memset(normals, 0, 3 * cloud->count * sizeof *normals);
-    *are_surface = 0;
-    if (!(cloud->spacing > 0)) {
-        return BURNISH_STATUS_OK;
-    }
-    burnish_status status = fill_voxels(&v, tasks, memory);
-    if (status == BURNISH_STATUS_OK && v.count > 0) {
-        burnish_tasks_ranges(tasks, v.count, GRAIN, fit_voxels, &v);
-        *are_surface = 3 * count_loose(&v) < cloud->count;
+/* Fits planes at a scale; *are_surface: most points are like one. */
+static burnish_status fit_at(voxels *v, double cell, int *are_surface, burnish_tasks *tasks,
+                             burnish_memory *memory) {
+    v->scale = 1 / cell;
+    burnish_status status = fill_voxels(v, tasks, memory);
+    if (status == BURNISH_STATUS_OK && v->count > 0) {
+        burnish_tasks_ranges(tasks, v->count, GRAIN, fit_voxels, v);
+        *are_surface = 3 * count_loose(v) < v->cloud->count;
         if (*are_surface) {
-            burnish_tasks_ranges(tasks, cloud->count, GRAIN, fill_normals, &v);
+            burnish_tasks_ranges(tasks, v->cloud->count, GRAIN, fill_normals, v);
         }
         status = burnish_tasks_check(tasks, memory->error);
     }
-    burnish_release(memory->context, v.items);
-    burnish_release(memory->context, v.slots);
+    burnish_release(memory->context, v->items);
+    burnish_release(memory->context, v->slots);
+    return status;
+}
+
+burnish_status burnish_cloud_normals(const burnish_cloud *cloud, float *normals, int *are_surface,
+                                     burnish_tasks *tasks, burnish_memory *memory) {
+    burnish_status status = BURNISH_STATUS_OK;
+    memset(normals, 0, 3 * cloud->count * sizeof *normals);
+    *are_surface = 0;
+    for (int i = 0; i < SCALES && !*are_surface && status == BURNISH_STATUS_OK; ++i) {
+        voxels v = {.cloud = cloud, .normals = normals};
+        status = cloud->spacing > 0
+                     ? fit_at(&v, cell_spacings[i] * cloud->spacing, are_surface, tasks, memory)
+                     : BURNISH_STATUS_OK;
+    }
     return status;
 }

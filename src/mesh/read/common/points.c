@@ -87,7 +87,9 @@ static burnish_status make_cloud(burnish_reader *reader) {
         return status;
     }
     note_outliers(reader, &cloud);
-    burnish_mesh_data_drop(mesh, BURNISH_TEXCOORD);
+    if (!reader->input->options->scalar_property) {
+        burnish_mesh_data_drop(mesh, BURNISH_TEXCOORD);
+    }
     burnish_mesh_data_drop(mesh, BURNISH_TANGENT);
     mesh->point_count = cloud.count;
     status = prepare_normals(reader, &cloud, &are_surface);

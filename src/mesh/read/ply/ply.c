@@ -135,6 +135,9 @@ static size_t describe_rows(const burnish_ply_state *ply, burnish_ply_rows *rows
             ++lists;
         } else if (property->role < BURNISH_PLY_ROLE_COUNT) {
             rows->columns[property->role] = (burnish_ply_column){rows->row_size, property->type};
+            if (property->role == BURNISH_PLY_S && ply->reader->input->options->scalar_property) {
+                rows->columns[BURNISH_PLY_T] = rows->columns[BURNISH_PLY_S];
+            }
         }
         rows->row_size += is_list ? length + 3 * size : size;
     }
@@ -411,7 +414,8 @@ static burnish_status read_body(burnish_ply_state *ply) {
     int has_faces = 0;
     ply->keeps_coordinates =
         burnish_reader_keeps_coordinates(ply->reader, header->texture_count > 0);
-    ply->takes_face_coordinates = ply->keeps_coordinates && header->has_face_coordinates;
+    ply->takes_face_coordinates = ply->keeps_coordinates && header->has_face_coordinates &&
+                                  !ply->reader->input->options->scalar_property;
     ply->takes_textures = ply->takes_face_coordinates && header->texture_count > 0;
     for (size_t i = 0; i < ply->header.element_count; ++i) {
         const burnish_ply_element *element = &ply->header.elements[i];

@@ -1,6 +1,7 @@
 /* The header of a PLY file (G. Turk, "The PLY Polygon File Format", 1994). */
 #include "mesh/read/ply/ply_header.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "mesh/read/io/pieces.h"
@@ -162,7 +163,7 @@ static burnish_status fail_property(header_state *ply, burnish_token type) {
 /* property TYPE NAME, or property list COUNT_TYPE TYPE NAME. */
 static burnish_status read_property(header_state *ply) {
     burnish_ply_header *header = ply->header;
-    burnish_ply_property property = {BURNISH_PLY_NONE, BURNISH_PLY_NONE, BURNISH_PLY_OTHER};
+    burnish_ply_property property = {.role = BURNISH_PLY_OTHER};
     burnish_token type = {0}, name = {0};
     if (header->element_count == 0) {
         return FAIL(ply, "property before the first element; declare its element first");
@@ -188,7 +189,13 @@ static burnish_status read_property(header_state *ply) {
     if (!burnish_lexer_token(&ply->lexer, &name)) {
         return FAIL(ply, "property has no name; write property TYPE NAME");
     }
+    property.name = name;
     property.role = role_of(element->kind, is_list, name);
+    const char *scalar = ply->reader->input->options->scalar_property;
+    if (scalar && element->kind == BURNISH_PLY_ELEMENT_VERTEX && !is_list &&
+        (property.role >= BURNISH_PLY_S || burnish_token_is(name, scalar))) {
+        property.role = burnish_token_is(name, scalar) ? BURNISH_PLY_S : BURNISH_PLY_OTHER;
+    }
     if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0) {
         header->has_face_coordinates |= property.role == BURNISH_PLY_TEXCOORDS;
     }
@@ -281,6 +288,22 @@ static unsigned roles_of(const burnish_ply_header *header, const burnish_ply_ele
     return roles;
 }
 
+/* The vertices lack the scalar property that is requested. */
+static burnish_status fail_scalar(burnish_reader *reader, const burnish_ply_header *header,
+                                  const burnish_ply_element *element) {
+    char names[200] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < element->property_count && length + 40 < sizeof names; ++i) {
+        const burnish_ply_property *property = &header->properties[element->first_property + i];
+        length += (size_t)snprintf(names + length, sizeof names - length, "%s%.30s",
+                                   i > 0 ? ", " : "", burnish_token_quote(property->name).text);
+    }
+    return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, element->at,
+                               "no other vertex property \"%.60s\" to colour by; the vertices have "
+                               "%s",
+                               reader->input->options->scalar_property, names);
+}
+
 static burnish_status check_elements(header_state *ply) {
     const unsigned rgb = 1u << BURNISH_PLY_RED | 1u << BURNISH_PLY_GREEN | 1u << BURNISH_PLY_BLUE;
     const unsigned xyz = 1u << BURNISH_PLY_X | 1u << BURNISH_PLY_Y | 1u << BURNISH_PLY_Z;
@@ -296,6 +319,10 @@ static burnish_status check_elements(header_state *ply) {
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && ++vertex_elements > 1) {
             return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
                                        "a second vertex element; merge the two");
+        }
+        if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & xyz) == xyz &&
+            ply->reader->input->options->scalar_property && !(roles & 1u << BURNISH_PLY_S)) {
+            return fail_scalar(ply->reader, header, element);
         }
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & xyz) != xyz) {
             return burnish_reader_fail(

@@ -53,6 +53,7 @@ typedef struct burnish_ply_property {
     burnish_ply_type type;       /* of the value, or of a list's items */
     burnish_ply_type count_type; /* NONE: a scalar */
     burnish_ply_role role;
+    burnish_token name;
 } burnish_ply_property;
 
 typedef enum burnish_ply_kind {

@@ -1,0 +1,68 @@
+/* The legend of --color-by. */
+#include "render/output/legend.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "burnish/sheet.h"
+#include "render/scene/color.h"
+
+enum { TICKS = 5 };
+#define TEXT (1.0 / 44) /* height of letters, in parts of the smaller side */
+
+static void fill(burnish_image *image, const int box[4], const uint8_t srgb[3]) {
+    for (int y = box[1] > 0 ? box[1] : 0; y < box[3] && y < image->height; ++y) {
+        for (int x = box[0] > 0 ? box[0] : 0; x < box[2] && x < image->width; ++x) {
+            uint8_t *pixel = image->pixels + ((size_t)y * (size_t)image->width + (size_t)x) *
+                                                 (size_t)image->channels;
+            memcpy(pixel, srgb, 3);
+            if (image->channels == 4) {
+                pixel[3] = 255;
+            }
+        }
+    }
+}
+
+/* What the values are, and their unit. */
+static void write_title(const render_result *result, char title[64]) {
+    const char *unit = burnish_mesh_get_info(result->mesh)->unit;
+    const int is_length = strcmp(result->settings->input.coloring.by, "height") == 0 && unit;
+    snprintf(title, 64, "%.40s%s%s", result->settings->input.coloring.by, is_length ? ", " : "",
+             is_length ? unit : "");
+}
+
+void render_draw_legend(const render_result *result, const uint8_t background[3],
+                        burnish_image *image) {
+    static const uint8_t inks[2][3] = {{34, 36, 40}, {242, 243, 245}};
+    const render_coloring *coloring = &result->settings->input.coloring;
+    const int smaller = image->width < image->height ? image->width : image->height;
+    const float text = smaller * TEXT > 9 ? (float)(int)(smaller * TEXT + 0.5) : 9;
+    const int is_dark =
+        !result->options->transparent && background[0] + background[1] + background[2] < 3 * 110;
+    const uint8_t *ink = inks[is_dark];
+    const double *range = result->color_range;
+    char title[64], label[32];
+    if (!render_has_legend(coloring) || smaller < 100) {
+        return;
+    }
+    const int left = image->width - (int)(RENDER_LEGEND_INSET * smaller), width = (int)text;
+    const int top = image->height / 4, height = image->height / 2;
+    for (int y = 0; y < height; ++y) {
+        uint8_t srgb[3];
+        const int box[4] = {left, top + y, left + width, top + y + 1};
+        burnish_color_map_get((burnish_color_map)coloring->map, 1 - y / (height - 1.0), srgb);
+        fill(image, box, srgb);
+    }
+    for (int i = 0; i < TICKS; ++i) {
+        const int y = top + (height - 1) * i / (TICKS - 1);
+        const int box[4] = {left + width, y, left + width + width / 3, y + 1};
+        const double at = range[1] + (range[0] - range[1]) * i / (TICKS - 1);
+        const double size = range[1] > range[0] ? range[1] - range[0] : range[0] - range[1];
+        fill(image, box, ink);
+        snprintf(label, sizeof label, "%.4g", at < size * 1e-4 && at > -size * 1e-4 ? 0.0 : at);
+        burnish_image_draw_text(image, (float)(left + width + width / 2 + 2), (float)y + text / 2,
+                                text, ink, label);
+    }
+    write_title(result, title);
+    burnish_image_draw_text(image, (float)left, (float)top - text, text, ink, title);
+}
