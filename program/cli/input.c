@@ -78,6 +78,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
     options.animation = input->animation;
     options.ignore_referenced_files = input->no_libraries;
     options.point_size = input->point_size.given ? input->point_size.value : 0;
+    options.max_memory = input->max_memory;
     options.max_triangles = input->max_triangles;
     options.max_input_bytes = input->max_input_bytes;
     options.ignore_textures = input->no_textures;

@@ -35,6 +35,7 @@ typedef struct cli_input {
     const char *animation;
     cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
+    uint64_t max_memory; /* of loading and drawing: 0: no limit */
 } cli_input;
 
 /* The library's options for these flags. A cli_foreign is kept as the format, for import_load and

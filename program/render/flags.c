@@ -516,7 +516,9 @@ static const cli_flag flags[] = {
               job.max_memory),
      CLI_RANGE(1, 9e18), .default_label = "all",
      .manual = "Limit on the address space of the process in bytes, including reserved but unused "
-               "memory such as the stacks of threads. A run that needs more ends with exit code 6. "
+               "memory such as the stacks of threads. A binary STL file, or binary points of PLY, "
+               "that would need more becomes a preview: one in so many triangles or points, as "
+               "points, with a warning. Any other run that needs more ends with exit code 6. "
                "_N_ can end in *K*, *M* or *G*."},
     {CLI_SWITCH("sandbox", "read and draw in a process that can't open files", job.sandbox),
      .manual = "Reads, draws and encodes in a separate process that can not open files or sockets "

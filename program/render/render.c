@@ -260,6 +260,7 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
 static burnish_status load(render_result *result, render_settings *settings,
                            burnish_render_options *options, burnish_error *error) {
     burnish_mesh *mesh = NULL;
+    settings->input.load.max_memory = settings->job.max_memory;
     burnish_status status = render_load(&settings->input, settings->job.threads, &mesh, error);
     result->mesh = mesh;
     result->seconds.load = cli_seconds_now() - result->start;

@@ -14,6 +14,7 @@
 #include "core/numbers.h"
 #include "core/srgb.h"
 #include "mesh/read/common/origin.h"
+#include "mesh/read/common/preview.h"
 #include "mesh/read/io/binary_stl.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/chunks.h"
@@ -231,9 +232,15 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
 
 static burnish_status read_binary(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
-    size_t count = burnish_load32(reader->input->bytes + TITLE_SIZE);
+    size_t count = burnish_load32(reader->input->bytes + TITLE_SIZE), step = 1;
     reader->is_binary = 1;
     burnish_status status = check_count(reader, &count);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_preview_step(reader, count, BURNISH_FACET_BYTES, &step);
+    }
+    if (status == BURNISH_STATUS_OK && step > 1) {
+        return burnish_preview_facets(reader, HEADER_SIZE, count, step);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_mesh_data_reserve(mesh, BURNISH_POSITION, 3 * count);
     }
@@ -582,7 +589,8 @@ static burnish_status read_input(burnish_reader *reader) {
     } else {
         status = read_binary(reader);
     }
-    if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0) {
+    if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0 &&
+        reader->mesh->point_count == 0) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                    "no triangles; export the mesh again");
     }

@@ -112,6 +112,38 @@ static void test_outliers(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* 20,000 facets that may take half of the memory that they need: every second one becomes a point at
+ * its middle. Its base of 80 MiB can not be less. */
+static void test_preview(void) {
+    enum { COUNT = 20000, SIZE = 84 + 50 * COUNT };
+    static uint8_t bytes[SIZE];
+    const uint32_t count = COUNT;
+    burnish_load_options options = burnish_load_options_default();
+    burnish_error error;
+    memcpy(bytes + 80, &count, sizeof count);
+    for (size_t i = 0; i < COUNT; ++i) {
+        const float x = (float)(i % 100), y = (float)(i / 100);
+        const float corners[9] = {x, y, 0, x + 3, y, 0, x, y + 3, 0};
+        memcpy(bytes + 84 + 50 * i + 12, corners, sizeof corners);
+    }
+    options.max_memory = (80 << 20) + SIZE + COUNT / 2 * 112;
+    burnish_mesh *mesh = load_bytes(bytes, SIZE, "a.stl", &options);
+    if (CHECK1(mesh && burnish_mesh_get_info(mesh)->thinning == 2 &&
+               burnish_mesh_get_info(mesh)->point_count == COUNT / 2)) {
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        CHECK1(view->positions[3] == 3 && view->positions[4] == 1 && view->normals[5] == 1);
+        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0),
+                   "a.stl: a preview: 1 in 2 of 20000 triangles is drawn, as a point, since all "
+                   "need more memory than max-memory");
+    }
+    burnish_mesh_destroy(mesh);
+    options.max_memory = 50000000;
+    CHECK1(burnish_mesh_load_memory(bytes, SIZE, "a.stl", &options, &mesh, &error) ==
+           BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text,
+               "a.stl: max-memory: 50 MB are too few for a preview; give at least 87 MB");
+}
+
 /* Rods between vertices, by numbers from either end. */
 static void test_lines(void) {
     burnish_load_options options = burnish_load_options_default();
@@ -201,6 +233,7 @@ int main(int count, char **arguments) {
     RUN(test_sizes());
     RUN(test_density());
     RUN(test_outliers());
+    RUN(test_preview());
     RUN(test_lines());
     RUN(test_limits());
     return test_end("points");

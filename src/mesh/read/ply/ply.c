@@ -5,6 +5,7 @@
  * (ply_binary.c). */
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/polygon.h"
+#include "mesh/read/common/preview.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/chunks.h"
@@ -26,7 +27,18 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
     static const int first_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_X, BURNISH_PLY_NX,
                                                              BURNISH_PLY_RED, BURNISH_PLY_S};
     burnish_mesh_data *mesh = ply->reader->mesh;
-    const size_t count = (size_t)ply->element->count;
+    size_t count = (size_t)ply->element->count, step = 1;
+    const size_t size = count * rows->row_size;
+    if (ply->are_points) {
+        const burnish_status status =
+            burnish_preview_step(ply->reader, count, BURNISH_POINT_BYTES, &step);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        burnish_preview_note(ply->reader, step, count, "points");
+        rows->row_size *= step;
+        count /= step;
+    }
     for (int i = 0; i <= BURNISH_TEXCOORD; ++i) {
         if (burnish_ply_has_roles(ply, first_roles[i], last_roles[i])) {
             if (burnish_mesh_data_reserve(mesh, (burnish_attribute)i, count) != BURNISH_STATUS_OK) {
@@ -39,12 +51,17 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
         burnish_reader_rows(ply->reader, (size_t)(*at - ply->reader->input->bytes), rows->row_size,
                             count, burnish_ply_convert_vertices, rows);
     const size_t odd = atomic_load(&rows->odd);
+    if (status == BURNISH_STATUS_OK && odd < count && step > 1) {
+        return burnish_reader_fail(
+            ply->reader, BURNISH_STATUS_FORMAT, NULL,
+            "vertex %zu has a coordinate that is not finite; repair the file", odd * step);
+    }
     if (status == BURNISH_STATUS_OK && odd < count) { /* which has a warning */
         *at += odd * rows->row_size;
         ply->first_row = odd;
         return burnish_ply_read_rows(ply, at, count - odd);
     }
-    *at += count * rows->row_size;
+    *at += size;
     return status;
 }
 
@@ -424,6 +441,7 @@ static burnish_status read_body(burnish_ply_state *ply) {
             ply->vertex_count = (size_t)element->count;
         }
     }
+    ply->are_points = !has_faces;
     ply->reader->is_binary = ply->header.encoding != BURNISH_PLY_ASCII;
     ply->is_odd = 0;
     size_t left;
