@@ -1,9 +1,10 @@
 /* Cameras from flags. Everything that affects pixels uses plain IEEE operations. */
 #include "render/scene/camera.h"
 
-#include "render/scene/color.h"
 #include <math.h>
 #include <string.h>
+
+#include "render/scene/color.h"
 
 /* A right-handed frame for every up axis: right x up = front, which points to the viewer. */
 typedef struct frame {
