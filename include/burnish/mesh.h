@@ -180,11 +180,11 @@ typedef struct burnish_load_options {
     const char *animation; /* its name, or its number from 0; NULL: the first. Without a time, the
                               scene at its start */
     uint64_t max_memory;   /* bytes for loading and drawing, 0: no limit. A binary STL file, or
-                                       binary points of PLY, that needs more becomes a preview: one in
-                                       so many triangles or points, evenly in the order of the file, as
-                                       points with the normals of the triangles, with a warning. It
-                                       fails with LIMIT if 10,000 of them need more. An estimate, for
-                                       pictures of up to 2048 x 2048 pixels; other files ignore it */
+                            binary points of PLY, that needs more becomes a preview: one in so many
+                            triangles or points, evenly in the order of the file, as points with the
+                            normals of the triangles, with a warning. It fails with LIMIT if 10,000
+                            of them need more. An estimate, for pictures of up to 2048 x 2048
+                            pixels; other files ignore it */
     uint64_t max_input_bytes;    /* a larger file fails with LIMIT */
     uint64_t max_triangles;      /* more fail with LIMIT. BURNISH_TRIANGLES_MAX: as many as give 5
                                        vertices and triangles per byte of the input and its
