@@ -27,3 +27,18 @@ burnish_light_lobes burnish_light_lobes_for(float alpha) {
     }
     return lobes;
 }
+
+burnish_light_lobes burnish_light_lobes_near(float alpha) {
+    static const float zetas[2][5] = {{0.130873f, 0.145536f, 0.125278f, 0.244102f, 0.399355f},
+                                      {0.045493f, 0.060453f, 0.474393f, 0.793652f, -0.361736f}};
+    static const float weight[5] = {0.398137f, 0.546989f, -2.960546f, 6.946654f, -3.944059f};
+    const float a = alpha > 0.0025f ? alpha < 1.0f ? alpha : 1.0f : 0.0025f;
+    const float tail = polynomial(weight, a);
+    burnish_light_lobes lobes = {.count = 2};
+    for (int j = 0; j < lobes.count; ++j) {
+        const float zeta = 0.78f * polynomial(zetas[j], a) / (a * a);
+        lobes.lobe[j] =
+            (burnish_light_lobe){j == 0 ? 4 : 1, zeta > 1 ? zeta : 1, j == 0 ? 1 - tail : tail};
+    }
+    return lobes;
+}

@@ -19,4 +19,8 @@ typedef struct burnish_light_lobes {
 /* alpha: clamped to [0.0025, 1]. */
 burnish_light_lobes burnish_light_lobes_for(float alpha);
 
+/* Two lobes that are fitted to GGX over all views together with an axis and a stretch
+ * (environment_simd.h), for lights that are integrated for each point. */
+burnish_light_lobes burnish_light_lobes_near(float alpha);
+
 #endif

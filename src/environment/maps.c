@@ -1,17 +1,13 @@
 #include "environment/maps.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "core/memory.h"
 #include "core/numbers.h"
 #include "core/vector.h"
-#include "environment/areas.h"
-#include "environment/environment_ops.h"
-#include "shading/shading_ops.h"
-
-/* The diffuse map is off by 3 % of the peak at the terminator of a tiny light and 0.3 % for softboxes;
- * spherical harmonics of order 2 are off by 9 %, of order 4 by 6 %. */
-enum { LARGEST_SIZE = 256, LEAST_SIZE = 24, DIFFUSE_SIZE = 32 };
+#include "environment/environment.h"
+#include "environment/map_fill.h"
 
 /* A map and its memory; texels NULL: not computed. */
 typedef struct table {
@@ -25,7 +21,7 @@ typedef struct table {
 typedef struct key {
     burnish_area_light distant[BURNISH_AREA_LIGHT_MAX];
     burnish_dome dome;
-    int distant_count, has_dome;
+    int distant_count, has_dome, largest;
     float strength;
     double up[3], axes[3][3];
     uint64_t environment; /* its hash */
@@ -46,259 +42,18 @@ static burnish_light_map map_of(const table *t) {
     return (burnish_light_map){t->size, t->texels};
 }
 
-/* ---- Directions ---- */
-
-/* Texels are computed in bands of rows, 4 x 4 after 4 x 4: neighbours meet the same edges of lights,
- * which a vector of them shares. */
-enum { BLOCK = 4, BAND_MAX = BLOCK * (LARGEST_SIZE + 2) };
-
-/* The columns of a row that look-ups need, [*first, *last]: within a texel's diagonal of the disc
- * that a half of the sphere is mapped to. size: of the map, which has a border. */
-static void find_columns(int size, int row, int *first, int *last) {
-    const float half = (float)size / 2, middle = (float)(size + 1) / 2;
-    const float limit = 1 + 3 / (float)size, q = ((float)(row % (size + 2)) - middle) / half;
-    const float room = limit * limit - q * q;
-    const int reach = room > 0 ? (int)(__builtin_sqrtf(room) * half + 0.5f) : 0;
-    *last = size / 2 + reach < size + 1 ? size / 2 + reach : size + 1;
-    *first = size + 1 - *last;
-}
-
-static void find_direction(int size, int row, int column, float w[3]) {
-    const float half = (float)size / 2, middle = (float)(size + 1) / 2;
-    const float q = ((float)(row % (size + 2)) - middle) / half;
-    const float p = ((float)column - middle) / half, squared = p * p + q * q;
-    const float scale = 1 / (1 + squared), z = (1 - squared) * scale;
-    w[0] = 2 * p * scale;
-    w[1] = 2 * q * scale;
-    w[2] = row < size + 2 ? z : -z;
-}
-
-/* Unit vectors of the texels of a band, and their numbers in the map. Returns how many. */
-static int band_directions(int size, int band, int *numbers, float *const w[3]) {
-    const int stride = size + 2, from = band * BLOCK;
-    const int end = from + BLOCK < 2 * stride ? from + BLOCK : 2 * stride;
-    int first[BLOCK], last[BLOCK], count = 0;
-    for (int row = from; row < end; ++row) {
-        find_columns(size, row, &first[row - from], &last[row - from]);
-    }
-    for (int i = 0; i < BLOCK * BLOCK * ((stride + BLOCK - 1) / BLOCK); ++i) {
-        const int row = from + i / BLOCK % BLOCK;
-        const int column = i / (BLOCK * BLOCK) * BLOCK + i % BLOCK;
-        if (row < end && column >= first[row - from] && column <= last[row - from]) {
-            float direction[3];
-            find_direction(size, row, column, direction);
-            for (int c = 0; c < 3; ++c) {
-                w[c][count] = direction[c];
-            }
-            numbers[count++] = row * stride + column;
-        }
-    }
-    return count;
-}
-
-/* ---- The dome ---- */
-
-/* Adds the dome: its polynomial is a sum of Legendre polynomials, and averaging around a direction
- * multiplies each by a constant. */
-static void add_dome(const key *k, const burnish_light_lobes *lobes, const float *const w[3],
-                     int count, float *const rgb[3]) {
-    double first = 2.0 / 3, second = 1.0 / 4; /* of the cosine, over pi */
-    if (lobes) {
-        first = second = 0;
-        for (int j = 0; j < lobes->count; ++j) {
-            const burnish_light_lobe *l = &lobes->lobe[j];
-            const double m = l->order, x = 1 / (double)l->zeta, weight = (double)l->weight;
-            first += weight * (1 - x / (m + 2));
-            second += weight * (1 - 3 * x / (m + 2) + 3 * x * x / ((m + 2) * (m + 3)));
-        }
-    }
-    const float up[3] = {(float)k->up[0], (float)k->up[1], (float)k->up[2]};
-    for (int c = 0; c < 3; ++c) {
-        const double zenith = (double)k->dome.zenith[c], nadir = (double)k->dome.nadir[c];
-        const double horizon = (double)k->dome.horizon[c], bend = (zenith + nadir) / 2 - horizon;
-        const float linear = (float)(first * (zenith - nadir) / 2), square = (float)(second * bend);
-        const float constant = (float)(horizon + bend / 3 - second * bend / 3);
-        for (int i = 0; i < count; ++i) {
-            const float y = (w[0][i] * up[0] + w[1][i] * up[1]) + w[2][i] * up[2];
-            rgb[c][i] += constant + y * (linear + y * square);
-        }
-    }
-}
-
-/* ---- The environment ---- */
-
-/* The radius of a cap with the integral of the lobe. */
-static float lobe_radius(const burnish_light_lobe *lobe) {
-    return __builtin_sqrtf(2 / (lobe->zeta * (float)(lobe->order + 1)));
-}
-
-/* The smallest image in which a lobe's radius has enough texels: then the result is at most 0.5 % of
- * the brightest one off what the first image gives. A cosine alone gets more: 0.25 %. */
-static const burnish_environment_level *choose_level(const burnish_environment *environment,
-                                                     const burnish_light_lobe *lobe) {
-    const float texels = lobe->order > 1 ? 3 : lobe->zeta > 1 ? 4 : 10;
-    const float height = texels * 3.14159265f / lobe_radius(lobe);
-    int i = environment->level_count - 1;
-    while (i > 0 && (float)environment->levels[i].height < height) {
-        --i;
-    }
-    return &environment->levels[i];
-}
-
-/* Lobes have a radius of at least 1.5 pixels, so there are pixels in their caps, and a small image
- * is seen without its pixels. */
-static float zeta_limit(const burnish_environment *environment, int order) {
-    const float radius = 1.5f * 3.14159265f / (float)environment->levels[0].height;
-    return 2 / (radius * radius * (float)(order + 1));
-}
-
-static void add_environment(const burnish_light_maps *maps, const burnish_light_lobes *lobes,
-                            const float *const w[3], int count, float *const rgb[3]) {
-    static const burnish_light_lobes cosine = {1, {{1, 1.0f, 1.0f}}};
-    const burnish_environment_ops *ops = burnish_environment_ops_for(maps->kernels->isa);
+/* What the maps show. */
+static burnish_light_sources sources_of(const burnish_light_maps *maps) {
     const key *k = &maps->key;
-    float turned[3][BAND_MAX];
-    const float *const axis[3] = {turned[0], turned[1], turned[2]};
-    lobes = lobes ? lobes : &cosine;
-    for (int c = 0; c < 3; ++c) {
-        const float *const *from = w;
-        const float x = (float)k->axes[c][0], y = (float)k->axes[c][1], z = (float)k->axes[c][2];
-        for (int i = 0; i < count; ++i) {
-            turned[c][i] = (from[0][i] * x + from[1][i] * y) + from[2][i] * z;
-        }
-    }
-    for (int j = 0; j < lobes->count; ++j) {
-        burnish_light_lobe lobe = lobes->lobe[j];
-        const float most = zeta_limit(maps->environment, lobe.order);
-        lobe.zeta = lobe.zeta < most ? lobe.zeta : most;
-        const burnish_environment_filter filter = {choose_level(maps->environment, &lobe),
-                                                   lobe.zeta, __builtin_ctz((unsigned)lobe.order)};
-        ops->filter_environment(&filter, k->strength * lobe.weight, axis, (size_t)count, rgb);
-    }
-}
-
-/* ---- Maps ---- */
-
-/* Directions whose cosine with the middle of a polygon is smaller receive none of its light. */
-typedef struct reach {
-    float middle[3], least;
-} reach;
-
-typedef struct build {
-    const burnish_light_maps *maps;
-    const table *table;
-    const burnish_light_lobes *lobes; /* NULL: diffuse */
-    burnish_polygon_constants polygons[BURNISH_AREA_LIGHT_MAX];
-    reach reaches[BURNISH_AREA_LIGHT_MAX];
-    const float *colors[BURNISH_AREA_LIGHT_MAX];
-    int polygon_count;
-} build;
-
-/* A cap around the polygon, wider by the widest lobe or, for diffuse light, by a right angle. */
-static reach find_reach(const burnish_polygon_constants *polygon,
-                        const burnish_light_lobes *lobes) {
-    burnish_vec3 vertices[BURNISH_POLYGON_VERTEX_MAX], middle = {0, 0, 0};
-    double radius = 1, lobe = lobes ? 1 : 0; /* cosines */
-    for (int v = 0; v < polygon->vertex_count; ++v) {
-        const float *from = polygon->vertex[v];
-        const burnish_vec3 vertex = {(double)from[0], (double)from[1], (double)from[2]};
-        vertices[v] = burnish_vec3_scale(vertex, 1 / burnish_vec3_length(vertex));
-        middle = burnish_vec3_add(middle, vertices[v]);
-    }
-    middle = burnish_vec3_scale(middle, 1 / burnish_vec3_length(middle));
-    for (int v = 0; v < polygon->vertex_count; ++v) {
-        const double cosine = burnish_vec3_dot(middle, vertices[v]);
-        radius = cosine < radius ? cosine : radius;
-    }
-    for (int j = 0; lobes && j < lobes->count; ++j) {
-        const double cosine = 1 - 1 / (double)lobes->lobe[j].zeta;
-        lobe = cosine < lobe ? cosine : lobe;
-    }
-    const double sines = burnish_sqrt((1 - radius * radius) * (1 - lobe * lobe));
-    const int is_cap = radius > 0 && radius + lobe > 0; /* else it may reach all directions */
-    return (reach){{(float)middle.x, (float)middle.y, (float)middle.z},
-                   is_cap ? (float)(radius * lobe - sines - 1e-5) : -2};
-}
-
-static void add_polygons(build *b) {
-    const key *k = &b->maps->key;
-    for (int i = 0; i < k->distant_count; ++i) {
-        burnish_polygon_constants *polygon = &b->polygons[b->polygon_count];
-        if (burnish_area_polygon(&k->distant[i], b->lobes, polygon)) {
-            b->reaches[b->polygon_count] = find_reach(polygon, b->lobes);
-            b->colors[b->polygon_count++] = k->distant[i].color;
-        }
-    }
-}
-
-static int is_reached(const reach *r, const float *const w[3], int i) {
-    return w[0][i] * r->middle[0] + w[1][i] * r->middle[1] + w[2][i] * r->middle[2] > r->least;
-}
-
-/* Adds a polygon in `count` directions, which are normals or the lobes' axes. */
-static void add_polygon(const build *b, int number, const float *const w[3], int count,
-                        float *const rgb[3]) {
-    float reached[3][BAND_MAX], light[BAND_MAX];
-    int numbers[BAND_MAX], reached_count = 0;
-    for (int i = 0; i < count; ++i) {
-        if (is_reached(&b->reaches[number], w, i)) {
-            for (int c = 0; c < 3; ++c) {
-                reached[c][reached_count] = w[c][i];
-            }
-            numbers[reached_count++] = i;
-        }
-    }
-    const burnish_kernels_axes axes = {.axis = {reached[0], reached[1], reached[2]}};
-    burnish_kernels_points points = {.normal = {NULL}};
-    for (int c = 0; c < 3 && !b->lobes; ++c) {
-        points.normal[c] = reached[c];
-    }
-    b->maps->kernels->polygon_light(
-        &b->polygons[number], &points, &axes, (size_t)reached_count,
-        (float *const[2]){b->lobes ? NULL : light, b->lobes ? light : NULL});
-    for (int c = 0; c < 3; ++c) {
-        for (int i = 0; i < reached_count; ++i) {
-            rgb[c][numbers[i]] += b->colors[number][c] * light[i];
-        }
-    }
-}
-
-static void build_band(void *context, size_t band, int thread) {
-    const build *b = context;
-    const key *k = &b->maps->key;
-    float vectors[3][BAND_MAX], colors[3][BAND_MAX] = {{0}};
-    int numbers[BAND_MAX];
-    const float *const w[3] = {vectors[0], vectors[1], vectors[2]};
-    float *const rgb[3] = {colors[0], colors[1], colors[2]};
-    const int count = band_directions(b->table->size, (int)band, numbers,
-                                      (float *const[3]){vectors[0], vectors[1], vectors[2]});
-    (void)thread;
-    if (k->has_dome) {
-        add_dome(k, b->lobes, w, count, rgb);
-    }
-    for (int i = 0; i < b->polygon_count; ++i) {
-        add_polygon(b, i, w, count, rgb);
-    }
-    if (b->maps->environment && k->strength > 0) {
-        add_environment(b->maps, b->lobes, w, count, rgb);
-    }
-    for (int i = 0; i < count; ++i) {
-        for (int c = 0; c < 3; ++c) {
-            b->table->texels[4 * numbers[i] + c] = colors[c][i];
-        }
-    }
-}
-
-/* Texels per side: a texel has at most a third of the radius of the narrowest lobe. Then a bilinear
- * look-up across the edge of a light is at most 0.7 % of its radiance off. */
-static int size_for(const burnish_light_lobes *lobes) {
-    float radius = 1;
-    for (int j = 0; j < lobes->count; ++j) {
-        const float own = lobe_radius(&lobes->lobe[j]);
-        radius = own < radius ? own : radius;
-    }
-    const int size = (int)(12 / radius + 1) / 2 * 2;
-    return size < LEAST_SIZE ? LEAST_SIZE : size > LARGEST_SIZE ? LARGEST_SIZE : size;
+    burnish_light_sources sources = {.distant = k->distant,
+                                     .distant_count = k->distant_count,
+                                     .dome = k->has_dome ? &k->dome : NULL,
+                                     .environment = maps->environment,
+                                     .strength = k->strength,
+                                     .largest = k->largest};
+    memcpy(sources.up, k->up, sizeof k->up);
+    memcpy(sources.environment_axes, k->axes, sizeof k->axes);
+    return sources;
 }
 
 /* Computes a map unless it is there; alpha 0: diffuse. */
@@ -307,19 +62,10 @@ static burnish_status make(burnish_light_maps *maps, table *t, float alpha, burn
     if (t->texels) {
         return BURNISH_STATUS_OK;
     }
-    const burnish_light_lobes lobes = burnish_light_lobes_for(alpha);
-    build b = {.maps = maps, .table = t, .lobes = alpha > 0 ? &lobes : NULL};
-    add_polygons(&b);
+    const burnish_light_sources sources = sources_of(maps);
+    const burnish_map_filler filler = {&sources, maps->kernels, maps->tasks, &memory};
     t->alpha = alpha;
-    t->size = alpha > 0 ? size_for(&lobes) : DIFFUSE_SIZE;
-    const size_t rows = (size_t)t->size + 2;
-    t->texels =
-        burnish_allocate_zeroed(&memory, 2 * rows * rows, 4 * sizeof(float), "a map of light");
-    if (!t->texels) {
-        return memory.status;
-    }
-    burnish_tasks_run(maps->tasks, (2 * rows + BLOCK - 1) / BLOCK, 1, 0, build_band, &b);
-    return maps->tasks ? burnish_tasks_check(maps->tasks, error) : BURNISH_STATUS_OK;
+    return burnish_light_map_fill(&filler, alpha, &t->size, &t->texels);
 }
 
 static void drop(burnish_light_maps *maps, table *t) {
@@ -359,6 +105,7 @@ void burnish_light_maps_destroy(burnish_light_maps *maps) {
 static void fill_key(const burnish_light_sources *sources, key *k) {
     memset(k, 0, sizeof *k);
     k->distant_count = sources->distant_count;
+    k->largest = sources->largest > 0 ? sources->largest : BURNISH_LIGHT_MAP_LARGEST;
     for (int i = 0; i < sources->distant_count; ++i) {
         const burnish_area_light *from = &sources->distant[i];
         burnish_area_light *to = &k->distant[i];

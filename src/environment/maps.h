@@ -8,8 +8,8 @@
 #include "core/tasks.h"
 #include "shading/light_map.h"
 
-/* The most maps of one alpha each. */
-enum { BURNISH_LIGHT_ALPHAS_MAX = 16 };
+/* The most maps of one alpha each, and the most texels per side of a map. */
+enum { BURNISH_LIGHT_ALPHAS_MAX = 16, BURNISH_LIGHT_MAP_LARGEST = 256 };
 
 /* All in the space of the maps. */
 typedef struct burnish_light_sources {
@@ -20,6 +20,7 @@ typedef struct burnish_light_sources {
     const burnish_environment *environment; /* NULL: none */
     float strength;                         /* factor of the environment, [0, 1e6] */
     double environment_axes[3][3];          /* its axes x, y (up), z: orthonormal rows */
+    int largest; /* texels per side, even, [24, BURNISH_LIGHT_MAP_LARGEST]; 0: the most */
 } burnish_light_sources;
 
 typedef struct burnish_light_maps burnish_light_maps;

@@ -313,16 +313,52 @@ static void add_environment(const burnish_environment_constants *constants,
 
 /* ---- Axes ---- */
 
+/* GGX leans its mirror direction toward N, and is narrower across the plane of N and V: a stretch makes
+ * it round. Fitted together with burnish_light_lobes_near(); shaders/burnish.shade has the same. */
+BURNISH_INLINE void environment_lean(environment_vectors *at, vf r, vf stretch[3]) {
+    const vf one = vf_set(1.0f), x = vf_max(at->n_dot_v, vf_set(0.0f));
+    const vf power = vector_power(r, vf_add(vf_set(1.7f), vf_mul(vf_set(3.3f), x)));
+    const vf lean = vf_div(vf_mul(vf_mul(power, vf_set(1.1f)), r), vf_add(r, vf_set(0.1f)));
+    const vf near_edge = vf_min(vf_max(x, vf_set(0.03f)), one), squared = vf_mul(r, r);
+    const vf root = vf_mul(r, vector_inverse_sqrt(vf_max(r, vf_set(0x1p-40f))));
+    const vf wider = vf_mul(vf_mul(vf_set(1.5f), squared), root);
+    const vf width = vf_add(near_edge, vf_mul(vf_sub(one, near_edge), wider));
+    const vf strength = vf_max(vf_sub(vf_div(one, width), one), vf_set(0.0f));
+    const vf *n = at->normal, *m = at->axis;
+    vf across[3];
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        across[k] = vf_sub(vf_mul(n[i], m[j]), vf_mul(n[j], m[i]));
+    }
+    const vf inverse = vector_inverse_sqrt(vf_max(shade_dot(across, across), vf_set(1e-12f)));
+    const vf size = vf_mul(strength, vector_inverse_sqrt(vf_max(strength, vf_set(0x1p-40f))));
+    for (int k = 0; k < 3; ++k) {
+        stretch[k] = vf_mul(vf_mul(across[k], inverse), size);
+        at->axis[k] = environment_mix(m[k], n[k], lean);
+    }
+    const vf scale = vector_inverse_sqrt(shade_dot(at->axis, at->axis));
+    for (int k = 0; k < 3; ++k) {
+        at->axis[k] = vf_mul(at->axis[k], scale);
+    }
+}
+
 static void reflect_points(const burnish_environment_constants *constants,
                            const burnish_reflecting_material *material,
                            const burnish_kernels_points *points, const float *roughness,
-                           size_t count, float *const axis[3]) {
+                           size_t count, float *const axis[3], float *const stretch[3]) {
     for (size_t i = 0; i < count; i += LANES) {
         environment_vectors at;
+        vf wide[3];
         const vf r = roughness ? vf_load(roughness + i) : vf_set(material->roughness);
-        environment_load(constants, points, material->is_metallic, r, i, &at);
+        environment_load(constants, points, material->is_metallic && !stretch, r, i, &at);
+        if (stretch) {
+            environment_lean(&at, r, wide);
+        }
         for (int k = 0; k < 3; ++k) {
             vf_store(axis[k] + i, at.axis[k]);
+            if (stretch) {
+                vf_store(stretch[k] + i, wide[k]);
+            }
         }
     }
 }

@@ -225,15 +225,8 @@ burnish_status burnish_kernels_polygon_light(const burnish_kernels *kernels,
         status = check_polygon_arrays(&constants, points, axes, light, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        const burnish_kernels_axes none = {.axis = {NULL}}, *given = axes ? axes : &none;
-        float *const diffuse[2] = {light[0], NULL}, *const specular[2] = {NULL, light[1]};
-        const int is_stretched = light[0] && given->stretch[0];
-        or_best(kernels)->polygon_light(&constants, points, given, count,
-                                        is_stretched ? specular : light);
-        if (is_stretched) {
-            constants.lobe_count = 0;
-            or_best(kernels)->polygon_light(&constants, points, &none, count, diffuse);
-        }
+        const burnish_kernels_axes none = {.axis = {NULL}};
+        or_best(kernels)->polygon_light(&constants, points, axes ? axes : &none, count, light);
     }
     burnish_float_mode_leave(float_mode);
     return status;

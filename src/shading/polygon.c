@@ -37,6 +37,7 @@ static burnish_status make_lobes(const burnish_kernels_polygon *polygon,
                             polygon->lobe_count, BURNISH_POLYGON_LOBE_MAX);
     }
     constants->lobe_count = polygon->lobe_count;
+    constants->reach_cosine = 1;
     for (int j = 0; j < polygon->lobe_count; ++j) {
         const burnish_kernels_lobe *lobe = &polygon->lobes[j];
         burnish_polygon_lobe *made = &constants->lobes[j];
@@ -64,7 +65,12 @@ static burnish_status make_lobes(const burnish_kernels_polygon *polygon,
         while (1 << made->squarings < lobe->order) {
             ++made->squarings;
         }
+        const float cosine = (float)(least - 1e-4); /* wider by more than rounding */
+        constants->reach_cosine =
+            cosine < constants->reach_cosine ? cosine : constants->reach_cosine;
     }
+    const double cosine = (double)constants->reach_cosine;
+    constants->reach_sine = (float)burnish_sqrt(cosine > -1 ? 1 - cosine * cosine : 0);
     return BURNISH_STATUS_OK;
 }
 
@@ -191,6 +197,28 @@ static burnish_status find_facing(const shape *made, double *facing, burnish_err
                               "polygon: (0, 0, 0) is in the plane of a distant light");
 }
 
+/* A sphere around the vertices, a little too large. */
+static void find_sphere(burnish_polygon_constants *constants) {
+    const int count = constants->vertex_count;
+    double center[3] = {0, 0, 0}, squared = 0;
+    for (int v = 0; v < count; ++v) {
+        for (int k = 0; k < 3; ++k) {
+            center[k] += (double)constants->vertex[v][k] / count;
+        }
+    }
+    for (int v = 0; v < count; ++v) {
+        double d[3];
+        for (int k = 0; k < 3; ++k) {
+            d[k] = (double)constants->vertex[v][k] - center[k];
+        }
+        squared = dot(d, d) > squared ? dot(d, d) : squared;
+    }
+    for (int k = 0; k < 3; ++k) {
+        constants->center[k] = (float)center[k];
+    }
+    constants->radius = (float)(burnish_sqrt(squared) * 1.0001);
+}
+
 burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *polygon,
                                               burnish_polygon_constants *constants,
                                               burnish_error *error) {
@@ -221,5 +249,6 @@ burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *pol
         constants->normal[k] = (float)made.normal[k];
     }
     constants->offset = (float)offset;
+    find_sphere(constants);
     return make_lobes(polygon, constants, error);
 }

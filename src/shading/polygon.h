@@ -17,6 +17,8 @@ typedef struct burnish_polygon_constants {
     burnish_polygon_lobe lobes[BURNISH_POLYGON_LOBE_MAX];
     float vertex[BURNISH_POLYGON_VERTEX_MAX][3];
     float normal[3], offset; /* unit normal of the bright side, and its product with vertices */
+    float center[3], radius; /* of a sphere around the vertices */
+    float reach_cosine, reach_sine; /* of the widest lobe's cap */
 } burnish_polygon_constants;
 
 /* Checks a polygon and fills *constants. Errors: ARGUMENT. */

@@ -102,13 +102,13 @@ typedef struct polygon_arc {
     vm exists;
 } polygon_arc;
 
-/* One vector of points, in the frame of each. */
+/* One vector of points, for diffuse light in the axes of the scene, for lobes in their frames. */
 typedef struct polygon_point {
     vf normal[3];                             /* unit vector */
     vf vertex[BURNISH_POLYGON_VERTEX_MAX][3]; /* unit vectors, in counterclockwise order */
     vf lowest;                                /* z of the vertices */
     vm faces;                                 /* the light shines here */
-    int has_horizon, has_diffuse;
+    int has_horizon, is_diffuse;
 } polygon_point;
 
 BURNISH_INLINE vf polygon_absolute(vf x) {
@@ -275,9 +275,8 @@ BURNISH_INLINE vf polygon_add_where(vm mask, const polygon_arc *arc, vf sum, vf 
 
 /* The part of an arc with z > 0 in the cap. */
 BURNISH_INLINE void polygon_add_front(const burnish_polygon_lobe *lobe, const polygon_arc *arc,
-                                      polygon_share *share) {
+                                      vm reaches, polygon_share *share) {
     const vf zero = vf_set(0.0f), one = vf_set(1.0f), two = vf_set(2.0f), least = vf_set(0x1p-80f);
-    const vm reaches = polygon_reaches(lobe, arc);
     if (!vm_any(reaches)) {
         return;
     }
@@ -331,9 +330,10 @@ BURNISH_INLINE void polygon_add_lobes(const burnish_polygon_constants *polygon,
     polygon_arc arc = polygon_arc_begin(edge);
     sums->inside = vm_and_not(sums->inside, vm_and(edge->exists, arc.right));
     sums->exists = vm_or(sums->exists, edge->exists);
-    vm reaches = vf_greater(vf_set(0.0f), vf_set(0.0f));
+    vm reaches = vf_greater(vf_set(0.0f), vf_set(0.0f)), each[BURNISH_POLYGON_LOBE_MAX];
     for (int j = 0; j < polygon->lobe_count; ++j) {
-        reaches = vm_or(reaches, polygon_reaches(&polygon->lobes[j], &arc));
+        each[j] = polygon_reaches(&polygon->lobes[j], &arc);
+        reaches = vm_or(reaches, each[j]);
         if (polygon->lobes[j].zeta < 1.0f) {
             reaches = vm_or(reaches, edge->exists);
         }
@@ -343,7 +343,7 @@ BURNISH_INLINE void polygon_add_lobes(const burnish_polygon_constants *polygon,
     }
     polygon_arc_finish(&arc, edge->normal[2]);
     for (int j = 0; j < polygon->lobe_count; ++j) {
-        polygon_add_front(&polygon->lobes[j], &arc, &sums->lobes[j]);
+        polygon_add_front(&polygon->lobes[j], &arc, each[j], &sums->lobes[j]);
         if (polygon->lobes[j].zeta < 1.0f) {
             polygon_add_back(&polygon->lobes[j], &arc, &sums->lobes[j]);
         }
@@ -373,9 +373,17 @@ BURNISH_INLINE vf polygon_angle_by_sine(vf cosine, vf squared_sine) {
     return vf_blend(obtuse, vf_sub(vf_mul(vf_set(3.14159265358979f), root), p), p);
 }
 
-/* Lambert's formula for an arc; cross: from x to. */
-BURNISH_INLINE void polygon_add_diffuse(const polygon_edge *edge, const vf cross[3],
-                                        const polygon_point *at, polygon_sums *sums) {
+/* Lambert's formula for an arc. */
+BURNISH_INLINE void polygon_add_diffuse(const polygon_edge *edge, const polygon_point *at,
+                                        polygon_sums *sums) {
+    vf cross[3], d[3];
+    for (int k = 0; k < 3; ++k) {
+        d[k] = vf_sub(edge->to[k], edge->from[k]);
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        cross[k] = vf_sub(vf_mul(edge->from[i], d[j]), vf_mul(edge->from[j], d[i]));
+    }
     const vf angle =
         polygon_angle_by_sine(shade_dot(edge->from, edge->to), shade_dot(cross, cross));
     const vf diffuse = vf_mul(shade_dot(at->normal, cross), angle);
@@ -416,10 +424,10 @@ BURNISH_INLINE void polygon_cut_normal(polygon_edge *edge, const vf cross[3]) {
     }
 }
 
-/* All edges and the diffuse light; where the horizon cuts, one more edge along the horizon. Returns
- * the number of edges. */
+/* All edges, or their diffuse light, which needs room for one; where the horizon cuts, one more edge
+ * along the horizon. Returns the number of edges. */
 BURNISH_INLINE int polygon_edges(int count, const polygon_point *at, polygon_sums *sums,
-                                 polygon_edge edges[BURNISH_POLYGON_VERTEX_MAX + 1]) {
+                                 polygon_edge *edges) {
     const vf zero = vf_set(0.0f), one = vf_set(1.0f);
     const vf *a = at->vertex[count - 1]; /* count > 2 */
     vf height_a = at->has_horizon ? shade_dot(at->normal, a) : one;
@@ -437,36 +445,41 @@ BURNISH_INLINE int polygon_edges(int count, const polygon_point *at, polygon_sum
         const vm up_b = vm_and(at->faces, vf_greater(height_b, zero));
         const vm exists = vm_or(up_a, up_b);
         if (vm_any(exists)) {
-            polygon_edge edge;
-            edge.exists = exists;
+            polygon_edge *edge = &edges[made];
+            edge->exists = exists;
             const vm leaves = vm_and_not(up_a, up_b), enters = vm_and_not(up_b, up_a);
-            polygon_cross(a, b, cross);
             for (int k = 0; k < 3; ++k) {
-                edge.from[k] = a[k];
-                edge.to[k] = b[k];
-                edge.normal[k] = cross[k];
+                edge->from[k] = a[k];
+                edge->to[k] = b[k];
+            }
+            if (!at->is_diffuse) {
+                polygon_cross(a, b, edge->normal);
             }
             if (vm_any(vm_or(leaves, enters))) {
-                polygon_cut(&edge, leaves, enters, height_a, height_b, &horizon);
-                polygon_cross(edge.from, edge.to, cross);
-                polygon_cut_normal(&edge, cross);
+                polygon_cut(edge, leaves, enters, height_a, height_b, &horizon);
+                if (!at->is_diffuse) {
+                    polygon_cross(edge->from, edge->to, cross);
+                    polygon_cut_normal(edge, cross);
+                }
             }
-            if (at->has_diffuse) {
-                polygon_add_diffuse(&edge, cross, at, sums);
+            if (at->is_diffuse) {
+                polygon_add_diffuse(edge, at, sums);
+            } else {
+                ++made;
             }
-            edges[made++] = edge;
         }
         a = b;
         height_a = height_b;
         up_a = up_b;
     }
     if (vm_any(horizon.exists)) {
-        polygon_cross(horizon.from, horizon.to, cross);
-        polygon_cut_normal(&horizon, cross);
-        if (at->has_diffuse) {
-            polygon_add_diffuse(&horizon, cross, at, sums);
+        if (at->is_diffuse) {
+            polygon_add_diffuse(&horizon, at, sums);
+        } else {
+            polygon_cross(horizon.from, horizon.to, cross);
+            polygon_cut_normal(&horizon, cross);
+            edges[made++] = horizon;
         }
-        edges[made++] = horizon;
     }
     return made;
 }
@@ -506,90 +519,148 @@ BURNISH_INLINE vm polygon_side(const burnish_polygon_constants *polygon, const v
     return behind;
 }
 
-/* A vector in the frame, if there is one, of unit length. */
-BURNISH_INLINE void polygon_turn(int has_frame, const vf frame[3][3], const vf from[3], vf to[3]) {
-    for (int k = 0; k < 3; ++k) {
-        to[k] = has_frame ? shade_dot(frame[k], from) : from[k];
-    }
-    polygon_normalize(to);
-}
+/* A vector of points and a polygon, relative to each point. */
+typedef struct polygon_scene {
+    vf normal[3], position[3], w;
+    vm faces, behind;
+    int turns; /* 1: some points are behind */
+} polygon_scene;
 
 BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
-                                 const burnish_kernels_points *points,
-                                 const burnish_kernels_axes *axes, size_t i, polygon_point *at) {
-    vf frame[3][3], position[3], normal[3], stretch[3], w = vf_set(1.0f);
-    const int has_frame = polygon->lobe_count > 0;
+                                 const burnish_kernels_points *points, size_t i,
+                                 polygon_scene *scene) {
+    scene->w = vf_set(1.0f);
     for (int k = 0; k < 3; ++k) {
-        frame[2][k] = has_frame ? vf_load(axes->axis[k] + i) : vf_set(0.0f);
-        normal[k] = at->has_horizon ? vf_load(points->normal[k] + i) : vf_set(0.0f);
-        stretch[k] = axes->stretch[0] ? vf_load(axes->stretch[k] + i) : vf_set(0.0f);
-        position[k] = polygon->is_distant ? vf_set(0.0f) : vf_load(points->position[k] + i);
+        scene->normal[k] = points->normal[0] ? vf_load(points->normal[k] + i) : vf_set(0.0f);
+        scene->position[k] = polygon->is_distant ? vf_set(0.0f) : vf_load(points->position[k] + i);
     }
     if (!polygon->is_distant && points->w) {
-        w = vf_load(points->w + i);
+        scene->w = vf_load(points->w + i);
     }
-    const vm behind = polygon_side(polygon, position, w, &at->faces);
-    const int turns = polygon->is_two_sided && vm_any(behind);
-    at->lowest = vf_set(1.0f);
-    polygon_frame(frame);
-    polygon_turn(has_frame, (const vf(*)[3])frame, normal, at->normal);
+    scene->behind = polygon_side(polygon, scene->position, scene->w, &scene->faces);
+    scene->turns = polygon->is_two_sided && vm_any(scene->behind);
+}
+
+/* From each point to a vertex, of any length. */
+BURNISH_INLINE void polygon_to_vertex(const burnish_polygon_constants *polygon,
+                                      const polygon_scene *scene, int v, vf to[3]) {
+    const float *front = polygon->vertex[v];
+    const float *back = polygon->vertex[polygon->vertex_count - 1 - v];
+    for (int k = 0; k < 3; ++k) {
+        vf vertex = vf_set(front[k]);
+        if (scene->turns) {
+            vertex = vf_blend(scene->behind, vf_set(back[k]), vertex);
+        }
+        to[k] = vf_sub(vf_mul(scene->w, vertex), scene->position[k]);
+    }
+}
+
+BURNISH_INLINE vf polygon_diffuse(const burnish_polygon_constants *polygon,
+                                  const polygon_scene *scene) {
+    const vf turn = vf_set(0.159154943091895f); /* 1 / (2 pi) */
+    polygon_point at;
+    polygon_sums sums;
+    polygon_edge edge; /* one after the other */
+    at.has_horizon = at.is_diffuse = 1;
+    at.faces = scene->faces;
+    sums.diffuse = vf_set(0.0f);
+    for (int k = 0; k < 3; ++k) {
+        at.normal[k] = scene->normal[k];
+    }
+    polygon_normalize(at.normal);
     for (int v = 0; v < polygon->vertex_count; ++v) {
-        const float *front = polygon->vertex[v];
-        const float *back = polygon->vertex[polygon->vertex_count - 1 - v];
-        vf to_vertex[3];
+        polygon_to_vertex(polygon, scene, v, at.vertex[v]);
+        polygon_normalize(at.vertex[v]);
+    }
+    (void)polygon_edges(polygon->vertex_count, &at, &sums, &edge);
+    return vector_saturate(vf_mul(sums.diffuse, turn));
+}
+
+/* The points whose lobes can reach the polygon: with d from the point to the polygon's centre and the
+ * angles alpha of the widest lobe and beta of a sphere around the polygon, the angle between axis and
+ * d is at most alpha + beta. */
+BURNISH_INLINE vm polygon_touches(const burnish_polygon_constants *polygon,
+                                  const polygon_scene *scene, const vf axis[3], const vf *stretch) {
+    vf d[3], size = vf_mul(polygon_absolute(scene->w), vf_set(polygon->radius));
+    if (polygon->reach_cosine < -2e-4f) {
+        return scene->faces; /* alpha + beta may be more than half a turn */
+    }
+    for (int k = 0; k < 3; ++k) {
+        d[k] = vf_sub(vf_mul(scene->w, vf_set(polygon->center[k])), scene->position[k]);
+    }
+    if (stretch) { /* no vector becomes longer by more than this factor */
+        const vf factor = shade_dot(stretch, d);
+        size = vf_mul(size, vf_add(vf_set(1.0f), shade_dot(stretch, stretch)));
         for (int k = 0; k < 3; ++k) {
-            vf vertex = vf_set(front[k]);
-            if (turns) {
-                vertex = vf_blend(behind, vf_set(back[k]), vertex);
-            }
-            to_vertex[k] = vf_sub(vf_mul(w, vertex), position[k]);
+            d[k] = vf_add(d[k], vf_mul(stretch[k], factor));
         }
-        if (axes->stretch[0]) {
-            const vf factor = shade_dot(stretch, to_vertex);
+    }
+    const vf squared = shade_dot(d, d), rest = vf_sub(squared, vf_mul(size, size));
+    const vf cosine = polygon_root(vf_max(rest, vf_set(0x1p-80f))); /* times abs(d) */
+    const vf bound = vf_sub(vf_mul(vf_set(polygon->reach_cosine), cosine),
+                            vf_mul(vf_set(polygon->reach_sine), size));
+    const vm is_inside = vf_greater(vf_mul(squared, vf_set(1e-3f)), rest);
+    return vm_and(scene->faces, vm_or(is_inside, vf_greater(shade_dot(axis, d), bound)));
+}
+
+/* The frame of each lobe: normal and vertices in it. */
+BURNISH_INLINE void polygon_turn(const burnish_polygon_constants *polygon,
+                                 const polygon_scene *scene, const vf *stretch, vf frame[3][3],
+                                 polygon_point *at) {
+    vf to[3];
+    polygon_frame(frame);
+    for (int k = 0; k < 3; ++k) {
+        at->normal[k] = shade_dot(frame[k], scene->normal);
+    }
+    polygon_normalize(at->normal);
+    at->lowest = vf_set(1.0f);
+    for (int v = 0; v < polygon->vertex_count; ++v) {
+        polygon_to_vertex(polygon, scene, v, to);
+        if (stretch) {
+            const vf factor = shade_dot(stretch, to);
             for (int k = 0; k < 3; ++k) {
-                to_vertex[k] = vf_add(to_vertex[k], vf_mul(stretch[k], factor));
+                to[k] = vf_add(to[k], vf_mul(stretch[k], factor));
             }
         }
-        polygon_turn(has_frame, (const vf(*)[3])frame, to_vertex, at->vertex[v]);
+        for (int k = 0; k < 3; ++k) {
+            at->vertex[v][k] = shade_dot(frame[k], to);
+        }
+        polygon_normalize(at->vertex[v]);
         polygon_avoid_axis(at->vertex[v]);
         at->lowest = vf_min(at->lowest, at->vertex[v][2]);
     }
 }
 
-BURNISH_INLINE void polygon_begin(const burnish_polygon_constants *polygon, const polygon_point *at,
-                                  polygon_sums *sums) {
-    const vf zero = vf_set(0.0f);
-    sums->diffuse = zero;
-    sums->exists = vf_greater(zero, zero);
-    sums->inside = at->faces;
-    for (int j = 0; j < polygon->lobe_count; ++j) {
-        const vm is_whole = vf_greater(at->lowest, vf_set(polygon->lobes[j].least_cosine));
-        sums->lobes[j] = (polygon_share){zero, zero, is_whole};
-    }
-}
-
-/* One vector of points. Not inlined: it is long, and called twice. */
-static __attribute__((noinline)) void polygon_points(const burnish_polygon_constants *polygon,
-                                                     const burnish_kernels_points *points,
-                                                     const burnish_kernels_axes *axes, size_t i,
-                                                     float *const light[2]) {
-    const vf one = vf_set(1.0f), turn = vf_set(0.159154943091895f); /* 1 / (2 pi) */
-    vf specular = vf_set(0.0f);
+BURNISH_INLINE vf polygon_specular(const burnish_polygon_constants *polygon,
+                                   const burnish_kernels_points *points,
+                                   const burnish_kernels_axes *axes, const polygon_scene *scene,
+                                   size_t i) {
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f), turn = vf_set(0.159154943091895f);
+    vf frame[3][3], wide[3], specular = zero;
+    const vf *stretch = axes->stretch[0] ? wide : NULL;
     polygon_point at;
     polygon_sums sums;
     polygon_edge edges[BURNISH_POLYGON_VERTEX_MAX + 1];
     at.has_horizon = points->normal[0] != NULL;
-    at.has_diffuse = light[0] != NULL;
-    polygon_load(polygon, points, axes, i, &at);
-    polygon_begin(polygon, &at, &sums);
-    if (vm_any(at.faces)) {
-        const int count = polygon_edges(polygon->vertex_count, &at, &sums, edges);
-        for (int e = 0; e < count && polygon->lobe_count; ++e) {
-            polygon_add_lobes(polygon, &edges[e], &sums);
-        }
+    at.is_diffuse = 0;
+    for (int k = 0; k < 3; ++k) {
+        frame[2][k] = vf_load(axes->axis[k] + i);
+        wide[k] = stretch ? vf_load(axes->stretch[k] + i) : zero;
     }
-    if (light[0]) {
-        vf_store(light[0] + i, vector_saturate(vf_mul(sums.diffuse, turn)));
+    at.faces = polygon_touches(polygon, scene, frame[2], stretch);
+    if (!vm_any(at.faces)) {
+        return zero;
+    }
+    polygon_turn(polygon, scene, stretch, frame, &at);
+    sums.exists = vf_greater(zero, zero);
+    sums.inside = at.faces;
+    for (int j = 0; j < polygon->lobe_count; ++j) {
+        const vm is_whole = vf_greater(at.lowest, vf_set(polygon->lobes[j].least_cosine));
+        sums.lobes[j] = (polygon_share){zero, zero, is_whole};
+    }
+    const int count = polygon_edges(polygon->vertex_count, &at, &sums, edges);
+    for (int e = 0; e < count; ++e) {
+        polygon_add_lobes(polygon, &edges[e], &sums);
     }
     const vf inside = vf_and_mask(vm_and(sums.inside, sums.exists), one);
     for (int j = 0; j < polygon->lobe_count; ++j) {
@@ -600,7 +671,27 @@ static __attribute__((noinline)) void polygon_points(const burnish_polygon_const
         const vf weight = vf_set(polygon->lobes[j].weight);
         specular = vf_add(specular, vf_mul(weight, vector_saturate(share)));
     }
+    return specular;
+}
+
+/* One vector of points. Not inlined: it is long, and called twice. */
+static __attribute__((noinline)) void polygon_points(const burnish_polygon_constants *polygon,
+                                                     const burnish_kernels_points *points,
+                                                     const burnish_kernels_axes *axes, size_t i,
+                                                     float *const light[2]) {
+    vf diffuse = vf_set(0.0f), specular = vf_set(0.0f);
+    polygon_scene scene;
+    polygon_load(polygon, points, i, &scene);
+    if (light[0]) {
+        if (vm_any(scene.faces)) {
+            diffuse = polygon_diffuse(polygon, &scene);
+        }
+        vf_store(light[0] + i, diffuse);
+    }
     if (light[1]) {
+        if (polygon->lobe_count > 0 && vm_any(scene.faces)) {
+            specular = polygon_specular(polygon, points, axes, &scene, i);
+        }
         vf_store(light[1] + i, specular);
     }
 }

@@ -39,14 +39,17 @@ struct burnish_kernels {
                             float *const rgb[3]);
 
     /* The axes of the lobes of count points, unit vectors: R, for metallic-roughness moved toward N
-     * by alpha^2. roughness: NULL: the material's. Reads and writes whole vectors. */
+     * by alpha^2. With a stretch: GGX's axis and stretch of burnish_light_lobes_near().
+     *   roughness  NULL: the material's
+     *   stretch    or NULL
+     * Reads and writes whole vectors. */
     void (*reflect_points)(const burnish_environment_constants *constants,
                            const burnish_reflecting_material *material,
                            const burnish_kernels_points *points, const float *roughness,
-                           size_t count, float *const axis[3]);
+                           size_t count, float *const axis[3], float *const stretch[3]);
 
-    /* The light of a polygon, as burnish_kernels_polygon_light() of burnish/kernels.h says, but
-     * without diffuse light where there is a stretch. axes: not NULL. */
+    /* The light of a polygon, as burnish_kernels_polygon_light() of burnish/kernels.h says. axes: not
+     * NULL. */
     void (*polygon_light)(const burnish_polygon_constants *polygon,
                           const burnish_kernels_points *points, const burnish_kernels_axes *axes,
                           size_t count, float *const light[2]);

@@ -523,7 +523,7 @@ static void test_bits(void) {
 
 /* FNV-1a over what the scalar kernel gives for fixed input: the same on every processor, with every
  * compiler. A change of the kernel's arithmetic changes it, and pixels too. */
-#define SCALAR_HASH 0xe2cab1d0dfe1cb48u
+#define SCALAR_HASH 0x579044f09220dc35u
 
 static void test_hash(void) {
     static const float corners[5][3] = {

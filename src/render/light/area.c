@@ -5,6 +5,9 @@
 #include "core/numbers.h"
 #include "core/vector.h"
 
+/* The least of the largest sizes of maps. */
+enum { SMALL_MAP = 64 };
+
 /* ---- What shines ---- */
 
 static int is_dark(const float color[3]) {
@@ -64,6 +67,15 @@ static void store_vector(const burnish_area_view *view, int follows_camera, int 
     burnish_vec3_store(turns ? from_camera_space(view, v) : burnish_vec3_load(v), out);
 }
 
+/* A small picture needs no more texels across half of the sphere than half of its pixels. */
+static int largest_map(const burnish_render_options *options) {
+    const int side = options->width > options->height ? options->width : options->height;
+    const int size = side / 4 * 2;
+    return size < SMALL_MAP                   ? SMALL_MAP
+           : size < BURNISH_LIGHT_MAP_LARGEST ? size
+                                              : BURNISH_LIGHT_MAP_LARGEST;
+}
+
 static void gather_sources(const burnish_area *area, const burnish_render_options *options,
                            const burnish_area_view *view,
                            burnish_area_light lights[BURNISH_AREA_LIGHT_MAX],
@@ -71,8 +83,9 @@ static void gather_sources(const burnish_area *area, const burnish_render_option
     static const double y[3] = {0, 1, 0};
     const int in_camera = all_follow_camera(area, options);
     double axes[3][3];
-    *sources =
-        (burnish_light_sources){.distant = lights, .strength = options->environment_strength};
+    *sources = (burnish_light_sources){.distant = lights,
+                                       .strength = options->environment_strength,
+                                       .largest = largest_map(options)};
     for (int i = 0; i < options->area_light_count; ++i) {
         const burnish_area_light *from = &options->area_lights[i];
         if (is_mapped(area, options, i)) {
@@ -302,10 +315,30 @@ static burnish_reflecting_material reflecting(const burnish_material *from, int 
     return to;
 }
 
+/* Finds the materials that triangles have: others need no maps. */
+static burnish_status find_used(burnish_area *area, const burnish_drawn_mesh *mesh,
+                                burnish_memory *memory) {
+    const burnish_mesh_view *view = mesh->view;
+    if (area->used_mesh == view->serial) {
+        return BURNISH_STATUS_OK;
+    }
+    area->used_mesh = 0;
+    area->used = burnish_reserve_discard(memory, area->used, &area->used_capacity,
+                                         mesh->material_count, 1, "materials");
+    if (memory->status == BURNISH_STATUS_OK && mesh->material_count > 0) {
+        memset(area->used, view->triangle_materials == NULL, mesh->material_count);
+        for (size_t t = 0; view->triangle_materials && t < view->triangle_count; ++t) {
+            area->used[view->triangle_materials[t]] = 1;
+        }
+        area->used_mesh = view->serial;
+    }
+    return memory->status;
+}
+
 static burnish_status update_materials(burnish_area *area, const burnish_drawn_mesh *mesh,
                                        const burnish_texturing *texturing, burnish_memory *memory) {
     const int has_colors = mesh->view->colors && !mesh->ignore_colors;
-    burnish_status status;
+    burnish_status status = find_used(area, mesh, memory);
     area->materials =
         burnish_reserve_discard(memory, area->materials, &area->material_capacity,
                                 mesh->material_count, sizeof *area->materials, "materials");
@@ -320,6 +353,7 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
         for (int k = 0; k < 3 && textured && textured->is_varied; ++k) {
             to->reflecting.diffuse[k] = 1; /* points have it */
         }
+        to->reflecting.reflects &= area->used[i];
         if (to->reflecting.reflects) {
             find_alpha(area, textured, to);
         }
@@ -345,6 +379,7 @@ void burnish_area_destroy(burnish_area *area, const burnish_context *context) {
     burnish_light_maps_destroy(area->maps);
     burnish_near_lights_destroy(&area->near_lights, context);
     burnish_release(context, area->materials);
+    burnish_release(context, area->used);
     memset(area, 0, sizeof *area);
 }
 
@@ -377,10 +412,21 @@ static void shine(const burnish_area *area, const burnish_kernels *kernels,
     const burnish_reflecting_material *reflecting = &material->reflecting;
     burnish_near_scratch *scratch = batch->scratch;
     float *const axis[3] = {scratch->axis[0], scratch->axis[1], scratch->axis[2]};
-    burnish_near_batch near = {points, batch->count, -1, 0, each->roughness};
+    float(*const leaned)[BURNISH_NEAR_BATCH] = scratch->leaned;
+    burnish_near_batch near = {.points = points,
+                               .count = batch->count,
+                               .is_stretched = reflecting->is_metallic,
+                               .alpha = -1,
+                               .roughness = each->roughness};
     if (reflecting->reflects) {
         kernels->reflect_points(&area->constants, reflecting, points, each->roughness,
-                                (size_t)batch->count, axis);
+                                (size_t)batch->count, axis, NULL);
+        if (near.is_stretched) {
+            kernels->reflect_points(&area->constants, reflecting, points, each->roughness,
+                                    (size_t)batch->count,
+                                    (float *const[3]){leaned[0], leaned[1], leaned[2]},
+                                    (float *const[3]){leaned[3], leaned[4], leaned[5]});
+        }
         near.alpha = reflecting->has_levels ? area->alpha_count : material->alpha;
         near.level_count = reflecting->has_levels ? BURNISH_LIGHT_LEVELS : 0;
     }

@@ -35,6 +35,9 @@ typedef struct burnish_area {
     burnish_vec3 toward_key;          /* from the object's centre, a unit vector */
     burnish_area_material *materials; /* one per material */
     size_t material_capacity;
+    uint8_t *used; /* one per material: 1: a triangle has it */
+    size_t used_capacity;
+    uint64_t used_mesh; /* burnish_mesh_view.serial; 0: nobody's */
     float alphas[BURNISH_LIGHT_ALPHAS_MAX + BURNISH_LIGHT_LEVELS]; /* of this frame */
     int alpha_count, has_levels, first_level;
     burnish_light_map specular[BURNISH_LIGHT_ALPHAS_MAX]; /* of the alphas */

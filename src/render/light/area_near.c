@@ -15,15 +15,19 @@ void burnish_near_lights_add(burnish_near_lights *lights, const burnish_area_lig
 
 burnish_status burnish_near_lights_prepare(burnish_near_lights *lights, const float *alphas,
                                            int alpha_count, burnish_memory *memory) {
-    const size_t count = (size_t)lights->count;
-    lights->polygons = burnish_reserve_discard(memory, lights->polygons, &lights->polygon_capacity,
-                                               count * ((size_t)alpha_count + 1),
-                                               sizeof *lights->polygons, "area lights");
-    for (size_t i = 0; lights->polygons && i < count * ((size_t)alpha_count + 1); ++i) {
+    const size_t count = (size_t)lights->count, rows = 2 * (size_t)alpha_count + 1;
+    lights->alpha_count = alpha_count;
+    lights->polygons =
+        burnish_reserve_discard(memory, lights->polygons, &lights->polygon_capacity, count * rows,
+                                sizeof *lights->polygons, "area lights");
+    for (size_t i = 0; lights->polygons && i < count * rows; ++i) {
         const burnish_area_light *light = &lights->lights[i % count];
-        const burnish_light_lobes lobes =
-            burnish_light_lobes_for(i < count ? 1 : alphas[i / count - 1]);
-        burnish_area_polygon(light, i < count ? NULL : &lobes, &lights->polygons[i]);
+        const size_t row = i / count, stretched = (size_t)alpha_count;
+        const float alpha = row > 0 ? alphas[(row - 1) % stretched] : 1;
+        const burnish_light_lobes lobes = row > stretched && !light->is_distant
+                                              ? burnish_light_lobes_near(alpha)
+                                              : burnish_light_lobes_for(alpha);
+        burnish_area_polygon(light, row > 0 ? &lobes : NULL, &lights->polygons[i]);
     }
     return memory->status;
 }
@@ -73,41 +77,51 @@ static void find_levels(const burnish_near_batch *batch, int *first, int *end) {
     *end = (most < 1 ? (int)(most * steps) : batch->level_count - 2) + 2;
 }
 
+/* Adds one light: diffuse light once, specular light for each alpha [first, end). */
+static void add_light(const burnish_near_lights *lights, const burnish_kernels *kernels,
+                      const burnish_near_batch *batch, int number, const int alphas[2],
+                      burnish_near_scratch *scratch) {
+    const burnish_area_light *light = &lights->lights[number];
+    const int leans = batch->is_stretched && !light->is_distant;
+    float(*const axis)[BURNISH_NEAR_BATCH] = leans ? scratch->leaned : scratch->axis;
+    burnish_kernels_axes axes = {.axis = {axis[0], axis[1], axis[2]}};
+    const float *lit = number == lights->key ? batch->points->first_light : NULL;
+    const int before = batch->is_stretched ? 1 + lights->alpha_count : 1; /* rows */
+    for (int k = 0; k < 3 && leans; ++k) {
+        axes.stretch[k] = axis[3 + k];
+    }
+    for (int i = alphas[0]; i < alphas[1]; ++i) {
+        const int row = batch->alpha < 0 ? 0 : before + i;
+        float *const out[2] = {i == alphas[0] ? scratch->light[0] : NULL,
+                               batch->alpha < 0 ? NULL : scratch->light[1]};
+        kernels->polygon_light(&lights->polygons[row * lights->count + number], batch->points,
+                               &axes, (size_t)batch->count, out);
+        if (batch->level_count > 0) {
+            weigh(batch, i - batch->alpha, scratch->light[1]);
+        }
+        for (int k = 0; k < 2; ++k) {
+            if (out[k] && lit) {
+                cast_shadow(lit, batch->count, out[k]);
+            }
+            if (out[k]) {
+                add_colored(light->color, out[k], batch->count,
+                            k == 0 ? scratch->diffuse : scratch->specular);
+            }
+        }
+    }
+}
+
 void burnish_near_lights_shine(const burnish_near_lights *lights, const burnish_kernels *kernels,
                                const burnish_near_batch *batch, burnish_near_scratch *scratch) {
-    const burnish_kernels_axes axes = {
-        .axis = {scratch->axis[0], scratch->axis[1], scratch->axis[2]}};
-    const size_t count = (size_t)batch->count;
-    int first = batch->alpha, end = batch->alpha + 1;
+    int alphas[2] = {batch->alpha, batch->alpha + 1};
     memset(scratch->diffuse, 0, sizeof scratch->diffuse);
     memset(scratch->specular, 0, sizeof scratch->specular);
     if (batch->level_count > 0) {
-        find_levels(batch, &first, &end);
-        first += batch->alpha;
-        end += batch->alpha;
+        find_levels(batch, &alphas[0], &alphas[1]);
+        alphas[0] += batch->alpha;
+        alphas[1] += batch->alpha;
     }
     for (int l = 0; l < lights->count; ++l) {
-        const burnish_polygon_constants *polygon = &lights->polygons[l];
-        for (int i = first; i < end || i == first; ++i) {
-            /* lobes are in the row after the alpha's number; diffuse light once */
-            float *const light[2] = {i == first ? scratch->light[0] : NULL,
-                                     batch->alpha < 0 ? NULL : scratch->light[1]};
-            kernels->polygon_light(polygon + (i + 1) * lights->count, batch->points, &axes, count,
-                                   light);
-            for (int k = 0; l == lights->key && batch->points->first_light && k < 2; ++k) {
-                if (light[k]) {
-                    cast_shadow(batch->points->first_light, batch->count, light[k]);
-                }
-            }
-            if (i == first) {
-                add_colored(lights->lights[l].color, light[0], batch->count, scratch->diffuse);
-            }
-            if (batch->level_count > 0) {
-                weigh(batch, i - batch->alpha, scratch->light[1]);
-            }
-            if (light[1]) {
-                add_colored(lights->lights[l].color, light[1], batch->count, scratch->specular);
-            }
-        }
+        add_light(lights, kernels, batch, l, alphas, scratch);
     }
 }

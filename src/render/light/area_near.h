@@ -14,7 +14,9 @@ typedef struct burnish_near_lights {
     int count;
     burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
     int key; /* the light that casts a shadow, which may be distant, or -1 */
-    burnish_polygon_constants *polygons; /* `count` without lobes, then `count` for each alpha */
+    int alpha_count;
+    burnish_polygon_constants *polygons; /* `count` without lobes, then `count` for each alpha, then
+                                            `count` for each with GGX's lobes and stretch */
     size_t polygon_capacity;
 } burnish_near_lights;
 
@@ -29,6 +31,7 @@ burnish_status burnish_near_lights_prepare(burnish_near_lights *lights, const fl
 typedef struct burnish_near_batch {
     const burnish_kernels_points *points;
     int count;
+    int is_stretched;       /* 1: GGX's lobes and stretch for near lights */
     int alpha;              /* number in the alphas; -1: no lobes */
     int level_count;        /* > 0: so many alphas from `alpha` on are levels, of roughness k /
                                (level_count - 1) */
@@ -37,13 +40,14 @@ typedef struct burnish_near_batch {
 
 /* A thread's arrays. */
 typedef struct burnish_near_scratch {
-    float axis[3][BURNISH_NEAR_BATCH];
+    float axis[3][BURNISH_NEAR_BATCH];   /* as in maps */
+    float leaned[6][BURNISH_NEAR_BATCH]; /* GGX's axis and stretch */
     float diffuse[3][BURNISH_NEAR_BATCH], specular[3][BURNISH_NEAR_BATCH]; /* light that arrives */
     float light[2][BURNISH_NEAR_BATCH], roughness[BURNISH_NEAR_BATCH];
 } burnish_near_scratch;
 
 /* Light of all lights in scratch->diffuse and scratch->specular.
- *   scratch  its axes are read unless alpha is -1 */
+ *   scratch  its axes are read unless alpha is -1, the leaned ones if is_stretched */
 void burnish_near_lights_shine(const burnish_near_lights *lights, const burnish_kernels *kernels,
                                const burnish_near_batch *batch, burnish_near_scratch *scratch);
 
