@@ -3,7 +3,9 @@
 #include <math.h>
 
 #include "burnish/render.h"
+#include "environment/areas.h"
 #include "environment/lobes.h"
+#include "shading/shading_ops.h"
 #include "support.h"
 
 enum { SIDE = 96 };
@@ -272,6 +274,105 @@ static void refuse(const burnish_mesh *mesh, const burnish_render_options *optio
     CHECK_TEXT(error.text, message);
 }
 
+/* ---- GGX under near lights ---- */
+
+static double drawn(void) {
+    return (rand() + 0.5) / (RAND_MAX + 1.0);
+}
+
+/* Whether a ray from the origin meets a light. */
+static int meets(const burnish_area_light *light, const vec w) {
+    const double *u = light->half_u, *v = light->half_v, *c = light->center;
+    const vec n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double t = dot(n, c) / dot(n, w);
+    const vec d = {t * w[0] - c[0], t * w[1] - c[1], t * w[2] - c[2]};
+    return t > 0 && fabs(dot(d, u)) <= dot(u, u) && fabs(dot(d, v)) <= dot(v, v);
+}
+
+/* The mean of a light of radiance 1 under GGX with Smith's correlated shadowing, N being z: sums over
+ * half vectors drawn from the distribution. */
+static double ggx_mean(const burnish_area_light *light, const vec viewer, double alpha) {
+    const double a2 = alpha * alpha;
+    double sum = 0, all = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const double r = drawn(), phi = 2 * M_PI * drawn();
+        const double z = sqrt((1 - r) / (1 + (a2 - 1) * r)), s = sqrt(1 - z * z);
+        const vec h = {s * cos(phi), s * sin(phi), z};
+        const double v_h = dot(viewer, h);
+        const vec w = {2 * v_h * h[0] - viewer[0], 2 * v_h * h[1] - viewer[1],
+                       2 * v_h * h[2] - viewer[2]};
+        if (v_h > 0 && w[2] > 0) {
+            const double to_v = w[2] * sqrt(a2 + (1 - a2) * viewer[2] * viewer[2]);
+            const double to_w = viewer[2] * sqrt(a2 + (1 - a2) * w[2] * w[2]);
+            const double weight = w[2] / (to_v + to_w) * v_h / z;
+            all += weight;
+            sum += meets(light, w) ? weight : 0;
+        }
+    }
+    return sum / all;
+}
+
+/* The renderer's mean for one point at the origin, with GGX's stretch or without. */
+static double lobe_mean(const burnish_area_light *light, const vec viewer, float roughness,
+                        int is_stretched) {
+    const burnish_kernels *kernels = burnish_kernels_best();
+    const float alpha = roughness * roughness;
+    const burnish_light_lobes lobes =
+        is_stretched ? burnish_light_lobes_near(alpha) : burnish_light_lobes_for(alpha);
+    burnish_environment_constants constants = {.local_viewer = 0};
+    const burnish_reflecting_material material = {
+        .roughness = roughness, .is_metallic = 1, .reflects = 1};
+    float arrays[14][16] = {{0}}, *a[14];
+    burnish_polygon_constants polygon;
+    for (int k = 0; k < 14; ++k) {
+        a[k] = arrays[k];
+    }
+    for (int i = 0; i < 16; ++i) {
+        arrays[2][i] = arrays[6][i] = 1;
+    }
+    const burnish_kernels_points points = {
+        .normal = {a[0], a[1], a[2]}, .position = {a[3], a[4], a[5]}, .w = a[6]};
+    const burnish_kernels_axes axes = {{a[7], a[8], a[9]},
+                                       {is_stretched ? a[10] : NULL, a[11], a[12]}};
+    for (int k = 0; k < 3; ++k) {
+        constants.viewer[k] = (float)viewer[k];
+    }
+    CHECK1(burnish_area_polygon(light, &lobes, &polygon));
+    kernels->reflect_points(&constants, &material, &points, NULL, 1,
+                            (float *const[3]){a[7], a[8], a[9]},
+                            is_stretched ? (float *const[3]){a[10], a[11], a[12]} : NULL);
+    kernels->polygon_light(&polygon, &points, &axes, 1, (float *const[2]){NULL, a[13]});
+    return (double)arrays[13][0];
+}
+
+/* The stretch makes the error of near lights smaller. */
+static void test_ggx(void) {
+    static const float roughnesses[] = {0.2f, 0.4f, 0.6f, 0.8f};
+    for (int k = 0; k < 4; ++k) {
+        const double r = (double)roughnesses[k];
+        double squares[2] = {0, 0};
+        for (int i = 0; i < 50; ++i) {
+            const double tilt = 0.5 * M_PI * (0.05 + 0.85 * drawn());
+            const vec viewer = {sin(tilt), 0, cos(tilt)};
+            burnish_area_light light = {.is_two_sided = 1};
+            for (int j = 0; j < 3; ++j) { /* near the mirror direction */
+                light.center[j] = (j < 2 ? -viewer[j] : viewer[j]) + 0.8 * (drawn() - 0.5);
+            }
+            light.center[2] = fmax(light.center[2], 0.1);
+            light.half_u[0] = 0.1 + 0.4 * drawn();
+            light.half_v[1] = 0.1 + 0.4 * drawn();
+            const double truth = ggx_mean(&light, viewer, r * r);
+            for (int j = 0; j < 2; ++j) {
+                const double d = lobe_mean(&light, viewer, roughnesses[k], j) - truth;
+                squares[j] += d * d / 50;
+            }
+        }
+        printf("  GGX, roughness %.1f: error %.4f, stretched %.4f\n", r, sqrt(squares[0]),
+               sqrt(squares[1]));
+        CHECK(squares[1] < (k < 3 ? 0.5 : 1.2) * squares[0], "roughness %g", r);
+    }
+}
+
 static void test_refused(burnish_mesh *mesh) {
     const burnish_area_light good = {
         .center = {0, 0, 2}, .half_u = {1, 0, 0}, .half_v = {0, 1, 0}, .color = {1, 1, 1}};
@@ -320,6 +421,7 @@ int main(int count, char **arguments) {
     RUN(test_furnace(mesh));
     RUN(test_sums(mesh));
     RUN(test_small(mesh));
+    RUN(test_ggx());
     RUN(test_refused(mesh));
     burnish_mesh_destroy(mesh);
     return test_end("area");
