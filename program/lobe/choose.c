@@ -3,13 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lobe/choose_sum.h"
 #include "lobe/lists.h"
 #include "lobe/lobe.h"
 
 typedef struct choose_settings {
     const char *output;
-    cli_real exponent, epsilon;
-    int affine, format;
+    cli_real exponent, roughness, epsilon;
+    int affine, distribution, format;
 } choose_settings;
 
 static cli_work work;
@@ -18,10 +19,19 @@ static cli_work work;
 
 static const cli_flag choose_flags[] = {
     {.group = "Requirements",
-     CLI_FLAG("exponent", "N", "exponent of cos^n to replace, from 1 to 65536; required",
-              cli_flag_real, exponent),
+     CLI_FLAG("exponent", "N", "exponent of cos^n to replace, from 1 to 65536", cli_flag_real,
+              exponent),
      CLI_RANGE(1, 65536),
-     .manual = "Exponent of the cos^n that the lobe replaces. Required."},
+     .manual = "Exponent of the cos^n that the lobe replaces. Required without *--roughness*."},
+    {CLI_FLAG("roughness", "R", "a rough surface instead of cos^n, 0.001 to 1", cli_flag_real,
+              roughness),
+     CLI_RANGE(1e-3, 1),
+     .manual = "Instead of a lobe for cos^n, the sum of the fewest lobes for a rough surface: see "
+               "*burnish lobe rough*. *--epsilon* then limits the energy in the wrong direction."},
+    {CLI_FLAG("distribution", "NAME", "distribution of normals, with --roughness", cli_flag_word,
+              distribution),
+     .default_text = "ggx", .words = lobe_distribution_words,
+     .manual = "*ggx* or *beckmann*, with *--roughness*."},
     {CLI_FLAG("epsilon", "E", "largest error allowed, between 0 and 1, such as 0.02; required",
               cli_flag_angle, epsilon),
      CLI_RANGE(0, 1),
@@ -37,6 +47,7 @@ static const cli_flag choose_flags[] = {
 static const cli_example examples[] = {
     {"burnish lobe choose --exponent=100 --epsilon=0.02", "constants for C, and other candidates"},
     {"burnish lobe choose --exponent=20 --epsilon=0.03 --affine", "with a peak below 1"},
+    {"burnish lobe choose --roughness=0.4 --epsilon=0.05", "a sum of lobes for GGX"},
     {NULL, NULL},
 };
 
@@ -246,11 +257,22 @@ static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     const choose_settings *settings = target;
     result r = {.settings = settings};
     (void)call;
+    if (settings->roughness.given && settings->epsilon.given && !settings->exponent.given) {
+        const lobe_sum_wish wish = {(burnish_theory_distribution)settings->distribution,
+                                    settings->roughness.value, settings->epsilon.value,
+                                    (cli_format)settings->format, settings->output};
+        return lobe_choose_sum(&wish, error);
+    }
+    if (settings->roughness.given && settings->exponent.given) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--roughness: not available with --exponent; omit one of them");
+    }
     if (!settings->exponent.given || !settings->epsilon.given) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "lobe choose: --%s is missing; try \"burnish lobe choose "
                         "--exponent=100 --epsilon=0.02\"",
-                        settings->exponent.given ? "epsilon" : "exponent");
+                        settings->exponent.given || settings->roughness.given ? "epsilon"
+                                                                              : "exponent");
     }
     burnish_status status = choose(&r, error);
     if (status != BURNISH_STATUS_OK) {

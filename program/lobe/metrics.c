@@ -95,6 +95,35 @@ static double memory(const burnish_theory_model *model) {
     return (double)burnish_theory_model_cost(model).memory;
 }
 
+/* A sum of `lobes` lobes for the roughness of the model's exponent against a rough surface. */
+static burnish_theory_lobe_sum_error sum_error(burnish_theory_distribution distribution,
+                                               const burnish_theory_model *model, double lobes) {
+    const double alpha = burnish_theory_alpha_from_exponent(model->exponent);
+    burnish_theory_lobe_sum sum;
+    burnish_theory_lobe_sum_error errors = {NAN, NAN, NAN};
+    if (burnish_theory_lobe_sum_fit(distribution, fmin(alpha, 1), (int)lobes, &sum, NULL) ==
+        BURNISH_STATUS_OK) {
+        burnish_theory_lobe_sum_compare(distribution, fmin(alpha, 1), &sum, &errors);
+    }
+    return errors;
+}
+
+static double ggx_moved(const burnish_theory_model *model, double lobes) {
+    return sum_error(BURNISH_THEORY_GGX, model, lobes).moved;
+}
+
+static double ggx_cap(const burnish_theory_model *model, double lobes) {
+    return sum_error(BURNISH_THEORY_GGX, model, lobes).cap;
+}
+
+static double beckmann_moved(const burnish_theory_model *model, double lobes) {
+    return sum_error(BURNISH_THEORY_BECKMANN, model, lobes).moved;
+}
+
+static double beckmann_cap(const burnish_theory_model *model, double lobes) {
+    return sum_error(BURNISH_THEORY_BECKMANN, model, lobes).cap;
+}
+
 /* ---- The metrics ---- */
 
 #define DIFFERENCE(member) .difference_at = offsetof(lobe_facts, difference.member)
@@ -194,6 +223,17 @@ static const lobe_metric metrics[] = {
     {"functions", "functions", "fn", "", 0, 0, "calls of pow, exp or acos", COST(transcendentals)},
     {"lookups", "lookups", "look", "", 0, 0, "reads of a table", COST(lookups)},
     {"memory", "memory_entries", "memory", "entries", 0, 0, "its size", .of_model = memory},
+
+    {"ggx-moved", "ggx_moved_percent", "GGX moved", "%", 2, 'c',
+     "energy in the wrong direction of a sum of so many lobes for GGX of this roughness, whatever "
+     "the lobe",
+     .at = ggx_moved},
+    {"ggx-cap", "ggx_cap_percent", "GGX cap", "%", 2, 'c',
+     "its largest error of the light from a round light", .at = ggx_cap},
+    {"beckmann-moved", "beckmann_moved_percent", "Beck. moved", "%", 2, 'c',
+     "the same for Beckmann", .at = beckmann_moved},
+    {"beckmann-cap", "beckmann_cap_percent", "Beck. cap", "%", 2, 'c', "the same for Beckmann",
+     .at = beckmann_cap},
 };
 
 enum { METRIC_COUNT = sizeof metrics / sizeof *metrics };
@@ -215,12 +255,13 @@ double lobe_metric_value(const lobe_metric_choice *choice, const lobe_facts *fac
 static const struct {
     const char *name, *first, *end;
 } groups[] = {
-    {"all", "zeta", NULL},
+    {"all", "zeta", "ggx-moved"},
     {"shape", "zeta", "zero-angle"},
     {"widths", "zero-angle", "integral"},
     {"energies", "integral", "max-error"},
     {"errors", "max-error", "multiplications"},
-    {"cost", "multiplications", NULL},
+    {"cost", "multiplications", "ggx-moved"},
+    {"sums", "ggx-moved", NULL},
 };
 
 void lobe_each_metric(cli_take_term *take) {
@@ -231,6 +272,7 @@ void lobe_each_metric(cli_take_term *take) {
                  takes == 'q'   ? "[:_BITS_]"
                  : takes == 'a' ? "[:_DEG_]"
                  : takes == 'l' ? "[:_LENGTH_]"
+                 : takes == 'c' ? "[:_LOBES_]"
                                 : "");
         take(tag, metrics[i].what);
     }
@@ -256,9 +298,9 @@ static burnish_status add(const char *flag, lobe_metric_list *list, const lobe_m
     return BURNISH_STATUS_OK;
 }
 
-/* Default arguments: 8 bits, 10 degrees, a mean length of 0.9. */
+/* Default arguments: 8 bits, 10 degrees, a mean length of 0.9, 3 lobes. */
 static double default_argument(char takes) {
-    return takes == 'q' ? 8 : takes == 'a' ? 10 : 0.9;
+    return takes == 'q' ? 8 : takes == 'a' ? 10 : takes == 'c' ? 3 : 0.9;
 }
 
 static burnish_status add_group(const char *flag, lobe_metric_list *list, const char *first,
@@ -292,20 +334,23 @@ static burnish_status add_item(const char *flag, const char *item, size_t length
     for (size_t i = 0; i < METRIC_COUNT; ++i) {
         const lobe_metric *metric = &metrics[i];
         double argument = default_argument(metric->takes);
-        double high = metric->takes == 'q' ? 1024 : metric->takes == 'a' ? 90 : 1;
+        const char takes = metric->takes;
+        const double high = takes == 'q' ? 1024 : takes == 'a' ? 90 : takes == 'c' ? 3 : 1;
+        const double low = takes == 'q' ? 1e-300 : takes == 'c' ? 1 : 0;
         if (!matches(metric->name, item, name)) {
             continue;
         }
         if (name < length &&
-            (!metric->takes || !cli_read_real(item + name + 1, length - name - 1, &argument) ||
-             !(argument >= 0 && argument <= high && (metric->takes != 'q' || argument > 0)))) {
-            return cli_fail(
-                error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.*s\": %s %s", flag,
-                length < 60 ? (int)length : 60, item, metric->name,
-                metric->takes == 'q'   ? "takes bits above 0 and up to 1024, as in angle:8"
-                : metric->takes == 'a' ? "takes degrees from 0 to 90, as in value:10"
-                : metric->takes == 'l' ? "takes a length from 0 to 1, as in toksvig:0.9"
-                                       : "takes no number; remove the text after the colon");
+            (!takes || !cli_read_real(item + name + 1, length - name - 1, &argument) ||
+             !(argument >= low && argument <= high &&
+               (takes != 'c' || argument == floor(argument))))) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.*s\": %s %s", flag,
+                            length < 60 ? (int)length : 60, item, metric->name,
+                            takes == 'q'   ? "takes bits above 0 and up to 1024, as in angle:8"
+                            : takes == 'a' ? "takes degrees from 0 to 90, as in value:10"
+                            : takes == 'l' ? "takes a length from 0 to 1, as in toksvig:0.9"
+                            : takes == 'c' ? "takes 1, 2 or 3 lobes, as in ggx-moved:2"
+                                           : "takes no number; remove the text after the colon");
         }
         return add(flag, list, metric, argument, error);
     }

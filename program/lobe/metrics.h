@@ -17,7 +17,8 @@ typedef struct lobe_metric {
     const char *key;            /* of CSV and JSON */
     const char *heading, *unit; /* "deg" and "%": values are in radians and parts of 1 */
     int decimals;               /* as cli_column */
-    char takes;                 /* 0; 'q': name:BITS; 'a': name:DEGREES; 'l': name:LENGTH */
+    char takes;                 /* 0; 'q': name:BITS; 'a': name:DEGREES; 'l': name:LENGTH; 'c':
+                                   name:LOBES */
     const char *what;           /* for the man page */
     /* source of the value, one of these */
     double (*of_model)(const burnish_theory_model *model);
@@ -43,7 +44,7 @@ typedef struct lobe_metric_list {
 /* All metrics for the man page. */
 void lobe_each_metric(cli_take_term *take);
 
-/* Names, NAME:ARGUMENT and groups (widths, energy, errors, cost, shape, all) between commas. */
+/* Names, NAME:ARGUMENT and groups (widths, energies, errors, cost, shape, all, sums) between commas. */
 burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metric_list *list,
                                  burnish_error *error);
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/values.h"
+#include "lobe/choose_sum.h"
 #include "lobe/lobe.h"
 
 enum { ROUGH_MAX = 64, ROUGH_COLUMNS = 15 };
@@ -16,16 +17,13 @@ static cli_work work;
 
 #define TARGET(member) .offset = offsetof(rough_settings, member)
 
-static const cli_word distribution_words[] = {
-    {"ggx", BURNISH_THEORY_GGX}, {"beckmann", BURNISH_THEORY_BECKMANN}, {NULL, 0}};
-
 static const cli_flag rough_flags[] = {
     {.group = "Contents",
      CLI_FLAG("roughness", "LIST", "roughnesses above 0, up to 1", cli_flag_text, roughness),
      .default_text = "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1",
      .manual = "Roughnesses, between commas: the square roots of alpha."},
     {CLI_FLAG("distribution", "NAME", "distribution of normals", cli_flag_word, distribution),
-     .default_text = "ggx", .words = distribution_words, .manual = "*ggx* or *beckmann*."},
+     .default_text = "ggx", .words = lobe_distribution_words, .manual = "*ggx* or *beckmann*."},
     {CLI_FLAG("lobes", "N", "number of lobes, 1 to 3", cli_flag_integer, lobes), CLI_RANGE(1, 3),
      .default_text = "3", .manual = "Number of lobes in a sum."},
     CLI_FORMAT_FLAG(rough_settings, cli_table_format_words, "text"),

@@ -28,7 +28,7 @@ static const cli_flag table_flags[] = {
      .default_text = "10,100",
      .manual = "Exponents from 1 to 65536 between commas, and ranges of them: *1-1023* in steps of "
                "1, *10-100:10* in steps of 10, *2-1024x2* doubling."},
-    {CLI_FLAG("metrics", "LIST", "columns: names, shape, widths, energies, errors, cost, all",
+    {CLI_FLAG("metrics", "LIST", "columns: names, shape, widths, energies, errors, cost, all, sums",
               cli_flag_text, metrics),
      .default_text = "zeta,max-error,max-error-angle,rms,energy,zero-angle,ratio,multiplications,"
                      "additions,comparisons,divisions,functions",
@@ -54,8 +54,10 @@ static const cli_example examples[] = {
 static const cli_section sections[] = {
     {.heading = "METRICS",
      .text = "The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
-             "*errors* and *cost* are subsets, *all* has every column. _BITS_ (default 8), _DEG_ "
-             "(10) and _LENGTH_ (0.9) follow a colon, as in *angle:4*.",
+             "*errors* and *cost* are subsets, *all* has every column but those of *sums*, which "
+             "are of "
+             "sums of lobes and not of the row's lobe. _BITS_ (default 8), _DEG_ (10), _LENGTH_ "
+             "(0.9) and _LOBES_ (3) follow a colon, as in *angle:4*.",
      .each_term = lobe_each_metric},
     {.heading = NULL},
 };

@@ -151,6 +151,14 @@ error=$(awk '/float A/ { a = $6 + 0 } /float B/ { b = $6 + 0 } END {
     for (i = 0; i <= 20000; ++i) { c = i / 20000; u = a * c + b; u = u > 0 ? u : 0
         d = u^8 - c^20; d = d < 0 ? -d : d; m = d > m ? d : m } printf "%.5f", m }' "$out")
 check "constants give $error" grep -q "largest error  $error\$" "$out"
+run lobe choose --roughness=0.4 --epsilon=0.07
+check "two lobes for GGX" grep -q '^2 lobes are within 0.07 of the energy of GGX at roughness 0.4' "$out"
+# the weights of the code at c = 1 are the peak: share of the energy times zeta (order + 1) / (2 pi)
+peak=$(awk '/specular/ { sum += $3 + 0 } END { print sum }' "$out")
+run lobe choose --roughness=0.4 --epsilon=0.07 --format=json
+check "its code has the peak" near "$peak" "($(json weight | head -n 1) * $(json zeta | head -n 1) * 5 + $(json weight | tail -n 1) * $(json zeta | tail -n 1) * 2) / 6.2831853" 1e-5
+run lobe table --lobes=power --exponents=76.125 --metrics=ggx-moved:2 --format=json
+check "lobe table knows the sums" near "$(json ggx_moved_percent_2)" 6.85 0.01
 run lobe choose --exponent=20 --epsilon=0.0003
 check "nothing but the power" grep -q '^power is the cheapest' "$out"
 
@@ -201,6 +209,9 @@ expect 2 'burnish: lobe claims: "core": unknown claim; did you mean core-w?' lob
 expect 2 'burnish: lobe claims: "b" is an extra operand; usage: burnish lobe claims [ID] [options]' lobe claims a b
 expect 2 'burnish: lobe choose: --exponent is missing; try "burnish lobe choose --exponent=100 --epsilon=0.02"' lobe choose
 expect 2 'burnish: lobe choose: --epsilon is missing; try "burnish lobe choose --exponent=100 --epsilon=0.02"' lobe choose --exponent=9
+expect 2 'burnish: --roughness: not available with --exponent; omit one of them' lobe choose --exponent=9 --roughness=0.5 --epsilon=0.1
+expect 2 'burnish: --epsilon: no sum of 3 lobes is that close; use at least 0.029' lobe choose --roughness=0.4 --epsilon=0.01
+expect 2 'burnish: --metrics: "ggx-moved:4": ggx-moved takes 1, 2 or 3 lobes, as in ggx-moved:2' lobe table --metrics=ggx-moved:4
 expect 2 'burnish: --epsilon: "1" is not a number between 0 and 1' lobe choose --exponent=9 --epsilon=1
 nothing_left "wrong usage"
 
