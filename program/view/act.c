@@ -18,7 +18,7 @@
 
 static stamp stamp_of(const char *path) {
     struct stat info;
-    if (path[0] == ':' || stat(path, &info) != 0) {
+    if (!path || path[0] == ':' || stat(path, &info) != 0) {
         return (stamp){.size = -1};
     }
     return (stamp){info.st_size, info.st_mtim.tv_sec, info.st_mtim.tv_nsec, (long long)info.st_ino};
@@ -29,8 +29,15 @@ static int is_same(const stamp *a, const stamp *b) {
            a->number == b->number;
 }
 
+/* The files of the scene: its input, its environment or NULL. */
+static const char *file_at(const viewer *v, int i) {
+    return i == 0 ? v->scene.input : v->scene.given.shading.environment.name;
+}
+
 void viewer_mark_file(viewer *v) {
-    v->shown = v->seen = stamp_of(v->scene.input);
+    for (int i = 0; i < 2; ++i) {
+        v->shown[i] = v->seen[i] = stamp_of(file_at(v, i));
+    }
 }
 
 /* Loads the scene; shows a message if it fails. */
@@ -56,14 +63,20 @@ static void reload(viewer *v, int is_new) {
 }
 
 void viewer_look_at_file(viewer *v) {
-    const stamp found = stamp_of(v->scene.input);
-    if (found.size >= 0 && !is_same(&found, &v->shown) && is_same(&found, &v->seen)) {
-        reload(v, 1);
+    int has_changed[2];
+    for (int i = 0; i < 2; ++i) {
+        const stamp found = stamp_of(file_at(v, i));
+        has_changed[i] =
+            found.size >= 0 && !is_same(&found, &v->shown[i]) && is_same(&found, &v->seen[i]);
+        v->seen[i] = found;
+    }
+    if (has_changed[0] || has_changed[1]) {
+        v->scene.environment_is_old |= has_changed[1];
+        reload(v, has_changed[0]);
         if (v->is_dirty) {
             viewer_show_message(v, "The file has changed: read again");
         }
     }
-    v->seen = found;
 }
 
 void viewer_open(viewer *v, char *name) {

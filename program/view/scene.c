@@ -60,6 +60,8 @@ static burnish_status cut(const render_clip *clip, burnish_mesh *mesh, burnish_e
 burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
     render_settings settings = scene->given;
     burnish_mesh *mesh = NULL;
+    render_environment read = {0};
+    const int reads = !scene->environment.environment || scene->environment_is_old;
     settings.input.name = scene->input;
     add_section(scene, &settings.input.clip);
     burnish_render_options options = render_make_options(&settings);
@@ -82,12 +84,18 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
     if (status == BURNISH_STATUS_OK) {
         status = render_adjust_materials(&settings.shading, mesh, error);
     }
-    if (status == BURNISH_STATUS_OK && !scene->environment.environment) {
-        status = render_load_environment(&settings, NULL, &scene->environment, error);
+    if (status == BURNISH_STATUS_OK && reads) {
+        status = render_load_environment(&settings, NULL, &read, error);
     }
     if (status != BURNISH_STATUS_OK) {
+        render_release_environment(&read);
         burnish_mesh_destroy(mesh);
         return status;
+    }
+    if (reads) {
+        render_release_environment(&scene->environment);
+        scene->environment = read;
+        scene->environment_is_old = 0;
     }
     options.environment = scene->environment.environment;
     burnish_mesh_destroy(scene->mesh);

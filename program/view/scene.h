@@ -30,6 +30,7 @@ typedef struct view_scene {
     view_section section;
     burnish_mesh *mesh;
     render_environment environment;
+    int environment_is_old; /* 1: its file has changed */
     burnish_render_options options;
     double low[3], high[3]; /* bounds of the whole mesh in the file's coordinates */
     size_t triangles;       /* of the whole mesh */

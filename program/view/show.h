@@ -27,8 +27,8 @@ typedef struct viewer {
     SDL_Window *window;
     SDL_Cursor *cursors[2]; /* arrow; left and right */
     view_scene scene;
-    char *dropped; /* name of the last dropped file; NULL: none */
-    stamp shown, seen;
+    char *dropped;           /* name of the last dropped file; NULL: none */
+    stamp shown[2], seen[2]; /* of the input and of the environment */
 
     burnish_lobe_spec lobes[2];
     int split, errors;

@@ -1,6 +1,8 @@
 /* Environments: their images, readers, and maps of light made from them. */
 #include <math.h>
 
+#include "burnish/render.h"
+#include "counting_context.h"
 #include "environment/lobes.h"
 #include "environment/maps.h"
 #include "support.h"
@@ -267,6 +269,74 @@ static void test_names(void) {
     }
 }
 
+/* ---- Memory ---- */
+
+/* A sphere under an environment, a distant and a near light; *hash: of the picture. */
+static burnish_status draw(const burnish_context *context, const burnish_mesh *mesh, uint64_t *hash,
+                           burnish_error *error) {
+    static const char bytes[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n"
+                                "abc\201xyz\200ghi\177not\201his\200one\201ale\177uno\200";
+    burnish_render_options options = burnish_render_options_default();
+    burnish_environment *environment = NULL;
+    burnish_renderer *renderer = NULL;
+    burnish_image image = {0};
+    options.width = options.height = 24;
+    options.threads = 1;
+    options.camera.position[2] = 4;
+    options.light_count = 0;
+    options.area_light_count = 2;
+    for (int i = 0; i < 2; ++i) {
+        options.area_lights[i] = (burnish_area_light){.is_distant = i,
+                                                      .is_two_sided = 1,
+                                                      .center = {1, 2, 3},
+                                                      .half_u = {1, 0, 0},
+                                                      .half_v = {0, 1, 0},
+                                                      .color = {1, 2, 3}};
+    }
+    burnish_status status = burnish_environment_decode(context, bytes, sizeof bytes - 1, "tiny.hdr",
+                                                       &environment, error);
+    options.environment = environment;
+    status =
+        status == BURNISH_STATUS_OK ? burnish_renderer_create(context, &renderer, error) : status;
+    status = status == BURNISH_STATUS_OK
+                 ? burnish_renderer_draw(renderer, mesh, &options, &image, NULL, error)
+                 : status;
+    *hash = status == BURNISH_STATUS_OK ? burnish_image_hash(&image) : 0;
+    burnish_image_destroy(&image);
+    burnish_renderer_destroy(renderer);
+    burnish_environment_destroy(environment);
+    return status;
+}
+
+/* Every allocation fails once. */
+static void test_memory(void) {
+    burnish_load_options load = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error;
+    counts c;
+    uint64_t expected = 0, hash;
+    long k = 0;
+    burnish_context *context = make_context(&c);
+    load.tessellation = 6;
+    CHECK1(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK);
+    CHECK(draw(context, mesh, &expected, &error) == BURNISH_STATUS_OK, "%s", error.text);
+    const long before = atomic_load(&c.live);
+    for (int ran_short = 1; ran_short && k < 1000; ++k) {
+        error = (burnish_error){0};
+        atomic_store(&c.left, k);
+        const burnish_status status = draw(context, mesh, &hash, &error);
+        ran_short = atomic_exchange(&c.left, -1) < 0;
+        CHECK(status == BURNISH_STATUS_OK ? !ran_short && hash == expected
+                                          : status == BURNISH_STATUS_MEMORY && *error.text,
+              "allocation %ld: status %d, %s", k, (int)status, error.text);
+        CHECK(atomic_load(&c.live) == before, "allocation %ld: blocks are lost", k);
+    }
+    printf("environment: %ld allocations\n", k);
+    CHECK1(k > 20 && k < 1000);
+    burnish_mesh_destroy(mesh);
+    burnish_context_destroy(context);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_constant());
@@ -277,5 +347,6 @@ int main(int count, char **arguments) {
     RUN(test_values());
     RUN(test_arguments());
     RUN(test_names());
+    RUN(test_memory());
     return test_end("environment");
 }

@@ -108,7 +108,19 @@ draw two part.stl
 becomes "the file has changed" "$shots/two.png"
 check "which is no other picture" sh -c "! '$burnish' compare '$shots/one.png' '$shots/two.png'"
 close
-rm -f part.stl
+
+# An environment that changes.
+hdr='#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n'
+printf "$hdr"'\200\100\100\200' >light.hdr
+draw red :sphere --environment=light.hdr
+open :sphere --environment=light.hdr
+becomes "red light" "$shots/red.png"
+printf "$hdr"'\100\100\200\200' >next.hdr && mv next.hdr light.hdr
+draw blue :sphere --environment=light.hdr
+becomes "the environment has changed" "$shots/blue.png"
+check "which is no other light" sh -c "! '$burnish' compare '$shots/red.png' '$shots/blue.png'"
+close
+rm -f part.stl light.hdr
 nothing_left "view"
 rm -rf "$shots"
 finish
