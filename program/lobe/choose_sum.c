@@ -69,7 +69,7 @@ static void print_text(FILE *stream, const cli_table *table, const void *context
 static void add_keys(cJSON *root, const void *context, int *failed) {
     const result *r = context;
     const burnish_theory_lobe_sum *sum = &r->sums[r->best - 1];
-    cJSON *lobes = cJSON_AddArrayToObject(root, "sum");
+    cJSON *lobes = cJSON_CreateArray();
     cli_json_add(root, "roughness", cli_json_real(r->wish->roughness), failed);
     cli_json_add(root, "epsilon", cli_json_real(r->wish->epsilon), failed);
     for (int j = 0; j < sum->count; ++j) {
@@ -77,8 +77,9 @@ static void add_keys(cJSON *root, const void *context, int *failed) {
         cli_json_add(lobe, "order", cli_json_real(sum->order[j]), failed);
         cli_json_add(lobe, "zeta", cli_json_real(sum->zeta[j]), failed);
         cli_json_add(lobe, "weight", cli_json_real(sum->weight[j]), failed);
-        *failed |= !lobes || !cJSON_AddItemToArray(lobes, lobe);
+        *failed |= !cJSON_AddItemToArray(lobes, lobe); /* refuses NULL */
     }
+    cli_json_add(root, "sum", lobes, failed);
 }
 
 burnish_status lobe_choose_sum(const lobe_sum_wish *wish, burnish_error *error) {
