@@ -64,5 +64,8 @@ void render_draw_legend(const render_result *result, const uint8_t background[3]
                                 text, ink, label);
     }
     write_title(result, title);
-    burnish_image_draw_text(image, (float)left, (float)top - text, text, ink, title);
+    const float room = burnish_image_draw_text(NULL, 0, 0, text, ink, title) + text / 2;
+    const float at =
+        (float)image->width - room < (float)left ? (float)image->width - room : (float)left;
+    burnish_image_draw_text(image, at, (float)top - text, text, ink, title);
 }
