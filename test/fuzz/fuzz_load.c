@@ -225,17 +225,21 @@ static void check_material(const burnish_material *material) {
 }
 
 static void check_mesh(const burnish_mesh_view *mesh) {
-    require(mesh->vertex_count >= 3 && mesh->triangle_count >= 1, "counts", NULL);
+    require(mesh->triangle_count >= 1 ? mesh->vertex_count >= 3
+                                      : mesh->vertex_count >= 1 && mesh->point_radius > 0,
+            "counts", NULL);
+    const int is_cloud = mesh->triangle_count == 0;
     for (size_t i = 0; i < 3 * mesh->vertex_count; ++i) {
         require(mesh->positions[i] >= -FLT_MAX && mesh->positions[i] <= FLT_MAX, "position", NULL);
-        require(mesh->positions[i] >= mesh->bounds_min[i % 3] &&
-                    mesh->positions[i] <= mesh->bounds_max[i % 3],
+        require(is_cloud || (mesh->positions[i] >= mesh->bounds_min[i % 3] &&
+                             mesh->positions[i] <= mesh->bounds_max[i % 3]),
                 "bounds", NULL);
     }
     for (size_t i = 0; i < mesh->vertex_count; ++i) {
         const float *n = mesh->normals + 3 * i;
         double square = (double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2];
-        require(square > 1 - 1e-6 && square < 1 + 1e-6, "normal", NULL);
+        require((square > 1 - 1e-6 && square < 1 + 1e-6) || (is_cloud && square == 0), "normal",
+                NULL);
     }
     for (size_t i = 0; i < 3 * mesh->triangle_count; ++i) {
         require(mesh->indices[i] < mesh->vertex_count, "index", NULL);
