@@ -231,6 +231,7 @@ useless no-labels "$sheet" --no-labels
 useless labels "$sheet" --labels=a
 useless font "$sheet" --font=a.ttf
 lines='no lines are drawn; use --edges, or omit the flag'
+useless color-map 'no quantity is shown by colours; use --color-by, or omit the flag' --color-map=grey
 useless edge-color "$lines" --edge-color=red
 useless edge-width "$lines" --edge-width=3 --look=plain --views=front
 useless camera-view-angle 'a parallel projection has no angle; use --camera-orthographic=no, or omit the flag' \
