@@ -367,7 +367,7 @@ FILES = {
     "scans-60.glb": (lambda: textured([jpeg(LARGEST, 60)]), "", 0),
     "runs.obj": (lambda: {"runs.obj": b"mtllib runs.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
                           "runs.mtl": b"newmtl m\nmap_Kd runs.tga\n", "runs.tga": tga(5120)}, "", 0),
-    "named-4000.obj": (lambda: named_textures(4000, ""), "", 0),
+    "named-4000.obj": (lambda: named_textures(4000, ""), "--max-overdraw=2000", 0),
     "named-2000-aliases.obj": (lambda: named_textures(2000, "./"), "", 0),
     # glTF
     "points-30000x1000.glb": (lambda: shared(0, 30000, 1000), "", 5),
@@ -391,7 +391,7 @@ FILES = {
     "meshopt-more.glb": (lambda: meshopt(2500000, 8), "", 5),
     "self-3000.gltf": (lambda: self_named(3000), "", 5),
     "self-2500.gltf": (lambda: self_named(2500, alias="./"), "", 5),
-    "base64-4000.gltf": (lambda: in_base64(4000), "", 0),
+    "base64-4000.gltf": (lambda: in_base64(4000), "--max-overdraw=2000", 0),
     "materials-65000.glb": (lambda: listed(materials=[{}] * 65000), "", 0),
     "materials-300000.glb": (lambda: listed(materials=[{}] * 300000), "", 5),
     "nodes-55000.glb": (lambda: listed(nodes=[{"mesh": 0}] * 55000, scenes=[{"nodes": list(range(55000))}]), "", 5),
