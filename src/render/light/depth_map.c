@@ -261,7 +261,10 @@ static void draw_pairs(void *context, size_t index, int thread) {
     }
     burnish_maps maps = {.count = rest < BURNISH_MAPS ? rest : BURNISH_MAPS,
                          .size = pairs->views->size,
-                         .vertices = all->drawer->vertices + (size_t)thread * mesh->vertex_count,
+                         .vertices =
+                             mesh->point_radius > 0
+                                 ? NULL
+                                 : all->drawer->vertices + (size_t)thread * mesh->vertex_count,
                          .indices = mesh->indices,
                          .triangle_count = mesh->triangle_count,
                          .transparent = all->drawer->transparent};
