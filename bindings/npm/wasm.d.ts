@@ -83,6 +83,8 @@ export interface DrawOptions {
   backgroundColor?: string | [number, number, number];
   /** The picture has alpha, four channels. */
   noBackground?: boolean;
+  /** No legend of colorBy. */
+  noLegend?: boolean;
   /** One standard view: "front", "right", "top", "iso", "back", "left" or "bottom". */
   views?: string;
   /** "axes", "box", "dimensions", "scale", "grid", between commas. */

@@ -24,6 +24,7 @@ struct session {
     cli_companions companions;
     burnish_mesh *mesh;
     render_camera_settings stance; /* stands_otherwise and sheet of the mesh */
+    render_coloring coloring;      /* of the mesh; has the name itself */
     burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
     size_t loading_warnings;       /* count; later warnings are about the picture */
     burnish_renderer *renderer;
@@ -53,6 +54,7 @@ const cli_command session_draw_command = {
     .base = &render_command,
     .base_topics = "light",
     .base_flags = "resolution,size,cull-back-faces,samples,background-color,no-background,views,"
+                  "no-legend,"
                   "annotate,camera-direction,azimuth,elevation,camera,"
                   "camera-position,camera-focal-point,camera-view-up,camera-view-angle,"
                   "zoom,camera-orthographic,camera-orthographic-height,margin,"
@@ -199,6 +201,7 @@ void session_destroy(session *s) {
     burnish_mesh_destroy(s->mesh);
     free(s->materials);
     free(s->companions.items);
+    free((char *)(uintptr_t)s->coloring.by);
     free(s->name);
     free(s);
 }
@@ -278,6 +281,8 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
     }
     if (status == BURNISH_STATUS_OK) {
         status = render_color(&s->settings, s->mesh, s->result.color_range, error);
+        s->coloring = s->settings.input.coloring;
+        s->coloring.by = s->coloring.by ? strdup(s->coloring.by) : NULL; /* NULL: no legend */
     }
     s->loading_warnings = s->result.warning_count;
     if (status == BURNISH_STATUS_OK) {
@@ -434,6 +439,8 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     drop_warnings(&s->result, s->loading_warnings);
     burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
+    s->coloring.no_legend = s->settings.input.coloring.no_legend;
+    s->settings.input.coloring = s->coloring;
     s->settings.camera.up = up; /* the mesh's */
     s->settings.camera.stands_otherwise = s->stance.stands_otherwise;
     s->settings.camera.sheet = s->stance.sheet;

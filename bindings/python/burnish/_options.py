@@ -46,6 +46,7 @@ class Options(TypedDict, total=False):
     samples: int
     background_color: Color
     no_background: Switch
+    no_legend: Switch
     views: str
     annotate: Union[str, bool]
     camera_direction: Vector

@@ -414,6 +414,7 @@ static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
     const burnish_ply_property *end = property + element->property_count;
     double values[BURNISH_PLY_ROLE_COUNT];
     face_row face = {.corner_count = 0};
+    values[BURNISH_PLY_T] = 0; /* a quantity to colour by is S alone */
     if (encoding == BURNISH_PLY_ASCII && read_triangle(p)) {
         return p->chunk->status == BURNISH_STATUS_OK;
     }
