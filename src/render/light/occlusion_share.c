@@ -131,12 +131,15 @@ void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnis
     if (lookup->share == 4) {
         const float limit = 1.0f - DEEP * lookup->strength;
         burnish_share_points again = *points;
-        int32_t shown[BURNISH_SHARE_BATCH];
+        int32_t shown[BURNISH_SHARE_BATCH], none = -1;
         for (int i = 0; i < count; ++i) {
             shown[i] = scratch->open[i] < limit ? 0 : -1;
+            none &= shown[i];
         }
         again.shown = shown;
-        look_up(lookup, ops, &again, count, 2, scratch);
+        if (none == 0) {
+            look_up(lookup, ops, &again, count, 2, scratch);
+        }
     }
     for (int i = 0; i < count; ++i) {
         for (int k = 0; k < 3; ++k) {
