@@ -9,22 +9,6 @@ import tempfile
 
 from page import ROOT, fill, filled, number, read, run, table
 
-# What is measured, the instruction sets, the ratio's key, the goal.
-GOALS = """lobe over a copy, first cache|avx|lobe.l1.copy|at most 1.2
-Schlick over the lobe, first cache|avx|lobe.l1.schlick|at least 2.3
-libmvec powf over the lobe, first cache|avx|lobe.l1.libmvec|at least 50
-lobe over a non-temporal copy, memory|avx|lobe.memory.nt_copy|at most 1.05
-libmvec over the lobe, directional lighting|avx|shade.directional.libmvec|at least 6
-no specular over the lobe, directional lighting (1 / 1.35)|avx|shade.directional.none|at least 0.74
-Schlick over the lobe, latency|code|scalar.latency.schlick|at least 1.5
-the same, n - 1 folded|code|scalar.latency.schlick_folded|at least 1.5
-Schlick over the lobe, throughput|code|scalar.throughput.schlick|at least 1.4
-the same, n - 1 folded|code|scalar.throughput.schlick_folded|at least 1.4
-Schlick over W, latency (the paper, on a Pentium M)|code|paper.latency.w|at least 2.3
-Schlick over W, throughput (the paper)|code|paper.throughput.w|at least 2.3
-Schlick over W_0.5, latency (the paper)|code|paper.latency.w_half|at least 1.69
-Schlick over W_0.5, throughput (the paper)|code|paper.throughput.w_half|at least 1.69"""
-
 
 class Kernels:
     """The rows of `bench_kernels --csv`: (instruction set, section.name) to label, ns, cycles and ratio."""
@@ -69,19 +53,6 @@ class Kernels:
             rows.append(cells)
         return table(f"one value at a time|latency, ns|cycles|{over}|throughput, ns|cycles|{over}", rows)
 
-    def goals(self):
-        goals = [line.split("|") for line in GOALS.splitlines()]
-        rows = []
-        for isa in [isa for isa in self.isas if isa in ("avx512", "avx2")] + ["code"]:
-            for what, kind, key, goal in goals:
-                got = self.value(isa, key, 2) if isa.startswith(kind) else None
-                if got is not None:
-                    bound = float(goal.split()[2])
-                    holds = got <= bound if "most" in goal else got >= bound
-                    rows.append([what, "scalar code" if isa == "code" else isa, goal, "%.2f" % got, "yes" if holds else "**no**"])
-        lines = table("what|instruction set|goal|measured|holds", rows, left=3)
-        return [lines[0], "| --- | --- | --- | ---: | --- |", *lines[2:]]
-
 
 def performance(kernels, page):
     """KERNELS.csv PAGE: fills docs/performance.md from `bench_kernels --csv`"""
@@ -96,7 +67,6 @@ def performance(kernels, page):
         "roots": kernels.contenders("root.l1", "%.3f"),
         "scalar": kernels.scalar("scalar", "x lobe"),
         "paper": kernels.scalar("paper", "Schlick over"),
-        "goals": kernels.goals(),
     }, keep=True)
 
 
