@@ -12,7 +12,7 @@ import sys
 import measure
 
 FILES = 200
-LOOKS = {"--look=plain": "`--look=plain`", "--look=three-point": "`--look=three-point`"}
+LOOKS = {"--look=plain": "`--look=plain`", "--look=studio": "the default look"}
 
 if len(sys.argv) < 3:
     sys.exit("usage: batch.py BURNISH FOLDER [ROUNDS]")

@@ -14,7 +14,7 @@ import time
 import measure
 
 FIRST = 5
-LOOKS = {"--look=three-point": "`--look=three-point`", "--look=plain": "`--look=plain`"}
+LOOKS = {"--look=studio": "the default look", "--look=plain": "`--look=plain`"}
 WAYS = ("`burnish render`, a process each", "`burnish render --sandbox`, two processes each", "`burnish serve-stdio`, which locks each request in")
 
 if len(sys.argv) < 3:
