@@ -129,37 +129,23 @@ burnish_status burnish_projection_lay_out(burnish_projection_sheet *sheet, burni
 
 /* ---- Frame, title, symbol ---- */
 
-typedef struct figure {
-    burnish_stroke *items;
-    size_t count, capacity;
-    burnish_memory *memory;
-} figure;
-
-static void push_strokes(void *context, const burnish_stroke *strokes, size_t count) {
-    figure *to = context;
-    to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + count,
-                                sizeof *to->items, "lines of a sheet");
-    if (to->memory->status == BURNISH_STATUS_OK && count > 0) {
-        memcpy(to->items + to->count, strokes, count * sizeof *strokes);
-        to->count += count;
-    }
-}
-
-static void push_line(figure *to, const double from[2], const double end[2], double width) {
+static void push_line(burnish_stroke_list *to, const double from[2], const double end[2],
+                      double width) {
     const burnish_stroke stroke = {(float)from[0], (float)from[1], (float)end[0], (float)end[1],
                                    (float)(width / 2)};
-    push_strokes(to, &stroke, 1);
+    burnish_stroke_list_append(to, &stroke, 1);
 }
 
 /* A polygon of x, y; closed. */
-static void push_polygon(figure *to, const double (*points)[2], int count, double width) {
+static void push_polygon(burnish_stroke_list *to, const double (*points)[2], int count,
+                         double width) {
     for (int i = 0; i < count; ++i) {
         push_line(to, points[i], points[(i + 1) % count], width);
     }
 }
 
 /* By turning a vector: no libm. cos and sin of 2 pi / 48. */
-static void push_circle(figure *to, double x, double y, double radius, double width) {
+static void push_circle(burnish_stroke_list *to, double x, double y, double radius, double width) {
     static const double cosine = 0.99144486137381041114, sine = 0.13052619222005159155;
     double points[CIRCLE][2], v[2] = {radius, 0};
     for (int i = 0; i < CIRCLE; ++i) {
@@ -174,8 +160,8 @@ static void push_circle(figure *to, double x, double y, double radius, double wi
 
 /* The views of a truncated cone whose small end is on the left: from the front, and from the left.
  * The latter is on the right in first angle, on the left in third angle. */
-static void push_symbol(figure *to, const burnish_projection_sheet *sheet, double right,
-                        double middle, double width) {
+static void push_symbol(burnish_stroke_list *to, const burnish_projection_sheet *sheet,
+                        double right, double middle, double width) {
     const double r = SYMBOL * sheet->text_height, cone = 3 * r, gap = r;
     const int is_first = sheet->method == BURNISH_PROJECTION_FIRST_ANGLE;
     const double left = right - (cone + gap + 2 * r);
@@ -193,13 +179,14 @@ static void push_symbol(figure *to, const burnish_projection_sheet *sheet, doubl
 }
 
 /* Centred in the strip. */
-static void push_text(figure *to, const burnish_projection_sheet *sheet, double left, double middle,
-                      const char *text) {
+static void push_text(burnish_stroke_list *to, const burnish_projection_sheet *sheet, double left,
+                      double middle, const char *text) {
     burnish_text_strokes((float)left, (float)(int)(middle + sheet->text_height / 2),
-                         (float)sheet->text_height, text, strlen(text), push_strokes, to);
+                         (float)sheet->text_height, text, strlen(text), burnish_stroke_list_append,
+                         to);
 }
 
-static void push_frame(figure *to, const burnish_projection_sheet *sheet) {
+static void push_frame(burnish_stroke_list *to, const burnish_projection_sheet *sheet) {
     const double text = sheet->text_height, left = (int)(BORDER * text) + 0.5, top = left;
     const double right = sheet->width - left, bottom = sheet->height - top;
     const double line = (double)(int)(bottom - STRIP * text) + 0.5;
@@ -211,7 +198,7 @@ static void push_frame(figure *to, const burnish_projection_sheet *sheet) {
 
 /* Each in a path of its own, which a drawing names by its text. */
 typedef struct parts {
-    figure frame, title, scale;
+    burnish_stroke_list frame, title, scale;
     const char *name;
 } parts;
 
@@ -234,7 +221,7 @@ static void make_parts(const burnish_projection_sheet *sheet, const char *title,
 }
 
 static void release_parts(parts *made) {
-    figure *const all[] = {&made->frame, &made->title, &made->scale};
+    burnish_stroke_list *const all[] = {&made->frame, &made->title, &made->scale};
     for (int i = 0; i < 3; ++i) {
         burnish_release(all[i]->memory->context, all[i]->items);
     }
@@ -265,7 +252,7 @@ burnish_status burnish_projection_image(const burnish_projection_sheet *sheet, c
             burnish_image_copy(image, sheet->cells[i].x, sheet->cells[i].y, views[i]);
         }
         make_parts(sheet, title, &memory, &made);
-        figure *const all[] = {&made.frame, &made.title, &made.scale};
+        burnish_stroke_list *const all[] = {&made.frame, &made.title, &made.scale};
         for (int i = 0; i < 3 && memory.status == BURNISH_STATUS_OK; ++i) {
             burnish_strokes_draw(&pixels, all[i]->items, all[i]->count, &color, NULL, &memory);
         }

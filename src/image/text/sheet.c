@@ -187,23 +187,6 @@ static burnish_status fill_cut_label(const page *to, int x, int baseline,
     return status;
 }
 
-/* Strokes of a line for a drawing. */
-typedef struct line_strokes {
-    burnish_stroke *items;
-    size_t count, capacity;
-    burnish_memory *memory;
-} line_strokes;
-
-static void push_strokes(void *context, const burnish_stroke *strokes, size_t count) {
-    line_strokes *to = context;
-    to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + count,
-                                sizeof *to->items, "strokes of a label");
-    if (to->memory->status == BURNISH_STATUS_OK && count > 0) {
-        memcpy(to->items + to->count, strokes, count * sizeof *strokes);
-        to->count += count;
-    }
-}
-
 /* The first `kept` bytes of the label in burnish's stroke font, with an ellipsis if the label is
  * longer. */
 static burnish_status draw_own_label(const page *to, float left, float baseline, const char *label,
@@ -216,9 +199,10 @@ static burnish_status draw_own_label(const page *to, float left, float baseline,
         burnish_text_draw(to->image, after, baseline, height, to->ink, ellipsis, dots);
         return BURNISH_STATUS_OK;
     }
-    line_strokes line = {.memory = to->memory};
-    burnish_text_strokes(left, baseline, height, label, kept, push_strokes, &line);
-    burnish_text_strokes(after, baseline, height, ellipsis, dots, push_strokes, &line);
+    burnish_stroke_list line = {.memory = to->memory};
+    burnish_text_strokes(left, baseline, height, label, kept, burnish_stroke_list_append, &line);
+    burnish_text_strokes(after, baseline, height, ellipsis, dots, burnish_stroke_list_append,
+                         &line);
     burnish_drawing_open(to->drawing, to->ink, 1);
     burnish_drawing_strokes(to->drawing, line.items, line.count, label);
     burnish_drawing_close(to->drawing);

@@ -144,3 +144,13 @@ float burnish_image_draw_text(burnish_image *image, float x, float y, float heig
     burnish_float_mode_leave(before);
     return advance;
 }
+
+void burnish_stroke_list_append(void *context, const burnish_stroke *strokes, size_t count) {
+    burnish_stroke_list *to = context;
+    to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + count,
+                                sizeof *to->items, "strokes of a drawing");
+    if (to->memory->status == BURNISH_STATUS_OK && count > 0) {
+        memcpy(to->items + to->count, strokes, count * sizeof *strokes);
+        to->count += count;
+    }
+}

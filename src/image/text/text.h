@@ -19,4 +19,14 @@ typedef void burnish_take_strokes(void *context, const burnish_stroke *strokes, 
 void burnish_text_strokes(float x, float y, float height, const char *text, size_t length,
                           burnish_take_strokes *take, void *context);
 
+/* Strokes that are kept: zeros and `memory` are an empty list. */
+typedef struct burnish_stroke_list {
+    burnish_stroke *items; /* the caller releases them */
+    size_t count, capacity;
+    burnish_memory *memory; /* its status tells of failures */
+} burnish_stroke_list;
+
+/* Appends to the list `context`: a burnish_take_strokes. */
+void burnish_stroke_list_append(void *context, const burnish_stroke *strokes, size_t count);
+
 #endif
