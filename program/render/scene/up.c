@@ -13,9 +13,12 @@ enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
 /* Height of the contact area, as a share of the object's height. */
 #define CONTACT 0.01
 
-/* Degrees: the usual axis is doubted below, the other one accepted from there on. */
+/* Degrees: the usual axis is doubted below, the other one accepted from there on. An object that
+ * falls over on the usual axis, such as a bust or a horse, needs less on the other one. */
 #define DOUBTED 5.7
 #define BELIEVED 21.8
+#define FALLEN -0.25
+#define BELIEVED_FALLEN 10
 #define DOUBTED_STL 2
 #define BELIEVED_STL 60
 
@@ -129,8 +132,9 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     stance.tipping[1] = tipping(view, 1, center);
     stance.tipping[2] = tipping(view, 2, center);
     const double doubted = is_stl ? DOUBTED_STL : is_open ? -DOUBTED : DOUBTED;
-    stance.is_other = !stance.sheet && stance.tipping[stance.usual] < doubted &&
-                      stance.tipping[stance.other] >= (is_stl ? BELIEVED_STL : BELIEVED);
+    const double here = stance.tipping[stance.usual];
+    const double believed = is_stl ? BELIEVED_STL : here < FALLEN ? BELIEVED_FALLEN : BELIEVED;
+    stance.is_other = !stance.sheet && here < doubted && stance.tipping[stance.other] >= believed;
     return stance;
 }
 

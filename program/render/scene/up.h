@@ -15,10 +15,11 @@ typedef struct render_stance {
     int sheet;      /* 1 + the axis on which a flat object has no extent; 0: it is not flat */
 } render_stance;
 
-/* OBJ, PLY, OFF and arrays take the other axis if the object can lean by less than 5.7 degrees on the usual
- * one, or -5.7 if its surface is open, and by 21.8 or more on the other. STL, whose axis is more reliable: less than 2, and 60. A
- * sheet, an object with an extent of at most 0.5 % of its longest one, keeps the usual axis: it is a
- * drawing, which does not need to stand. */
+/* OBJ, PLY, OFF and arrays take the other axis if the object can lean by less than 5.7 degrees on
+ * the usual one, or -5.7 if its surface is open, and by 21.8 or more on the other; if it falls over
+ * on the usual one, 10 are enough. STL, whose axis is more reliable: less than 2, and 60. A sheet, an
+ * object with an extent of at most 0.5 % of its longest one, keeps the usual axis: it is a drawing,
+ * which does not need to stand. */
 render_stance render_find_stance(const burnish_mesh *mesh);
 
 /* Sets what UP_AUTO and the default view take from the mesh. */
