@@ -179,12 +179,14 @@ typedef struct burnish_load_options {
     double animation_time; /* seconds, >= 0: the moment of the animation; or BURNISH_AT_REST */
     const char *animation; /* its name, or its number from 0; NULL: the first. Without a time, the
                               scene at its start */
-    uint64_t max_memory;   /* bytes for loading and drawing, 0: no limit. A binary STL file, or
-                            binary points of PLY, that needs more becomes a preview: one in so many
-                            triangles or points, evenly in the order of the file, as points with the
-                            normals of the triangles, with a warning. It fails with LIMIT if 10,000
-                            of them need more. An estimate, for pictures of up to 2048 x 2048
-                            pixels; other files ignore it */
+    uint64_t max_memory;   /* bytes for loading and drawing, 0: no limit. An STL, PLY, OBJ or OFF
+                            file that needs more becomes a preview, with a warning: of STL one in so
+                            many triangles, as a point at its middle with its normal; of the others
+                            one in so many vertices, as a point without faces, materials and
+                            textures; evenly in the order of the file. Files are read in pieces
+                            then, but for packed ones, pipes and memory, which count in full. It
+                            fails with LIMIT if 10,000 points need more. An estimate, for pictures
+                            of up to 2048 x 2048 pixels; other formats ignore it */
     uint64_t max_input_bytes;    /* a larger file fails with LIMIT */
     uint64_t max_triangles;      /* more fail with LIMIT. BURNISH_TRIANGLES_MAX: as many as give 5
                                        vertices and triangles per byte of the input and its
@@ -370,7 +372,7 @@ BURNISH_API void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3],
 typedef struct burnish_mesh_info {
     burnish_format format;          /* not AUTO */
     size_t point_count, line_count; /* in a file without faces: drawn as spheres and prisms */
-    size_t thinning;                /* > 1: a preview of one in so many points or triangles, for
+    size_t thinning;                /* > 1: a preview of one in so many vertices or triangles, for
                         burnish_load_options.max_memory; 1: all */
     double read_seconds;            /* wall-clock time of opening and parsing, or copying arrays */
     double build_seconds;           /* wall-clock time of welding, normals, order */

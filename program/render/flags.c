@@ -515,11 +515,12 @@ static const cli_flag flags[] = {
     {CLI_FLAG("max-memory", "N", "memory limit, such as 500M or 2G", cli_flag_bytes,
               job.max_memory),
      CLI_RANGE(1, 9e18), .default_label = "all",
-     .manual = "Limit on the address space of the process in bytes, including reserved but unused "
-               "memory such as the stacks of threads. A binary STL file, or binary points of PLY, "
-               "that would need more becomes a preview: one in so many triangles or points, as "
-               "points, with a warning. Any other run that needs more ends with exit code 6. "
-               "_N_ can end in *K*, *M* or *G*."},
+     .manual =
+         "Limit on the address space of the process in bytes, including reserved but unused "
+         "memory such as the stacks of threads. An STL, PLY, OBJ or OFF file that would "
+         "need more becomes a preview: one in so many triangles (STL) or vertices (the "
+         "others), as points, with a warning. Any other run that needs more ends with exit code 6. "
+         "_N_ can end in *K*, *M* or *G*."},
     {CLI_SWITCH("sandbox", "read and draw in a process that can't open files", job.sandbox),
      .manual = "Reads, draws and encodes in a separate process that can not open files or sockets "
                "or start programs: Linux's seccomp ends the process if it tries, and Landlock, if "

@@ -107,7 +107,7 @@ static const cli_term json_terms[] = {
      "the command info"},
     {"*color_by, color_range*", "what *--color-by* names, and the values of the first and the last "
                                 "colour; null without it"},
-    {"*thinning*", "1, or of how many points or triangles one is drawn for *--max-memory*"},
+    {"*thinning*", "1, or of how many vertices or triangles one is drawn for *--max-memory*"},
     {"*points, lines*", "of an input without faces, which are drawn as discs and rods"},
     {"*bounding_box, unit*",
      "*min* and *max* of the object, for points and lines without the solids that are drawn; the "

@@ -316,7 +316,7 @@ static burnish_status load(const burnish_reader_input *input, burnish_format for
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_read(&reader, &format);
-        *again = input->pieces &&
+        *again = input->pieces && !burnish_pieces_only(input) &&
                  (status == BURNISH_STATUS_OK
                       ? reader.has_warned
                       : status != BURNISH_STATUS_MEMORY && status != BURNISH_STATUS_CANCELLED &&

@@ -11,7 +11,7 @@ exec 9<>endless.obj # a writer that never writes
 limits() {
     expect 5 'burnish: not done after 0.2 seconds (--max-seconds): raise the limit or simplify the mesh' \
         render endless.obj --max-seconds=0.2 -o h.png "$@"
-    gives 6 render sheets.obj --views=front --size=8000 --max-memory=40M --threads=1 --max-overdraw=1e9 -o h.png "$@"
+    gives 6 render sheets.obj --views=front --size=8000 --max-memory=100M --threads=1 --max-overdraw=1e9 -o h.png "$@"
     check "--max-memory $*: one line: $(cat "$err")" [ "$(wc -l <"$err")" = 1 ]
     check "no picture, no temporary" [ "$(ls -A | tr '\n' ' ')" = 'endless.obj sheets.obj ' ]
 }

@@ -9,6 +9,8 @@
 #include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/chunks.h"
+#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/thinning.h"
 
 enum { COUNT_MOST = 3, VALUES_MOST = 12, SAMPLE_ROWS = 4096 };
 
@@ -191,7 +193,11 @@ static void add_row(off_sample *sample, const double *values, const uint8_t *is_
 
 static off_sample take_sample(const off_state *off, const uint8_t *at) {
     const burnish_reader_input *input = off->reader->input;
-    off_parser p = {off, NULL, {at, input->bytes + input->size, 0}};
+    const uint8_t *end = input->bytes + burnish_reader_head(off->reader);
+    while (input->pieces && end > at && end[-1] != '\n') { /* whole rows */
+        --end;
+    }
+    off_parser p = {off, NULL, {at, end, 0}};
     off_sample sample = {.count = -1};
     double values[VALUES_MOST];
     uint8_t is_whole[VALUES_MOST];
@@ -430,8 +436,10 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 /* Vertices or faces from *at on. */
 static burnish_status read_rows(off_state *off, const uint8_t **at, size_t rows) {
     const unsigned has_own = off->in_faces && !off->has_colors;
-    const burnish_grammar grammar = {find_line, parse, accept,
-                                     1u << BURNISH_POSITION | has_own << BURNISH_COLOR, 0};
+    const burnish_grammar grammar = {.find_start = find_line,
+                                     .parse = parse,
+                                     .accept = accept,
+                                     .indexed = 1u << BURNISH_POSITION | has_own << BURNISH_COLOR};
     size_t missing = rows;
     burnish_status status = rows > 0 ? burnish_chunks_read(&grammar, off, off->reader, at, &missing)
                                      : BURNISH_STATUS_OK;
@@ -467,18 +475,29 @@ static burnish_status settle_face_colors(off_state *off) {
 
 static burnish_status read_input(burnish_reader *reader) {
     off_state off = {.reader = reader};
-    burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, reader->input->size, 0);
+    burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0);
+    if (reader->input->pieces && !burnish_pieces_only(reader->input)) {
+        return burnish_pieces_give_up(reader);
+    }
     burnish_status status = read_head(&off, &lexer);
     const uint8_t *at = lexer.next;
     reader->is_wide = 1;
     off.keeps_texcoords = burnish_reader_keeps_coordinates(reader, 0);
     if (status == BURNISH_STATUS_OK) {
         settle_values(&off, at);
+        status = burnish_thinning_step(
+            reader, off.vertex_count > off.face_count ? off.vertex_count : off.face_count,
+            off.vertex_count, &reader->mesh->thinning);
+    }
+    const int is_preview = reader->mesh->thinning > 1;
+    if (status == BURNISH_STATUS_OK) {
         status = read_rows(&off, &at, off.vertex_count);
     }
     off.in_faces = 1;
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && !is_preview) {
         status = read_rows(&off, &at, off.face_count);
+    } else if (status == BURNISH_STATUS_OK) {
+        burnish_thinning_note(reader, off.vertex_count, "vertices");
     }
     burnish_reader_warn_group(reader, &off.few_corners);
     burnish_reader_warn_group(reader, &off.bad_colors);
@@ -506,4 +525,5 @@ static int recognise(const uint8_t *bytes, size_t size) {
            read_keyword(&unused, word, &dimensions) > 0;
 }
 
-const burnish_format_reader burnish_reader_off = {.recognise = recognise, .read = read_input};
+const burnish_format_reader burnish_reader_off = {
+    .recognise = recognise, .read = read_input, .in_pieces = 1};

@@ -14,11 +14,13 @@
 #include "core/numbers.h"
 #include "core/srgb.h"
 #include "mesh/read/common/origin.h"
+#include "mesh/read/common/points.h"
 #include "mesh/read/common/preview.h"
 #include "mesh/read/io/binary_stl.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/chunks.h"
 #include "mesh/read/io/pieces.h"
+#include "mesh/read/io/thinning.h"
 
 enum {
     TITLE_SIZE = BURNISH_STL_TITLE_SIZE,
@@ -236,7 +238,7 @@ static burnish_status read_binary(burnish_reader *reader) {
     reader->is_binary = 1;
     burnish_status status = check_count(reader, &count);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_preview_step(reader, count, BURNISH_FACET_BYTES, &step);
+        status = burnish_thinning_step(reader, count, count, &step);
     }
     if (status == BURNISH_STATUS_OK && step > 1) {
         return burnish_preview_facets(reader, HEADER_SIZE, count, step);
@@ -510,7 +512,11 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 }
 
 static burnish_status read_text(burnish_reader *reader) {
-    static const burnish_grammar grammar = {find_start, parse, accept, 1u << BURNISH_POSITION, 0};
+    static const burnish_grammar grammar = {.find_start = find_start,
+                                            .parse = parse,
+                                            .accept = accept,
+                                            .indexed = 1u << BURNISH_POSITION,
+                                            .are_facets = 1};
     const uint8_t *at =
         burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0).next;
     stl_state stl = {.reader = reader};
@@ -519,7 +525,9 @@ static burnish_status read_text(burnish_reader *reader) {
     for (size_t i = 0; i < sizeof stl.groups / sizeof *stl.groups; ++i) {
         burnish_reader_warn_group(reader, &stl.groups[i]);
     }
-    return status;
+    return status == BURNISH_STATUS_OK && reader->mesh->thinning > 1
+               ? burnish_make_points(reader, NULL, 0)
+               : status;
 }
 
 /* ---- Both ---- */
@@ -594,7 +602,8 @@ static burnish_status read_input(burnish_reader *reader) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
                                    "no triangles; export the mesh again");
     }
-    return status == BURNISH_STATUS_OK ? number_corners(reader) : status;
+    return status == BURNISH_STATUS_OK && reader->mesh->triangle_count > 0 ? number_corners(reader)
+                                                                           : status;
 }
 
 const burnish_format_reader burnish_reader_stl = {

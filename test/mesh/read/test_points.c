@@ -4,6 +4,7 @@
 #include "burnish/mesh.h"
 #include "mesh_arrays.h"
 #include "reader_input.h"
+#include "used_bytes.h"
 
 static burnish_mesh *load(const char *name, const char *text, const burnish_load_options *options) {
     burnish_mesh *mesh = load_bytes(text, strlen(text), name, options);
@@ -112,36 +113,173 @@ static void test_outliers(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* 20,000 facets that may take half of the memory that they need: every second one becomes a point at
- * its middle. Its base of 80 MiB can not be less. */
+enum { GRID = 160, VERTICES = GRID * GRID, BASE = 80 << 20, ROOM = 12000 * 112 };
+enum { WINDOW = 1 << 20 }; /* pieces of the file: a part of the base */
+
+/* A curved square of 50,562 triangles. */
+static void write_position(FILE *file, const char *format, int i) {
+    const double x = (double)(i % GRID) / 16, y = (double)(i / GRID) / 16;
+    fprintf(file, format, x, y, x * y / 8);
+}
+
+static void write_faces(FILE *file, const char *format, int first) {
+    for (int i = 0; i < VERTICES - GRID; ++i) {
+        const int a = i + first;
+        if (i % GRID < GRID - 1) {
+            fprintf(file, format, a, a + 1, a + GRID);
+            fprintf(file, format, a + 1, a + GRID + 1, a + GRID);
+        }
+    }
+}
+
+static void write_vertices(FILE *file, const char *format) {
+    for (int i = 0; i < VERTICES; ++i) {
+        write_position(file, format, i);
+    }
+}
+
+static void write_obj(FILE *file) {
+    fputs("mtllib missing.mtl\n", file);
+    write_vertices(file, "v %g %g %g 0 1 0\n");
+    fputs("vn 0 0 1\nusemtl red\n", file);
+    write_faces(file, "f %d//1 %d//1 %d//1\n", 1);
+}
+
+static void write_off(FILE *file) {
+    fprintf(file, "OFF\n%d %d 0\n", VERTICES, 2 * (GRID - 1) * (GRID - 1));
+    write_vertices(file, "%g %g %g\n");
+    write_faces(file, "3 %d %d %d\n", 0);
+}
+
+static void write_ply_head(FILE *file, const char *encoding) {
+    fprintf(file,
+            "ply\nformat %s 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+            "property float z\nelement face %d\nproperty list uchar int vertex_indices\n"
+            "end_header\n",
+            encoding, VERTICES, 2 * (GRID - 1) * (GRID - 1));
+}
+
+static void write_ply(FILE *file) {
+    write_ply_head(file, "ascii");
+    write_vertices(file, "%g %g %g\n");
+    write_faces(file, "3 %d %d %d\n", 0);
+}
+
+static void write_binary_ply(FILE *file) {
+    write_ply_head(file, "binary_little_endian");
+    for (int i = 0; i < VERTICES; ++i) {
+        const float x = (float)(i % GRID) / 16, y = (float)(i / GRID) / 16;
+        const float position[3] = {x, y, x * y / 8};
+        fwrite(position, sizeof position, 1, file);
+    }
+    for (int i = 0; i < 2 * (GRID - 1) * (GRID - 1); ++i) {
+        const uint32_t corners[3] = {0, 1, GRID};
+        fputc(3, file);
+        fwrite(corners, sizeof corners, 1, file);
+    }
+}
+
+static void write_facet(FILE *file, const int corners[3]) {
+    fputs("facet normal 0 0 0\nouter loop\n", file);
+    for (int k = 0; k < 3; ++k) {
+        write_position(file, "vertex %g %g %g\n", corners[k]);
+    }
+    fputs("endloop\nendfacet\n", file);
+}
+
+static void write_stl(FILE *file) {
+    fputs("solid s\n", file);
+    for (int i = 0; i < VERTICES - GRID; ++i) {
+        if (i % GRID < GRID - 1) {
+            write_facet(file, (const int[3]){i, i + 1, i + GRID});
+            write_facet(file, (const int[3]){i + 1, i + GRID + 1, i + GRID});
+        }
+    }
+    fputs("endsolid s\n", file);
+}
+
+static void write_binary_stl(FILE *file) {
+    const uint32_t count = 2 * (GRID - 1) * (GRID - 1);
+    const char title[80] = {0};
+    fwrite(title, sizeof title, 1, file);
+    fwrite(&count, sizeof count, 1, file);
+    for (uint32_t i = 0; i < count; ++i) {
+        const float x = (float)(i % GRID), y = (float)(i / GRID);
+        const float facet[12] = {0, 0, 0, x, y, 0, x + 3, y, 0, x, y + 3, 0};
+        fwrite(facet, sizeof facet, 1, file);
+        fwrite("\0", 2, 1, file);
+    }
+}
+
+/* Whether a curved square's point is on it, by its coordinates' type, and its normal is upright
+ * (of the square's 6.3 degrees per unit, or of flat facets). */
+static int is_on_grid(const burnish_mesh_view *view, size_t i, int is_flat) {
+    const float *p = view->positions + 3 * i, *n = view->normals + 3 * i;
+    const double off = is_flat ? p[2] : p[2] - p[0] * p[1] / 8;
+    return off < 1e-3 && off > -1e-3 && n[2] * n[2] > 0.2f;
+}
+
+/* Files of which all needs more memory than there is become points, in less memory. */
 static void test_preview(void) {
-    enum { COUNT = 20000, SIZE = 84 + 50 * COUNT };
-    static uint8_t bytes[SIZE];
-    const uint32_t count = COUNT;
-    burnish_load_options options = burnish_load_options_default();
-    burnish_error error;
-    memcpy(bytes + 80, &count, sizeof count);
-    for (size_t i = 0; i < COUNT; ++i) {
-        const float x = (float)(i % 100), y = (float)(i / 100);
-        const float corners[9] = {x, y, 0, x + 3, y, 0, x, y + 3, 0};
-        memcpy(bytes + 84 + 50 * i + 12, corners, sizeof corners);
+    static const struct {
+        const char *name;
+        void (*write)(FILE *file);
+        size_t count, thinning;
+        const char *what;
+    } cases[] = {{"a.obj", write_obj, VERTICES, 4, "vertices"},
+                 {"a.off", write_off, VERTICES, 3, "vertices"},
+                 {"a.ply", write_ply, VERTICES, 3, "vertices"},
+                 {"b.ply", write_binary_ply, VERTICES, 3, "vertices"},
+                 {"a.stl", write_stl, 50562, 8, "triangles"},
+                 {"b.stl", write_binary_stl, 50562, 5, "triangles"}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        used_bytes used;
+        burnish_error error;
+        burnish_mesh *mesh = NULL;
+        burnish_load_options options = burnish_load_options_default();
+        FILE *file = tmpfile();
+        options.threads = 1;
+        options.context = make_counted(&used);
+        options.max_memory = BASE + ROOM;
+        if (!file || !options.context) {
+            abort();
+        }
+        cases[k].write(file);
+        rewind(file);
+        CHECK_OK(burnish_mesh_load_descriptor(fileno(file), cases[k].name, &options, &mesh, &error),
+                 error);
+        const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
+        const size_t kept = cases[k].count / cases[k].thinning;
+        if (CHECK(view && burnish_mesh_get_info(mesh)->thinning == cases[k].thinning &&
+                      view->vertex_count - kept <= 1,
+                  "%s: 1 in %zu", cases[k].name,
+                  mesh ? burnish_mesh_get_info(mesh)->thinning : 0)) {
+            char text[200];
+            size_t wrong = 0;
+            for (size_t i = 0; i < view->vertex_count; ++i) {
+                wrong += !is_on_grid(view, i, cases[k].write == write_binary_stl);
+            }
+            CHECK(wrong == 0, "%s: %zu", cases[k].name, wrong);
+            CHECK1(cases[k].write != write_obj || view->colors[1] == 255);
+            snprintf(text, sizeof text,
+                     "%s: a preview: 1 in %zu of %zu %s is drawn, as a point, since all need more "
+                     "memory than max-memory",
+                     cases[k].name, cases[k].thinning, cases[k].count, cases[k].what);
+            CHECK_TEXT(burnish_mesh_get_warning(mesh, burnish_mesh_get_warning_count(mesh) - 1),
+                       text);
+        }
+        CHECK(atomic_load(&used.most) <= ROOM + WINDOW, "%s: %zu bytes", cases[k].name,
+              atomic_load(&used.most));
+        burnish_mesh_destroy(mesh);
+        options.max_memory = 50000000;
+        rewind(file);
+        CHECK1(burnish_mesh_load_descriptor(fileno(file), cases[k].name, &options, &mesh, &error) ==
+               BURNISH_STATUS_LIMIT);
+        snprintf(error.text, sizeof error.text, "%s", strstr(error.text, "max-memory:"));
+        CHECK_TEXT(error.text, "max-memory: 50 MB are too few for a preview; give at least 86 MB");
+        fclose(file);
+        burnish_context_destroy((burnish_context *)(uintptr_t)options.context);
     }
-    options.max_memory = (80 << 20) + SIZE + COUNT / 2 * 112;
-    burnish_mesh *mesh = load_bytes(bytes, SIZE, "a.stl", &options);
-    if (CHECK1(mesh && burnish_mesh_get_info(mesh)->thinning == 2 &&
-               burnish_mesh_get_info(mesh)->point_count == COUNT / 2)) {
-        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        CHECK1(view->positions[3] == 3 && view->positions[4] == 1 && view->normals[5] == 1);
-        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0),
-                   "a.stl: a preview: 1 in 2 of 20000 triangles is drawn, as a point, since all "
-                   "need more memory than max-memory");
-    }
-    burnish_mesh_destroy(mesh);
-    options.max_memory = 50000000;
-    CHECK1(burnish_mesh_load_memory(bytes, SIZE, "a.stl", &options, &mesh, &error) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text,
-               "a.stl: max-memory: 50 MB are too few for a preview; give at least 87 MB");
 }
 
 /* Rods between vertices, by numbers from either end. */

@@ -19,7 +19,18 @@ typedef struct burnish_pieces {
 #define BURNISH_PIECES_HEAD 65536
 #endif
 
-/* Fails an input in pieces, which must then be read whole. */
+/* What a run takes without a mesh: the program, an image, depth maps, tile lists, light. */
+enum { BURNISH_PIECES_BASE = 80 << 20 };
+
+/* Whether an input in pieces stays so, as max_memory has no room for its bytes and its mesh. Its
+ * messages have no line then. */
+static inline int burnish_pieces_only(const burnish_reader_input *input) {
+    const uint64_t limit = input->pieces ? input->options->max_memory : 0;
+    return limit > 0 &&
+           (limit < BURNISH_PIECES_BASE || input->size > (limit - BURNISH_PIECES_BASE) / 2);
+}
+
+/* Fails an input in pieces, which must then be read whole; LIMIT if that can't be. */
 burnish_status burnish_pieces_give_up(burnish_reader *reader);
 
 /* How many of the input's bytes are in memory. */

@@ -120,6 +120,9 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
             note_other(obj, event, &lexer);
             continue;
         }
+        if (burnish_pieces_only(obj->reader->input)) {
+            continue;
+        }
         if (obj->reader->input->pieces) { /* names refer to the input's bytes */
             return burnish_pieces_give_up(obj->reader);
         }
@@ -196,7 +199,8 @@ static burnish_status make_points(obj_state *obj) {
                             obj->segment_count - count, obj->segment_count);
     }
     settle_colors(obj);
-    return burnish_make_points(obj->reader, obj->segments, count);
+    return burnish_make_points(obj->reader, obj->segments,
+                               obj->reader->mesh->thinning > 1 ? 0 : count);
 }
 
 static burnish_status finish(obj_state *obj) {
@@ -241,17 +245,23 @@ static int names_library(const uint8_t *bytes, size_t size) {
 }
 
 static burnish_status read_input(burnish_reader *reader) {
-    static const burnish_grammar grammar = {find_start, parse, accept,
-                                            1u << BURNISH_POSITION | 1u << BURNISH_NORMAL |
-                                                1u << BURNISH_TEXCOORD,
-                                            1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
+    static const burnish_grammar grammar = {
+        .find_start = find_start,
+        .parse = parse,
+        .accept = accept,
+        .indexed = 1u << BURNISH_POSITION | 1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD,
+        .lenient = 1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
     const size_t head = burnish_reader_head(reader);
     const int has_library = names_library(reader->input->bytes, head);
     obj_state obj = {.reader = reader,
                      .with_texcoords = burnish_reader_keeps_coordinates(reader, has_library),
                      .materials = {.reader = reader, .changed = 1}};
     const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
-    if (reader->input->pieces && has_library) {
+    if (reader->input->pieces && has_library && burnish_pieces_only(reader->input)) {
+        burnish_reader_warn(reader, NULL,
+                            "materials are not read, as max-memory has no room for "
+                            "them");
+    } else if (reader->input->pieces && has_library) {
         return burnish_pieces_give_up(reader);
     }
     reader->is_wide = 1;

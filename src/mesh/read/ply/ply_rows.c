@@ -527,8 +527,11 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 }
 
 burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows) {
-    const burnish_grammar grammar = {ply->header.encoding == BURNISH_PLY_ASCII ? find_line : NULL,
-                                     parse, accept, 1u << BURNISH_POSITION | ply->per_triangle, 0};
+    const burnish_grammar grammar = {
+        .find_start = ply->header.encoding == BURNISH_PLY_ASCII ? find_line : NULL,
+        .parse = parse,
+        .accept = accept,
+        .indexed = 1u << BURNISH_POSITION | ply->per_triangle};
     size_t missing = rows;
     burnish_status status = burnish_chunks_read(&grammar, ply, ply->reader, at, &missing);
     if (status == BURNISH_STATUS_OK && missing > 0) {
