@@ -23,22 +23,22 @@ enum {
     CELL_BLOCKS = BURNISH_HIZ_PIXELS / BURNISH_BLOCK_SIZE, /* across and down */
     CELL_PIXELS = BURNISH_HIZ_PIXELS * BURNISH_HIZ_PIXELS,
     /* four numbers are one vector: depth and three of the first attribute, then the others */
-    NUMBERS = 2 * 4
+    NUMBERS = 2 * 4,
+    CELL_VECTORS = (int)CELL_PIXELS / (int)LANES,
+    /* Of a cell with few vectors all are drawn: skipping some would cost more by wrong guesses of
+     * branches. */
+    SKIPS_VECTORS = CELL_VECTORS > 4,
+    CELL_NEXT_ROW = (int)BURNISH_BLOCK_ROW_PIXELS - CELL_BLOCKS * (int)BURNISH_BLOCK_PIXELS
 };
+_Static_assert(CELL_VECTORS <= 64, "bits of a cell's vectors fit 64");
 
 typedef double double4 __attribute__((vector_size(32)));
 typedef float float4 __attribute__((vector_size(16)));
+typedef int32_t int4 __attribute__((vector_size(16)));
 
-/* Columns and rows of a cell's pixels, block after block, and of cells that are classified at
- * once. */
-#define BLOCK_X(x)                                                                                 \
-    x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3, x, x + 1, x + 2, x + 3
-#define BLOCK_Y(y)                                                                                 \
-    y, y, y, y, y + 1, y + 1, y + 1, y + 1, y + 2, y + 2, y + 2, y + 2, y + 3, y + 3, y + 3, y + 3
-static const int32_t PIXEL_X[CELL_PIXELS] = {BLOCK_X(0), BLOCK_X(4), BLOCK_X(0), BLOCK_X(4)};
-static const int32_t PIXEL_Y[CELL_PIXELS] = {BLOCK_Y(0), BLOCK_Y(0), BLOCK_Y(4), BLOCK_Y(4)};
-#undef BLOCK_X
-#undef BLOCK_Y
+/* Columns and rows of a block's pixels, and of cells that are classified at once. */
+static const int32_t BLOCK_PIXEL_X[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+static const int32_t BLOCK_PIXEL_Y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 static const int32_t CELL_X[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
 static const int32_t CELL_Y[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
 
@@ -67,6 +67,22 @@ typedef struct large_triangle {
     float cell_depths[LANES];
 } large_triangle;
 
+/* Steps of an edge from a cell's first pixel to all of them. */
+BURNISH_INLINE void step_edge(int32_t right, int32_t down, int32_t pixels[CELL_PIXELS]) {
+    const vi across = vi_set(right), along = vi_set(down);
+    const vi to_right = vi_set(right * BURNISH_BLOCK_SIZE);
+    const vi to_below = vi_set(down * BURNISH_BLOCK_SIZE);
+    for (int k = 0; k < BURNISH_BLOCK_PIXELS; k += LANES) {
+        const vi step = vi_add(vi_mul(across, vi_load(BLOCK_PIXEL_X + k)),
+                               vi_mul(along, vi_load(BLOCK_PIXEL_Y + k)));
+        const vi below = vi_add(step, to_below);
+        vi_store(pixels + k, step);
+        vi_store(pixels + k + BURNISH_BLOCK_PIXELS, vi_add(step, to_right));
+        vi_store(pixels + k + 2 * BURNISH_BLOCK_PIXELS, below);
+        vi_store(pixels + k + 3 * BURNISH_BLOCK_PIXELS, vi_add(below, to_right));
+    }
+}
+
 /* Fills an edge; returns 0 when the whole tile is outside. */
 BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, int i, int samples,
                                       large_edge *edge) {
@@ -80,7 +96,7 @@ BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, 
     int32_t right = (int32_t)-dy, down = (int32_t)dx, least = INT32_MAX, most = INT32_MIN;
     for (int s = 0; s < samples; ++s) {
         const int64_t at = e + BURNISH_SAMPLE_STEP * (dx * offsets[s][1] - dy * offsets[s][0]);
-        const int32_t step = (int32_t)((at >> BURNISH_SUBPIXEL_BITS) - start);
+        const int32_t step = samples == 1 ? 0 : (int32_t)((at >> BURNISH_SUBPIXEL_BITS) - start);
         edge->step[s] = step;
         least = step < least ? step : least;
         most = step > most ? step : most;
@@ -93,7 +109,7 @@ BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, 
     const int is_inside = start + (int64_t)LAST * low + least >= 0;
     if (is_inside) {
         right = down = low = high = least = most = 0;
-        memset(edge->step, 0, sizeof edge->step);
+        memset(edge->step, 0, (size_t)samples * sizeof *edge->step);
     }
     edge->start = is_inside ? 0 : (int32_t)start;
     edge->right = right;
@@ -101,12 +117,9 @@ BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, 
     edge->most = most;
     edge->low = LAST_OF_CELL * low + least;
     edge->high = LAST_OF_CELL * high + most;
-    const vi across = vi_set(right), along = vi_set(down);
-    for (int k = 0; k < CELL_PIXELS; k += LANES) {
-        vi_store(edge->pixels + k,
-                 vi_add(vi_mul(across, vi_load(PIXEL_X + k)), vi_mul(along, vi_load(PIXEL_Y + k))));
-    }
-    const vi cells = vi_add(vi_mul(across, vi_load(CELL_X)), vi_mul(along, vi_load(CELL_Y)));
+    step_edge(right, down, edge->pixels);
+    const vi cells =
+        vi_add(vi_mul(vi_set(right), vi_load(CELL_X)), vi_mul(vi_set(down), vi_load(CELL_Y)));
     vi_store(edge->cells, vi_shl(cells, BURNISH_HIZ_BITS));
     return 1;
 }
@@ -116,11 +129,38 @@ BURNISH_INLINE int is_steep(double step1, double step2) {
     return step1 > 16 || step1 < -16 || step2 > 16 || step2 < -16;
 }
 
-/* The least and greatest number of the vertices. */
-BURNISH_INLINE void bound_number(large_triangle *large, int i, float a, float b, float c) {
-    const float low = a < b ? a : b, high = a > b ? a : b;
-    large->low[i] = low < c ? low : c;
-    large->high[i] = high > c ? high : c;
+/* Steps of a plane from a cell's first pixel to all of them. */
+BURNISH_INLINE void step_plane(float across, float down, float pixels[CELL_PIXELS]) {
+    const vf right = vf_set(across), below = vf_set(down);
+    const vi size = vi_set(BURNISH_BLOCK_SIZE);
+    for (int k = 0; k < BURNISH_BLOCK_PIXELS; k += LANES) {
+        const vi x = vi_load(BLOCK_PIXEL_X + k), y = vi_load(BLOCK_PIXEL_Y + k);
+        const vf u[2] = {vf_mul(right, vf_from_int(x)),
+                         vf_mul(right, vf_from_int(vi_add(x, size)))};
+        const vf v[2] = {vf_mul(below, vf_from_int(y)),
+                         vf_mul(below, vf_from_int(vi_add(y, size)))};
+        for (int block = 0; block < CELL_BLOCKS * CELL_BLOCKS; ++block) {
+            vf_store(pixels + block * BURNISH_BLOCK_PIXELS + k,
+                     vf_add(u[block % CELL_BLOCKS], v[block / CELL_BLOCKS]));
+        }
+    }
+}
+
+/* Four numbers of vertex i: depth and three of the first attribute, or the others. Depth is that
+ * of vertex 0, and what is added to it for vertices 1 and 2. */
+BURNISH_INLINE float4 load_numbers(const triangle_setup *setup, size_t lane, int planes, int g,
+                                   int i) {
+    float4 numbers = {0};
+    for (int k = 0; k < 4 && 4 * g + k <= planes; ++k) {
+        numbers[k] =
+            4 * g + k == 0 ? setup->depth[i][lane] : setup->attributes[i][4 * g + k - 1][lane];
+    }
+    return numbers;
+}
+
+/* a where the mask holds, b elsewhere. */
+BURNISH_INLINE float4 pick4(int4 mask, float4 a, float4 b) {
+    return (float4)(((int4)a & mask) | ((int4)b & ~mask));
 }
 
 /* The planes of depth and `planes` attributes; the edges are there. */
@@ -137,34 +177,33 @@ BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int
     const double down2 = (double)(dx2 * BURNISH_SUBPIXELS) * inverse_area;
     large->is_needle = is_steep(right1, right2) || is_steep(down1, down2);
     for (int g = 0; g < (planes + 4) / 4; ++g) {
-        double4 value = {0}, first = {0}, second = {0};
-        for (int k = g == 0; k < 4 && 4 * g + k <= planes; ++k) {
-            const int plane = 4 * g + k - 1;
-            value[k] = (double)setup->attributes[0][plane][lane];
-            first[k] = (double)setup->attributes[1][plane][lane] - value[k];
-            second[k] = (double)setup->attributes[2][plane][lane] - value[k];
-            bound_number(large, 4 * g + k, setup->attributes[0][plane][lane],
-                         setup->attributes[1][plane][lane], setup->attributes[2][plane][lane]);
+        float4 corner[3];
+        for (int i = 0; i < 3; ++i) {
+            corner[i] = load_numbers(setup, lane, planes, g, i);
         }
-        if (g == 0) {
-            value[0] = (double)setup->depth[0][lane];
-            first[0] = (double)setup->depth[1][lane];
-            second[0] = (double)setup->depth[2][lane];
-            bound_number(large, 0, setup->depth[0][lane],
-                         setup->depth[0][lane] + setup->depth[1][lane],
-                         setup->depth[0][lane] + setup->depth[2][lane]);
+        const double4 value = __builtin_convertvector(corner[0], double4);
+        double4 base = value, first = __builtin_convertvector(corner[1], double4);
+        double4 second = __builtin_convertvector(corner[2], double4);
+        if (g == 0) { /* depth is a difference already */
+            base[0] = 0;
+            corner[1][0] += corner[0][0];
+            corner[2][0] += corner[0][0];
         }
+        first -= base;
+        second -= base;
+        float4 low = pick4(corner[0] < corner[1], corner[0], corner[1]);
+        float4 high = pick4(corner[0] > corner[1], corner[0], corner[1]);
+        low = pick4(low < corner[2], low, corner[2]);
+        high = pick4(high > corner[2], high, corner[2]);
+        memcpy(large->low + 4 * g, &low, sizeof low);
+        memcpy(large->high + 4 * g, &high, sizeof high);
         large->base[g] = value + (first * weight1 + second * weight2);
         large->across[g] = first * right1 + second * right2;
         large->down[g] = first * down1 + second * down2;
         const float4 across = __builtin_convertvector(large->across[g], float4);
         const float4 down = __builtin_convertvector(large->down[g], float4);
         for (int k = 0; k < 4 && 4 * g + k <= planes; ++k) {
-            for (int p = 0; p < CELL_PIXELS; p += LANES) {
-                vf_store(large->pixels[4 * g + k] + p,
-                         vf_add(vf_mul(vf_set(across[k]), vf_from_int(vi_load(PIXEL_X + p))),
-                                vf_mul(vf_set(down[k]), vf_from_int(vi_load(PIXEL_Y + p)))));
-            }
+            step_plane(across[k], down[k], large->pixels[4 * g + k]);
         }
     }
 }
@@ -192,18 +231,32 @@ BURNISH_INLINE void compute_depth_bounds(large_triangle *large, int samples) {
                     vf_mul(vf_set(large->depth_down), vf_from_int(vi_load(CELL_Y)))));
 }
 
-/* Classifies CELL_ROWS x CELL_COLUMNS cells from (x, y) on. Returns bits of the cells in which the
- * triangle may be visible; *inside receives bits of the cells that it covers entirely. HiZ
- * learns of these unless the triangle becomes a layer. */
-BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle *large, int keep,
-                                       int x, int y, unsigned *inside) {
-    vi outside = vi_set(0), partly = vi_set(0);
+/* Edges over cells that are classified at once. */
+typedef struct edge_cells {
+    vi high, to_low, down; /* the greatest value; from there to the least; to the next rows */
+} edge_cells;
+
+/* The edges over the cells from (x, y) on. */
+BURNISH_INLINE void start_edges(const large_triangle *large, int x, int y, edge_cells edges[3]) {
     for (int i = 0; i < 3; ++i) {
         const large_edge *edge = &large->edges[i];
         const int32_t first = edge->start + BURNISH_HIZ_PIXELS * (x * edge->right + y * edge->down);
-        const vi at = vi_add(vi_set(first), vi_load(edge->cells));
-        outside = vi_or(outside, vi_add(at, vi_set(edge->high)));
-        partly = vi_or(partly, vi_add(at, vi_set(edge->low)));
+        edges[i].high = vi_add(vi_set(first + edge->high), vi_load(edge->cells));
+        edges[i].to_low = vi_set(edge->low - edge->high);
+        edges[i].down = vi_set(BURNISH_HIZ_PIXELS * CELL_ROWS * edge->down);
+    }
+}
+
+/* Classifies CELL_ROWS x CELL_COLUMNS cells from (x, y) on, and moves the edges to the next rows.
+ * Returns bits of the cells in which the triangle may be visible; *inside receives bits of the
+ * cells that it covers entirely. HiZ learns of these unless the triangle becomes a layer. */
+BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle *large, int keep,
+                                       int x, int y, edge_cells edges[3], unsigned *inside) {
+    vi outside = vi_set(0), partly = vi_set(0);
+    for (int i = 0; i < 3; ++i) {
+        outside = vi_or(outside, edges[i].high);
+        partly = vi_or(partly, vi_add(edges[i].high, edges[i].to_low));
+        edges[i].high = vi_add(edges[i].high, edges[i].down);
     }
     float *cells = tile->hiz.cells + y * BURNISH_HIZ_SIZE + x;
     const float first =
@@ -213,17 +266,21 @@ BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle 
     const vm may_show =
         vm_and(vi_not_negative(outside), vf_greater(vf_add(depth, vf_set(large->nearest)), before));
     const vm full = vm_and(may_show, vi_not_negative(partly));
-    if (keep != KEEP_LAYER) {
+    *inside = vm_bits(full);
+    if (keep != KEEP_LAYER && *inside) {
         vf_store(cells,
                  vf_blend(full, vf_max(vf_add(depth, vf_set(large->farthest)), before), before));
     }
-    *inside = vm_bits(full);
     return vm_bits(may_show);
 }
 
-/* The planes at the tile's pixel (x, y). */
-BURNISH_INLINE void start_planes(const large_triangle *large, int planes, int x, int y,
-                                 float numbers[NUMBERS]) {
+/* The edges and planes at the tile's pixel (x, y), a cell's first. */
+BURNISH_INLINE void start_cell(const large_triangle *large, int planes, int x, int y, vi first[3],
+                               float numbers[NUMBERS]) {
+    for (int i = 0; i < 3; ++i) {
+        const large_edge *edge = &large->edges[i];
+        first[i] = vi_set(edge->start + x * edge->right + y * edge->down);
+    }
     for (int g = 0; g < (planes + 4) / 4; ++g) {
         const double4 sum =
             (large->base[g] + large->down[g] * (double)y) + large->across[g] * (double)x;
@@ -234,11 +291,11 @@ BURNISH_INLINE void start_planes(const large_triangle *large, int planes, int x,
 
 /* Edges at the centres of LANES pixels of a cell, from pixel k on; `first` has the edges at the
  * cell's first pixel. Returns where the triangle is, or with several samples may be. */
-BURNISH_INLINE vm find_edges(const large_triangle *large, const int32_t first[3], int samples,
-                             int k, vi at[3]) {
+BURNISH_INLINE vm find_edges(const large_triangle *large, const vi first[3], int samples, int k,
+                             vi at[3]) {
     vi outside = vi_set(0);
     for (int i = 0; i < 3; ++i) {
-        at[i] = vi_add(vi_set(first[i]), vi_load(large->edges[i].pixels + k));
+        at[i] = vi_add(first[i], vi_load(large->edges[i].pixels + k));
         outside =
             vi_or(outside, samples == 1 ? at[i] : vi_add(at[i], vi_set(large->edges[i].most)));
     }
@@ -264,7 +321,7 @@ BURNISH_INLINE vf clamp_number(const large_triangle *large, int i, vf value) {
 typedef struct cell_part {
     int is_inside; /* 1: the triangle covers the cell; a constant where it is compiled */
     int k, pixel;  /* the first one: its number in the cell, and in the tile */
-    vi at[3];      /* edges at the centres; read unless is_inside */
+    vi at[3];      /* edges at the centres; read with several samples unless is_inside */
     vm covered;    /* where the triangle is, or with several samples may be */
 } cell_part;
 
@@ -293,22 +350,21 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
         if (kind.keep) {
             vi_store_where(nearer, tile->buffer.ids + sample, vi_set(id));
         }
-        simple = vm_and(simple, nearer);
+        simple = kind.samples == 1 ? nearer : vm_and(simple, nearer);
     }
     return simple;
 }
 
-/* Draws LANES pixels of a cell; `numbers` are the planes at its first pixel. */
-BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *large, draw_kind kind,
-                                   int32_t id, const cell_part *part,
-                                   const float numbers[NUMBERS]) {
+/* Draws LANES pixels of a cell; `numbers` are the planes at its first pixel. Returns whether a
+ * sample was nearer. */
+BURNISH_INLINE int draw_cell_part(burnish_tile *tile, const large_triangle *large, draw_kind kind,
+                                  int32_t id, const cell_part *part, const float numbers[NUMBERS]) {
     const int k = part->k, pixel = part->pixel;
     unsigned drawn = 0;
     const vf depth = vf_add(vf_set(numbers[0]), vf_load(large->pixels[0] + k));
     const vm simple = draw_part(tile, large, kind, id, part, depth, &drawn);
-    mark_dirty(tile, pixel, drawn != 0);
-    if (!vm_any(simple)) {
-        return;
+    if ((SKIPS_VECTORS || kind.samples > 1) && !vm_any(simple)) {
+        return drawn != 0;
     }
     if (kind.samples > 1 && tile->options.needs_position) {
         vf_store_where(simple, tile->buffer.center_depths + pixel, clamp_number(large, 0, depth));
@@ -320,59 +376,105 @@ BURNISH_INLINE void draw_cell_part(burnish_tile *tile, const large_triangle *lar
         }
         vf_store_where(simple, tile->buffer.planes[p] + pixel, value);
     }
+    return drawn != 0;
 }
 
-/* The tile's pixel that is a cell's pixel k; (x, y) is the cell's first. */
-BURNISH_INLINE int pixel_of_cell(int x, int y, int k) {
-    const int block = k / BURNISH_BLOCK_PIXELS;
-    return burnish_pixel_index(x + block % CELL_BLOCKS * BURNISH_BLOCK_SIZE,
-                               y + block / CELL_BLOCKS * BURNISH_BLOCK_SIZE) +
-           k % BURNISH_BLOCK_PIXELS;
+/* The tile's pixel that is a cell's pixel k: its blocks are neighbours in memory, row by row. */
+BURNISH_INLINE int pixel_of_cell(int first, int k) {
+    return first + k + k / (CELL_BLOCKS * BURNISH_BLOCK_PIXELS) * CELL_NEXT_ROW;
 }
 
-/* Draws a cell that the triangle covers, whose first pixel is (x, y). */
-BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *large, draw_kind kind,
-                                    int32_t id, int x, int y) {
-    cell_part part = {.is_inside = 1, .covered = vi_not_negative(vi_set(0))};
-    float numbers[NUMBERS];
-    start_planes(large, kind.planes, x, y, numbers);
-    for (part.k = 0; part.k < CELL_PIXELS; part.k += LANES) {
-        part.pixel = pixel_of_cell(x, y, part.k);
-        draw_cell_part(tile, large, kind, id, &part, numbers);
+/* Marks the blocks of a cell, bits of their numbers, as written. */
+BURNISH_INLINE void mark_cell(burnish_tile *tile, int x, int y, unsigned blocks) {
+    uint16_t *dirty = tile->buffer.dirty_blocks + y / BURNISH_BLOCK_SIZE;
+    for (int row = 0; row < CELL_BLOCKS; ++row) {
+        const unsigned columns = blocks >> row * CELL_BLOCKS & ((1u << CELL_BLOCKS) - 1);
+        dirty[row] |= (uint16_t)(columns << x / BURNISH_BLOCK_SIZE);
     }
+}
+
+/* Draws all vectors of a cell whose first pixel is (x, y). */
+BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *large, draw_kind kind,
+                                    int32_t id, int x, int y, int is_inside) {
+    const int first_pixel = burnish_pixel_index(x, y);
+    vi first[3];
+    cell_part part;
+    float numbers[NUMBERS];
+    unsigned blocks = 0;
+    start_cell(large, kind.planes, x, y, first, numbers);
+    part.is_inside = is_inside;
+    part.covered = vi_not_negative(vi_set(0));
+    for (int k = 0; k < CELL_PIXELS; k += LANES) {
+        part.k = k;
+        part.pixel = pixel_of_cell(first_pixel, k);
+        if (!is_inside) {
+            part.covered = find_edges(large, first, kind.samples, k, part.at);
+        }
+        const int drawn = draw_cell_part(tile, large, kind, id, &part, numbers);
+        blocks |= (unsigned)drawn << k / BURNISH_BLOCK_PIXELS;
+    }
+    mark_cell(tile, x, y, blocks);
 }
 
 /* Draws a cell that the triangle may cover in part. Which pixels it covers is unpredictable, so
  * they are found first, without a branch. */
 BURNISH_INLINE void draw_part_of_cell(burnish_tile *tile, const large_triangle *large,
                                       draw_kind kind, int32_t id, int x, int y) {
-    int32_t first[3];
-    vm covered[CELL_PIXELS / LANES];
-    cell_part part = {.is_inside = 0};
-    uint64_t hit = 0;
-    for (int i = 0; i < 3; ++i) {
-        const large_edge *edge = &large->edges[i];
-        first[i] = edge->start + x * edge->right + y * edge->down;
-    }
-    for (int k = 0; k < CELL_PIXELS; k += LANES) {
-        covered[k / LANES] = find_edges(large, first, kind.samples, k, part.at);
-        hit |= (uint64_t)(vm_any(covered[k / LANES]) != 0) << k / LANES;
-    }
-    if (!hit) {
-        return;
-    }
+    const int first_pixel = burnish_pixel_index(x, y);
+    vi first[3];
+    vm covered[CELL_VECTORS];
+    cell_part part;
     float numbers[NUMBERS];
-    start_planes(large, kind.planes, x, y, numbers);
-    for (; hit; hit &= hit - 1) {
-        part.k = __builtin_ctzll(hit) * LANES;
-        part.pixel = pixel_of_cell(x, y, part.k);
-        part.covered = covered[part.k / LANES];
-        find_edges(large, first, kind.samples, part.k, part.at);
-        draw_cell_part(tile, large, kind, id, &part, numbers);
+    uint64_t hit = 0; /* bits of pixels */
+    unsigned blocks = 0;
+    start_cell(large, kind.planes, x, y, first, numbers);
+    part.is_inside = 0;
+    for (int v = 0; v < CELL_VECTORS; ++v) {
+        covered[v] = find_edges(large, first, kind.samples, v * LANES, part.at);
+        hit |= (uint64_t)vm_bits(covered[v]) << v * LANES;
+    }
+    while (hit) {
+        const int v = __builtin_ctzll(hit) / (int)LANES;
+        hit &= ~((uint64_t)ALL_LANES << v * LANES);
+        part.k = v * LANES;
+        part.pixel = pixel_of_cell(first_pixel, part.k);
+        part.covered = covered[v];
+        if (kind.samples > 1) {
+            find_edges(large, first, kind.samples, part.k, part.at);
+        }
+        const int drawn = draw_cell_part(tile, large, kind, id, &part, numbers);
+        blocks |= (unsigned)drawn << part.k / BURNISH_BLOCK_PIXELS;
+    }
+    mark_cell(tile, x, y, blocks);
+}
+
+/* Bits of HiZ's cells, row after row, that a triangle's bounds touch. */
+BURNISH_INLINE uint64_t cells_of_bounds(int x0, int y0, int x1, int y1) {
+    enum { LAST = BURNISH_HIZ_SIZE - 1 };
+    const uint64_t columns = (2ull << x1) - (1ull << x0);
+    const uint64_t rows =
+        (~0ull << BURNISH_HIZ_SIZE * y0) & (~0ull >> BURNISH_HIZ_SIZE * (LAST - y1));
+    return columns * 0x0101010101010101ull & rows;
+}
+_Static_assert((int)BURNISH_HIZ_SIZE == 8, "a row of cells is a byte");
+
+/* Draws some cells of a tile. */
+BURNISH_INLINE void draw_cells(burnish_tile *tile, const large_triangle *large, draw_kind kind,
+                               int32_t id, uint64_t cells, int are_inside) {
+    for (; cells; cells &= cells - 1) {
+        const int cell = __builtin_ctzll(cells);
+        const int x = cell % BURNISH_HIZ_SIZE * BURNISH_HIZ_PIXELS;
+        const int y = cell / BURNISH_HIZ_SIZE * BURNISH_HIZ_PIXELS;
+        if (are_inside || (!SKIPS_VECTORS && kind.samples == 1)) {
+            draw_whole_cell(tile, large, kind, id, x, y, are_inside);
+        } else {
+            draw_part_of_cell(tile, large, kind, id, x, y);
+        }
     }
 }
 
-/* Draws a triangle of any size. */
+/* Draws a triangle of any size: the cells that it covers, then the ones that its edges cross, since
+ * in turns they are unpredictable. */
 BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, size_t lane,
                                draw_kind kind, int32_t id) {
     large_triangle large;
@@ -385,25 +487,21 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
     compute_depth_bounds(&large, kind.samples);
     const int x0 = setup->x0[lane] / BURNISH_HIZ_PIXELS, x1 = setup->x1[lane] / BURNISH_HIZ_PIXELS;
     const int y0 = setup->y0[lane] / BURNISH_HIZ_PIXELS, y1 = setup->y1[lane] / BURNISH_HIZ_PIXELS;
-    for (int y = y0 & ~(CELL_ROWS - 1); y <= y1; y += CELL_ROWS) {
-        for (int x = x0 & ~(CELL_COLUMNS - 1); x <= x1; x += CELL_COLUMNS) {
-            unsigned inside;
-            unsigned rest = classify_cells(tile, &large, kind.keep, x, y, &inside);
-            for (; rest; rest &= rest - 1) {
-                const int cell = __builtin_ctz(rest);
-                const int column = x + cell % CELL_COLUMNS, row = y + cell / CELL_COLUMNS;
-                if (column < x0 || column > x1 || row < y0 || row > y1) {
-                    continue;
-                }
-                const int u = column * BURNISH_HIZ_PIXELS, v = row * BURNISH_HIZ_PIXELS;
-                if (inside >> cell & 1) {
-                    draw_whole_cell(tile, &large, kind, id, u, v);
-                } else {
-                    draw_part_of_cell(tile, &large, kind, id, u, v);
-                }
-            }
+    const int first_row = y0 & ~(CELL_ROWS - 1);
+    uint64_t visible = 0, inside = 0;
+    for (int x = x0 & ~(CELL_COLUMNS - 1); x <= x1; x += CELL_COLUMNS) {
+        edge_cells edges[3];
+        start_edges(&large, x, first_row, edges);
+        for (int y = first_row; y <= y1; y += CELL_ROWS) {
+            unsigned full;
+            const uint64_t seen = classify_cells(tile, &large, kind.keep, x, y, edges, &full);
+            visible |= seen << (y * BURNISH_HIZ_SIZE + x);
+            inside |= (uint64_t)full << (y * BURNISH_HIZ_SIZE + x);
         }
     }
+    visible &= cells_of_bounds(x0, y0, x1, y1);
+    draw_cells(tile, &large, kind, id, visible & inside, 1);
+    draw_cells(tile, &large, kind, id, visible & ~inside, 0);
 }
 
 #endif

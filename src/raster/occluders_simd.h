@@ -100,10 +100,12 @@ static void fill_cells(burnish_tile *tile, const burnish_geometry *geometry, con
             }
             compute_planes(&setup, lane, 0, &large);
             compute_depth_bounds(&large, samples);
-            for (int row = 0; row < BURNISH_HIZ_SIZE; row += CELL_ROWS) {
-                for (int column = 0; column < BURNISH_HIZ_SIZE; column += CELL_COLUMNS) {
+            for (int column = 0; column < BURNISH_HIZ_SIZE; column += CELL_COLUMNS) {
+                edge_cells edges[3];
+                start_edges(&large, column, 0, edges);
+                for (int row = 0; row < BURNISH_HIZ_SIZE; row += CELL_ROWS) {
                     unsigned inside;
-                    classify_cells(tile, &large, 0, column, row, &inside);
+                    classify_cells(tile, &large, 0, column, row, edges, &inside);
                 }
             }
         }
