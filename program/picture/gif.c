@@ -248,6 +248,10 @@ static burnish_status begin(picture_animation *animation, burnish_error *error) 
     for (int i = o->palette->count; i < 256; ++i) {
         picture_put(out, "\0\0", 3);
     }
+    picture_put(out,
+                "\x21\xFE\x07"
+                "burnish\0",
+                11);                                             /* a comment, as PNG's Software */
     picture_put(out, "\x21\xFF\x0BNETSCAPE2.0\x03\x01\0\0", 19); /* repeat for ever */
     return BURNISH_STATUS_OK;
 }

@@ -91,6 +91,8 @@ static void become_ffmpeg(const encoder *e, int frames, const char *file, const 
                                      "iec61966-2-1",
                                      "-color_range",
                                      "tv",
+                                     "-metadata",
+                                     "comment=burnish",
                                      "-movflags",
                                      "+faststart",
                                      "-f",

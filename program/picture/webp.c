@@ -31,6 +31,19 @@ static int import(WebPPicture *picture, const burnish_pixels *pixels) {
                : WebPPictureImportRGB(picture, pixels->pixels, stride);
 }
 
+/* Exif with one entry: software, as PNG's Software. */
+static const uint8_t exif[] = "II*\0\x08\0\0\0\1\0\x31\1\2\0\x08\0\0\0\x1A\0\0\0\0\0\0\0burnish";
+
+/* *file: the data with Exif; release it with WebPDataClear(). Returns 0 without memory. */
+static int add_software(const WebPData *data, WebPData *file) {
+    const WebPData software = {exif, sizeof exif};
+    WebPMux *mux = WebPMuxCreate(data, 0);
+    const int added = mux && WebPMuxSetChunk(mux, "EXIF", &software, 0) == WEBP_MUX_OK &&
+                      WebPMuxAssemble(mux, file) == WEBP_MUX_OK;
+    WebPMuxDelete(mux);
+    return added;
+}
+
 burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
                                    picture_file *file, burnish_error *error) {
     WebPConfig config;
@@ -55,8 +68,14 @@ burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_o
         return cli_fail(error, BURNISH_STATUS_MEMORY, "WebP: not encoded (libwebp's error %d)",
                         code);
     }
-    file->bytes = writer.mem;
-    file->size = writer.size;
+    WebPData data = {writer.mem, writer.size}, marked = {NULL, 0};
+    const int added = add_software(&data, &marked);
+    WebPMemoryWriterClear(&writer);
+    if (!added) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: the WebP");
+    }
+    file->bytes = (uint8_t *)(uintptr_t)marked.bytes;
+    file->size = marked.size;
     file->release = WebPFree;
     return BURNISH_STATUS_OK;
 }
@@ -100,15 +119,19 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
 }
 
 static burnish_status end(picture_animation *animation, burnish_error *error) {
-    WebPData data;
-    WebPDataInit(&data);
+    WebPData data = {NULL, 0}, marked = {NULL, 0};
     if (!WebPAnimEncoderAdd(animation->state, NULL,
                             picture_time(animation, animation->options.frames, 1000), NULL) ||
         !WebPAnimEncoderAssemble(animation->state, &data)) {
         return fail_animation(animation->state, error);
     }
-    picture_put(&animation->out, data.bytes, data.size);
+    const int added = add_software(&data, &marked);
     WebPDataClear(&data);
+    if (!added) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: the WebP");
+    }
+    picture_put(&animation->out, marked.bytes, marked.size);
+    WebPDataClear(&marked);
     return BURNISH_STATUS_OK;
 }
 

@@ -13,7 +13,8 @@ static burnish_status begin(picture_animation *animation, burnish_error *error) 
     }
     const int size =
         snprintf(head, sizeof head,
-                 "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED\n",
+                 "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED "
+                 "XBURNISH\n",
                  o->width, o->height, o->fps);
     picture_put(&animation->out, head, (size_t)size);
     return BURNISH_STATUS_OK;

@@ -200,7 +200,7 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     return BURNISH_STATUS_OK;
 }
 
-/* What begins a file, and names burnish as its writer near the beginning. */
+/* What begins a file, and names burnish as its writer near the beginning or at the end. */
 typedef struct own_mark {
     const char *magic, *mark;
     size_t magic_size, mark_size;
@@ -218,25 +218,40 @@ static int has_bytes(const char *text, size_t size, const char *bytes, size_t co
     return 0;
 }
 
-/* 1 for a PNG, JPEG or EXR file that burnish wrote. */
+/* 1 for a picture, drawing or video that burnish wrote. */
 static int is_own_picture(const char *path) {
-    static const own_mark marks[] = {MARK("\x89PNG", "tEXtSoftware\0burnish"),
-                                     MARK("\xFF\xD8", "\xFF\xFE\0\x09"
-                                                      "burnish"),
-                                     MARK("v/1\x01", "software\0string\0\7\0\0\0burnish")};
-    char head[1024];
+    static const own_mark marks[] = {
+        MARK("\x89PNG", "tEXtSoftware\0burnish"),
+        MARK("\xFF\xD8", "\xFF\xFE\0\x09"
+                         "burnish"),
+        MARK("v/1\x01", "software\0string\0\7\0\0\0burnish"),
+        MARK("GIF89a", "\x21\xFE\x07"
+                       "burnish"),
+        MARK("RIFF", "\0\0burnish"),
+        MARK("<svg xmlns", "<!-- burnish -->"),
+        MARK("%PDF-1.4", "%burnish\n"),
+        MARK("YUV4MPEG2", "XBURNISH\n"),
+        MARK("\0\0\0", "data\0\0\0\1\0\0\0\0burnish"), /* MP4 and WebM: comments */
+        MARK("\x1A\x45\xDF\xA3", "\x44\x87\x87"
+                                 "burnish"),
+    };
+    enum { TAIL = 64 };
+    char bytes[8192 + TAIL];
     struct stat status;
     FILE *file = stat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
     if (!file) {
         return 0;
     }
-    const size_t size = fread(head, 1, sizeof head, file);
+    size_t size = fread(bytes, 1, sizeof bytes - TAIL, file);
+    if (fseek(file, -TAIL, SEEK_END) == 0) { /* WebP's Exif */
+        size += fread(bytes + size, 1, TAIL, file);
+    }
     int found = 0;
     fclose(file);
     for (size_t i = 0; i < sizeof marks / sizeof *marks && !found; ++i) {
         const own_mark *m = &marks[i];
-        found = size >= m->magic_size && memcmp(head, m->magic, m->magic_size) == 0 &&
-                has_bytes(head, size, m->mark, m->mark_size);
+        found = size >= m->magic_size && memcmp(bytes, m->magic, m->magic_size) == 0 &&
+                has_bytes(bytes, size, m->mark, m->mark_size);
     }
     return found;
 }

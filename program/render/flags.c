@@ -96,7 +96,7 @@ static const cli_flag flags[] = {
          "parts of _INPUT_'s name and by the view, as in *burnish batch*. Several inputs need one "
          "of them, or *--output-dir*.\nInstead of this flag, a second operand can name the picture "
          "or the turntable: *burnish part.stl part.jpg*. An existing picture is then replaced only "
-         "if it is a PNG, JPEG or EXR file that burnish wrote, or with *--overwrite*."},
+         "if burnish wrote it, or with *--overwrite*."},
     {CLI_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,
               output.folder),
      .letter = 'd', .common = 1, .takes_file = 1, .aliases = "outdir,out-dir",

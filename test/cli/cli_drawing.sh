@@ -276,8 +276,9 @@ same "a file of others stays" "$(cat foreign.png)" texture
 script -qec "'$burnish' :sphere -s 40 terminal.png; '$burnish' -q :sphere -s 40 terminal.png" /dev/null >"$out"
 same "a terminal gets the name" "$(tr -d '\r' <"$out")" 'burnish: wrote terminal.png, 40 x 40'
 same "an axis without sign" "$(for up in +Z Z z; do "$burnish" :teapot --up=$up -s 16 -o - | cksum; done | sort -u | wc -l)" 1
-for extension in jpg exr; do
-    ! "$burnish" -q :sphere -s 16 "own.$extension" 2>/dev/null || expect 0 '' :sphere -s 16 "own.$extension" # a build can lack the format
+for extension in jpg exr webp gif svg pdf y4m mp4 webm; do
+    ! "$burnish" -q :sphere --look=drawing -s 16 "own.$extension" 2>/dev/null ||
+        expect 0 "" :sphere --look=drawing -s 16 "own.$extension" # a build can lack the format
 done
 rm -f ./*.png turn.gif own.*
 nothing_left "short command lines"

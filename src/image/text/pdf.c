@@ -200,7 +200,7 @@ static void put_page(pdf *w, const burnish_drawing *drawing, double points) {
 
 static void put_objects(pdf *w, const burnish_drawing *drawing, const char *title,
                         const burnish_text_writer *content, double points) {
-    put_text(w, "%PDF-1.4\n");
+    put_text(w, "%PDF-1.4\n%burnish\n");
     begin_object(w, 1);
     put_text(w, "<< /Type /Catalog /Pages 2 0 R >>\nendobj\n");
     begin_object(w, 2);

@@ -157,7 +157,7 @@ static void put_head(svg *w, const burnish_drawing *drawing, const char *title,
              dots_per_inch);
     put_size(w, " height=\"", drawing->height, dots_per_inch);
     burnish_put_number(&w->out, " viewBox=\"0 0 ", 100 * drawing->width, " ");
-    burnish_put_number(&w->out, "", 100 * drawing->height, "\">\n");
+    burnish_put_number(&w->out, "", 100 * drawing->height, "\">\n<!-- burnish -->\n");
     if (title) {
         burnish_put_text(&w->out, "<title>");
         put_escaped(w, title);
