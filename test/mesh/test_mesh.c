@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "mesh/build/joining.h"
+#include "mesh/build/fans.h"
 #include "mesh_arrays.h"
 #include "support.h"
 
@@ -391,6 +391,22 @@ static double angle_error(const float *positions, const uint32_t *triangle, size
     return (double)fabsl(angle - atan2l(sqrtl(cross), dot));
 }
 
+/* Whether a vertex has the normal that it gets together with others. */
+static int fans_agree(const burnish_rings *rings, size_t faces, int common, const float *normal) {
+    burnish_fans fans;
+    if (faces > BURNISH_PAIRWISE_MAX) {
+        return 1;
+    }
+    burnish_fans_normals(&fans, rings, (const uint32_t[]){0, 0, 0}, 3, faces);
+    for (int v = 0; v < 3; ++v) {
+        const float made[] = {fans.normals[0][v], fans.normals[1][v], fans.normals[2][v]};
+        if ((int)fans.is_one[v] != common || (common && memcmp(made, normal, sizeof made) != 0)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* The number of faces compared at once does not change the bits of normals,
  * and sets do not depend on how they are found: fans with and without gaps, flat and jagged, of few
  * and of many faces. */
@@ -398,7 +414,7 @@ static void test_wide_fans(void) {
     enum { MOST = 40, ROUNDS = 20000 };
     burnish_rings rings;
     burnish_memory memory = burnish_memory_of(NULL, NULL);
-    int different = 0, apart = 0, wrong = 0, crowded = 0;
+    int different = 0, apart = 0, wrong = 0, crowded = 0, differing_fans = 0;
     double off = 0;
     uint64_t state = test_seed(4);
     const uint32_t isas = burnish_isa_available();
@@ -427,7 +443,9 @@ static void test_wide_fans(void) {
             triangles[3 * i + (at + 2) % 3] = second;
             corners[i] = (uint32_t)(3 * i) + at;
         }
-        const burnish_surface surface = {.positions = positions, .corner_positions = triangles};
+        const burnish_surface surface = {
+            .positions = positions, .corner_positions = triangles, .corners = corners};
+        rings.asks = round / 8 % 2; /* never, as no edge is in between */
         memset(normals, 0, sizeof normals);
         for (int k = 0; k < 3; ++k) {
             rings.surface = &surface;
@@ -438,6 +456,7 @@ static void test_wide_fans(void) {
                                             rings.angles[i]));
             }
             common[k] = burnish_rings_normals(&rings, 0, faces, normals[k]);
+            differing_fans += !fans_agree(&rings, faces, common[k], normals[k]);
             if (faces <= BURNISH_SETS_MAX) {
                 wrong += !joins_the_same(&rings, faces, &crowded);
             }
@@ -450,6 +469,8 @@ static void test_wide_fans(void) {
     }
     CHECK(off < 8e-16, "angles are off by %g", off);
     CHECK(different == 0, "%d of %d fans have other normals", different, ROUNDS);
+    CHECK(differing_fans == 0, "%d of %d fans have other normals alone", differing_fans,
+          3 * ROUNDS);
     CHECK(wrong == 0, "%d of %d fans have other sets", wrong, 3 * ROUNDS);
     CHECK(crowded > ROUNDS / 20 && crowded < ROUNDS, "%d fans have an edge of many faces", crowded);
     CHECK(apart > ROUNDS / 20 && apart < ROUNDS - ROUNDS / 20, "%d of %d fans are apart", apart,

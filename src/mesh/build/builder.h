@@ -28,8 +28,9 @@ typedef struct burnish_surface {
     const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
     const uint32_t *first_corner;     /* as the builder has them */
     const uint32_t *corners;
+    int wide;                    /* as burnish_measure_faces() has it */
     int is_organic;              /* burnish_surface_is_organic() */
-    struct burnish_known *known; /* a thread's own: normals that it computed; or NULL */
+    struct burnish_known *known; /* a thread's own: what it computed; or NULL */
 } burnish_surface;
 
 typedef struct burnish_builder {

@@ -44,7 +44,7 @@ static burnish_vec3 position_of(const burnish_surface *s, uint32_t position) {
 }
 
 static face face_of(const burnish_surface *s, uint32_t triangle) {
-    burnish_known *known = s->known ? &s->known[triangle % BURNISH_KNOWN] : NULL;
+    burnish_known_face *known = s->known ? &s->known->faces[triangle % BURNISH_KNOWN] : NULL;
     if (known && known->after == triangle + 1) {
         return (face){triangle, known->normal};
     }
@@ -52,7 +52,7 @@ static face face_of(const burnish_surface *s, uint32_t triangle) {
         burnish_face_cross(s->positions, s->corner_positions + 3 * (size_t)triangle);
     const burnish_vec3 normal = burnish_vec3_normalize(cross);
     if (known) {
-        *known = (burnish_known){triangle + 1, normal};
+        *known = (burnish_known_face){triangle + 1, normal};
     }
     return (face){triangle, normal};
 }
@@ -219,18 +219,14 @@ static int is_step(const burnish_surface *s, const face faces[2], const uint32_t
 
 /* ---- organic surfaces ---- */
 
-/* The edges at a position between faces of the same winding, by their angles. */
-typedef struct edge_counts {
-    int all, plane, flat, gentle; /* flat: up to 1 degree, with the plane ones */
-} edge_counts;
-
-static edge_counts count_edges(const burnish_surface *s, uint32_t position) {
+/* Counts the edges at a position. */
+static burnish_edge_counts count_edges(const burnish_surface *s, uint32_t position) {
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
     const uint32_t *corners = s->corners + s->first_corner[position];
     const size_t count = s->first_corner[position + (size_t)1] - s->first_corner[position];
     uint32_t next[FACES_MAX], previous[FACES_MAX];
     burnish_vec3 normals[FACES_MAX];
-    edge_counts counts = {0};
+    burnish_edge_counts counts = {0};
     if (count > FACES_MAX) {
         return counts;
     }
@@ -241,14 +237,16 @@ static edge_counts count_edges(const burnish_surface *s, uint32_t position) {
         normals[i] = face_of(s, corners[i] / 3).normal;
     }
     for (size_t i = 0; i < count; ++i) {
+        uint32_t found = 0; /* which one can't be predicted, but that there is one */
         for (size_t j = 0; j < count; ++j) {
-            if (next[i] == previous[j]) {
-                const double cosine = burnish_vec3_dot(normals[i], normals[j]);
-                ++counts.all;
-                counts.plane += cosine > PLANE_COSINE;
-                counts.flat += cosine > BURNISH_COPLANAR_COSINE;
-                counts.gentle += cosine <= FLAT_COSINE && cosine > BURNISH_SMOOTH_COSINE;
-            }
+            found |= (uint32_t)(next[i] == previous[j]) << j;
+        }
+        for (; found != 0; found &= found - 1) {
+            const double cosine = burnish_vec3_dot(normals[i], normals[__builtin_ctz(found)]);
+            ++counts.all;
+            counts.plane += cosine > PLANE_COSINE;
+            counts.flat += cosine > BURNISH_COPLANAR_COSINE;
+            counts.gentle += (cosine <= FLAT_COSINE) & (cosine > BURNISH_SMOOTH_COSINE);
         }
     }
     return counts;
@@ -258,7 +256,7 @@ int burnish_surface_is_organic(const burnish_surface *s, size_t position_count) 
     const uint64_t samples = position_count < SAMPLES ? position_count : SAMPLES;
     double all = 0, plane = 0, excess = 0;
     for (uint64_t i = 0; i < samples && excess < EXCESS_SHARE * all + EDGES_SURE; ++i) {
-        const edge_counts counts = count_edges(s, (uint32_t)(i * SPREAD % position_count));
+        const burnish_edge_counts counts = count_edges(s, (uint32_t)(i * SPREAD % position_count));
         all += counts.all;
         plane += counts.plane;
         excess += counts.plane - (counts.flat - counts.plane) * (0.3 / 0.7);
@@ -266,9 +264,21 @@ int burnish_surface_is_organic(const burnish_surface *s, size_t position_count) 
     return all >= EDGES_MIN && plane < PLANE_SHARE * all && excess < EXCESS_SHARE * all;
 }
 
+/* The same if the position is asked for again, which it is by other edges. */
+static burnish_edge_counts find_counts(const burnish_surface *s, uint32_t position) {
+    burnish_known_edges *known = s->known ? &s->known->edges[position % BURNISH_KNOWN] : NULL;
+    if (!known) {
+        return count_edges(s, position);
+    }
+    if (known->after != position + 1) {
+        *known = (burnish_known_edges){position + 1, count_edges(s, position)};
+    }
+    return known->counts;
+}
+
 /* Whether an edge of an organic surface is noise: others around it bend gently. */
 static int is_noise(const burnish_surface *s, const uint32_t edge[2]) {
-    const edge_counts a = count_edges(s, edge[0]), b = count_edges(s, edge[1]);
+    const burnish_edge_counts a = find_counts(s, edge[0]), b = find_counts(s, edge[1]);
     const int all = a.all + b.all;
     return 4 * (a.plane + b.plane) <= all && 8 * (a.gentle + b.gentle) >= all;
 }

@@ -14,12 +14,28 @@
 /* 160: in an organic surface, never smooth from there on. */
 #define BURNISH_ORGANIC_COSINE (-0.93969262078590838)
 
-/* Normals by the number of their triangle: neighbours are asked for again and again. */
+/* What was computed of triangles and positions, by their numbers: neighbours are asked for again and
+ * again. */
 enum { BURNISH_KNOWN = 1024 };
 
-typedef struct burnish_known {
+typedef struct burnish_known_face {
     uint32_t after; /* the number of the triangle, + 1; 0: none */
     burnish_vec3 normal;
+} burnish_known_face;
+
+/* The edges at a position between faces of the same winding, by their angles. */
+typedef struct burnish_edge_counts {
+    int all, plane, flat, gentle; /* flat: up to 1 degree, with the plane ones */
+} burnish_edge_counts;
+
+typedef struct burnish_known_edges {
+    uint32_t after; /* the number of the position, + 1 */
+    burnish_edge_counts counts;
+} burnish_known_edges;
+
+typedef struct burnish_known {
+    burnish_known_face faces[BURNISH_KNOWN];
+    burnish_known_edges edges[BURNISH_KNOWN];
 } burnish_known;
 
 /* Whether a surface is organic, as scans and sculptures are: hardly any two neighbours are in one

@@ -144,63 +144,6 @@ find_edges_avx2(const burnish_rings *rings, size_t first, size_t count, uint32_t
 }
 #endif
 
-/* Which of a few faces have an edge with this end, as bits. */
-typedef uint32_t find_ends(const uint32_t *ends, uint32_t end);
-
-/* From face to face across smooth edges, forward and then backward from the first. */
-static inline __attribute__((always_inline)) int walk_fan(const burnish_rings *rings, size_t first,
-                                                          size_t count, find_ends *find) {
-    const uint32_t *next = rings->next + first, *previous = rings->previous + first;
-    const uint32_t all = (1U << count) - 1;
-    uint32_t seen = 1;
-    for (int backward = 0; backward < 2 && seen != all; ++backward) {
-        for (size_t at = 0, after;; at = after) {
-            const uint32_t found =
-                all & (backward ? find(next, previous[at]) : find(previous, next[at]));
-            after = found ? (size_t)__builtin_ctz(found) : at;
-            if ((found & (found - 1)) != 0 || (seen >> after & 1) ||
-                !(burnish_vec3_dot(burnish_ring_normal(rings, first + at),
-                                   burnish_ring_normal(rings, first + after)) >
-                  rings->smooth_cosine)) {
-                break;
-            }
-            seen |= found;
-        }
-    }
-    return seen == all;
-}
-
-static inline uint32_t find_ends_scalar(const uint32_t *ends, uint32_t end) {
-    uint32_t found = 0;
-    for (int i = 0; i < BURNISH_PAIRWISE_MAX; ++i) {
-        found |= (uint32_t)(ends[i] == end) << i;
-    }
-    return found;
-}
-
-#if defined(__x86_64__)
-__attribute__((target("avx2"))) static inline uint32_t find_ends_avx2(const uint32_t *ends,
-                                                                      uint32_t end) {
-    const __m256i equal = _mm256_cmpeq_epi32(
-        _mm256_loadu_si256((const __m256i *)(const void *)ends), _mm256_set1_epi32((int)end));
-    return (uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(equal));
-}
-
-__attribute__((target("avx2"))) static int walk_fan_avx2(const burnish_rings *rings, size_t first,
-                                                         size_t count) {
-    return walk_fan(rings, first, count, find_ends_avx2);
-}
-#endif
-
-int burnish_join_fan(const burnish_rings *rings, size_t first, size_t count) {
-#if defined(__x86_64__)
-    if (rings->wide) {
-        return walk_fan_avx2(rings, first, count);
-    }
-#endif
-    return walk_fan(rings, first, count, find_ends_scalar);
-}
-
 /* Whether more than BURNISH_PAIRWISE_MAX bits are set. Mostly two are. */
 static inline int has_many(uint32_t bits) {
     int count = 0;

@@ -32,10 +32,6 @@ static inline uint32_t burnish_find_root(uint32_t *parents, uint32_t i) {
     return i;
 }
 
-/* Whether at most BURNISH_PAIRWISE_MAX faces are one set, if that is soon found: they follow one
- * another around the vertex, across edges that are smooth whatever is around. */
-int burnish_join_fan(const burnish_rings *rings, size_t first, size_t count);
-
 /* Sets of joined faces among a few, at most BURNISH_SETS_MAX, as bits, in the order of their first
  * faces. Returns how many; 0 if an edge has more than BURNISH_PAIRWISE_MAX faces. */
 size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,

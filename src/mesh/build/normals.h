@@ -4,6 +4,13 @@
 
 #include "mesh/build/builder.h"
 
+/* A sum shorter than this share of its weights is rounding noise around zero. */
+#define BURNISH_CANCELLED 1e-9
+#define BURNISH_LARGEST_ANGLE 4 /* more than pi */
+
+/* A flat face with so many times the area of the other faces gives its normal to all of them. */
+#define BURNISH_FLAT_SHARE 4
+
 /* Faces of a vertex that share a normal. */
 typedef struct burnish_face_set {
     burnish_vec3 sum;       /* of unit normals times angles */

@@ -6,8 +6,8 @@
 #include "mesh/build/builder.h"
 #include "mesh/build/corners.h"
 #include "mesh/build/creases.h"
+#include "mesh/build/fans.h"
 #include "mesh/build/indexed.h"
-#include "mesh/build/normals.h"
 #include "mesh/build/order.h"
 #include "mesh/build/triangles.h"
 #include "mesh/build/weld.h"
@@ -15,10 +15,10 @@
 enum {
     POSITIONS_PER_THREAD = BURNISH_BUILD_GRAIN / 2, /* worth a thread */
     POSITIONS_PER_TASK = 512,
-    CORNERS_PER_BATCH = 512, /* measured together; the rings stay in the first-level cache */
-    FEW = 16,                /* corners that are compared one by one, ... */
-    FEW_NORMALS = 64,        /* ... if they have only a normal */
-    PROBES = 8               /* slots that a corner may be in */
+    CORNERS_MAX = 512, /* of one position: with more, its rings leave the first-level cache */
+    FEW = 16,          /* corners that are compared one by one, ... */
+    FEW_NORMALS = 64,  /* ... if they have only a normal */
+    PROBES = 8         /* slots that a corner may be in */
 };
 
 /* ---- what the two ways to vertices share ---- */
@@ -63,8 +63,12 @@ typedef struct vertex_maker {
     burnish_builder *b;
     burnish_memory memory;
     burnish_error error;
-    int wide; /* as burnish_rings_create has it */
     burnish_rings rings;
+    burnish_fans *fans;
+    size_t waiting[BURNISH_PAIRWISE_MAX + 1]; /* positions by their number of faces; 0: more */
+    uint32_t positions[BURNISH_PAIRWISE_MAX + 1][BURNISH_FANS];
+    uint32_t *corners; /* of the positions with more faces */
+    size_t corner_count;
     float *normals;               /* 3 per corner of one position */
     burnish_weld_record *records; /* 1 per corner of one position */
     built_vertex *vertices;
@@ -170,7 +174,7 @@ static size_t describe_different(vertex_maker *maker, const uint32_t *corners, s
 
 /* Where many meet, most are equal to others, and fewer are to be sorted. */
 static size_t describe_corners(vertex_maker *maker, const uint32_t *corners, size_t count) {
-    if (count > CORNERS_PER_BATCH) {
+    if (count > CORNERS_MAX) {
         return describe_different(maker, corners, count);
     }
     for (size_t i = 0; i < count; ++i) {
@@ -243,31 +247,33 @@ static int have_one_normal(const burnish_builder *b, const uint32_t *corners, si
     return 1;
 }
 
-/* The vertices of one position; measured: whether its corners are in the rings, from `first` on. */
-static void make_position(vertex_maker *maker, uint32_t position, int measured, size_t first) {
+static uint32_t corner_count(const burnish_builder *b, size_t position) {
+    return b->first_corner[position + 1] - b->first_corner[position];
+}
+
+/* The vertices of one position.
+ *   made  maker has generated normals of its corners; 2: they have one, the first */
+static void make_position(vertex_maker *maker, uint32_t position, int made) {
     const burnish_builder *b = maker->b;
     const uint32_t *corners = b->corners + b->first_corner[position];
-    const size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
+    const size_t count = corner_count(b, position);
     const int has_file_normals = b->data->streams[BURNISH_NORMAL].count > 0;
     maker->vertices = burnish_reserve(&maker->memory, maker->vertices, &maker->capacity,
                                       maker->count + count, sizeof *maker->vertices, "vertices");
     if (maker->memory.status != BURNISH_STATUS_OK) {
         return;
     }
-    if (b->normals_complete && !b->has_extras && have_one_normal(b, corners, count)) {
+    if (!made && !b->has_extras && have_one_normal(b, corners, count)) {
         memcpy(maker->normals, burnish_file_normal(b->data, corners[0]), 3 * sizeof(float));
         share_vertex(maker, position);
         return;
     }
-    if (measured && needs_normal(b, corners, count) &&
-        burnish_rings_normals(&maker->rings, first, count, maker->normals)) {
-        if (!has_file_normals && !b->has_extras) {
-            share_vertex(maker, position);
-            return;
-        }
-        for (size_t i = 1; i < count; ++i) {
-            memcpy(maker->normals + 3 * i, maker->normals, 3 * sizeof(float));
-        }
+    if (made > 1 && !has_file_normals && !b->has_extras) {
+        share_vertex(maker, position);
+        return;
+    }
+    for (size_t i = 1; i < count && made > 1; ++i) {
+        memcpy(maker->normals + 3 * i, maker->normals, 3 * sizeof(float));
     }
     for (size_t i = 0; i < count && has_file_normals; ++i) {
         const float *normal = burnish_file_normal(b->data, corners[i]);
@@ -280,38 +286,98 @@ static void make_position(vertex_maker *maker, uint32_t position, int measured, 
 
 /* ---- many positions ---- */
 
-/* The vertices of positions [first, end), whose corners fit the rings. */
-static void make_batch(vertex_maker *maker, size_t first, size_t end) {
+/* The vertices of the positions with so many faces that wait. */
+static void make_waiting(vertex_maker *maker, size_t faces) {
     const burnish_builder *b = maker->b;
-    const uint32_t start = b->first_corner[first];
-    const size_t count = b->first_corner[end] - start;
-    const int measured = needs_normal(b, b->corners + start, count);
-    if (measured) {
-        burnish_rings_measure(&maker->rings, b->corners + start, count);
+    const uint32_t *positions = maker->positions[faces];
+    uint32_t starts[BURNISH_FANS] = {0};
+    const size_t count = maker->waiting[faces];
+    maker->waiting[faces] = 0;
+    for (size_t i = 0; i < count; ++i) {
+        starts[i] = b->first_corner[positions[i]];
     }
-    for (size_t i = first; i < end && maker->memory.status == BURNISH_STATUS_OK; ++i) {
-        if (b->first_corner[i + 1] > b->first_corner[i]) {
-            make_position(maker, (uint32_t)i, measured, b->first_corner[i] - start);
+    burnish_fans_normals(maker->fans, &maker->rings, starts, count, faces);
+    size_t copied = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (!maker->fans->is_one[i]) {
+            burnish_fans_to_rings(maker->fans, &maker->rings, i, faces, b->corners + starts[i],
+                                  copied);
+            copied += faces;
         }
+    }
+    maker->rings.corners = maker->fans->corners;
+    copied = 0;
+    for (size_t i = 0; i < count; ++i) {
+        int one = (int)maker->fans->is_one[i];
+        for (int k = 0; k < 3; ++k) {
+            maker->normals[k] = maker->fans->normals[k][i];
+        }
+        if (!one) {
+            one = burnish_rings_normals(&maker->rings, copied, faces, maker->normals);
+            copied += faces;
+        }
+        make_position(maker, positions[i], 1 + one);
+    }
+}
+
+/* The same for those with many faces. */
+static void make_many_faces(vertex_maker *maker) {
+    const size_t count = maker->waiting[0];
+    burnish_rings_measure(&maker->rings, maker->corners, maker->corner_count);
+    maker->waiting[0] = maker->corner_count = 0;
+    for (size_t i = 0, first = 0; i < count; ++i) {
+        const uint32_t position = maker->positions[0][i];
+        const size_t faces = corner_count(maker->b, position);
+        make_position(maker, position,
+                      1 + burnish_rings_normals(&maker->rings, first, faces, maker->normals));
+        first += faces;
+    }
+}
+
+/* Makes the vertices of a position, or lets it wait for others. */
+static void take_position(vertex_maker *maker, uint32_t position) {
+    const burnish_builder *b = maker->b;
+    const uint32_t *corners = b->corners + b->first_corner[position];
+    const size_t faces = corner_count(b, position);
+    if (!needs_normal(b, corners, faces)) {
+        make_position(maker, position, 0);
+        return;
+    }
+    const size_t kind = faces <= BURNISH_PAIRWISE_MAX && !maker->rings.flat ? faces : 0;
+    if (kind == 0) {
+        if (maker->corner_count + faces > maker->rings.capacity) {
+            make_many_faces(maker);
+        }
+        memcpy(maker->corners + maker->corner_count, corners, faces * sizeof *corners);
+        maker->corner_count += faces;
+    }
+    maker->positions[kind][maker->waiting[kind]++] = position;
+    if (maker->waiting[kind] == BURNISH_FANS) {
+        kind > 0 ? make_waiting(maker, kind) : make_many_faces(maker);
     }
 }
 
 /* The vertices of some positions, but for those with more corners than fit the rings. */
 static void make_task(void *context, size_t task, int thread) {
     vertex_maker *maker = (vertex_maker *)context + thread;
-    const uint32_t *starts = maker->b->first_corner;
-    const size_t count = maker->b->position_count, capacity = maker->rings.capacity;
-    size_t first = task * POSITIONS_PER_TASK;
+    const size_t count = maker->b->position_count, first = task * POSITIONS_PER_TASK;
     const size_t end = count - first < POSITIONS_PER_TASK ? count : first + POSITIONS_PER_TASK;
-    while (first < end && maker->memory.status == BURNISH_STATUS_OK) {
-        size_t next = first + 1;
-        while (next < end && starts[next + 1] - starts[first] <= capacity) {
-            ++next;
+    for (size_t i = first; i < end && maker->memory.status == BURNISH_STATUS_OK; ++i) {
+        const size_t corners = corner_count(maker->b, i);
+        if (corners > 0 && corners <= maker->rings.capacity) {
+            take_position(maker, (uint32_t)i);
         }
-        if (starts[next] - starts[first] <= capacity) {
-            make_batch(maker, first, next);
+    }
+}
+
+static void make_rest(vertex_maker *maker) {
+    for (size_t faces = 1; faces <= BURNISH_PAIRWISE_MAX; ++faces) {
+        if (maker->waiting[faces] > 0 && maker->memory.status == BURNISH_STATUS_OK) {
+            make_waiting(maker, faces);
         }
-        first = next;
+    }
+    if (maker->waiting[0] > 0 && maker->memory.status == BURNISH_STATUS_OK) {
+        make_many_faces(maker);
     }
 }
 
@@ -320,16 +386,22 @@ static void make_task(void *context, size_t task, int thread) {
 static void destroy_scratch(vertex_maker *maker) {
     const burnish_context *context = maker->memory.context;
     burnish_rings_destroy(&maker->rings, context);
+    burnish_release(context, maker->fans);
+    burnish_release(context, maker->corners);
     burnish_release(context, maker->normals);
     burnish_release(context, maker->records);
+    maker->fans = NULL;
+    maker->corners = NULL;
     maker->normals = NULL;
     maker->records = NULL;
 }
 
 static void create_scratch(vertex_maker *maker, size_t capacity) {
     const burnish_builder *b = maker->b;
-    burnish_rings_create(&maker->rings, capacity, b->crease_angle, &b->surface, maker->wide,
+    burnish_rings_create(&maker->rings, capacity, b->crease_angle, &b->surface, b->surface.wide,
                          &maker->memory);
+    maker->fans = burnish_allocate(&maker->memory, 1, sizeof *maker->fans, "vertices");
+    maker->corners = burnish_allocate(&maker->memory, capacity, sizeof *maker->corners, "vertices");
     maker->normals =
         burnish_allocate(&maker->memory, capacity, 3 * sizeof *maker->normals, "vertices");
     maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
@@ -346,15 +418,13 @@ static int find_width(void) {
 
 static vertex_maker *create_makers(burnish_builder *b, int count, uint32_t *shared) {
     const size_t corners = 3 * b->triangle_count;
-    const int wide = find_width();
     vertex_maker *makers =
         burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *makers, "vertices");
     for (int i = 0; i < count && makers; ++i) {
         makers[i].b = b;
         makers[i].shared = shared;
-        makers[i].wide = wide;
         makers[i].memory = burnish_memory_of(b->memory->context, &makers[i].error);
-        create_scratch(&makers[i], corners < CORNERS_PER_BATCH ? corners : CORNERS_PER_BATCH);
+        create_scratch(&makers[i], corners < CORNERS_MAX ? corners : CORNERS_MAX);
         makers[i].vertices = burnish_reserve(&makers[i].memory, NULL, &makers[i].capacity,
                                              b->position_count / (size_t)count + 1,
                                              sizeof *makers[i].vertices, "vertices");
@@ -380,8 +450,9 @@ static void make_large(vertex_maker *maker) {
     destroy_scratch(maker);
     create_scratch(maker, b->max_faces);
     for (size_t i = 0; i < b->position_count && maker->memory.status == BURNISH_STATUS_OK; ++i) {
-        if (b->first_corner[i + 1] - b->first_corner[i] > CORNERS_PER_BATCH) {
-            make_batch(maker, i, i + 1);
+        if (corner_count(b, i) > CORNERS_MAX) {
+            take_position(maker, (uint32_t)i);
+            make_rest(maker);
         }
     }
 }
@@ -390,7 +461,10 @@ static burnish_status make_vertices(burnish_builder *b, vertex_maker *makers, in
     const size_t tasks = (b->position_count + POSITIONS_PER_TASK - 1) / POSITIONS_PER_TASK;
     burnish_tasks_run(b->data->tasks, tasks, 1, count, make_task, makers);
     burnish_status status = burnish_tasks_check(b->data->tasks, b->memory->error);
-    if (status == BURNISH_STATUS_OK && b->max_faces > CORNERS_PER_BATCH) {
+    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        make_rest(&makers[i]);
+    }
+    if (status == BURNISH_STATUS_OK && b->max_faces > CORNERS_MAX) {
         make_large(&makers[0]);
     }
     for (int i = 0; i < count; ++i) {
@@ -432,8 +506,11 @@ static burnish_status build_any(burnish_builder *b) {
         return status;
     }
     burnish_build_find_extras(b);
-    b->surface = (burnish_surface){
-        burnish_positions(b->data), b->corner_positions, b->first_corner, b->corners, 0, NULL};
+    b->surface = (burnish_surface){.positions = burnish_positions(b->data),
+                                   .corner_positions = b->corner_positions,
+                                   .first_corner = b->first_corner,
+                                   .corners = b->corners,
+                                   .wide = find_width()};
     b->surface.is_organic = !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
                             burnish_surface_is_organic(&b->surface, b->position_count);
     uint32_t *shared = burnish_allocate(b->memory, b->position_count, sizeof *shared, "vertices");

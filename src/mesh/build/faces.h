@@ -1,0 +1,25 @@
+/* The unit normals, areas and angles of the faces at some corners. */
+#ifndef BURNISH_MESH_BUILD_FACES_H
+#define BURNISH_MESH_BUILD_FACES_H
+
+#include "mesh/build/builder.h"
+
+enum {
+    BURNISH_FACE_LANES = 8 /* results are written up to a multiple of so many */
+};
+
+/* Where results go: one per corner. */
+typedef struct burnish_measured_faces {
+    double *x, *y, *z;         /* unit normals */
+    double *lengths;           /* twice the areas */
+    double *angles;            /* between the edges at the corner */
+    uint32_t *next, *previous; /* the other ends of these edges */
+} burnish_measured_faces;
+
+/* Measures the faces at `count` corners (3 * triangle + 0..2), which have area.
+ *
+ * wide: 1 if the processor has AVX2, 2 for AVX-512; does not affect the bits of the results */
+void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corners, size_t count,
+                           int wide, const burnish_measured_faces *to);
+
+#endif

@@ -1,0 +1,64 @@
+/* Most vertices have few faces, which smooth edges join. Vectors of such vertices do what normals.c
+ * does, with the same operations in the same order. */
+#include "mesh/build/fans.h"
+#include "mesh/build/creases.h"
+#include "mesh/build/faces.h"
+
+#define LANES 2
+#define NAME(x) x##_any
+#define TARGET
+#include "mesh/build/fans_simd.h"
+
+#if defined(__x86_64__)
+#define LANES 4
+#define NAME(x) x##_avx2
+#define TARGET __attribute__((target("avx2")))
+#include "mesh/build/fans_simd.h"
+
+#define LANES 8
+#define NAME(x) x##_avx512
+#define TARGET __attribute__((target("avx512f,avx512dq")))
+#include "mesh/build/fans_simd.h"
+#endif
+
+void burnish_fans_normals(burnish_fans *fans, const burnish_rings *rings, const uint32_t *starts,
+                          size_t count, size_t faces) {
+    const size_t whole = (count + BURNISH_FACE_LANES - 1) / BURNISH_FACE_LANES * BURNISH_FACE_LANES;
+    if (!rings->asks) {
+        memset(fans->chosen, 0xff, sizeof fans->chosen);
+    }
+    for (size_t i = 0; i < faces; ++i) {
+        const burnish_measured_faces to = {fans->x[i],       fans->y[i],      fans->z[i],
+                                           fans->lengths[i], fans->angles[i], fans->next[i],
+                                           fans->previous[i]};
+        uint32_t row[BURNISH_FANS];
+        for (size_t v = 0; v < count; ++v) {
+            row[v] = rings->surface->corners[starts[v] + i];
+        }
+        for (size_t v = count; v < whole; ++v) {
+            row[v] = row[0];
+        }
+        burnish_measure_faces(rings->surface, row, whole, rings->wide, &to);
+    }
+#if defined(__x86_64__)
+    if (rings->wide) {
+        (rings->wide > 1 ? find_normals_avx512 : find_normals_avx2)(fans, rings, whole, faces);
+        return;
+    }
+#endif
+    find_normals_any(fans, rings, whole, faces);
+}
+
+void burnish_fans_to_rings(burnish_fans *fans, const burnish_rings *rings, size_t vertex,
+                           size_t faces, const uint32_t *corners, size_t first) {
+    for (size_t i = 0; i < faces; ++i) {
+        rings->x[first + i] = fans->x[i][vertex];
+        rings->y[first + i] = fans->y[i][vertex];
+        rings->z[first + i] = fans->z[i][vertex];
+        rings->lengths[first + i] = fans->lengths[i][vertex];
+        rings->angles[first + i] = fans->angles[i][vertex];
+        rings->next[first + i] = fans->next[i][vertex];
+        rings->previous[first + i] = fans->previous[i][vertex];
+        fans->corners[first + i] = corners[i];
+    }
+}
