@@ -22,7 +22,8 @@ static const struct layer {
     {"src/mesh", "core mesh/data mesh/build mesh/read mesh/read/common mesh/read/io "
                  "burnish/core.h burnish/mesh.h"},
     {"src/mesh/data", "core burnish/core.h burnish/mesh.h"},
-    {"src/mesh/build", "core mesh/data"},
+    {"src/mesh/build", "core mesh/build/normals mesh/data"},
+    {"src/mesh/build/normals", "core mesh/data"},
     {"src/mesh/read", "core image/decode mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/common", "core image/decode mesh/data mesh/read/io"},
     {"src/mesh/read/io", "core image/decode mesh/data burnish/core.h"},

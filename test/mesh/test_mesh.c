@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
-#include "mesh/build/fans.h"
+#include "mesh/build/normals/fans.h"
 #include "mesh_arrays.h"
 #include "support.h"
 

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "mesh/build/normals/surface.h"
 #include "mesh/data/mesh.h"
 
 enum {
@@ -21,17 +21,6 @@ typedef struct burnish_extra {
     const uint32_t *corners; /* BURNISH_NONE: white, or 0 */
     const uint8_t *items;
 } burnish_extra;
-
-/* The welded mesh, to measure the faces around a vertex and to look beyond them. */
-typedef struct burnish_surface {
-    const float *positions;
-    const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
-    const uint32_t *first_corner;     /* as the builder has them */
-    const uint32_t *corners;
-    int wide;                    /* as burnish_measure_faces() has it */
-    int is_organic;              /* burnish_surface_is_organic() */
-    struct burnish_known *known; /* a thread's own: what it computed; or NULL */
-} burnish_surface;
 
 typedef struct burnish_builder {
     burnish_mesh_data *data;
@@ -70,19 +59,6 @@ static inline const float *burnish_file_normal(const burnish_mesh_data *data, si
                                 : BURNISH_NONE;
     const float *n = number == BURNISH_NONE ? NULL : burnish_normals(data) + 3 * (size_t)number;
     return n && (n[0] != 0 || n[1] != 0 || n[2] != 0) ? n : NULL;
-}
-
-/* The cross product of two edges: twice the area long, along the normal by winding. */
-static inline burnish_vec3 burnish_face_cross(const float *positions, const uint32_t vertices[3]) {
-    burnish_vec3 a = burnish_vec3_loadf(positions + 3 * (size_t)vertices[0]);
-    burnish_vec3 b = burnish_vec3_loadf(positions + 3 * (size_t)vertices[1]);
-    burnish_vec3 c = burnish_vec3_loadf(positions + 3 * (size_t)vertices[2]);
-    return burnish_vec3_cross(burnish_vec3_sub(b, a), burnish_vec3_sub(c, a));
-}
-
-/* A repeated position makes an edge, and so the product, exactly 0. */
-static inline int burnish_has_area(burnish_vec3 cross) {
-    return cross.x != 0 || cross.y != 0 || cross.z != 0;
 }
 
 #endif

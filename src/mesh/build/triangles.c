@@ -3,9 +3,9 @@
 
 #include "mesh/build/builder.h"
 #include "mesh/build/corners.h"
-#include "mesh/build/creases.h"
 #include "mesh/build/measure.h"
-#include "mesh/build/normals.h"
+#include "mesh/build/normals/creases.h"
+#include "mesh/build/normals/normals.h"
 #include "mesh/build/triangles.h"
 #include "mesh/build/weld.h"
 

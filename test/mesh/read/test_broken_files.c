@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "burnish/render.h"
-#include "mesh/build/normals.h"
+#include "mesh/build/normals/normals.h"
 #include "mesh_arrays.h"
 #include "reader_input.h"
 

@@ -1,8 +1,8 @@
 /* Generated normals: the average of the faces around a vertex, weighted by their angles there. */
-#ifndef BURNISH_MESH_BUILD_NORMALS_H
-#define BURNISH_MESH_BUILD_NORMALS_H
+#ifndef BURNISH_MESH_BUILD_NORMALS_NORMALS_H
+#define BURNISH_MESH_BUILD_NORMALS_NORMALS_H
 
-#include "mesh/build/builder.h"
+#include "mesh/build/normals/surface.h"
 
 /* A sum shorter than this share of its weights is rounding noise around zero. */
 #define BURNISH_CANCELLED 1e-9

@@ -1,8 +1,8 @@
 /* Generated normals: sums over the faces around a vertex that joining.c has put into one set. */
 
-#include "mesh/build/creases.h"
-#include "mesh/build/faces.h"
-#include "mesh/build/joining.h"
+#include "mesh/build/normals/creases.h"
+#include "mesh/build/normals/faces.h"
+#include "mesh/build/normals/joining.h"
 #include <float.h>
 #include <stddef.h>
 

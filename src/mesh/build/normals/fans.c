@@ -1,24 +1,24 @@
 /* Most vertices have few faces, which smooth edges join. Vectors of such vertices do what normals.c
  * does, with the same operations in the same order. */
-#include "mesh/build/fans.h"
-#include "mesh/build/creases.h"
-#include "mesh/build/faces.h"
+#include "mesh/build/normals/fans.h"
+#include "mesh/build/normals/creases.h"
+#include "mesh/build/normals/faces.h"
 
 #define LANES 2
 #define NAME(x) x##_any
 #define TARGET
-#include "mesh/build/fans_simd.h"
+#include "mesh/build/normals/fans_lanes.h"
 
 #if defined(__x86_64__)
 #define LANES 4
 #define NAME(x) x##_avx2
 #define TARGET __attribute__((target("avx2")))
-#include "mesh/build/fans_simd.h"
+#include "mesh/build/normals/fans_lanes.h"
 
 #define LANES 8
 #define NAME(x) x##_avx512
 #define TARGET __attribute__((target("avx512f,avx512dq")))
-#include "mesh/build/fans_simd.h"
+#include "mesh/build/normals/fans_lanes.h"
 #endif
 
 void burnish_fans_normals(burnish_fans *fans, const burnish_rings *rings, const uint32_t *starts,

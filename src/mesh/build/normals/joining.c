@@ -4,8 +4,8 @@
 #include <immintrin.h>
 #endif
 
-#include "mesh/build/creases.h"
-#include "mesh/build/joining.h"
+#include "mesh/build/normals/creases.h"
+#include "mesh/build/normals/joining.h"
 
 /* The end of the edge that two faces share, away from the vertex. */
 static uint32_t other_end(const burnish_rings *rings, size_t i, size_t j) {

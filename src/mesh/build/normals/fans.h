@@ -1,8 +1,8 @@
 /* Normals of many vertices at once, each with the same number of faces: vectors go over vertices. */
-#ifndef BURNISH_MESH_BUILD_FANS_H
-#define BURNISH_MESH_BUILD_FANS_H
+#ifndef BURNISH_MESH_BUILD_NORMALS_FANS_H
+#define BURNISH_MESH_BUILD_NORMALS_FANS_H
 
-#include "mesh/build/joining.h"
+#include "mesh/build/normals/joining.h"
 
 enum { BURNISH_FANS = 32 /* vertices */ };
 

@@ -1,8 +1,8 @@
 /* Which edges are smooth if no crease angle is given. */
-#ifndef BURNISH_MESH_BUILD_CREASES_H
-#define BURNISH_MESH_BUILD_CREASES_H
+#ifndef BURNISH_MESH_BUILD_NORMALS_CREASES_H
+#define BURNISH_MESH_BUILD_NORMALS_CREASES_H
 
-#include "mesh/build/builder.h"
+#include "mesh/build/normals/surface.h"
 
 /* 20 degrees: smooth below, whatever is around. */
 #define BURNISH_SMOOTH_COSINE 0.93969262078590838

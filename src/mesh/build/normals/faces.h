@@ -1,8 +1,8 @@
 /* The unit normals, areas and angles of the faces at some corners. */
-#ifndef BURNISH_MESH_BUILD_FACES_H
-#define BURNISH_MESH_BUILD_FACES_H
+#ifndef BURNISH_MESH_BUILD_NORMALS_FACES_H
+#define BURNISH_MESH_BUILD_NORMALS_FACES_H
 
-#include "mesh/build/builder.h"
+#include "mesh/build/normals/surface.h"
 
 enum {
     BURNISH_FACE_LANES = 8 /* results are written up to a multiple of so many */

@@ -1,8 +1,8 @@
 /* Which faces around a vertex share a normal: joined across smooth edges. */
-#ifndef BURNISH_MESH_BUILD_JOINING_H
-#define BURNISH_MESH_BUILD_JOINING_H
+#ifndef BURNISH_MESH_BUILD_NORMALS_JOINING_H
+#define BURNISH_MESH_BUILD_NORMALS_JOINING_H
 
-#include "mesh/build/normals.h"
+#include "mesh/build/normals/normals.h"
 
 /* Edges with at most this many faces at a vertex are compared face by face, regardless of the order
  * of the faces. Beyond it only neighbours in that order are compared, to keep the cost linear. */

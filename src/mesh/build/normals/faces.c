@@ -2,7 +2,7 @@
  * which compilers vectorise, compute. The operations and their order are the same for any width. */
 #include <stddef.h>
 
-#include "mesh/build/faces.h"
+#include "mesh/build/normals/faces.h"
 
 enum { BLOCK = 64 };
 
