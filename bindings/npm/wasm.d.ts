@@ -152,6 +152,8 @@ export interface DrawOptions {
   centerLines?: boolean;
   edgeWidth?: number;
   edgeColor?: string | [number, number, number];
+  /** Least contrast of the outline to the background, 0 to 255; 0: no hairline. */
+  outlineContrast?: number;
   /** Limit on how often large triangles cover the picture; default 1000. */
   maxOverdraw?: number;
   /** "auto", or the module's instruction set: "wasm" with SIMD128, "scalar" without. The pixels are the same. */

@@ -33,8 +33,8 @@ typedef enum burnish_look {
     BURNISH_LOOK_COUNT
 } burnish_look;
 
-/* Sets the lights, area lights, dome, ambient light, background, occlusion, edges, edge_width and
- * ignore_colors of a look. Call it before you change options.
+/* Sets the lights, area lights, dome, ambient light, background, occlusion, edges, edge_width,
+ * outline_contrast and ignore_colors of a look. Call it before you change options.
  * Errors: ARGUMENT (options not initialised, unknown look). */
 BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_options *options,
                                                            burnish_look look, burnish_error *error);

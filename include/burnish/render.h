@@ -143,9 +143,12 @@ typedef struct burnish_render_options {
                               BURNISH_EDGE_WIDTH_MAX]. Other lines have 3/5 of it */
     uint8_t edge_color[3];          /* sRGB */
     float edge_opacity;             /* [0, 1] */
-    uint8_t background[3];          /* sRGB */
-    int transparent;                /* 1: the image has alpha and no background */
-    int ignore_colors;              /* 1: vertex colours are not used */
+    int outline_contrast;  /* [0, 255]: where the outline of the object differs from the background
+                             by less than this in every channel, in 8-bit sRGB values, a hairline
+                             is drawn along it, inside; 0: never. Not drawn if transparent */
+    uint8_t background[3]; /* sRGB */
+    int transparent;       /* 1: the image has alpha and no background */
+    int ignore_colors;     /* 1: vertex colours are not used */
     int cull_back_faces;   /* 1: back-facing triangles are not drawn: faster, and the same image for
                             closed surfaces; 0: both sides are lit */
     double max_overdraw;   /* [1, infinity]: how often large triangles may cover the image (as many
@@ -173,7 +176,9 @@ static inline burnish_render_options burnish_render_options_default(void) {
  * With options.first_row and row_count a call draws only these rows, with the same bits as in the
  * whole image. Images and targets then hold row_count rows. Other rows are neither shaded nor
  * stored. Edges are the exception: they need depth and triangle ids of all rows, 8 bytes per pixel
- * of the whole image.
+ * of the whole image. A hairline (outline_contrast) needs the samples of one row more on each side,
+ * whose tiles are drawn without shading; a renderer that draws rows from top to bottom keeps one of
+ * them.
  *
  * If first_row and row_count are multiples of 64, no work is done twice. A renderer that draws the
  * rows of one mesh and view in several calls transforms, culls and finds lines only once.
@@ -211,15 +216,15 @@ typedef struct burnish_render_report {
  *   error    receives the message; may be NULL
  * Memory besides the image: 36 bytes per vertex (20 for its position on the screen, 16 for its
  * normal), 16 more with vertex colours; 13 bytes per triangle, 1 more if drawn triangles are
- * counted; 13 bytes per point of a cloud; 0.3 kB per material and 76 bytes more per light. Tile
- * lists take 8 bytes per entry of up to 16 neighbouring triangles, at most about 128 MiB unless
- * a single row of tiles needs more. Each thread takes 0.2 MB and, with several samples, 0.2 MB
- * and 0.7 MB per sample more. Ambient occlusion takes 130 KiB per direction (33 KiB for images
- * below 384 pixels), and vertices, triangles and tile lists again. The ground takes the same for
- * at least 16 directions, and 2.2 MB. A shadow takes 2 MB, 8 MB in images above 1024 pixels.
- * Transparent triangles take 1 bit per triangle of the mesh and, for each thread, 1.1 MB per
- * sample. Distant area lights, a dome or an environment take at most 2.2 MB for each roughness
- * of the materials, at most 16, and 5 MB if textures vary roughness.
+ * counted; with outline_contrast 1 byte per pixel; 13 bytes per point of a cloud; 0.3 kB per
+ * material and 76 bytes more per light. Tile lists take 8 bytes per entry of up to 16 neighbouring
+ * triangles, at most about 128 MiB unless a single row of tiles needs more. Each thread takes 0.2
+ * MB and, with several samples, 0.2 MB and 0.7 MB per sample more. Ambient occlusion takes 130 KiB
+ * per direction (33 KiB for images below 384 pixels), and vertices, triangles and tile lists again.
+ * The ground takes the same for at least 16 directions, and 2.2 MB. A shadow takes 2 MB, 8 MB in
+ * images above 1024 pixels. Transparent triangles take 1 bit per triangle of the mesh and, for each
+ * thread, 1.1 MB per sample. Distant area lights, a dome or an environment take at most 2.2 MB for
+ * each roughness of the materials, at most 16, and 5 MB if textures vary roughness.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (max_overdraw, or a mesh that is too small, below
  * about 1e-33 across, or too much enlarged for single precision). */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,

@@ -441,6 +441,13 @@ static const cli_flag flags[] = {
     {CLI_FLAG("edge-color", "COLOR", "colour of lines", cli_flag_color, shading.edge_color),
      .default_label = "near black", .aliases = "edge-colour,line-color",
      .manual = "Colour of lines; see *COLOURS*."},
+    {CLI_FLAG("outline-contrast", "N", "least contrast to the background, 0 to 255", cli_flag_real,
+              shading.outline_contrast),
+     CLI_RANGE(0, 255), .default_label = "36 in studio",
+     .manual = "Draws a hairline along the object's outline where it differs from the background "
+               "by less than *N* of 255, so white objects on a white background stay visible. "
+               "Other pixels keep their values; 0 draws none. Not drawn on transparent "
+               "backgrounds."},
     {.group = "Input and report",
      .topic = "report",
      CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},

@@ -57,7 +57,7 @@ static int is_parallel(const render_settings *settings) {
  * */
 static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
     static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
-                                  "viewer,samples,quality";
+                                  "viewer,samples,quality,outline-contrast";
     char name[32];
     const char *flag =
         settings->shading.occlusion.given && settings->shading.occlusion.directions != 0

@@ -74,6 +74,7 @@ drawn hidden-lines
 same center-lines
 drawn edge-width=5
 drawn edge-color=blue
+refused outline-contrast=50
 other input-format
 drawn clip=0,1,0,1
 drawn color-by=height

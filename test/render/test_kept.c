@@ -297,6 +297,7 @@ static void change_edges(frame *f) {
     f->options.edge_width = (float)uniform(0.5, 3);
     f->options.edge_opacity = (float)uniform(0, 1);
     f->options.edge_color[0] = (uint8_t)below(256);
+    f->options.outline_contrast = chance(50) ? below(256) : 0;
 }
 
 static void change_samples(frame *f) {

@@ -59,6 +59,7 @@ static void test_options(burnish_mesh *sphere) {
     WRONG(options.edge_width = NAN, "edges: a width");
     WRONG(options.edge_width = 101, "edges: a width of 101");
     WRONG(options.edge_opacity = 1.5f, "edges: an opacity");
+    WRONG(options.outline_contrast = 256, "outline: a contrast");
 #undef WRONG
 }
 

@@ -85,6 +85,7 @@ class Options(TypedDict, total=False):
     center_lines: Switch
     edge_width: float
     edge_color: Color
+    outline_contrast: int
     max_overdraw: float
     isa: str
     threads: int

@@ -173,6 +173,9 @@ burnish_render_options render_make_options(const render_settings *settings) {
     for (int k = 0; k < 3 && shading->edge_color.given; ++k) {
         options.edge_color[k] = cli_color_code(shading->edge_color.srgb[k]);
     }
+    if (shading->outline_contrast.given) {
+        options.outline_contrast = (int)shading->outline_contrast.value;
+    }
     options.ground = shading->ground;
     options.shadow = shading->shadow;
     if (shading->lights.given) {

@@ -60,6 +60,7 @@ typedef struct render_shading_settings {
     int wireframe, hidden_lines, center_lines;
     cli_real edge_width;
     cli_color edge_color;
+    cli_real outline_contrast;
 } render_shading_settings;
 
 #endif

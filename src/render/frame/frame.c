@@ -204,6 +204,7 @@ static void draw_transparent_tile(const burnish_frame *frame, const burnish_bins
     if (frame->output.has_planes) {
         part.surface.transparency = NULL;
         part.output.target.pixels.pixels = NULL;
+        part.output.outline = NULL;
         part.counts_pixels = 0;
         part.drawn = NULL;
         draw_tile(&part, bins, worker, column, row);

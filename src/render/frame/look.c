@@ -23,6 +23,7 @@ typedef struct look {
     float occlusion_strength;
     burnish_edge_flags edges; /* burnish_render_options has the colour */
     float edge_width;
+    int outline_contrast;
 } look;
 
 /* Directions of key, fill and rim light: the photographer's three points. */
@@ -86,7 +87,8 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                              .occlusion = BURNISH_OCCLUSION_AUTO,
                              .occlusion_strength = 0.95f,
                              .edges = BURNISH_EDGES_AXIS_VIEWS,
-                             .edge_width = EDGE_WIDTH},
+                             .edge_width = EDGE_WIDTH,
+                             .outline_contrast = 36},
     [BURNISH_LOOK_CLAY] = {.lights = {{LIGHT, KEY, {0.60f, 0.59f, 0.57f}},
                                       {LIGHT, FILL, {0.14f, 0.16f, 0.19f}},
                                       {LIGHT, RIM, {0.25f, 0.25f, 0.26f}}},
@@ -166,6 +168,7 @@ void burnish_look_apply(burnish_look name, burnish_render_options *options) {
     options->ignore_colors = wanted->recolors == ALL;
     options->edges = wanted->edges;
     options->edge_width = wanted->edge_width;
+    options->outline_contrast = wanted->outline_contrast;
     for (int k = 0; k < 3; ++k) {
         options->ambient_light[k] = wanted->ambient;
         options->background[k] = wanted->background[k];

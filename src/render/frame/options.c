@@ -221,6 +221,11 @@ static burnish_status check_edges(const burnish_render_options *options, burnish
                             "edges: an opacity of %g is not in [0, 1]",
                             (double)options->edge_opacity);
     }
+    if (options->outline_contrast < 0 || options->outline_contrast > 255) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "outline: a contrast of %d is not in [0, 255]",
+                            options->outline_contrast);
+    }
     return BURNISH_STATUS_OK;
 }
 

@@ -10,6 +10,7 @@
 #include "render/frame/frame.h"
 #include "render/light/casters.h"
 #include "render/lines/lines.h"
+#include "render/lines/outline.h"
 #include "render/space.h"
 
 /* ---- Renderers ---- */
@@ -40,6 +41,7 @@ struct burnish_renderer {
     burnish_tiles tiles;
     burnish_occlusion occlusion;
     burnish_line_art line_art;
+    burnish_outline outline;
     burnish_ground ground;
     burnish_shadow shadow;
     burnish_output_row background;
@@ -49,6 +51,7 @@ struct burnish_renderer {
     size_t drawn_capacity;
     picture_key picture;   /* whose geometry is there */
     int has_picture_lines; /* 1: its lines are, too */
+    int has_outline;       /* 1: its outline is, for the last rows */
 };
 
 burnish_status burnish_renderer_create(const burnish_context *context, burnish_renderer **renderer,
@@ -84,6 +87,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_release(context, renderer->shaders.lights);
         burnish_release(context, renderer->background.bytes);
         burnish_release(context, renderer->drawn);
+        burnish_release(context, renderer->outline.samples);
         burnish_release(context, renderer);
     }
 }
@@ -101,6 +105,7 @@ typedef struct drawing {
     burnish_memory memory;
     burnish_view view;
     const burnish_raster_ops *raster;
+    const burnish_outline *outline; /* receives covered samples, or NULL */
 } drawing;
 
 /* NULL where every triangle is opaque. */
@@ -148,6 +153,7 @@ static burnish_status transform(drawing *d) {
     burnish_status status = BURNISH_STATUS_OK;
     memset(&renderer->picture, 0, sizeof renderer->picture);
     renderer->has_picture_lines &= is_done;
+    renderer->has_outline &= is_done;
     if (!is_done) {
         status = burnish_geometry_update(&renderer->geometry, d->raster, &d->view.raster,
                                          &triangles, &renderer->tasks, d->memory.error);
@@ -364,7 +370,8 @@ static burnish_status draw_tiles(drawing *d) {
         .output = {.ops = d->view.shading.ops,
                    .encoder = &renderer->encoder,
                    .view = &d->view,
-                   .ground = d->report.ground ? &d->view.ground : NULL},
+                   .ground = d->report.ground ? &d->view.ground : NULL,
+                   .outline = d->outline},
         .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
         .layer_passes = layer_passes(d),
         .drawn = clear_drawn(d),
@@ -378,6 +385,45 @@ static burnish_status draw_tiles(drawing *d) {
     if (status == BURNISH_STATUS_OK) {
         count_drawn(d);
         measure_hidden(d);
+    }
+    return status;
+}
+
+/* The samples that a row of the picture covers, for the outline. */
+static burnish_status draw_outline_row(const drawing *d, int y) {
+    burnish_render_options options = *d->options;
+    drawing row = *d;
+    options.first_row = y;
+    options.row_count = 1;
+    row.options = &options;
+    row.target = burnish_target_default();
+    row.counts = BURNISH_COUNTS_NONE;
+    return draw_tiles(&row);
+}
+
+/* Tiles, and the hairline along the outline. */
+static burnish_status draw_outlined(drawing *d) {
+    burnish_renderer *renderer = d->renderer;
+    burnish_outline *outline = &renderer->outline;
+    int rows[2] = {-1, -1};
+    if (!d->target.pixels.pixels || !burnish_outline_is_wanted(d->options)) {
+        renderer->has_outline = 0;
+        return draw_tiles(d);
+    }
+    burnish_status status =
+        burnish_outline_begin(outline, d->options, renderer->has_outline, rows, &d->memory);
+    renderer->has_outline = 0;
+    d->outline = outline;
+    for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
+        status = rows[i] >= 0 ? draw_outline_row(d, rows[i]) : BURNISH_STATUS_OK;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_tiles(d);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        burnish_outline_draw(outline, d->options, &d->target.pixels, &renderer->tasks);
+        status = burnish_tasks_check(&renderer->tasks, d->memory.error);
+        renderer->has_outline = status == BURNISH_STATUS_OK && is_part(d);
     }
     return status;
 }
@@ -422,7 +468,7 @@ static burnish_status draw_edged(drawing *d) {
                             : burnish_line_art_planes(art, d->options, &d->target, &d->memory);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = draw_tiles(d);
+        status = draw_outlined(d);
     }
     if (status == BURNISH_STATUS_OK && !is_part(d)) {
         status = find_lines(d);
@@ -483,7 +529,7 @@ static burnish_status draw(drawing *d) {
         renderer->has_picture_lines = 0;
     }
     if (status == BURNISH_STATUS_OK) {
-        status = (has_edges ? draw_edged : draw_tiles)(d);
+        status = (has_edges ? draw_edged : draw_outlined)(d);
     }
     if (status == BURNISH_STATUS_OK) {
         d->report.seconds_draw = burnish_seconds_now() - start - d->report.seconds_transform;

@@ -427,6 +427,12 @@ static void store_on_ground(const burnish_output *output, const burnish_tile *ti
     store_coded(output, tile, number, codes);
 }
 
+static void store_outline(const burnish_output *output, const burnish_tile *tile, int number,
+                          const burnish_outline_pixels *pixels) {
+    const burnish_row_range rows = burnish_output_rows(output, tile, number);
+    burnish_outline_store(output->outline, tile, number, rows.first, rows.end, pixels);
+}
+
 void burnish_output_store_row(const burnish_output *output, const burnish_tile *tile,
                               const burnish_tile_sums *sums, int number, burnish_row_light *row) {
     float shadow[BURNISH_BLOCK_ROW_PIXELS];
@@ -444,6 +450,12 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
     if (output->has_planes) {
         burnish_planes_store_row(output, tile, sums, number, &row->pixels);
     }
+    if (output->outline) {
+        const burnish_outline_pixels pixels = {row->pixels.simple,
+                                               output->samples > 1 ? sums->covered : NULL,
+                                               sums->layers ? sums->layers->covered : NULL};
+        store_outline(output, tile, number, &pixels);
+    }
 }
 
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
@@ -451,6 +463,9 @@ void burnish_output_store_background(const burnish_output *output, const burnish
     const burnish_row_range rows = burnish_output_rows(output, tile, number);
     const int top = number * BURNISH_BLOCK_SIZE;
     float shadow[BURNISH_BLOCK_ROW_PIXELS];
+    if (output->outline) {
+        store_outline(output, tile, number, NULL);
+    }
     if (output->ground && output->target.pixels.pixels &&
         find_shadow(output, tile, number, shadow)) {
         burnish_row_light row;
