@@ -313,6 +313,51 @@ static void make_noisy_sphere(int level, double noise) {
     }
 }
 
+/* A rough dome on a rough base, like a decimated part: the rim between them is sharp. */
+static void make_dome(void) {
+    make_noisy_sphere(4, 0.02);
+    for (size_t i = 0; i < corner_count; ++i) {
+        float *p = positions + 3 * i;
+        const size_t first = i - i % 3; /* the triangle's; its corners were not yet moved up */
+        const double x = (double)p[0], y = (double)p[1], z = (double)p[2];
+        const double width = sqrt(x * x + y * y), r = sqrt(x * x + y * y + z * z);
+        if (z < 0) {
+            const double scale = width > 0 ? acos(-z / r) / (PI / 2) / width : 0;
+            p[0] = (float)(x * scale);
+            p[1] = (float)(y * scale);
+            p[2] = (float)(-1e-3 - fabs(r - 1));
+        }
+        if (i % 3 == 2 && positions[3 * first + 2] + positions[3 * first + 5] + p[2] < 0) {
+            expected[first] = expected[first + 1] = expected[i] = (point){0, 0, -1};
+        }
+    }
+}
+
+/* The faces of cells that fill a cube, each once, wound at random. */
+static void make_cells(void) {
+    enum { SIZE = 6 };
+    for (int i = 0; i < 3 * SIZE * SIZE * SIZE; ++i) {
+        const int axis = i % 3, at[3] = {i / 3 % SIZE, i / 3 / SIZE % SIZE, i / 3 / SIZE / SIZE};
+        point corners[4];
+        for (int k = 0; k < 4; ++k) {
+            int p[3] = {at[0], at[1], at[2]};
+            p[(axis + 1) % 3] += k == 1 || k == 2;
+            p[(axis + 2) % 3] += k == 2 || k == 3;
+            uint64_t state = (uint64_t)(p[0] + 100 * p[1] + 10000 * p[2]);
+            double moved[3];
+            for (int m = 0; m < 3; ++m) {
+                moved[m] = p[m] + 0.15 * (test_random32(&state) * 0x1p-32 - 0.5);
+            }
+            corners[k] = (point){moved[0], moved[1], moved[2]};
+        }
+        if ((i ^ i >> 2 ^ i >> 5) & 1) {
+            add_quad(corners[0], corners[1], corners[2], corners[3]);
+        } else {
+            add_quad(corners[3], corners[2], corners[1], corners[0]);
+        }
+    }
+}
+
 static void make_cone(int sides) {
     const point tip = {0, 0, 2};
     for (int i = 0; i < sides; ++i) {
@@ -434,6 +479,8 @@ static const shape shapes[] = {
     {"noisy sphere of 128", noisy_2, 25, 0.02},
     {"noisy sphere of 512", noisy_3, 30, 0.02},
     {"noisy sphere of 2,048", noisy_4, 30, 0.02},
+    {"rough dome on its base", make_dome, 30, 0.02},
+    {"faces of cells", make_cells, 25, 0.02},
 };
 
 enum { SHAPES = sizeof shapes / sizeof *shapes };

@@ -14,8 +14,14 @@
 #define PLANE_COSINE 0.99998629226429398
 #define PLANE_SHARE 0.15
 #define EXCESS_SHARE 0.04
+/* From 60 degrees on. Coarse sculptures have up to 38 %; the faces of a volume mesh's cells, which
+ * meet at all angles, 58 %. */
+#define SHARP_SHARE 0.4
 /* 3 degrees: edges below are flat in an organic surface. */
 #define FLAT_COSINE 0.99862953475457383
+
+/* The next edge of a chain turns by at most 60 degrees. */
+#define ONWARD_COSINE 0.5
 
 /* The samples are far apart: this prime is about 2^32 over the golden ratio. */
 #define SPREAD UINT64_C(2654435761)
@@ -219,49 +225,80 @@ static int is_step(const burnish_surface *s, const face faces[2], const uint32_t
 
 /* ---- organic surfaces ---- */
 
-/* Counts the edges at a position. */
-static burnish_edge_counts count_edges(const burnish_surface *s, uint32_t position) {
+/* The faces at a position, with the corners beside it. */
+typedef struct ring {
+    size_t count; /* 0 if there are more than FACES_MAX */
+    uint32_t next[FACES_MAX], previous[FACES_MAX];
+    burnish_vec3 normals[FACES_MAX];
+} ring;
+
+static void list_faces(const burnish_surface *s, uint32_t position, ring *r) {
     static const uint8_t after[5] = {0, 1, 2, 0, 1};
     const uint32_t *corners = s->corners + s->first_corner[position];
     const size_t count = s->first_corner[position + (size_t)1] - s->first_corner[position];
-    uint32_t next[FACES_MAX], previous[FACES_MAX];
-    burnish_vec3 normals[FACES_MAX];
-    burnish_edge_counts counts = {0};
-    if (count > FACES_MAX) {
-        return counts;
-    }
-    for (size_t i = 0; i < count; ++i) {
+    r->count = count <= FACES_MAX ? count : 0;
+    for (size_t i = 0; i < r->count; ++i) {
         const uint32_t *around = s->corner_positions + corners[i] / 3 * (size_t)3;
-        next[i] = around[after[corners[i] % 3 + 1]];
-        previous[i] = around[after[corners[i] % 3 + 2]];
-        normals[i] = face_of(s, corners[i] / 3).normal;
+        r->next[i] = around[after[corners[i] % 3 + 1]];
+        r->previous[i] = around[after[corners[i] % 3 + 2]];
+        r->normals[i] = face_of(s, corners[i] / 3).normal;
     }
-    for (size_t i = 0; i < count; ++i) {
+}
+
+/* Counts the edges at a position. */
+static burnish_edge_counts count_edges(const burnish_surface *s, uint32_t position) {
+    ring r;
+    burnish_edge_counts counts = {0};
+    list_faces(s, position, &r);
+    for (size_t i = 0; i < r.count; ++i) {
         uint32_t found = 0; /* which one can't be predicted, but that there is one */
-        for (size_t j = 0; j < count; ++j) {
-            found |= (uint32_t)(next[i] == previous[j]) << j;
+        for (size_t j = 0; j < r.count; ++j) {
+            found |= (uint32_t)(r.next[i] == r.previous[j]) << j;
         }
         for (; found != 0; found &= found - 1) {
-            const double cosine = burnish_vec3_dot(normals[i], normals[__builtin_ctz(found)]);
+            const double cosine = burnish_vec3_dot(r.normals[i], r.normals[__builtin_ctz(found)]);
             ++counts.all;
             counts.plane += cosine > PLANE_COSINE;
             counts.flat += cosine > BURNISH_COPLANAR_COSINE;
             counts.gentle += (cosine <= FLAT_COSINE) & (cosine > BURNISH_SMOOTH_COSINE);
+            counts.sharp += cosine <= BURNISH_SHARP_COSINE;
         }
     }
     return counts;
 }
 
+/* Whether a sharp edge continues beyond its end `at`: another one goes on within 60 degrees. */
+static int goes_on(const burnish_surface *s, uint32_t from, uint32_t at) {
+    const burnish_vec3 here = position_of(s, at);
+    const burnish_vec3 along = burnish_vec3_normalize(burnish_vec3_sub(here, position_of(s, from)));
+    ring r;
+    list_faces(s, at, &r);
+    for (size_t i = 0; i < r.count; ++i) {
+        for (size_t j = 0; j < r.count; ++j) {
+            if (r.next[i] == r.previous[j] && r.next[i] != from &&
+                burnish_vec3_dot(r.normals[i], r.normals[j]) <= BURNISH_SHARP_COSINE) {
+                const burnish_vec3 onward = burnish_vec3_sub(position_of(s, r.next[i]), here);
+                if (burnish_vec3_dot(burnish_vec3_normalize(onward), along) >= ONWARD_COSINE) {
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+
 int burnish_surface_is_organic(const burnish_surface *s, size_t position_count) {
     const uint64_t samples = position_count < SAMPLES ? position_count : SAMPLES;
-    double all = 0, plane = 0, excess = 0;
+    double all = 0, plane = 0, sharp = 0, excess = 0;
     for (uint64_t i = 0; i < samples && excess < EXCESS_SHARE * all + EDGES_SURE; ++i) {
         const burnish_edge_counts counts = count_edges(s, (uint32_t)(i * SPREAD % position_count));
         all += counts.all;
         plane += counts.plane;
+        sharp += counts.sharp;
         excess += counts.plane - (counts.flat - counts.plane) * (0.3 / 0.7);
     }
-    return all >= EDGES_MIN && plane < PLANE_SHARE * all && excess < EXCESS_SHARE * all;
+    return all >= EDGES_MIN && plane < PLANE_SHARE * all && excess < EXCESS_SHARE * all &&
+           sharp < SHARP_SHARE * all;
 }
 
 /* The same if the position is asked for again, which it is by other edges. */
@@ -288,7 +325,9 @@ int burnish_surface_is_smooth(const burnish_surface *s, const uint32_t triangles
     const face faces[2] = {face_of(s, triangles[0]), face_of(s, triangles[1])};
     const double cosine = burnish_vec3_dot(faces[0].normal, faces[1].normal);
     face outer[2][2];
-    int smooth = s->is_organic && is_noise(s, edge);
+    int smooth = s->is_organic && is_noise(s, edge) &&
+                 (cosine > BURNISH_SHARP_COSINE ||
+                  !(goes_on(s, edge[0], edge[1]) && goes_on(s, edge[1], edge[0])));
     if (!smooth && cosine > BURNISH_SHARP_COSINE) {
         smooth = is_bent(s, &faces[0], edge, outer[0]) && is_bent(s, &faces[1], edge, outer[1])
                      ? is_curved(s, faces, edge, outer, cosine)

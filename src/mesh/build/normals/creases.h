@@ -25,7 +25,7 @@ typedef struct burnish_known_face {
 
 /* The edges at a position between faces of the same winding, by their angles. */
 typedef struct burnish_edge_counts {
-    int all, plane, flat, gentle; /* flat: up to 1 degree, with the plane ones */
+    int all, plane, flat, gentle, sharp; /* flat: up to 1 degree, with the plane ones */
 } burnish_edge_counts;
 
 typedef struct burnish_known_edges {
@@ -47,7 +47,9 @@ int burnish_surface_is_organic(const burnish_surface *surface, size_t position_c
  *
  * An edge of an organic surface is noise, and smooth, if an eighth of the edges at its ends bend by
  * 3 to 20 degrees and at most a quarter of them are plane. A base that was cut flat and facets
- * without smooth edges keep theirs. For other edges, up to 60 degrees:
+ * without smooth edges keep theirs, and so do chains: an edge of 60 degrees or more stays sharp if
+ * another one continues it at both ends within 60 degrees, as at the rim of a decimated cylinder. For
+ * other edges, up to 60 degrees:
  *
  * It is smooth if both faces bend at all their edges and no edge is sharp, as in scans, spheres and
  * decimated shapes. If a face belongs to a larger flat face, or has an edge that is sharp or open,
