@@ -79,7 +79,7 @@ export interface DrawOptions {
   /** Coverage samples per pixel: 1, 4, 8 or 16. */
   samples?: 1 | 4 | 8 | 16;
   cullBackFaces?: boolean;
-  /** A name, "#rrggbb", or three numbers in [0, 1]. */
+  /** A name, "#rrggbb", three numbers in [0, 1], "none", or "environment". */
   backgroundColor?: string | [number, number, number];
   /** The picture has alpha, four channels. */
   noBackground?: boolean;

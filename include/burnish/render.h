@@ -147,8 +147,12 @@ typedef struct burnish_render_options {
                              by less than this in every channel, in 8-bit sRGB values, a hairline
                              is drawn along it, inside; 0: never. Not drawn if transparent */
     uint8_t background[3]; /* sRGB */
-    int transparent;       /* 1: the image has alpha and no background */
-    int ignore_colors;     /* 1: vertex colours are not used */
+    int background_environment; /* 1: the background shows `environment` instead, with its strength
+                                   and turn. A parallel projection shows it as a perspective of
+                                   camera.view_angle does. Needs an environment and no transparent
+                                   background */
+    int transparent;            /* 1: the image has alpha and no background */
+    int ignore_colors;          /* 1: vertex colours are not used */
     int cull_back_faces;   /* 1: back-facing triangles are not drawn: faster, and the same image for
                             closed surfaces; 0: both sides are lit */
     double max_overdraw;   /* [1, infinity]: how often large triangles may cover the image (as many

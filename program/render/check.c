@@ -154,6 +154,12 @@ static burnish_status choose_drawing(render_settings *settings, burnish_error *e
                         "or the extension .png",
                         render_output_path(&settings->output), what);
     }
+    if (settings->picture.background.environment) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--background-color: %s can't show an environment; use a colour, or the "
+                        "extension .png",
+                        what);
+    }
     if (settings->picture.rows.count > 0) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
@@ -166,6 +172,11 @@ static burnish_status choose_drawing(render_settings *settings, burnish_error *e
 /* Finds the output's format, and checks the flags that it does not support. */
 static burnish_status choose_format(render_settings *settings, burnish_error *error) {
     picture_format format;
+    if (settings->picture.background.environment && !settings->shading.environment.name) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--background-color: there is no environment to show; use "
+                        "--environment=sky, room or a file");
+    }
     if (!settings->output.turntable && picture_is_drawing(drawing_format(settings))) {
         return choose_drawing(settings, error);
     }

@@ -145,9 +145,11 @@ static const cli_flag flags[] = {
      .manual = "Samples per pixel along edges: 1 (no anti-aliasing), 4, 8 or 16."},
     {CLI_FLAG("background-color", "COLOR", "#rgb, #rrggbb, r,g,b or a name", render_flag_background,
               picture.background),
-     .default_label = "the look's", .common = 1, .aliases = "bg-color,bg,background",
-     .manual = "Colour of the background, see *COLOURS*, or *none*. If *--no-background* is given "
-               "too, the last of both counts."},
+     .default_label = "the look's", .common = 1, .also = "background", .aliases = "bg-color,bg",
+     .manual = "Colour of the background, see *COLOURS*, *none*, or *environment*: the environment "
+               "of *--environment*, with its strength and turn. Parallel projections show it as a "
+               "perspective of *--camera-view-angle* does. If *--no-background* is given too, the "
+               "last of both counts."},
     {CLI_FLAG("no-background", NULL, "transparent background", render_flag_no_background,
               picture.background),
      .common = 1, .aliases = "transparent,transparency",

@@ -49,6 +49,10 @@ for name in picture.bmp out/picture.TIF; do
 done
 expect 2 'burnish: --output: "a.svg": an SVG has lines, not shading; use --look=drawing, or the extension .png' render :sphere -o a.svg
 expect 2 'burnish: --edges: "corners" is not one of silhouettes, creases, boundaries, materials, none' render :sphere --edges=creases,corners
+expect 2 'burnish: --background-color: there is no environment to show; use --environment=sky, room or a file' \
+    render :sphere --background=environment
+expect 2 "burnish: --background-color: an SVG can't show an environment; use a colour, or the extension .png" \
+    render :sphere --background=environment --environment=sky --look=drawing -o a.svg
 expect 2 'burnish: --edge-width: "0" is not a number from 0.1 to 100' render :sphere --edge-width=0
 expect 2 'burnish: --quality: only JPEG and WebP have it; omit the flag' render :sphere --quality=50 -o x.png
 expect 2 'burnish: --quality: "0" is not a whole number from 1 to 100' render :sphere --quality=0 -o x.jpg

@@ -77,7 +77,8 @@ static double contrast_of(double a, double b) {
 }
 
 /* Empty pixels have the background's colour and are subtracted at the end, since no plane
- * identifies them. Without a background their alpha is 0. */
+ * identifies them. Without a background their alpha is 0. An environment has many colours: then
+ * nothing is measured. */
 render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
                                   const burnish_render_options *options) {
     const size_t channels = (size_t)image->channels;
@@ -96,7 +97,7 @@ render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
     const tone_sums empty = sums_of(&table, ground, ground);
     subtract_pixels(&sums, &empty, has_ground ? all - covered : 0);
     const double count = (double)sums.count, none = (double)NAN;
-    if (sums.count == 0) {
+    if (sums.count == 0 || options->background_environment) {
         return (render_tones){none, none, none, none};
     }
     return (render_tones){

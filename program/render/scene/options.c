@@ -141,6 +141,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     options.ignore_colors |= shading->color.given || shading->no_colors;
     options.cull_back_faces = picture->cull_back_faces;
     options.transparent = picture->background.transparent;
+    options.background_environment = picture->background.environment;
     if (shading->environment.name) { /* instead of the rig */
         options.light_count = options.area_light_count = options.has_dome = 0;
         memset(options.ambient_light, 0, sizeof options.ambient_light);

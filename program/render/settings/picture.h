@@ -32,6 +32,7 @@ typedef struct render_rows {
 typedef struct render_background {
     int given; /* 1: srgb counts */
     int transparent;
+    int environment; /* 1: it shows the environment */
     float srgb[3];
 } render_background;
 

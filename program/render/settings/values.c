@@ -41,7 +41,10 @@ burnish_status render_flag_background(const cli_flag *flag, const char *text, vo
     render_background *background = target;
     cli_color color;
     if (strcmp(text, "none") == 0) {
-        background->transparent = 1;
+        return render_flag_no_background(flag, text, target, error);
+    }
+    if (strcmp(text, "environment") == 0) {
+        *background = (render_background){.environment = 1};
         return BURNISH_STATUS_OK;
     }
     burnish_status status = cli_flag_color(flag, text, &color, error);
@@ -57,6 +60,7 @@ burnish_status render_flag_no_background(const cli_flag *flag, const char *text,
     render_background *background = target;
     (void)flag, (void)text, (void)error;
     background->transparent = 1;
+    background->environment = 0;
     return BURNISH_STATUS_OK;
 }
 

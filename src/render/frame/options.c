@@ -162,6 +162,12 @@ static burnish_status check_surroundings(const burnish_render_options *options,
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "environment: the turn must be a finite number of degrees");
     }
+    if (options->background_environment && (!options->environment || options->transparent)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "background: %s",
+                            options->transparent
+                                ? "it can't be transparent and show the environment; choose one"
+                                : "there is no environment to show; set one");
+    }
     return BURNISH_STATUS_OK;
 }
 

@@ -360,6 +360,9 @@ static burnish_status draw_tiles(drawing *d) {
     const burnish_caps caps = d->mesh.view->cut_count > 0
                                   ? burnish_caps_create(d->mesh.view, &d->view.raster)
                                   : (burnish_caps){0};
+    const burnish_backdrop backdrop = d->options->background_environment
+                                          ? burnish_backdrop_make(d->options, up_of(d))
+                                          : (burnish_backdrop){0};
     burnish_frame frame = {
         .ops = d->raster,
         .geometry = &renderer->geometry,
@@ -371,6 +374,7 @@ static burnish_status draw_tiles(drawing *d) {
                    .encoder = &renderer->encoder,
                    .view = &d->view,
                    .ground = d->report.ground ? &d->view.ground : NULL,
+                   .backdrop = d->options->background_environment ? &backdrop : NULL,
                    .outline = d->outline},
         .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
         .layer_passes = layer_passes(d),

@@ -346,11 +346,16 @@ static void store_pixels(const burnish_output *output, const burnish_tile *tile,
 
 /* ---- Ground ---- */
 
-/* Whether the ground is dark somewhere in a row of blocks. */
+/* Whether the background of a row of blocks differs from pixel to pixel, and how dark the ground's
+ * shadow is there. */
 static int find_shadow(const burnish_output *output, const burnish_tile *tile, int number,
                        float *shadow) {
+    int is_dark = output->backdrop != NULL;
+    if (!output->ground) {
+        memset(shadow, 0, is_dark ? BURNISH_BLOCK_ROW_PIXELS * sizeof *shadow : 0);
+        return is_dark;
+    }
     const burnish_screen_points points = burnish_row_points(&output->view->raster, tile, number);
-    int is_dark = 0;
     output->ops->shadow_ground(output->ground, &points, BURNISH_BLOCK_ROW_PIXELS, shadow);
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
         is_dark |= shadow[i] > 0;
@@ -373,6 +378,27 @@ static float background_share(const burnish_output *output, const burnish_tile_s
         return row->pixels.simple[i] >= 0 ? 0.0f : 1.0f;
     }
     return (float)(output->samples - sums->covered[pixel]) / (float)output->samples;
+}
+
+/* Adds the environment, darkened by a shadow, where a resolved row shows background, which is black
+ * so far. */
+static void add_backdrop(const burnish_output *output, const burnish_tile *tile,
+                         const burnish_tile_sums *sums, int number, const float *shadow,
+                         burnish_row_light *row) {
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
+        const float share = background_share(output, sums, number, row, i);
+        float light[3];
+        if (share == 0) {
+            continue;
+        }
+        burnish_backdrop_light(output->backdrop, tile->x + burnish_pixel_x(pixel),
+                               tile->y + burnish_pixel_y(pixel), light);
+        for (int k = 0; k < 3; ++k) {
+            const float value = light[k] < output->limit ? light[k] : output->limit;
+            row->rgb[k][i] = (share < 1 ? row->rgb[k][i] : 0) + share * (1 - shadow[i]) * value;
+        }
+    }
 }
 
 /* Darkens the background that a resolved row shows or, where there is none, puts black below what
@@ -413,7 +439,14 @@ static void store_on_ground(const burnish_output *output, const burnish_tile *ti
     const burnish_row_range rows = burnish_output_rows(output, tile, number);
     float alpha[BURNISH_BLOCK_ROW_PIXELS];
     uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
-    darken_background(output, sums, number, shadow, row, alpha);
+    if (output->backdrop) {
+        add_backdrop(output, tile, sums, number, shadow, row);
+        for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+            alpha[i] = 1;
+        }
+    } else {
+        darken_background(output, sums, number, shadow, row, alpha);
+    }
     if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
         for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
             store_resolved(row, alpha, y, tile->width, row_at(output, tile, top + y));
@@ -441,7 +474,7 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
             resolve_row(output, sums, number, row);
         }
         resolve_layers(output, tile, sums, number, row);
-        if (output->ground && find_shadow(output, tile, number, shadow)) {
+        if (find_shadow(output, tile, number, shadow)) {
             store_on_ground(output, tile, sums, number, shadow, row);
         } else {
             store_pixels(output, tile, sums, number, row);
@@ -466,8 +499,7 @@ void burnish_output_store_background(const burnish_output *output, const burnish
     if (output->outline) {
         store_outline(output, tile, number, NULL);
     }
-    if (output->ground && output->target.pixels.pixels &&
-        find_shadow(output, tile, number, shadow)) {
+    if (output->target.pixels.pixels && find_shadow(output, tile, number, shadow)) {
         burnish_row_light row;
         store_on_ground(output, tile, NULL, number, shadow, &row);
         return;
@@ -508,7 +540,7 @@ burnish_status burnish_output_begin(burnish_output *output, const burnish_target
         output->background_code =
             (uint32_t)code[0] | (uint32_t)code[1] << 8 | (uint32_t)code[2] << 16 | output->alpha;
         for (int k = 0; k < 3; ++k) {
-            output->background_light[k] = burnish_srgb_to_linear[code[k]];
+            output->background_light[k] = output->backdrop ? 0 : burnish_srgb_to_linear[code[k]];
         }
         output->background_light[3] = 1.0f;
     }

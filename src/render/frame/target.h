@@ -6,6 +6,7 @@
 #include "render/frame/layer_light.h"
 #include "render/frame/options.h"
 #include "render/frame/view.h"
+#include "render/light/backdrop.h"
 #include "render/lines/outline.h"
 
 /* Where a frame's pixels go, and what background and alpha look like there. */
@@ -23,6 +24,7 @@ typedef struct burnish_output {
     uint32_t background_code;  /* red lowest */
     float background_light[4]; /* linear; alpha last */
     const burnish_ground_view *ground; /* NULL: none is seen */
+    const burnish_backdrop *backdrop;  /* NULL: the background has one colour */
     const burnish_outline *outline;    /* receives the samples of its rows, or NULL */
     const uint8_t *background;         /* a row of the target where nothing is */
     size_t pixel_size;                 /* bytes */
@@ -47,7 +49,7 @@ static inline burnish_row_range burnish_output_rows(const burnish_output *output
                                end < BURNISH_BLOCK_SIZE ? end : BURNISH_BLOCK_SIZE};
 }
 
-/* ops, encoder, view, ground and outline are the caller's to set. Errors: MEMORY. */
+/* ops, encoder, view, ground, backdrop and outline are the caller's to set. Errors: MEMORY. */
 burnish_status burnish_output_begin(burnish_output *output, const burnish_target *target,
                                     const burnish_render_options *options, burnish_output_row *row,
                                     burnish_memory *memory);

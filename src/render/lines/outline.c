@@ -7,7 +7,8 @@
 enum { WORD = sizeof(uint64_t), ROWS = 16 /* per task */ };
 
 int burnish_outline_is_wanted(const burnish_render_options *options) {
-    return options->outline_contrast > 0 && !options->transparent;
+    return options->outline_contrast > 0 && !options->transparent &&
+           !options->background_environment;
 }
 
 /* ---- Coverage ---- */
