@@ -19,6 +19,7 @@
 #include "render/output/annotate.h"
 #include "render/output/bands.h"
 #include "render/output/cells.h"
+#include "render/output/legend.h"
 #include "render/output/projection.h"
 #include "render/output/reference.h"
 #include "render/output/report.h"
@@ -70,6 +71,9 @@ static burnish_status draw_frame(render_result *result, burnish_renderer *render
     options->counts = BURNISH_COUNTS_PIXELS;
     burnish_status status = render_draw_pixels(result, renderer, options, cell, &depth, error);
     free(depth);
+    if (status == BURNISH_STATUS_OK) {
+        render_draw_legend(result, options->background, &cell->image);
+    }
     return status;
 }
 

@@ -1,8 +1,9 @@
-/* Turntables: frames are drawn, encoded and written one after the other; only the previous one is
- * kept. Everything that affects pixels uses plain IEEE operations. */
+/* Turntables: frames are drawn, encoded and written one after the other; while one is encoded, a
+ * thread draws the next. Everything that affects pixels uses plain IEEE operations. */
 #include "render/output/turntable.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,6 +64,9 @@ static void find_pivot(const burnish_mesh *mesh, const render_settings *settings
 static void orbit(const burnish_mesh *mesh, const render_settings *settings, int frame,
                   burnish_camera *camera) {
     double sine, cosine, axis[3], pivot[3];
+    if (frame == 0) {
+        return;
+    }
     turn(frame, settings->output.frames, &sine, &cosine);
     render_up_in_use(mesh, &settings->camera, axis);
     find_pivot(mesh, settings, pivot);
@@ -221,14 +225,26 @@ typedef struct stream {
     burnish_camera first;  /* the first frame's camera */
     int kept[SAMPLED];     /* numbers of the frames for the palette, whose pixels are in ... */
     uint8_t *kept_pixels;  /* ... this array; NULL: drawn again */
+    int drawn;             /* frame in the cell's image; the first one comes with it */
+    /* the thread that draws the next frame into the cell while this one is encoded */
+    pthread_t thread;
+    int is_drawing;
+    int next; /* frame */
+    burnish_status status;
+    burnish_error error;
+    burnish_image shown; /* a copy of the frame that is encoded; without pixels: no thread */
 } stream;
 
 /* Draws a frame into the cell; render_piece_drawer. */
 static burnish_status draw_frame(void *context, int frame, burnish_error *error) {
-    const stream *s = context;
+    stream *s = context;
     const render_turntable *t = s->turntable;
     render_cell *cell = &t->result->cells[0];
     const burnish_render_report first = cell->report;
+    if (s->drawn == frame) {
+        return BURNISH_STATUS_OK;
+    }
+    s->drawn = frame;
     cell->camera = s->first;
     orbit(t->result->mesh, t->result->settings, frame, &cell->camera);
     burnish_status status = t->draw(t->result, t->renderer, t->options, cell, error);
@@ -244,14 +260,49 @@ static size_t image_size(const burnish_image *image) {
 /* Draws a frame, or copies it if it was drawn for the palette. */
 static burnish_status make_frame(stream *s, int frame, burnish_error *error) {
     burnish_image *image = &s->turntable->result->cells[0].image;
-    for (int i = 0; i < SAMPLED && s->kept_pixels; ++i) {
+    for (int i = 0; i < SAMPLED && s->kept_pixels && s->drawn != frame; ++i) {
         if (s->kept[i] == frame) {
             memcpy(image->pixels, s->kept_pixels + (size_t)i * image_size(image),
                    image_size(image));
-            return BURNISH_STATUS_OK;
+            s->drawn = frame;
         }
     }
     return draw_frame(s, frame, error);
+}
+
+static void *draw_next(void *context) {
+    stream *s = context;
+    s->status = make_frame(s, s->next, &s->error);
+    return NULL;
+}
+
+static void wait_for_next(stream *s) {
+    if (s->is_drawing) {
+        pthread_join(s->thread, NULL);
+        s->is_drawing = 0;
+    }
+}
+
+/* Makes a frame, and has the next one made while it is encoded. */
+static burnish_status take_frame(stream *s, int frame, const burnish_image **image,
+                                 burnish_error *error) {
+    const render_result *result = s->turntable->result;
+    burnish_status status = BURNISH_STATUS_OK;
+    *image = &result->cells[0].image;
+    wait_for_next(s);
+    if (s->status != BURNISH_STATUS_OK) {
+        *error = s->error;
+        return s->status;
+    }
+    status = make_frame(s, frame, error);
+    s->next = frame + 1;
+    if (status == BURNISH_STATUS_OK && s->shown.pixels &&
+        s->next < result->settings->output.frames) {
+        memcpy(s->shown.pixels, (*image)->pixels, image_size(*image));
+        *image = &s->shown;
+        s->is_drawing = pthread_create(&s->thread, NULL, draw_next, s) == 0;
+    }
+    return status;
 }
 
 /* render_stream_next */
@@ -259,16 +310,16 @@ static burnish_status next_frame(void *context, int frame, const uint8_t **bytes
                                  burnish_error *error) {
     stream *s = context;
     render_result *result = s->turntable->result;
-    const int is_frame = frame < result->settings->output.frames;
+    const burnish_image *image = NULL;
     burnish_status status = BURNISH_STATUS_OK;
-    if (is_frame) {
-        status =
-            s->pieces ? render_pieces_take(s->pieces, frame, error) : make_frame(s, frame, error);
+    if (frame < result->settings->output.frames) {
+        image = &result->cells[0].image;
+        status = s->pieces ? render_pieces_take(s->pieces, frame, error)
+                           : take_frame(s, frame, &image, error);
     }
     if (status == BURNISH_STATUS_OK) {
         const double start = cli_seconds_now();
-        status =
-            picture_animation_add(s->animation, is_frame ? &result->cells[0].image : NULL, error);
+        status = picture_animation_add(s->animation, image, error);
         result->seconds.encode += cli_seconds_now() - start;
     }
     *bytes = s->animation->out.data;
@@ -346,6 +397,12 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     if (status == BURNISH_STATUS_OK) {
         status = picture_animation_create(&options, &s.animation, error);
     }
+    if (settings->job.runners > 0) {
+        s.drawn = -1;
+    } else if (settings->job.threads != 1) {
+        s.shown = *image;
+        s.shown.pixels = malloc(image_size(image));
+    }
     if (status == BURNISH_STATUS_OK && settings->job.runners > 0) {
         const render_pieces_plan plan = plan_pieces(&s);
         status = render_pieces_create(&plan, &s.pieces, error);
@@ -359,6 +416,8 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
                                     .ready = turntable->ready};
         status = render_stream_write(&file, error);
     }
+    wait_for_next(&s);
+    free(s.shown.pixels);
     render_pieces_destroy(s.pieces);
     picture_animation_destroy(s.animation);
     free(s.kept_pixels);
