@@ -343,6 +343,8 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
             draw_multisampled(tile, &setup, options->samples, options->planes, &found, &queue);
         } else if (options->planes == 3 && !options->keep_ids) {
             draw_single_sampled(tile, &setup, 3, 0, &pixels, &queue);
+        } else if (options->planes == 3) {
+            draw_single_sampled(tile, &setup, 3, 1, &pixels, &queue);
         } else if (options->planes == 0 && !options->keep_ids) {
             draw_single_sampled(tile, &setup, 0, 0, &pixels, &queue);
         } else {

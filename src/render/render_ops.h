@@ -18,6 +18,7 @@ struct burnish_kernels_points;
 struct burnish_mask;
 struct burnish_mesh_view;
 struct burnish_occlusion_lookup;
+struct burnish_primitive;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
 struct burnish_srgb_encoder;
@@ -42,6 +43,15 @@ typedef struct burnish_render_ops {
      * up to the next multiple of 16. */
     void (*position_from_depth)(const burnish_rays *rays, const burnish_screen_points *points,
                                 size_t count, float *const position[3], float *w);
+
+    /* The materials of count pixels, a multiple of 16, from the materials of two triangles or more;
+     * returns whether all are the same.
+     *   ids         burnish_primitive.id_and_facing of the pixels, unless there are primitives
+     *   primitives  `shown` is an index of them; NULL: ids are read
+     *   shown       pixels where it is below 0 get the material of another one */
+    int (*find_materials)(const uint16_t *of_triangles, size_t triangle_count, const int32_t *ids,
+                          const struct burnish_primitive *primitives, const int32_t *shown,
+                          size_t count, int32_t *materials);
 
     /* Copies the vectors of items [first, count) in which `left` is `material`, one after another,
      * from each stream's array to its other one; there `left` becomes -1. starts[v] receives the

@@ -2,6 +2,7 @@
 #include "shading/each_simd.h"
 #include "shading/environment_simd.h"
 #include "shading/lobe_simd.h"
+#include "shading/mixed_simd.h"
 #include "shading/polygon_simd.h"
 #include "shading/shade_simd.h"
 #include "shading/shading_ops.h"
@@ -62,6 +63,8 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                    [BURNISH_LOBE_BODY_SCHLICK] = each_schlick,
                    [BURNISH_LOBE_BODY_GAUSSIAN] = each_gaussian,
                    [BURNISH_LOBE_BODY_GX] = each_gx},
+    .shade_mixed =
+        {[BURNISH_LOBE_BODY_SQUARE] = mixed_square, [BURNISH_LOBE_BODY_SQUARES] = mixed_squares},
     .add_environment = add_environment,
     .reflect_points = reflect_points,
     .polygon_light = polygon_light,

@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include "kernels_input.h"
+#include "shading/shading_ops.h"
 #include "simd/isa.h"
 
 /* ---- Instruction sets ---- */
@@ -141,6 +142,53 @@ static void check_normalize_of_isa(const burnish_kernels *kernels, uint64_t *sta
           burnish_isa_name(burnish_kernels_get_isa(kernels)), different);
 }
 
+/* Points of several materials at once have the bits of their own material's kernel. */
+static void check_mixed_of_isa(const burnish_kernels *kernels, uint64_t *state) {
+    enum { COUNT = 64, MATERIALS = 5, LIGHTS = 2 };
+    const int order = test_random32(state) & 1 ? 2 : 8;
+    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
+    burnish_light_constants lights[MATERIALS][LIGHTS];
+    burnish_kernels_shader shaders[MATERIALS];
+    float normal[3][COUNT], own[3][COUNT], mixed[3][COUNT];
+    float *const rgb[3] = {mixed[0], mixed[1], mixed[2]};
+    int32_t materials[COUNT];
+    burnish_kernels_points points = {{normal[0], normal[1], normal[2]}, {NULL}, {NULL}, NULL, NULL};
+    int different = 0;
+    lighting.light_count = LIGHTS;
+    lighting.lights[1] = lighting.lights[0];
+    lighting.lights[1].vector[0] = -lighting.lights[0].vector[0];
+    lighting.lobe.order = order;
+    for (int m = 0; m < MATERIALS; ++m) {
+        burnish_material material = lighting.material;
+        material.exponent = (float)(1 << (m + 4));
+        for (int k = 0; k < 3; ++k) {
+            material.diffuse[k] = test_uniform_float(state, 0, 1);
+            material.specular[k] = m == 0 ? 0 : test_uniform_float(state, 0, 1);
+        }
+        CHECK1(burnish_shader_fold(&lighting, &material, &lighting.lobe, lights[m], &shaders[m],
+                                   NULL) == BURNISH_STATUS_OK);
+    }
+    for (int i = 0; i < COUNT; ++i) {
+        materials[i] = i < COUNT / 4 ? 1 : (int32_t)(test_random32(state) % MATERIALS);
+        for (int k = 0; k < 3; ++k) {
+            normal[k][i] = test_uniform_float(state, -1, 1);
+        }
+    }
+    kernels->shade_mixed[order > 2 ? BURNISH_LOBE_BODY_SQUARES : BURNISH_LOBE_BODY_SQUARE](
+        shaders, materials, &points, COUNT, rgb);
+    for (int m = 0; m < MATERIALS; ++m) {
+        kernels->shade[shaders[m].lobe.body][BURNISH_SHADE_DISTANT][BURNISH_SHADE_FLOAT](
+            &shaders[m], &points, COUNT, NULL, (float *const[3]){own[0], own[1], own[2]});
+        for (int i = 0; i < COUNT; ++i) {
+            for (int k = 0; k < 3 && materials[i] == m; ++k) {
+                different += memcmp(&own[k][i], &mixed[k][i], sizeof own[k][i]) != 0;
+            }
+        }
+    }
+    CHECK(different == 0, "%s, mixed materials: %d colours differ",
+          burnish_isa_name(burnish_kernels_get_isa(kernels)), different);
+}
+
 static void check_instruction_sets(void) {
     uint32_t mask = burnish_isa_available();
     uint64_t state = test_seed(0x2545f491);
@@ -157,6 +205,7 @@ static void check_instruction_sets(void) {
         check_lobes_of_isa(kernels, &state);
         check_streaming(kernels);
         check_shade_of_isa(kernels, &state);
+        check_mixed_of_isa(kernels, &state);
         check_normalize_of_isa(kernels, &state);
     }
     printf("\n");

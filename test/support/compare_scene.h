@@ -323,6 +323,7 @@ static void make_shading(scene_shading *made, const random_scene *scene,
     made->surface.view = view;
     made->surface.shading = &made->shading;
     made->surface.attributes = &made->attributes;
+    made->surface.triangle_count = scene->triangle_count;
     made->surface.triangle_materials = test_random32(state) & 1 ? scene->materials : NULL;
     const burnish_mesh_view mesh = {
         .normals = scene->normals, .colors = scene->colors, .indices = scene->indices};

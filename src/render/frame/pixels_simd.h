@@ -4,6 +4,7 @@
 #define BURNISH_RENDER_FRAME_PIXELS_SIMD_H
 
 #include "core/srgb.h"
+#include "raster/geometry.h"
 #include "render/render_ops.h"
 #include "simd/vector.h"
 
@@ -24,6 +25,36 @@ static void position_from_depth(const burnish_rays *rays, const burnish_screen_p
 
 /* ---- One material after another, by whole vectors: a vector that shows several materials is
  * shaded once for each, which costs less than sorting its items ---- */
+
+/* Of a table of 16-bit numbers, the last of which no pair starts at. */
+BURNISH_INLINE vi gather_16_bits(const uint16_t *table, size_t count, vi index) {
+    const vi last = vi_set((int32_t)count - 2);
+    const vi pair = vi_gather_pair(table, vi_min(index, last));
+    return vi_blend(vi_greater(index, last), vi_shr(pair, 16), vi_and(pair, vi_set(0xffff)));
+}
+
+static int find_materials(const uint16_t *of_triangles, size_t triangle_count, const int32_t *ids,
+                          const struct burnish_primitive *primitives, const int32_t *shown,
+                          size_t count, int32_t *materials) {
+    const int32_t *words = (const int32_t *)(const void *)primitives;
+    int32_t last = -1, before = -1; /* -1: no pixel has been shown yet */
+    int is_one = 1;
+    for (size_t i = 0; i < count; i += LANES) {
+        const vi simple = vi_load(shown + i), zero = vi_set(0);
+        const vm here = vi_not_negative(simple);
+        const unsigned bits = vm_bits(here);
+        vi id = words ? vi_gather(words + 3, vi_blend(here, vi_shl(simple, 2), zero))
+                      : vi_blend(here, vi_load(ids + i), zero);
+        vi material = gather_16_bits(of_triangles, triangle_count, vi_shr(id, 1));
+        vi_store(materials + i, material);
+        last = bits ? materials[i + (size_t)__builtin_ctz(bits)] : last < 0 ? 0 : last;
+        material = vi_blend(here, material, vi_set(last));
+        vi_store(materials + i, material);
+        before = before < 0 ? last : before;
+        is_one &= !vm_any(vm_not(vi_equal(material, vi_set(before))));
+    }
+    return is_one;
+}
 
 static int collect_material(int32_t material, int first, int count, int32_t *left,
                             const burnish_batch_streams *streams, uint8_t *starts) {

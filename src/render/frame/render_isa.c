@@ -13,9 +13,9 @@
 
 extern const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD);
 const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
-    OP(normalize_array), OP(position_from_depth),  OP(collect_material), OP(scatter_material),
-    OP(occlude),         OP(cast_shadow),          OP(add_silhouette),   OP(shadow_ground),
-    OP(plane_records),   OP(locate_points),        OP(find_taps),        OP(sample_texture),
-    OP(cover_samples),   OP(interpolate_tangents), OP(turn_normals),     OP(vary_points),
-    OP(encode_pixels),   OP(pack_groups),
+    OP(find_materials),   OP(normalize_array), OP(position_from_depth),  OP(collect_material),
+    OP(scatter_material), OP(occlude),         OP(cast_shadow),          OP(add_silhouette),
+    OP(shadow_ground),    OP(plane_records),   OP(locate_points),        OP(find_taps),
+    OP(sample_texture),   OP(cover_samples),   OP(interpolate_tangents), OP(turn_normals),
+    OP(vary_points),      OP(encode_pixels),   OP(pack_groups),
 };

@@ -82,7 +82,7 @@ static void shade_material(const burnish_shading *shading, const burnish_kernels
 static int has_one_material(const burnish_fragment_batch *batch) {
     const int32_t *material = batch->material;
     int32_t different = 0;
-    for (int i = 0; i < (material ? batch->count : 0); ++i) {
+    for (int i = 0; i < (material && !batch->has_one_material ? batch->count : 0); ++i) {
         different |= material[i] ^ material[0];
     }
     return different == 0;
@@ -243,6 +243,10 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
                        (size_t)batch->count * sizeof *scratch->texture.covers[s]);
             }
         }
+    } else if (shading->mixed_body != BURNISH_LOBE_BODY_NONE && !shading->area &&
+               !shading->texturing && !points.first_light) {
+        shading->kernels->shade_mixed[shading->mixed_body](shading->shaders, batch->material,
+                                                           &points, (size_t)batch->count, rgb);
     } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
     }
@@ -285,18 +289,22 @@ typedef struct block_run {
     int row, first, end;
 } block_run;
 
-/* Complex pixels get the material of the pixel before, which keeps runs of one material long; their
- * result is discarded. */
-static void find_materials(const burnish_surface *surface, const burnish_tile *tile, block_run run,
-                           const burnish_block_row *pixels, int32_t *material) {
-    int32_t last = 0;
-    for (int i = run.first; i < run.end; ++i) {
-        if (pixels->simple[i] >= 0) {
-            const uint32_t id = burnish_tile_id_and_facing(tile, run.row, i, pixels->simple[i]);
-            last = surface->triangle_materials[id >> 1];
+/* The materials of a run; complex pixels get another's, which keeps runs of one material long: their
+ * result is discarded. Returns whether all are the same. */
+static int find_materials(const burnish_surface *surface, const burnish_tile *tile, block_run run,
+                          const burnish_block_row *pixels, int32_t *material) {
+    const burnish_primitive *primitives =
+        tile->options.samples > 1 ? tile->primitives.primitives : NULL;
+    const int32_t *ids = tile->buffer.ids + run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
+    if (surface->triangle_count == 1) {
+        for (int i = run.first; i < run.end; ++i) {
+            material[i] = surface->triangle_materials[0];
         }
-        material[i] = last;
+        return 1;
     }
+    return surface->shading->ops->find_materials(
+        surface->triangle_materials, surface->triangle_count, ids, primitives,
+        pixels->simple + run.first, (size_t)(run.end - run.first), material + run.first);
 }
 
 /* Whether all pixels of a block are simple, and show one triangle unless there is one sample. */
@@ -376,7 +384,8 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile, 
     batch.first_pixel = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
     batch.shown = row->pixels.simple + run.first;
     if (surface->triangle_materials) {
-        find_materials(surface, tile, run, &row->pixels, scratch->material);
+        batch.has_one_material =
+            find_materials(surface, tile, run, &row->pixels, scratch->material);
         batch.material = scratch->material + run.first;
     }
     if (surface->shading->texturing) {
@@ -491,6 +500,8 @@ static void gather(const burnish_surface *surface, burnish_fragments *fragments,
         clear_tail(scratch->normal[k], fragments->count);
         clear_tail(scratch->color[k], fragments->count);
     }
+    memset(scratch->material + fragments->count, 0,
+           (size_t)(padded(fragments->count) - fragments->count) * sizeof *scratch->material);
     clear_tail(fragments->x, fragments->count);
     clear_tail(fragments->y, fragments->count);
 }

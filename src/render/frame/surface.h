@@ -37,6 +37,7 @@ typedef struct burnish_fragment_batch {
     const float *inverse_w;       /* 1/w; read with colours and where burnish_shading.is_lyon */
     burnish_screen_points points; /* read where burnish_shading.needs_position */
     const int32_t *material;      /* NULL: all are 0 */
+    int has_one_material;         /* 1: all have the first one's; 0: unknown */
     const uint16_t *pixels;       /* index in the tile; NULL: first_pixel + i */
     const uint16_t *samples;      /* of fragments of layers: bits of their samples; else NULL */
     int first_pixel;
@@ -54,6 +55,8 @@ typedef struct burnish_shading {
     const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
     const burnish_texturing *texturing;               /* NULL: no material is special */
     const burnish_area *area;                         /* NULL: no light from many directions */
+    /* the body by which `kernels->shade_mixed` shades all materials at once; NONE: it can't */
+    burnish_lobe_body mixed_body;
     int is_lyon; /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 
@@ -62,7 +65,8 @@ typedef struct burnish_surface {
     const burnish_raster_view *view;
     const burnish_shading *shading;
     const burnish_attributes *attributes;
-    const uint16_t *triangle_materials;       /* NULL: all have material 0 */
+    const uint16_t *triangle_materials; /* NULL: all have material 0 */
+    size_t triangle_count;
     const burnish_transparency *transparency; /* NULL: every triangle is opaque */
     const burnish_caps *caps;                 /* NULL: none */
     const burnish_point_view *points;         /* NULL: triangles */

@@ -335,10 +335,28 @@ static void make_area_view(const camera_frame *frame, const burnish_mesh_view *m
     memcpy(area->viewer, lighting->viewer, sizeof area->viewer);
 }
 
+/* The body by which all materials can be shaded at once; NONE if there is none. */
+static burnish_lobe_body mixed_body(const burnish_kernels_shader *shaders, size_t count) {
+    const int squarings = shaders->lobe.squarings;
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_lobe_constants *lobe = &shaders[i].lobe;
+        const int is_family = lobe->body == BURNISH_LOBE_BODY_SQUARE ||
+                              lobe->body == BURNISH_LOBE_BODY_SQUARES ||
+                              lobe->body == BURNISH_LOBE_BODY_NONE; /* its specular colour is 0 */
+        if (!is_family || lobe->squarings != squarings ||
+            shaders[i].geometry != BURNISH_SHADE_DISTANT ||
+            shaders[i].light_count != shaders->light_count) {
+            return BURNISH_LOBE_BODY_NONE;
+        }
+    }
+    return squarings > 1 ? BURNISH_LOBE_BODY_SQUARES : BURNISH_LOBE_BODY_SQUARE;
+}
+
 static void make_shading(const burnish_kernels_lighting *lighting,
                          const burnish_render_options *options, const burnish_shaders *shaders,
-                         burnish_shading *shading) {
+                         size_t material_count, burnish_shading *shading) {
     shading->shaders = shaders->items;
+    shading->mixed_body = mixed_body(shaders->items, material_count);
     shading->needs_position = lighting->local_viewer || options->occlusion != 0 || options->shadow;
     for (int i = 0; i < lighting->light_count; ++i) {
         shading->needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
@@ -395,7 +413,7 @@ burnish_status burnish_view_create(const burnish_drawn_mesh *mesh,
         status = burnish_texturing_view(texturing, &lighting, &options->lobe, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        make_shading(&lighting, options, shaders, &view->shading);
+        make_shading(&lighting, options, shaders, mesh->material_count, &view->shading);
         view->shading.texturing = texturing;
     }
     return status;

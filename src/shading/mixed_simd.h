@@ -1,0 +1,118 @@
+/* The lighting equation over vectors of points of several materials, for directional lights and a
+ * distant viewer where all lobes are the family's of one order. A point's sums have the order of
+ * shade_simd.h, so they have the bits of its own material's kernel. */
+#ifndef BURNISH_SHADING_MIXED_SIMD_H
+#define BURNISH_SHADING_MIXED_SIMD_H
+
+#include "shading/shade_simd.h"
+
+/* The materials of a vector of points, and the points of each. */
+typedef struct mixed_materials {
+    int count;
+    const burnish_kernels_shader *shaders[LANES];
+    vm lanes[LANES];
+} mixed_materials;
+
+/* A light's constants for each point. */
+typedef struct mixed_light {
+    vf half[3], diffuse[3], specular[3];
+} mixed_light;
+
+BURNISH_INLINE void mixed_find(const burnish_kernels_shader *shaders, const int32_t *materials,
+                               mixed_materials *mixed) {
+    const vi all = vi_load(materials);
+    unsigned rest = (unsigned)((1ull << LANES) - 1);
+    mixed->count = 0;
+    while (rest) {
+        const int32_t material = materials[__builtin_ctz(rest)];
+        const vm here = vi_equal(all, vi_set(material));
+        mixed->shaders[mixed->count] = &shaders[material];
+        mixed->lanes[mixed->count++] = here;
+        rest &= ~vm_bits(here);
+    }
+}
+
+/* The constant of material j where it is shown. */
+BURNISH_INLINE vf mixed_put(const mixed_materials *mixed, int j, float constant, vf others) {
+    return LANES == 1 || j == 0 ? vf_set(constant)
+                                : vf_blend(mixed->lanes[j], vf_set(constant), others);
+}
+
+BURNISH_INLINE void mixed_load_light(const mixed_materials *mixed, int l, mixed_light *light) {
+    const int output = BURNISH_SHADE_FLOAT;
+    for (int j = 0; j < mixed->count; ++j) {
+        const burnish_light_constants *of = &mixed->shaders[j]->lights[l];
+        for (int k = 0; k < 3; ++k) {
+            light->half[k] = mixed_put(mixed, j, of->half[k], light->half[k]);
+            light->diffuse[k] = mixed_put(mixed, j, of->diffuse[output][k], light->diffuse[k]);
+            light->specular[k] = mixed_put(mixed, j, of->specular[output][k], light->specular[k]);
+        }
+    }
+}
+
+/* Adds a light of one direction. */
+BURNISH_INLINE void mixed_add(int body, const mixed_materials *mixed, int l, const vf normal[3],
+                              vf inverse_n, vf offset, shade_sums *sums) {
+    const burnish_kernels_shader *first = mixed->shaders[0];
+    const vf zero = vf_set(0.0f);
+    mixed_light light;
+    mixed_load_light(mixed, l, &light);
+    const vf n_dot_l =
+        vf_max(vf_mul(shade_dot_constant(normal, first->lights[l].vector), inverse_n), zero);
+    const vf u = vf_add(vf_mul(shade_dot(normal, light.half), inverse_n), offset);
+    const vm shines = vm_and(vf_greater(n_dot_l, zero), vf_greater(u, zero));
+    for (int k = 0; k < 3; ++k) {
+        sums->diffuse[k] = vf_add(sums->diffuse[k], vf_mul(n_dot_l, light.diffuse[k]));
+    }
+    if (vm_any(shines)) {
+        const vf lobe =
+            lobe_squares(vf_and_mask(shines, vf_min(u, vf_set(1.0f))), body, first->lobe.squarings);
+        for (int k = 0; k < 3; ++k) {
+            sums->specular[k] = vf_add(sums->specular[k], vf_mul(lobe, light.specular[k]));
+        }
+    }
+}
+
+BURNISH_INLINE void mixed_array(int body, const burnish_kernels_shader *shaders,
+                                const int32_t *materials, const burnish_kernels_points *points,
+                                size_t count, float *const rgb[3]) {
+    for (size_t i = 0; i < count; i += LANES) {
+        mixed_materials mixed;
+        shade_sums sums;
+        vf offset = vf_set(0.0f), normal[3];
+        mixed_find(shaders, materials + i, &mixed);
+        for (int k = 0; k < 3; ++k) {
+            normal[k] = vf_load(points->normal[k] + i);
+            sums.specular[k] = vf_set(0.0f);
+        }
+        for (int j = 0; j < mixed.count; ++j) {
+            offset = mixed_put(&mixed, j, mixed.shaders[j]->offset, offset);
+            for (int k = 0; k < 3; ++k) {
+                const float ambient = mixed.shaders[j]->ambient[BURNISH_SHADE_FLOAT][k];
+                sums.diffuse[k] = mixed_put(&mixed, j, ambient, sums.diffuse[k]);
+            }
+        }
+        const vf inverse_n = vector_inverse_sqrt(shade_dot(normal, normal));
+        for (int l = 0; l < shaders->light_count; ++l) {
+            mixed_add(body, &mixed, l, normal, inverse_n, offset, &sums);
+        }
+        for (int k = 0; k < 3; ++k) {
+            if (points->diffuse[0]) {
+                sums.diffuse[k] = vf_mul(sums.diffuse[k], vf_load(points->diffuse[k] + i));
+            }
+            vf_store(rgb[k] + i, vf_max(vf_add(sums.diffuse[k], sums.specular[k]), vf_set(0.0f)));
+        }
+    }
+}
+
+static void mixed_square(const burnish_kernels_shader *shaders, const int32_t *materials,
+                         const burnish_kernels_points *points, size_t count, float *const rgb[3]) {
+    mixed_array(BURNISH_LOBE_BODY_SQUARE, shaders, materials, points, count, rgb);
+}
+
+static void mixed_squares(const burnish_kernels_shader *shaders, const int32_t *materials,
+                          const burnish_kernels_points *points, size_t count, float *const rgb[3]) {
+    mixed_array(BURNISH_LOBE_BODY_SQUARES, shaders, materials, points, count, rgb);
+}
+
+#endif
