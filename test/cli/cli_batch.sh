@@ -71,6 +71,17 @@ rm -r facts tet.obj
 check "the page asks for nothing else" [ "$(grep -cE 'https?:|url\(|@import' out/index.html)" = 0 ]
 check "the sheet is a PNG" [ "$(head -c 4 sheet.png | tail -c 3)" = PNG ]
 
+# Labels that are too long lose their middle: parts often differ at the end of their names.
+sheet_of() {
+    cp in/a.obj "$1.obj" && batch "$1.obj" -d labels --size=128 --sheet="$2.png" && rm "$1.obj"
+}
+sheet_of Mount_for_a_screw_left left
+sheet_of Mount_for_a_screw_rear rear
+sheet_of Mount_for_the_screw_left middle
+check "a label shows the end of a name" test "$(cmp left.png rear.png >difference; echo $?)" = 1
+check "and not its middle" cmp left.png middle.png
+rm -r left.png rear.png middle.png difference labels
+
 # No byte depends on the number of workers.
 lines out/burnish-batch.jsonl >seven
 batch in -r -d out --size=32 -j1 --force

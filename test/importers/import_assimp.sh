@@ -130,6 +130,15 @@ amf loop.amf '' '' '<constellation id="4"><instance objectid="5"/></constellatio
 expect 5 "burnish: loop.amf: burnish-import-assimp: constellations are nested more than 32 deep, or have more than 33554432 triangles; simplify the file" info loop.amf
 iconv -f UTF-8 -t UTF-16 all.amf >wide.amf
 check "UTF-16" [ "$(hash wide.amf)" = "$(hash all.amf)" ]
+# blend NAME SAVER HEAD: a file of a newer Blender.
+blend() {
+    { printf "$3" && head -c 200 /dev/zero; } >"$1.blend"
+    expect 4 "burnish: $1.blend: burnish-import-assimp: Blender $2 it, and libassimp can't read it; export it from Blender as glTF" info "$1.blend"
+}
+blend four '4.2 saved' 'BLENDER-v402REND'
+blend five '5.x saved' 'BLENDER17-01v0500REND'
+blend zstd '3.0 or later compressed' '\050\265\057\375'
+rm four.blend five.blend zstd.blend
 sed 's/<v3>3/<v3>4/' all.amf >far.amf
 expect 4 "burnish: far.amf: burnish-import-assimp: line 6: a triangle names a missing vertex; repair the file" info far.amf
 sed 's/<x>1/<x>nan/' all.amf >nan.amf

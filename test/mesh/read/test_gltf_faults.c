@@ -101,6 +101,8 @@ static const struct {
     {"[]", "mesh.gltf:1: the JSON has no \"asset\"; this is not glTF 2.0"},
     {"{'asset':{'version':'1.0'}}",
      "mesh.gltf:1: asset: version \"1.0\" is not supported; convert the file to glTF 2.0"},
+    {"{'asset':{}}",
+     "mesh.gltf:1: asset: no version, as in glTF 1.0; convert the file to glTF 2.0"},
     {"{'asset':{'version':'2.0'}}", "mesh.gltf: no triangles; export the scene's meshes"},
     {"$head'extensionsRequired':['ACME_x']}",
      "mesh.gltf:1: extensionsRequired[0]: the file can't be drawn without the extension "

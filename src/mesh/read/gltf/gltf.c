@@ -189,7 +189,10 @@ static void check_asset(burnish_gltf *gltf) {
     }
     burnish_json_text(&gltf->json, burnish_json_member(&gltf->json, asset, "version"), version,
                       sizeof version);
-    if (strncmp(version, "2.", 2) != 0) {
+    if (!version[0]) {
+        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, asset,
+                          "no version, as in glTF 1.0; convert the file to glTF 2.0");
+    } else if (strncmp(version, "2.", 2) != 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, asset,
                           "version \"%s\" is not supported; convert the file to glTF 2.0", version);
     }
