@@ -10,13 +10,14 @@
 #include "render/screen.h"
 #include "simd/isa.h"
 
-/* Normal, colour, position, w, first light, and BURNISH_TEXTURE_STREAMS. */
-enum { BURNISH_BATCH_STREAMS = 11 + 12 };
+/* Normal, colour, position, w, first light, x, y, and BURNISH_TEXTURE_STREAMS. */
+enum { BURNISH_BATCH_STREAMS = 13 + 12 };
 
 struct burnish_ground_view;
 struct burnish_kernels_points;
 struct burnish_mask;
 struct burnish_mesh_view;
+struct burnish_near_cells;
 struct burnish_occlusion_lookup;
 struct burnish_primitive;
 struct burnish_shadow_lookup;
@@ -73,6 +74,14 @@ typedef struct burnish_render_ops {
     /* What of the light reaches count points, [0, 1]. Reads and writes whole vectors. */
     void (*cast_shadow)(const struct burnish_shadow_lookup *lookup,
                         const struct burnish_kernels_points *points, size_t count, float *lit);
+
+    /* Writes the light of near lights, BURNISH_NEAR_VALUES arrays, of points of a tile that are in
+     * cells of the material; left: 0 where it did, 1 where specular light is missing, 2 where all is.
+     * Depths are not read. Reads and writes whole vectors. */
+    void (*apply_near_cells)(const struct burnish_near_cells *cells, int material,
+                             const struct burnish_kernels_points *points,
+                             const burnish_screen_points *screen, size_t count,
+                             float (*values)[256], int32_t *left);
 
     /* Adds a silhouette to `count` texels, a multiple of 16, of row `row` of the ground's texture:
      * its weight, shared out to the two layers whose widths are next to the blur's. */

@@ -208,15 +208,15 @@ static double compare(const burnish_render_options *options, const burnish_mater
 static void test_sums(burnish_mesh *mesh) {
     static const struct {
         burnish_area_light light;
-        double most; /* error of the maps' look-up, or of floats */
+        double most; /* error of the maps' look-up, or of the cells' quadratics (near_cells.h) */
     } cases[] = {
         {{BURNISH_AREA_RECT, 1, 0, 0, {-2, 1.5, 1}, {-0.6, 0, -0.8}, {0, 0.8, -0.2}, {4, 4, 4}},
          4e-3},
         {{BURNISH_AREA_DISC, 1, 1, 1, {1, 0.5, 1}, {0.6, 0, -0.6}, {0, 0.5, 0}, {2, 2, 2}}, 6e-3},
         {{BURNISH_AREA_RECT, 0, 0, 0, {0.3, 1.5, 1}, {-0.5, 0, 0}, {0, 0.2, -0.3}, {4, 4, 4}},
-         1e-4},
-        {{BURNISH_AREA_RECT, 0, 0, 1, {-1.2, 0, 0.5}, {0, 0.5, 0}, {0.2, 0, 0.6}, {4, 4, 4}}, 1e-4},
-        {{BURNISH_AREA_DISC, 0, 0, 1, {1, 1, 1}, {0.3, 0, -0.3}, {0, 0.4, 0}, {4, 4, 4}}, 1e-4},
+         3e-3},
+        {{BURNISH_AREA_RECT, 0, 0, 1, {-1.2, 0, 0.5}, {0, 0.5, 0}, {0.2, 0, 0.6}, {4, 4, 4}}, 3e-3},
+        {{BURNISH_AREA_DISC, 0, 0, 1, {1, 1, 1}, {0.3, 0, -0.3}, {0, 0.4, 0}, {4, 4, 4}}, 3e-3},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         for (int is_parallel = 0; is_parallel < 2; ++is_parallel) {

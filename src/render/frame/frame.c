@@ -176,6 +176,9 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
     burnish_tile *tile = &worker->tile;
     const int is_covered = rasterize(frame, bins, worker, column, row);
+    if (is_covered && frame->output.target.pixels.pixels) {
+        burnish_surface_begin_tile(&frame->surface, tile, &worker->scratch);
+    }
     shade_layers(frame, bins, worker, column, row);
     const burnish_row_range drawn = keep_drawn_rows(&frame->output, tile);
     if (frame->output.has_planes) {

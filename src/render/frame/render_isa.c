@@ -1,6 +1,7 @@
 /* The table of rendering kernels for the instruction set that BURNISH_VECTOR_... chooses. */
 #include "render/frame/pixels_simd.h"
 #include "render/light/ground_simd.h"
+#include "render/light/near_cells_simd.h"
 #include "render/light/occlusion_simd.h"
 #include "render/light/shadow_simd.h"
 #include "render/render_ops.h"
@@ -17,5 +18,5 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(scatter_material), OP(occlude),         OP(cast_shadow),          OP(add_silhouette),
     OP(shadow_ground),    OP(plane_records),   OP(locate_points),        OP(find_taps),
     OP(sample_texture),   OP(cover_samples),   OP(interpolate_tangents), OP(turn_normals),
-    OP(vary_points),      OP(encode_pixels),   OP(pack_groups),
+    OP(vary_points),      OP(encode_pixels),   OP(pack_groups),          OP(apply_near_cells),
 };

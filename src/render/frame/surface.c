@@ -51,31 +51,36 @@ static void divide(int count, const float *const attribute[3], const float *inve
 
 /* Shades `count` fragments of one material. If it is special, their opacity is in scratch
  * afterwards. */
-static void shade_material(const burnish_shading *shading, const burnish_kernels_points *points,
-                           float (*streams)[BURNISH_SHADE_BATCH], int material, int count,
+static void shade_material(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                           const burnish_kernels_points *points,
+                           float (*streams)[BURNISH_SHADE_BATCH], int material,
                            burnish_fragment_scratch *scratch, float *const rgb[3]) {
+    const int count = batch->count;
     const burnish_kernels_shader *shader = &shading->shaders[material];
     const burnish_texturing *texturing = shading->texturing;
     burnish_area_batch lit = {.points = points,
                               .material = material,
                               .count = count,
                               .textures = &scratch->texture,
-                              .scratch = &scratch->near};
+                              .scratch = &scratch->near,
+                              .cells = &scratch->cells,
+                              .screen = &batch->points,
+                              .shown = batch->shown};
     if (texturing && texturing->materials[material].is_special) {
         const float *from[BURNISH_TEXTURE_STREAMS];
         for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
             from[k] = streams[k];
         }
-        const burnish_texture_batch batch = {shading->ops, &texturing->materials[material], from,
-                                             count, &scratch->texture};
-        burnish_texture_shade(texturing, shader, points, &batch, rgb);
-        lit.textured = batch.material;
+        const burnish_texture_batch textured = {shading->ops, &texturing->materials[material], from,
+                                                count, &scratch->texture};
+        burnish_texture_shade(texturing, shader, points, &textured, rgb);
+        lit.textured = textured.material;
     } else {
         shading->kernels->shade[shader->lobe.body][shader->geometry][BURNISH_SHADE_FLOAT](
             shader, points, (size_t)count, NULL, rgb);
     }
     if (shading->area) {
-        burnish_area_add(shading->area, shading->kernels, &lit, rgb);
+        burnish_area_add(shading->area, shading->kernels, shading->ops, &lit, rgb);
     }
 }
 
@@ -159,7 +164,12 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
     }
     if (shading->needs_position) {
         add_stream(&streams, points->w, group->w);
+        add_stream(&streams, batch->points.x_offset, group->x);
+        add_stream(&streams, batch->points.y_offset, group->y);
     }
+    burnish_fragment_batch part = {.points = batch->points};
+    part.points.x_offset = group->x;
+    part.points.y_offset = group->y;
     if (points->first_light) {
         brought.first_light = group->lit;
         add_stream(&streams, points->first_light, group->lit);
@@ -176,7 +186,8 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         if (material >= 0) {
             const int size = shading->ops->collect_material(material, i, batch->count, group->left,
                                                             &streams, group->starts);
-            shade_material(shading, &brought, scratch->texture.brought, material, size, scratch,
+            part.count = size;
+            shade_material(shading, &part, &brought, scratch->texture.brought, material, scratch,
                            light);
             shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
                                            rgb);
@@ -234,8 +245,7 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
-        shade_material(shading, &points, scratch->texture.points, material, batch->count, scratch,
-                       rgb);
+        shade_material(shading, batch, &points, scratch->texture.points, material, scratch, rgb);
         if (shading->texturing && shading->texturing->materials[material].is_alpha) {
             memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
             for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {
@@ -252,6 +262,17 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     }
     if (shading->occlusion) {
         occlude_batch(shading, batch, &points, &scratch->share, rgb);
+    }
+}
+
+void burnish_surface_begin_tile(const burnish_surface *surface, const burnish_tile *tile,
+                                burnish_fragment_scratch *scratch) {
+    const burnish_shading *shading = surface->shading;
+    const burnish_near_field field = {shading->area, shading->kernels,
+                                      shading->ops,  &shading->rays,
+                                      surface->view, surface->triangle_materials};
+    if (shading->area && shading->area->near_lights.count > 0) {
+        burnish_near_cells_make(&scratch->cells, &field, tile, &scratch->near);
     }
 }
 
@@ -280,7 +301,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
-_Static_assert((int)BURNISH_BATCH_STREAMS == 11 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 13 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 

@@ -14,7 +14,7 @@
 #include "raster/fragments.h"
 #include "render/frame/attributes.h"
 #include "render/frame/caps.h"
-#include "render/light/area.h"
+#include "render/light/near_cells.h"
 #include "render/light/occlusion_share.h"
 #include "render/render_ops.h"
 #include "render/screen.h"
@@ -78,6 +78,7 @@ typedef struct burnish_material_group {
     float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
     float lit[BURNISH_SHADE_BATCH];
+    float x[BURNISH_SHADE_BATCH], y[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
     int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
     uint8_t starts[BURNISH_SHADE_BATCH]; /* of each vector: its first item in the batch */
@@ -95,6 +96,7 @@ typedef struct burnish_fragment_scratch {
     burnish_share_scratch share;
     burnish_texture_scratch texture;
     burnish_near_scratch near;
+    burnish_near_cells cells;         /* of the tile */
     float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */
 } burnish_fragment_scratch;
 
@@ -108,6 +110,10 @@ typedef struct burnish_row_light {
 
 /* The planes that shading needs of a tile. */
 int burnish_surface_planes(const burnish_surface *surface);
+
+/* Prepares the near lights of a tile that has been rasterised, before anything of it is shaded. */
+void burnish_surface_begin_tile(const burnish_surface *surface, const burnish_tile *tile,
+                                burnish_fragment_scratch *scratch);
 
 /* Replaces the simple pixels of row `number` that are seen from inside by caps: in the
  * tile's planes, before they are shaded. */

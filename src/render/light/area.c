@@ -404,45 +404,104 @@ static void read_textures(const burnish_area_batch *batch, burnish_kernels_point
     }
 }
 
-/* The light of near lights that arrives. */
-static void shine(const burnish_area *area, const burnish_kernels *kernels,
-                  const burnish_area_batch *batch, const burnish_kernels_points *points,
-                  burnish_reflecting_points *each) {
-    const burnish_area_material *material = &area->materials[batch->material];
+void burnish_area_integrate(const burnish_area *area, const burnish_kernels *kernels,
+                            const burnish_area_points *points, burnish_near_scratch *scratch,
+                            float (*values)[BURNISH_NEAR_BATCH]) {
+    const burnish_area_material *material = &area->materials[points->material];
     const burnish_reflecting_material *reflecting = &material->reflecting;
-    burnish_near_scratch *scratch = batch->scratch;
+    const size_t count = (size_t)points->count;
     float *const axis[3] = {scratch->axis[0], scratch->axis[1], scratch->axis[2]};
     float(*const leaned)[BURNISH_NEAR_BATCH] = scratch->leaned;
-    burnish_near_batch near = {.points = points,
-                               .count = batch->count,
+    burnish_near_batch near = {.points = points->points,
+                               .count = points->count,
+                               .only_specular = points->only_specular,
                                .is_stretched = reflecting->is_metallic,
                                .alpha = -1,
-                               .roughness = each->roughness};
+                               .roughness = points->roughness};
     if (reflecting->reflects) {
-        kernels->reflect_points(&area->constants, reflecting, points, each->roughness,
-                                (size_t)batch->count, axis, NULL);
+        kernels->reflect_points(&area->constants, reflecting, points->points, points->roughness,
+                                count, axis, NULL);
         if (near.is_stretched) {
-            kernels->reflect_points(&area->constants, reflecting, points, each->roughness,
-                                    (size_t)batch->count,
-                                    (float *const[3]){leaned[0], leaned[1], leaned[2]},
+            kernels->reflect_points(&area->constants, reflecting, points->points, points->roughness,
+                                    count, (float *const[3]){leaned[0], leaned[1], leaned[2]},
                                     (float *const[3]){leaned[3], leaned[4], leaned[5]});
         }
         near.alpha = reflecting->has_levels ? area->alpha_count : material->alpha;
         near.level_count = reflecting->has_levels ? BURNISH_LIGHT_LEVELS : 0;
     }
     if (near.level_count > 0 && !near.roughness) { /* too many alphas */
-        burnish_texture_fill(scratch->roughness, batch->count, reflecting->roughness);
+        burnish_texture_fill(scratch->roughness, points->count, reflecting->roughness);
         near.roughness = scratch->roughness;
     }
-    burnish_near_lights_shine(&area->near_lights, kernels, &near, scratch);
+    burnish_near_lights_shine(&area->near_lights, kernels, &near, scratch, values);
+}
+
+/* Integrates the points of a batch that no cell has lit: all light or the specular part. */
+static void integrate_rest(const burnish_area *area, const burnish_kernels *kernels,
+                           const burnish_area_batch *batch, const burnish_kernels_points *points,
+                           int only_specular) {
+    burnish_near_scratch *scratch = batch->scratch;
+    const float *const from[7] = {
+        points->normal[0],   points->normal[1],   points->normal[2], points->position[0],
+        points->position[1], points->position[2], points->w};
+    burnish_kernels_points rest = {.w = scratch->rest[6]};
+    uint8_t number[BURNISH_NEAR_BATCH];
+    int count = 0;
+    for (int i = 0; i < batch->count; ++i) {
+        number[count] = (uint8_t)i;
+        count += scratch->left[i] == 2 - only_specular && (!batch->shown || batch->shown[i] >= 0);
+    }
+    if (count == 0) {
+        return;
+    }
+    for (int k = 0; k < 7; ++k) {
+        for (int i = 0; i < count; ++i) {
+            scratch->rest[k][i] = from[k][number[i]];
+        }
+        for (int i = count; i % 16; ++i) { /* vectors are read to their end */
+            scratch->rest[k][i] = 0;
+        }
+    }
     for (int k = 0; k < 3; ++k) {
-        each->near_diffuse[k] = scratch->diffuse[k];
-        each->near_specular[k] = scratch->specular[k];
+        rest.normal[k] = scratch->rest[k];
+        rest.position[k] = scratch->rest[3 + k];
+    }
+    const burnish_area_points part = {&rest, batch->material, count, only_specular, NULL};
+    burnish_area_integrate(area, kernels, &part, scratch, scratch->rest_values);
+    for (int k = 0; k < BURNISH_NEAR_VALUES; ++k) {
+        for (int i = 0; i < count; ++i) { /* values that are not wanted are 0 */
+            scratch->values[k][number[i]] += scratch->rest_values[k][i];
+        }
+    }
+}
+
+/* The light of near lights that arrives. */
+static void shine(const burnish_area *area, const burnish_kernels *kernels,
+                  const burnish_render_ops *ops, const burnish_area_batch *batch,
+                  const burnish_kernels_points *points, burnish_reflecting_points *each) {
+    burnish_near_scratch *scratch = batch->scratch;
+    if (area->materials[batch->material].reflecting.has_levels) {
+        const burnish_area_points all = {points, batch->material, batch->count, 0, each->roughness};
+        burnish_area_integrate(area, kernels, &all, scratch, scratch->values);
+    } else {
+        ops->apply_near_cells(batch->cells, batch->material, points, batch->screen,
+                              (size_t)batch->count, scratch->values, scratch->left);
+        integrate_rest(area, kernels, batch, points, 0);
+        if (area->materials[batch->material].reflecting.reflects) {
+            integrate_rest(area, kernels, batch, points, 1);
+        }
+    }
+    burnish_near_lights_add_key(&area->near_lights, points->first_light, batch->count,
+                                scratch->values);
+    for (int k = 0; k < 3; ++k) {
+        each->near_diffuse[k] = scratch->values[BURNISH_NEAR_DIFFUSE + k];
+        each->near_specular[k] = scratch->values[BURNISH_NEAR_SPECULAR + k];
     }
 }
 
 void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
-                      const burnish_area_batch *batch, float *const rgb[3]) {
+                      const burnish_render_ops *ops, const burnish_area_batch *batch,
+                      float *const rgb[3]) {
     burnish_kernels_points points = *batch->points;
     burnish_reflecting_points each = {.open = NULL};
     for (int k = 0; k < 3; ++k) {
@@ -452,7 +511,7 @@ void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
         read_textures(batch, &points, &each);
     }
     if (area->near_lights.count > 0) {
-        shine(area, kernels, batch, &points, &each);
+        shine(area, kernels, ops, batch, &points, &each);
     }
     kernels->add_environment(&area->constants, &area->materials[batch->material].reflecting,
                              &points, &each, (size_t)batch->count, rgb);

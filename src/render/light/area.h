@@ -1,5 +1,5 @@
 /* Area lights, domes and environments (burnish/light.h) in a frame. Distant ones become maps, once
- * per frame or until they change; near ones are integrated for each point. */
+ * per frame or until they change; near ones are integrated for some pixels (near_cells.h). */
 #ifndef BURNISH_RENDER_LIGHT_AREA_H
 #define BURNISH_RENDER_LIGHT_AREA_H
 
@@ -8,6 +8,7 @@
 #include "core/vector.h"
 #include "environment/maps.h"
 #include "render/light/area_near.h"
+#include "render/render_ops.h"
 #include "render/texture/texture.h"
 #include "shading/shading_ops.h"
 
@@ -51,6 +52,11 @@ typedef struct burnish_area_batch {
     const burnish_textured_material *textured; /* NULL: its material is not special */
     const burnish_texture_scratch *textures;   /* read where it is special */
     burnish_near_scratch *scratch;
+    /* near lights: the tile's cells (near_cells.h), where the points are, and whether each is shown,
+     * >= 0; NULL: all are */
+    const struct burnish_near_cells *cells;
+    const burnish_screen_points *screen;
+    const int32_t *shown;
 } burnish_area_batch;
 
 /* Whether a frame has such lights. */
@@ -68,7 +74,21 @@ burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh 
 /* Adds their light to the colours of a batch: arrays that are readable and writable up to a
  * multiple of 16. */
 void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
-                      const burnish_area_batch *batch, float *const rgb[3]);
+                      const burnish_render_ops *ops, const burnish_area_batch *batch,
+                      float *const rgb[3]);
+
+/* Points of a material over which near lights are integrated. */
+typedef struct burnish_area_points {
+    const burnish_kernels_points *points;
+    int material, count;
+    int only_specular;      /* 1: diffuse light is not wanted */
+    const float *roughness; /* of each point; NULL: the material's */
+} burnish_area_points;
+
+/* Writes what arrives of near lights: BURNISH_NEAR_VALUES arrays. */
+void burnish_area_integrate(const burnish_area *area, const burnish_kernels *kernels,
+                            const burnish_area_points *points, burnish_near_scratch *scratch,
+                            float (*values)[BURNISH_NEAR_BATCH]);
 
 void burnish_area_destroy(burnish_area *area, const burnish_context *context);
 

@@ -39,18 +39,9 @@ void burnish_near_lights_destroy(burnish_near_lights *lights, const burnish_cont
 
 /* ---- Points ---- */
 
-static void add_colored(const float color[3], const float *light, int count,
-                        float (*sum)[BURNISH_NEAR_BATCH]) {
-    for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < count; ++i) {
-            sum[k][i] += color[k] * light[i];
-        }
-    }
-}
-
-static void cast_shadow(const float *lit, int count, float *light) {
+static void add_scaled(float scale, const float *light, int count, float *sum) {
     for (int i = 0; i < count; ++i) {
-        light[i] *= lit[i];
+        sum[i] += scale * light[i];
     }
 }
 
@@ -77,51 +68,68 @@ static void find_levels(const burnish_near_batch *batch, int *first, int *end) {
     *end = (most < 1 ? (int)(most * steps) : batch->level_count - 2) + 2;
 }
 
+int burnish_near_lights_row(const burnish_near_lights *lights, int alpha, int is_stretched) {
+    return alpha < 0 ? 0 : (1 + alpha + (is_stretched ? lights->alpha_count : 0)) * lights->count;
+}
+
 /* Adds one light: diffuse light once, specular light for each alpha [first, end). */
 static void add_light(const burnish_near_lights *lights, const burnish_kernels *kernels,
                       const burnish_near_batch *batch, int number, const int alphas[2],
-                      burnish_near_scratch *scratch) {
+                      burnish_near_scratch *scratch, float (*values)[BURNISH_NEAR_BATCH]) {
     const burnish_area_light *light = &lights->lights[number];
     const int leans = batch->is_stretched && !light->is_distant;
     float(*const axis)[BURNISH_NEAR_BATCH] = leans ? scratch->leaned : scratch->axis;
     burnish_kernels_axes axes = {.axis = {axis[0], axis[1], axis[2]}};
-    const float *lit = number == lights->key ? batch->points->first_light : NULL;
-    const int before = batch->is_stretched ? 1 + lights->alpha_count : 1; /* rows */
     for (int k = 0; k < 3 && leans; ++k) {
         axes.stretch[k] = axis[3 + k];
     }
     for (int i = alphas[0]; i < alphas[1]; ++i) {
-        const int row = batch->alpha < 0 ? 0 : before + i;
-        float *const out[2] = {i == alphas[0] ? scratch->light[0] : NULL,
+        const int row = burnish_near_lights_row(lights, i, batch->is_stretched);
+        float *const out[2] = {i == alphas[0] && !batch->only_specular ? scratch->light[0] : NULL,
                                batch->alpha < 0 ? NULL : scratch->light[1]};
-        kernels->polygon_light(&lights->polygons[row * lights->count + number], batch->points,
-                               &axes, (size_t)batch->count, out);
+        kernels->polygon_light(&lights->polygons[row + number], batch->points, &axes,
+                               (size_t)batch->count, out);
         if (batch->level_count > 0) {
             weigh(batch, i - batch->alpha, scratch->light[1]);
         }
         for (int k = 0; k < 2; ++k) {
-            if (out[k] && lit) {
-                cast_shadow(lit, batch->count, out[k]);
+            if (out[k] && number == lights->key) {
+                add_scaled(1, out[k], batch->count, values[BURNISH_NEAR_KEY_DIFFUSE + k]);
             }
-            if (out[k]) {
-                add_colored(light->color, out[k], batch->count,
-                            k == 0 ? scratch->diffuse : scratch->specular);
+            for (int j = 0; out[k] && number != lights->key && j < 3; ++j) {
+                add_scaled(light->color[j], out[k], batch->count, values[3 * k + j]);
             }
         }
     }
 }
 
 void burnish_near_lights_shine(const burnish_near_lights *lights, const burnish_kernels *kernels,
-                               const burnish_near_batch *batch, burnish_near_scratch *scratch) {
+                               const burnish_near_batch *batch, burnish_near_scratch *scratch,
+                               float (*values)[BURNISH_NEAR_BATCH]) {
     int alphas[2] = {batch->alpha, batch->alpha + 1};
-    memset(scratch->diffuse, 0, sizeof scratch->diffuse);
-    memset(scratch->specular, 0, sizeof scratch->specular);
+    for (int k = 0; k < BURNISH_NEAR_VALUES; ++k) {
+        memset(values[k], 0, (size_t)batch->count * sizeof *values[k]);
+    }
     if (batch->level_count > 0) {
         find_levels(batch, &alphas[0], &alphas[1]);
         alphas[0] += batch->alpha;
         alphas[1] += batch->alpha;
     }
     for (int l = 0; l < lights->count; ++l) {
-        add_light(lights, kernels, batch, l, alphas, scratch);
+        add_light(lights, kernels, batch, l, alphas, scratch, values);
+    }
+}
+
+void burnish_near_lights_add_key(const burnish_near_lights *lights, const float *lit, int count,
+                                 float (*values)[BURNISH_NEAR_BATCH]) {
+    for (int k = 0; lights->key >= 0 && k < 2; ++k) {
+        const float *color = lights->lights[lights->key].color;
+        float *key = values[BURNISH_NEAR_KEY_DIFFUSE + k];
+        for (int i = 0; lit && i < count; ++i) {
+            key[i] *= lit[i];
+        }
+        for (int j = 0; j < 3; ++j) {
+            add_scaled(color[j], key, count, values[3 * k + j]);
+        }
     }
 }

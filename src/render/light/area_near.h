@@ -1,4 +1,4 @@
-/* Near area lights, and the one that casts a shadow: their light is integrated for each point. */
+/* Near area lights, and the one that casts a shadow: their light is integrated over points. */
 #ifndef BURNISH_RENDER_LIGHT_AREA_NEAR_H
 #define BURNISH_RENDER_LIGHT_AREA_NEAR_H
 
@@ -7,6 +7,16 @@
 #include "shading/shading_ops.h"
 
 enum { BURNISH_NEAR_BATCH = 256 };
+
+/* What arrives at a point: the light of all lights but the one that casts a shadow, in three colours, and
+ * how much of that one's. */
+enum {
+    BURNISH_NEAR_DIFFUSE = 0,
+    BURNISH_NEAR_SPECULAR = 3,
+    BURNISH_NEAR_KEY_DIFFUSE = 6,
+    BURNISH_NEAR_KEY_SPECULAR,
+    BURNISH_NEAR_VALUES
+};
 
 /* A frame's lights, each with the lobes of every roughness that is drawn. Owned; all zero before
  * the first frame. */
@@ -31,6 +41,7 @@ burnish_status burnish_near_lights_prepare(burnish_near_lights *lights, const fl
 typedef struct burnish_near_batch {
     const burnish_kernels_points *points;
     int count;
+    int only_specular;      /* 1: diffuse light is not wanted */
     int is_stretched;       /* 1: GGX's lobes and stretch for near lights */
     int alpha;              /* number in the alphas; -1: no lobes */
     int level_count;        /* > 0: so many alphas from `alpha` on are levels, of roughness k /
@@ -42,14 +53,27 @@ typedef struct burnish_near_batch {
 typedef struct burnish_near_scratch {
     float axis[3][BURNISH_NEAR_BATCH];   /* as in maps */
     float leaned[6][BURNISH_NEAR_BATCH]; /* GGX's axis and stretch */
-    float diffuse[3][BURNISH_NEAR_BATCH], specular[3][BURNISH_NEAR_BATCH]; /* light that arrives */
     float light[2][BURNISH_NEAR_BATCH], roughness[BURNISH_NEAR_BATCH];
+    float values[BURNISH_NEAR_VALUES][BURNISH_NEAR_BATCH]; /* of a batch's points */
+    /* some of a batch's points: their numbers, normals, positions, w, and values */
+    int32_t left[BURNISH_NEAR_BATCH];
+    float rest[7][BURNISH_NEAR_BATCH], rest_values[BURNISH_NEAR_VALUES][BURNISH_NEAR_BATCH];
 } burnish_near_scratch;
 
-/* Light of all lights in scratch->diffuse and scratch->specular.
+/* Writes what arrives at the points of a batch.
  *   scratch  its axes are read unless alpha is -1, the leaned ones if is_stretched */
 void burnish_near_lights_shine(const burnish_near_lights *lights, const burnish_kernels *kernels,
-                               const burnish_near_batch *batch, burnish_near_scratch *scratch);
+                               const burnish_near_batch *batch, burnish_near_scratch *scratch,
+                               float (*values)[BURNISH_NEAR_BATCH]);
+
+/* Adds the light that casts a shadow to the colours of the others.
+ *   lit  what of it reaches each point; NULL: all of it */
+void burnish_near_lights_add_key(const burnish_near_lights *lights, const float *lit, int count,
+                                 float (*values)[BURNISH_NEAR_BATCH]);
+
+/* The number of the polygon of the first light with the lobes of an alpha; those of the other lights
+ * follow it. */
+int burnish_near_lights_row(const burnish_near_lights *lights, int alpha, int is_stretched);
 
 void burnish_near_lights_destroy(burnish_near_lights *lights, const burnish_context *context);
 
