@@ -145,6 +145,44 @@ static void test_obj_other_statements(void) {
     burnish_mesh_data_destroy(&s);
 }
 
+/* Corners of every form, with indices of 1 to 9 characters: longer ones are read another way. */
+static void test_obj_index_forms(void) {
+    enum { FACES = 300, PIECE = 64 };
+    static const char *const forms[] = {"%0*u/%0*u/%0*u", "%0*u//%0*u", "%0*u/%0*u", "%0*u"};
+    uint64_t state = test_seed(6);
+    for (size_t form = 0; form < sizeof forms / sizeof *forms; ++form) {
+        char text[16 * 27 + FACES * 3 * PIECE] = "";
+        uint32_t wanted[FACES][3];
+        burnish_mesh_data s;
+        size_t size = 0, wrong = 0;
+        for (int i = 0; i < 9; ++i) {
+            size += (size_t)sprintf(text + size, "v %d %d 0\nvt 0 %d\nvn 0 %d 1\n", i, i * i, i, i);
+        }
+        for (size_t i = 0; i < FACES; ++i) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                const unsigned number = 1 + (test_random32(&state) % 3) + 3 * k;
+                const int width = 1 + (int)(test_random32(&state) % 9);
+                wanted[i][k] = number - 1;
+                size += (size_t)sprintf(text + size, k ? " " : "f ");
+                size += (size_t)snprintf(text + size, PIECE, forms[form], width, number, width,
+                                         number, width, number);
+            }
+            text[size++] = '\n';
+        }
+        text[size] = 0;
+        read_good_text(BURNISH_FORMAT_OBJ, text, &s);
+        for (size_t i = 0; i < FACES; ++i) {
+            const uint32_t *normals = burnish_stream_corners(&s, BURNISH_NORMAL);
+            const uint32_t *texcoords = burnish_stream_corners(&s, BURNISH_TEXCOORD);
+            wrong += !triangle_is(&s, i, wanted[i][0], wanted[i][1], wanted[i][2]);
+            wrong += form < 2 && memcmp(normals + 3 * i, wanted[i], sizeof wanted[i]) != 0;
+            wrong += form % 2 == 0 && memcmp(texcoords + 3 * i, wanted[i], sizeof wanted[i]) != 0;
+        }
+        CHECK(s.triangle_count == FACES && wrong == 0, "%s: %zu are wrong", forms[form], wrong);
+        burnish_mesh_data_destroy(&s);
+    }
+}
+
 /* Faces before their vertices, and missing texture coordinates. */
 static void test_obj_forward(void) {
     static const uint32_t texcoords[12] = {0, 1, BURNISH_NONE, 1, 0, 1, 1, 1, 1, 0, 0, 0};
@@ -537,6 +575,7 @@ int main(int count, char **arguments) {
     RUN(test_polygons());
     RUN(test_random_polygons());
     RUN(test_obj());
+    RUN(test_obj_index_forms());
     RUN(test_obj_forward());
     RUN(test_obj_other_statements());
     RUN(test_obj_colors());

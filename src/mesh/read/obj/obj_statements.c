@@ -1,6 +1,10 @@
 /* OBJ: the statements of a chunk, read as if it were the start of the file. */
 #include "mesh/read/obj/obj_statements.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "mesh/read/common/origin.h"
 
 /* The indices of a corner, by attribute. Corners have no colour index, so the column of colours
@@ -307,6 +311,62 @@ static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
     return used;
 }
 
+#ifdef __SSE2__
+/* Bits of those of 32 characters that are not digits. */
+static inline uint32_t find_others(const uint8_t *text) {
+    const __m128i zero = _mm_set1_epi8('0'), nine = _mm_set1_epi8(9);
+    const __m128i *words = (const __m128i *)(const void *)text;
+    const __m128i first = _mm_sub_epi8(_mm_loadu_si128(words), zero);
+    const __m128i second = _mm_sub_epi8(_mm_loadu_si128(words + 1), zero);
+    const int low = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(first, nine), first));
+    const int high = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(second, nine), second));
+    return ~((uint32_t)low | (uint32_t)high << 16);
+}
+
+/* The value of 1 to 8 digits, after as many characters as eight lack. */
+static inline int64_t join_digits_before(const uint8_t *end, size_t count) {
+    const uint64_t word = burnish_load_characters(end - 8) ^ UINT64_C(0x3030303030303030);
+    return (int64_t)burnish_join_digits(word & (UINT64_MAX << (64 - 8 * count)));
+}
+
+/* The same as scan_corner for indices of at most 8 digits; the separators of a corner are found at
+ * once, so no number waits for the one before. Needs 7 characters in front. */
+static inline unsigned scan_short_corner(obj_parser *obj, uint32_t *numbers) {
+    const uint8_t *p = obj->lexer.next;
+    unsigned used = 1u << BURNISH_POSITION;
+    while (p < obj->lexer.end && *p == ' ') {
+        ++p;
+    }
+    if (obj->lexer.end - p <= BURNISH_DECIMAL_ROOM) {
+        return 0;
+    }
+    uint32_t others = find_others(p);
+    size_t end = others ? (size_t)__builtin_ctz(others) : 0;
+    if (end - 1 > 7 || !take_vertex(obj->chunk, join_digits_before(p + end, end), numbers)) {
+        return 0;
+    }
+    for (int i = 0; i < 2 && p[end] == '/'; ++i) {
+        const burnish_attribute attribute = i == 0 ? BURNISH_TEXCOORD : BURNISH_NORMAL;
+        const size_t start = end + 1;
+        others &= others - 1;
+        end = others ? (size_t)__builtin_ctz(others) : 0;
+        if (i == 0 && end == start && p[end] == '/') {
+            continue;
+        }
+        if (end - start - 1 > 7) {
+            return 0;
+        }
+        take_index(obj->chunk, join_digits_before(p + end, end - start), attribute, numbers);
+        used |= (i == 0 ? (unsigned)obj->with_texcoords : 1u) << attribute;
+    }
+    if (!burnish_is_blank(p[end]) && !burnish_is_line_end(p[end])) {
+        return 0;
+    }
+    obj->lexer.next = p + end;
+    return used;
+}
+#endif
+
 /* Records which corners of the face's triangles are relative to the chunk's first value; relative:
  * the attributes with relative indices. */
 static void note_relative(burnish_chunk *chunk, const uint32_t *corners, size_t count,
@@ -479,6 +539,7 @@ static const uint8_t *read_plain_face(obj_parser *obj, const uint8_t *at) {
     burnish_chunk *chunk = obj->chunk;
     uint32_t corners[MOST * COLUMNS];
     const uint8_t *after = NULL;
+    const int has_room = at - chunk->first >= 8;
     unsigned used = 0;
     size_t count = 0;
     obj->lexer.next = at + 1;
@@ -486,7 +547,11 @@ static const uint8_t *read_plain_face(obj_parser *obj, const uint8_t *at) {
         uint32_t *numbers = corners + count++ * COLUMNS;
         numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
         numbers[RELATIVE] = 0;
-        const unsigned found = scan_corner(obj, numbers);
+        unsigned found = 0;
+#ifdef __SSE2__
+        found = has_room ? scan_short_corner(obj, numbers) : 0;
+#endif
+        found = found ? found : scan_corner(obj, numbers);
         if (found == 0 || numbers[RELATIVE]) {
             return NULL;
         }
