@@ -139,8 +139,9 @@ typedef struct burnish_tile {
     const burnish_float4 *attributes[2]; /* one item per screen vertex each; the second or NULL */
     burnish_tile_buffer buffer;
     burnish_hiz hiz;
-    int are_points;   /* 1: primitives are points */
-    int is_overdrawn; /* 1: large triangles cover the picture so often that HiZ looks ahead */
+    int are_points;       /* 1: primitives are points */
+    int32_t largest_disc; /* its radius, of the points drawn */
+    int is_overdrawn;     /* 1: large triangles cover the picture so often that HiZ looks ahead */
     burnish_tile_primitives primitives; /* with several samples */
     /* per batch, the caller's to set; bit i: triangle i is transparent. NULL: none is */
     const uint16_t *transparent;

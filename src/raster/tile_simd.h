@@ -436,16 +436,42 @@ static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
         if (geometry->indices) {
             draw_primitives(tile, geometry, indices, count, back, are_layers);
         } else {
-            draw_points(tile, geometry, indices, count);
+            const int32_t largest = draw_points(tile, geometry, indices, count);
+            tile->largest_disc = largest > tile->largest_disc ? largest : tile->largest_disc;
         }
         age += are_layers ? 0 : count;
     }
+}
+
+/* Draws points, and blends those that are seen. */
+static void draw_cloud(burnish_tile *tile, const burnish_geometry *geometry,
+                       burnish_list_reader list) {
+    burnish_bin_entry part[LIST_PART];
+    uint32_t indices[LIST_PART * BURNISH_BATCH_SIZE];
+    point_blend blend;
+    size_t count;
+    tile->largest_disc = 0;
+    draw_list(tile, geometry, list, 0, 0, 0);
+    if (tile->options.planes == 0 || tile->largest_disc < BLEND_RADIUS) {
+        return;
+    }
+    hiz_build(tile);
+    begin_blend(tile, &blend);
+    while ((count = burnish_list_read(&list, part, LIST_PART)) > 0) {
+        count = expand_entries(part, hiz_cull(tile, geometry, part, count), indices);
+        blend_points(tile, geometry, indices, count, &blend);
+    }
+    end_blend(tile, &blend);
 }
 
 static void draw_tile(burnish_tile *tile, const burnish_geometry *geometry,
                       const burnish_bins *bins, int column, int row) {
     const burnish_list_reader front = burnish_list_begin(bins, column, row, 0);
     const burnish_list_reader back = burnish_list_begin(bins, column, row, 1);
+    if (!geometry->indices) {
+        draw_cloud(tile, geometry, front);
+        return;
+    }
     draw_list(tile, geometry, front, 0, 0, 0);
     draw_list(tile, geometry, back, 1, !burnish_list_is_empty(front), 0);
     if (tile->layers && tile->layers->has_some) {

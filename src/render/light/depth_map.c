@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "raster/raster_ops.h"
+#include "render/light/cloud_map.h"
 #include "render/space.h"
 
 /* Distance from which maps are drawn: the range extends as far beyond the unit sphere as in front
@@ -206,49 +207,6 @@ static void refuse_from(maps_context *all, int pair) {
     }
 }
 
-/* Draws a point into a pair of maps: a square of texels, as wide as the disc. */
-static void draw_point(const float at[3], float radius, int size, uint16_t *const depths[2]) {
-    const float middle = (float)size * 0.5f;
-    const int x0 = (int)(middle + at[0] - radius), x1 = (int)(middle + at[0] + radius);
-    const int y0 = (int)(middle - at[1] - radius), y1 = (int)(middle - at[1] + radius);
-    const int code = (int)(at[2] * (float)BURNISH_MAP_CODES + 0.5f);
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-            uint16_t *along = &depths[0][y * size + x], *against = &depths[1][y * size + x];
-            *along = code > *along ? (uint16_t)code : *along;
-            *against = (int)BURNISH_MAP_CODES - code > *against
-                           ? (uint16_t)((int)BURNISH_MAP_CODES - code)
-                           : *against;
-        }
-    }
-}
-
-/* Draws the points that are inside the maps. */
-static void draw_points(const burnish_mesh_view *mesh, const burnish_map_view *views,
-                        burnish_maps *maps) {
-    for (int i = 0; i < maps->count; ++i) {
-        const burnish_raster_view view = raster_view(&views[i], mesh);
-        const burnish_vec3 row = burnish_vec3_loadf(view.rows[0]);
-        const float radius = (float)(burnish_vec3_length(row) * (double)mesh->point_radius);
-        const float most = (float)(maps->size / 2 - 1) - radius;
-        for (size_t point = 0; point < mesh->vertex_count; ++point) {
-            const float *p = mesh->positions + 3 * point;
-            const float d[3] = {p[0] - view.origin[0], p[1] - view.origin[1],
-                                p[2] - view.origin[2]};
-            float at[3];
-            for (int k = 0; k < 3; ++k) {
-                const float *r = view.rows[k];
-                at[k] = ((r[0] * d[0] + r[1] * d[1]) + r[2] * d[2]) + r[3];
-            }
-            if (at[0] > -most && at[0] < most && at[1] > -most && at[1] < most && at[2] > 0 &&
-                at[2] < 1) {
-                draw_point(at, radius, maps->size, maps->depths[i]);
-            }
-        }
-        maps->cells[i] = 0;
-    }
-}
-
 /* Draws BURNISH_MAPS pairs. */
 static void draw_pairs(void *context, size_t index, int thread) {
     maps_context *all = context;
@@ -277,7 +235,9 @@ static void draw_pairs(void *context, size_t index, int thread) {
         }
     }
     if (mesh->point_radius > 0) {
-        draw_points(mesh, pairs->views + first, &maps);
+        for (int i = 0; i < maps.count; ++i) {
+            burnish_cloud_map_draw(mesh, &views[i], maps.size, maps.depths[i]);
+        }
     } else {
         all->drawer->ops->project_to_maps(views, mesh->positions, mesh->vertex_count, &maps);
         all->drawer->ops->draw_maps(&maps);

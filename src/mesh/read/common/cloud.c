@@ -225,6 +225,7 @@ burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memor
     double found[SAMPLES];
     size_t samples = 0;
     cloud->spacing = cloud->wide = 0;
+    cloud->order = NULL;
     if (find_inner(cloud, memory) != BURNISH_STATUS_OK || !(longest_side(&cloud->inner) > 0)) {
         return memory->status;
     }
@@ -242,6 +243,6 @@ burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memor
         cloud->wide = samples > 0 ? __builtin_sqrt(found[samples * 3 / 4]) : 0;
     }
     burnish_release(memory->context, g.first);
-    burnish_release(memory->context, g.order);
+    cloud->order = g.order;
     return memory->status;
 }

@@ -13,9 +13,11 @@ typedef struct burnish_cloud {
     const float *positions; /* 3 per point, finite */
     size_t count;           /* > 0 */
     burnish_cloud_box inner;
-    size_t outside; /* points outside the inner box */
-    double spacing; /* median distance to the 6th nearest point, or to the farthest of fewer */
-    double wide;    /* the same, but three quarters are below it; 0: no two points are near */
+    size_t outside;  /* points outside the inner box */
+    double spacing;  /* median distance to the 6th nearest point, or to the farthest of fewer */
+    double wide;     /* the same, but three quarters are below it; 0: no two points are near */
+    uint32_t *order; /* the points cell by cell of a grid, the caller's to release; NULL if spacing
+                        is 0 */
 } burnish_cloud;
 
 static inline int burnish_cloud_is_inside(const burnish_cloud_box *box, const float p[3]) {

@@ -30,12 +30,20 @@ typedef struct voxel {
     float normal[3]; /* 0, 0, 0: not like a surface */
 } voxel;
 
+/* The numbers of the voxels of 4 x 4 x 4 cells, + 1; 0: not there. Neighbours are in few blocks. */
+typedef struct block {
+    uint64_t key; /* of its first cell */
+    uint32_t voxels[64];
+} block;
+
 typedef struct voxels {
     const burnish_cloud *cloud;
     double scale; /* cells per unit */
     voxel *items;
     size_t count, capacity;
-    uint32_t *slots; /* hash table: number of a voxel + 1; 0: free */
+    block *blocks;
+    size_t block_count, block_capacity;
+    uint32_t *slots; /* hash table: number of a block + 1; 0: free */
     size_t slot_count;
     float *normals;
 } voxels;
@@ -62,14 +70,34 @@ static uint64_t key_of(int64_t x, int64_t y, int64_t z) {
 static size_t slot_of(const voxels *v, uint64_t key) {
     const uint64_t mixed = (key ^ key >> 29) * 0x9e3779b97f4a7c15ull;
     size_t slot = (size_t)(mixed >> 20) & (v->slot_count - 1);
-    while (v->slots[slot] && v->items[v->slots[slot] - 1].key != key) {
+    while (v->slots[slot] && v->blocks[v->slots[slot] - 1].key != key) {
         slot = (slot + 1) & (v->slot_count - 1);
     }
     return slot;
 }
 
-static const voxel *find_voxel(const voxels *v, int64_t x, int64_t y, int64_t z) {
-    const uint32_t number = v->slots[slot_of(v, key_of(x, y, z))];
+static uint64_t block_key(const int64_t cell[3]) {
+    return key_of(cell[0] & ~3, cell[1] & ~3, cell[2] & ~3);
+}
+
+static size_t in_block(const int64_t cell[3]) {
+    return (size_t)((cell[0] & 3) | (cell[1] & 3) << 2 | (cell[2] & 3) << 4);
+}
+
+/* The blocks around a cell, found as they are needed. */
+typedef struct around {
+    uint64_t key; /* 0: none yet */
+    const block *found;
+} around;
+
+static const voxel *find_voxel(const voxels *v, const int64_t cell[3], around last[8]) {
+    const uint64_t key = block_key(cell);
+    around *at = &last[(cell[0] >> 2 & 1) | (cell[1] >> 1 & 2) | (cell[2] & 4)];
+    if (at->key != key) {
+        const uint32_t number = v->slots[slot_of(v, key)];
+        *at = (around){key, number ? &v->blocks[number - 1] : NULL};
+    }
+    const uint32_t number = at->found ? at->found->voxels[in_block(cell)] : 0;
     return number ? &v->items[number - 1] : NULL;
 }
 
@@ -79,29 +107,57 @@ static burnish_status grow_table(voxels *v, burnish_memory *memory) {
     burnish_release(memory->context, v->slots);
     v->slots = burnish_allocate_zeroed(memory, count, sizeof *v->slots, "cells of points");
     v->slot_count = count;
-    for (size_t i = 0; i < v->count && v->slots; ++i) {
-        v->slots[slot_of(v, v->items[i].key)] = (uint32_t)i + 1;
+    for (size_t i = 0; i < v->block_count && v->slots; ++i) {
+        v->slots[slot_of(v, v->blocks[i].key)] = (uint32_t)i + 1;
     }
     return memory->status;
 }
 
 /* Returns NULL if memory is out. */
-static voxel *add_voxel(voxels *v, const int64_t cell[3], burnish_memory *memory) {
-    const uint64_t key = key_of(cell[0], cell[1], cell[2]);
-    if (2 * v->count >= v->slot_count && grow_table(v, memory) != BURNISH_STATUS_OK) {
+static block *add_block(voxels *v, uint64_t key, burnish_memory *memory) {
+    if (2 * v->block_count >= v->slot_count && grow_table(v, memory) != BURNISH_STATUS_OK) {
         return NULL;
     }
     const size_t slot = slot_of(v, key);
     if (!v->slots[slot]) {
+        v->blocks = burnish_reserve(memory, v->blocks, &v->block_capacity, v->block_count + 1,
+                                    sizeof *v->blocks, "cells of points");
+        if (memory->status != BURNISH_STATUS_OK) {
+            return NULL;
+        }
+        v->blocks[v->block_count++] = (block){.key = key};
+        v->slots[slot] = (uint32_t)v->block_count;
+    }
+    return &v->blocks[v->slots[slot] - 1];
+}
+
+/* Returns NULL if memory is out. */
+static voxel *add_voxel(voxels *v, const int64_t cell[3], burnish_memory *memory) {
+    block *at = add_block(v, block_key(cell), memory);
+    if (!at) {
+        return NULL;
+    }
+    uint32_t *number = &at->voxels[in_block(cell)];
+    if (*number == 0) {
         v->items = burnish_reserve(memory, v->items, &v->capacity, v->count + 1, sizeof *v->items,
                                    "cells of points");
         if (memory->status != BURNISH_STATUS_OK) {
             return NULL;
         }
-        v->items[v->count++] = (voxel){.key = key};
-        v->slots[slot] = (uint32_t)v->count;
+        v->items[v->count++] = (voxel){.key = key_of(cell[0], cell[1], cell[2])};
+        *number = (uint32_t)v->count;
     }
-    return &v->items[v->slots[slot] - 1];
+    return &v->items[*number - 1];
+}
+
+/* Points in cell order are anywhere in memory, so what is needed soon is fetched. */
+enum { AHEAD = 24 };
+
+static const float *fetch_position(const burnish_cloud *cloud, size_t i) {
+    if (i + AHEAD < cloud->count) {
+        __builtin_prefetch(cloud->positions + 3 * (size_t)cloud->order[i + AHEAD]);
+    }
+    return cloud->positions + 3 * (size_t)cloud->order[i];
 }
 
 static burnish_status fill_voxels(voxels *v, burnish_tasks *tasks, burnish_memory *memory) {
@@ -111,7 +167,7 @@ static burnish_status fill_voxels(voxels *v, burnish_tasks *tasks, burnish_memor
         if (i % (1 << 20) == 0 && burnish_tasks_check(tasks, memory->error) != BURNISH_STATUS_OK) {
             return BURNISH_STATUS_CANCELLED;
         }
-        if (!locate(v, v->cloud->positions + 3 * i, cell, d)) {
+        if (!locate(v, fetch_position(v->cloud, i), cell, d)) {
             continue;
         }
         voxel *at = add_voxel(v, cell, memory);
@@ -205,13 +261,15 @@ static void cell_of_key(uint64_t key, int64_t cell[3]) {
 
 static void fit_voxels(void *context, size_t first, size_t end) {
     const voxels *v = context;
+    around last[8] = {{0, NULL}};
     for (size_t i = first; i < end; ++i) {
         int64_t cell[3];
         double s[10] = {0};
         cell_of_key(v->items[i].key, cell);
         for (int n = 0; n < 27; ++n) {
             const int at[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
-            const voxel *near = find_voxel(v, cell[0] + at[0], cell[1] + at[1], cell[2] + at[2]);
+            const int64_t next[3] = {cell[0] + at[0], cell[1] + at[1], cell[2] + at[2]};
+            const voxel *near = find_voxel(v, next, last);
             if (near) {
                 add_moments(s, &near->sums, (const double[3]){at[0], at[1], at[2]});
             }
@@ -234,7 +292,7 @@ static void fit_voxels(void *context, size_t first, size_t end) {
 
 /* The normals of the eight cells around a point, turned to the side of its own. */
 static burnish_vec3 blend_normals(const voxels *v, const int64_t cell[3], const double d[3],
-                                  burnish_vec3 own) {
+                                  burnish_vec3 own, around last[8]) {
     burnish_vec3 sum = {0, 0, 0};
     for (int n = 0; n < 8; ++n) {
         int64_t at[3];
@@ -245,7 +303,7 @@ static burnish_vec3 blend_normals(const voxels *v, const int64_t cell[3], const 
             at[k] = cell[k] + (is_next ? d[k] < 0 ? -1 : 1 : 0);
             weight *= is_next ? share : 1 - share;
         }
-        const voxel *near = find_voxel(v, at[0], at[1], at[2]);
+        const voxel *near = find_voxel(v, at, last);
         if (near) {
             const burnish_vec3 normal = burnish_vec3_loadf(near->normal);
             const double side = burnish_vec3_dot(normal, own) < 0 ? -weight : weight;
@@ -257,15 +315,19 @@ static burnish_vec3 blend_normals(const voxels *v, const int64_t cell[3], const 
 
 static void fill_normals(void *context, size_t first, size_t end) {
     const voxels *v = context;
-    for (size_t i = first; i < end; ++i) {
+    around last[8] = {{0, NULL}};
+    for (size_t at = first; at < end; ++at) {
+        const size_t i = v->cloud->order[at];
         int64_t cell[3];
         double d[3];
         burnish_vec3 normal = {0, 0, 0};
-        if (locate(v, v->cloud->positions + 3 * i, cell, d)) {
-            const voxel *own = find_voxel(v, cell[0], cell[1], cell[2]);
-            normal = burnish_vec3_loadf(own->normal);
+        if (at + AHEAD < end) {
+            __builtin_prefetch(v->normals + 3 * (size_t)v->cloud->order[at + AHEAD], 1);
+        }
+        if (locate(v, fetch_position(v->cloud, at), cell, d)) {
+            normal = burnish_vec3_loadf(find_voxel(v, cell, last)->normal);
             if (burnish_vec3_dot(normal, normal) > 0) {
-                normal = blend_normals(v, cell, d, normal);
+                normal = blend_normals(v, cell, d, normal, last);
             }
         }
         v->normals[3 * i] = (float)normal.x;
@@ -298,6 +360,7 @@ static burnish_status fit_at(voxels *v, double cell, int *are_surface, burnish_t
         status = burnish_tasks_check(tasks, memory->error);
     }
     burnish_release(memory->context, v->items);
+    burnish_release(memory->context, v->blocks);
     burnish_release(memory->context, v->slots);
     return status;
 }

@@ -14,11 +14,20 @@ enum { SIDES = 6 /* of a prism */, GRAIN = 1 << 10 };
 /* Of randomly sampled surfaces, discs with a radius of so many spacings leave 0.01 % uncovered. */
 #define CLOSING 1.2
 
+/* Discs that would have to be larger, in parts of the cloud, do not look like a surface: balls do
+ * better. */
+#define LARGEST (1.0 / 20)
+
+static int can_close(const burnish_cloud *cloud) {
+    return CLOSING * cloud->wide <= LARGEST * burnish_cloud_diagonal(&cloud->inner);
+}
+
 static double choose_radius(const burnish_cloud *cloud, int are_surface) {
     const double diagonal = burnish_cloud_diagonal(&cloud->inner);
     const double radius = are_surface ? CLOSING * cloud->wide : cloud->spacing / 4;
+    const double most = are_surface ? diagonal * LARGEST : diagonal / 50;
     return !(diagonal > 0)            ? 0.5
-           : radius > diagonal / 50   ? diagonal / 50
+           : radius > most            ? most
            : radius < diagonal / 4000 ? diagonal / 4000
                                       : radius;
 }
@@ -39,9 +48,12 @@ static burnish_status prepare_normals(burnish_reader *reader, const burnish_clou
                                       int *are_surface) {
     burnish_mesh_data *mesh = reader->mesh;
     const burnish_stream *stream = &mesh->streams[BURNISH_NORMAL];
-    const burnish_normals_source source = reader->input->options->normals;
+    const burnish_load_options *options = reader->input->options;
+    const int has_some = stream->count == cloud->count && !stream->corners;
+    const int are_balls =
+        options->normals != BURNISH_NORMALS_FILE && options->point_size == 0 && !can_close(cloud);
     *are_surface = 1;
-    if (stream->count == cloud->count && !stream->corners && source != BURNISH_NORMALS_OWN) {
+    if (has_some && options->normals != BURNISH_NORMALS_OWN && !are_balls) {
         burnish_tasks_ranges(mesh->tasks, cloud->count, GRAIN, normalize_normals, stream->items);
         return burnish_tasks_check(mesh->tasks, reader->error);
     }
@@ -50,7 +62,7 @@ static burnish_status prepare_normals(burnish_reader *reader, const burnish_clou
         return mesh->memory.status;
     }
     mesh->streams[BURNISH_NORMAL].count = cloud->count;
-    if (source == BURNISH_NORMALS_FILE) {
+    if (are_balls || options->normals == BURNISH_NORMALS_FILE) {
         *are_surface = 0;
         memset(burnish_normals(mesh), 0, 3 * cloud->count * sizeof(float));
         return BURNISH_STATUS_OK;
@@ -84,6 +96,7 @@ static burnish_status make_cloud(burnish_reader *reader) {
         status = burnish_cloud_measure(&cloud, &mesh->memory);
     }
     if (status != BURNISH_STATUS_OK) {
+        burnish_release(mesh->memory.context, cloud.order);
         return status;
     }
     note_outliers(reader, &cloud);
@@ -93,6 +106,7 @@ static burnish_status make_cloud(burnish_reader *reader) {
     burnish_mesh_data_drop(mesh, BURNISH_TANGENT);
     mesh->point_count = cloud.count;
     status = prepare_normals(reader, &cloud, &are_surface);
+    burnish_release(mesh->memory.context, cloud.order);
     mesh->point_radius = (float)(wanted > 0 ? wanted / 2 : choose_radius(&cloud, are_surface));
     return status;
 }

@@ -17,9 +17,10 @@ typedef struct burnish_segment {
  * of 0, 0, 0 means that the point looks like a ball. Lines are replaced by prisms.
  *
  * The diameter is the option point_size. If that is 0, the radius of points is 1.2 times wide
- * (cloud.h) or, if they are not like a surface, a quarter of the spacing; the diameter of lines is
- * 1/300 of the bounding box's diagonal. That of points is clamped to 1/2000 to 1/25 of the diagonal
- * of the inner box.
+ * (cloud.h), at most 1/20 of the diagonal of the inner box. Clouds that would need more, and points
+ * that are not like a surface, become balls with a radius of a quarter of the spacing, at most 1/50
+ * of that diagonal. No radius is below 1/4000 of it. The diameter of lines is 1/300 of the bounding
+ * box's diagonal.
  *
  *   segments  `count` lines between positions; count 0: every position is a point
  * Errors: LIMIT (max_triangles, budget, positions), MEMORY, CANCELLED. */
