@@ -40,13 +40,14 @@ typedef struct look {
 #define BOX BURNISH_AREA_RECT, 1, 1, 0
 
 /* A product studio: a window on the upper left, a strip on the right, a panel above and behind,
- * a rim light on the left behind the object, and a table. A white, matt surface gets at most 0.96. */
+ * a rim light on the left behind the object, and a table that rises toward the viewer, which vertical
+ * faces of metal reflect. A white, matt surface gets at most 0.96. */
 static const burnish_area_light STUDIO_AREAS[] = {
     {BOX,
      {-0.4716, 0.6428, 0.6037},
      {0.1994, 0.3860, -0.2552},
      {0.3404, 0, 0.2659},
-     {3.315f, 3.25f, 3.104f}},
+     {3.264f, 3.2f, 3.056f}},
     {BOX,
      {0.9458, 0.1045, 0.3073},
      {-0.0795, 0.7956, -0.0258},
@@ -58,7 +59,7 @@ static const burnish_area_light STUDIO_AREAS[] = {
      {0.1171, 0.7386, 0.0571},
      {-0.0877, 0, 0.1798},
      {0.4275f, 0.45f, 0.4815f}},
-    {BOX, {0, -1, 0}, {0, 0, 1.95}, {1.95, 0, 0}, {0.16f, 0.157f, 0.152f}},
+    {BOX, {0, -0.87, 0.5}, {0, 0.5, 0.87}, {2.0, 0, 0}, {0.26f, 0.255f, 0.247f}},
 };
 static const burnish_dome STUDIO_DOME = {
     {0.285f, 0.3f, 0.321f}, {0.0522f, 0.055f, 0.0589f}, {0.06f, 0.06f, 0.06f}, 1};
