@@ -11,6 +11,10 @@
 #include <stdint.h>
 #include <string.h>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 /* Some bytes of the text, without blanks around them. */
 typedef struct burnish_token {
     const uint8_t *bytes;
@@ -355,5 +359,54 @@ static inline size_t burnish_scan_decimal(const uint8_t *text, double *value) {
     *value = burnish_set_sign(absolute, negative);
     return (size_t)(p - text);
 }
+
+/* The value of 1 to 8 digits that end here, after as many characters as eight lack. */
+static inline uint64_t burnish_join_before(const uint8_t *end, size_t count) {
+    const uint64_t word = burnish_load_characters(end - 8) ^ UINT64_C(0x3030303030303030);
+    return burnish_join_digits(word & (UINT64_MAX << (64 - 8 * count)));
+}
+
+#ifdef __SSE2__
+/* Bits of those of 32 characters that are not digits. */
+static inline uint32_t burnish_find_others(const uint8_t *text) {
+    const __m128i zero = _mm_set1_epi8('0'), nine = _mm_set1_epi8(9);
+    const __m128i *words = (const __m128i *)(const void *)text;
+    const __m128i first = _mm_sub_epi8(_mm_loadu_si128(words), zero);
+    const __m128i second = _mm_sub_epi8(_mm_loadu_si128(words + 1), zero);
+    const int low = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(first, nine), first));
+    const int high = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(second, nine), second));
+    return ~((uint32_t)low | (uint32_t)high << 16);
+}
+
+/* "-1.25": 1 to 8 digits, a point and 1 to 8 digits. As burnish_scan_decimal, but needs 8
+ * characters in front. The point and the end are found at once, so the next number need not wait
+ * until the digits are read. */
+static inline size_t burnish_scan_short_decimal(const uint8_t *text, double *value) {
+    static const uint32_t power[9] = {1,      10,      100,      1000,     10000,
+                                      100000, 1000000, 10000000, 100000000};
+    const size_t negative = *text == '-';
+    uint32_t others = burnish_find_others(text) & ~(uint32_t)negative;
+    const size_t point = others ? (size_t)__builtin_ctz(others) : 0;
+    others &= others - 1;
+    const size_t end = others ? (size_t)__builtin_ctz(others) : 0;
+    const size_t digits = point - negative, decimals = end - point - 1;
+    if (digits - 1 > 7 || decimals - 1 > 7 || text[point] != '.' || (text[end] | 0x20) == 'e') {
+        return 0;
+    }
+    const uint64_t mantissa = burnish_join_before(text + point, digits) * power[decimals] +
+                              burnish_join_before(text + end, decimals);
+    double absolute = 0;
+    if (mantissa != 0 && !burnish_scale_decimal(mantissa, -(int64_t)decimals, &absolute)) {
+        return 0;
+    }
+    *value = burnish_set_sign(absolute, (int)negative);
+    return end;
+}
+#else
+static inline size_t burnish_scan_short_decimal(const uint8_t *text, double *value) {
+    (void)text, (void)value;
+    return 0;
+}
+#endif
 
 #endif

@@ -1,10 +1,6 @@
 /* OBJ: the statements of a chunk, read as if it were the start of the file. */
 #include "mesh/read/obj/obj_statements.h"
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 #include "mesh/read/common/origin.h"
 
 /* The indices of a corner, by attribute. Corners have no colour index, so the column of colours
@@ -312,23 +308,6 @@ static inline unsigned scan_corner(obj_parser *obj, uint32_t *numbers) {
 }
 
 #ifdef __SSE2__
-/* Bits of those of 32 characters that are not digits. */
-static inline uint32_t find_others(const uint8_t *text) {
-    const __m128i zero = _mm_set1_epi8('0'), nine = _mm_set1_epi8(9);
-    const __m128i *words = (const __m128i *)(const void *)text;
-    const __m128i first = _mm_sub_epi8(_mm_loadu_si128(words), zero);
-    const __m128i second = _mm_sub_epi8(_mm_loadu_si128(words + 1), zero);
-    const int low = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(first, nine), first));
-    const int high = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(second, nine), second));
-    return ~((uint32_t)low | (uint32_t)high << 16);
-}
-
-/* The value of 1 to 8 digits, after as many characters as eight lack. */
-static inline int64_t join_digits_before(const uint8_t *end, size_t count) {
-    const uint64_t word = burnish_load_characters(end - 8) ^ UINT64_C(0x3030303030303030);
-    return (int64_t)burnish_join_digits(word & (UINT64_MAX << (64 - 8 * count)));
-}
-
 /* The same as scan_corner for indices of at most 8 digits; the separators of a corner are found at
  * once, so no number waits for the one before. Needs 7 characters in front. */
 static inline unsigned scan_short_corner(obj_parser *obj, uint32_t *numbers) {
@@ -340,9 +319,10 @@ static inline unsigned scan_short_corner(obj_parser *obj, uint32_t *numbers) {
     if (obj->lexer.end - p <= BURNISH_DECIMAL_ROOM) {
         return 0;
     }
-    uint32_t others = find_others(p);
+    uint32_t others = burnish_find_others(p);
     size_t end = others ? (size_t)__builtin_ctz(others) : 0;
-    if (end - 1 > 7 || !take_vertex(obj->chunk, join_digits_before(p + end, end), numbers)) {
+    if (end - 1 > 7 ||
+        !take_vertex(obj->chunk, (int64_t)burnish_join_before(p + end, end), numbers)) {
         return 0;
     }
     for (int i = 0; i < 2 && p[end] == '/'; ++i) {
@@ -356,7 +336,8 @@ static inline unsigned scan_short_corner(obj_parser *obj, uint32_t *numbers) {
         if (end - start - 1 > 7) {
             return 0;
         }
-        take_index(obj->chunk, join_digits_before(p + end, end - start), attribute, numbers);
+        take_index(obj->chunk, (int64_t)burnish_join_before(p + end, end - start), attribute,
+                   numbers);
         used |= (i == 0 ? (unsigned)obj->with_texcoords : 1u) << attribute;
     }
     if (!burnish_is_blank(p[end]) && !burnish_is_line_end(p[end])) {
@@ -499,6 +480,7 @@ static inline const uint8_t *end_plain_line(const obj_parser *obj, const uint8_t
 /* Reads `count` numbers and the end of the line; NULL if they have another form. */
 static inline const uint8_t *scan_plain_numbers(const obj_parser *obj, const uint8_t *p,
                                                 double *values, int count) {
+    const int has_room = p - obj->chunk->first >= 8;
     for (int i = 0; i < count; ++i) {
         while (p < obj->lexer.end && *p == ' ') {
             ++p;
@@ -506,7 +488,8 @@ static inline const uint8_t *scan_plain_numbers(const obj_parser *obj, const uin
         if (obj->lexer.end - p <= BURNISH_DECIMAL_ROOM) {
             return NULL;
         }
-        const size_t size = burnish_scan_decimal(p, &values[i]);
+        size_t size = has_room ? burnish_scan_short_decimal(p, &values[i]) : 0;
+        size = size ? size : burnish_scan_decimal(p, &values[i]);
         p += size;
         if (size == 0 || (i + 1 < count && *p != ' ')) {
             return NULL;
