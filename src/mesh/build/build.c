@@ -4,6 +4,7 @@
 
 #include "mesh/build/build.h"
 #include "mesh/build/builder.h"
+#include "mesh/build/normals/faces.h"
 #include "mesh/build/order.h"
 #include "mesh/build/textures.h"
 #include "mesh/build/triangles.h"
@@ -157,7 +158,8 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                          .mesh = allocate_mesh(data, format),
                          .crease_angle = options->crease_angle,
                          .normals = choose_normals(options, format, data),
-                         .measure = options->measure};
+                         .measure = options->measure,
+                         .wide = burnish_face_width()};
     *mesh = NULL;
     burnish_build_prepare_textures(&b, options);
     for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {

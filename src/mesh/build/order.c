@@ -43,15 +43,7 @@ static size_t cell_count(const sorter *s) {
 static void make_grid(sorter *s, size_t position_count) {
     float low[3], high[3];
     double extent = 0;
-    memcpy(low, s->positions, sizeof low);
-    memcpy(high, s->positions, sizeof high);
-    for (size_t i = 0; i < position_count; ++i) {
-        for (size_t k = 0; k < 3; ++k) {
-            const float value = s->positions[3 * i + k];
-            low[k] = value < low[k] ? value : low[k];
-            high[k] = value > high[k] ? value : high[k];
-        }
-    }
+    burnish_bound_positions(s->positions, position_count, low, high);
     for (int k = 0; k < 3; ++k) {
         const double size = (double)high[k] - (double)low[k];
         s->origin[k] = low[k];

@@ -5,6 +5,7 @@
 #include "mesh/build/corners.h"
 #include "mesh/build/measure.h"
 #include "mesh/build/normals/creases.h"
+#include "mesh/build/normals/faces.h"
 #include "mesh/build/normals/normals.h"
 #include "mesh/build/triangles.h"
 #include "mesh/build/weld.h"
@@ -264,27 +265,51 @@ static void move_triangles(burnish_builder *b, size_t from, size_t to, size_t co
     }
 }
 
+/* Keeps those of `count` triangles that have area. Returns the end of all kept. */
+static size_t keep_some(burnish_builder *b, size_t first, size_t count, size_t next) {
+    enum { SOME = 256 };
+    uint8_t has_area[SOME];
+    for (size_t i = first, size; i < first + count; i += size) {
+        size = first + count - i < SOME ? first + count - i : SOME;
+        burnish_find_areas(burnish_positions(b->data), b->corner_positions + 3 * i, size, b->wide,
+                           has_area);
+        if (next == i && !memchr(has_area, 0, size)) {
+            next += size;
+            continue;
+        }
+        for (size_t k = 0; k < size; ++k) {
+            if (has_area[k]) {
+                move_triangles(b, i + k, next++, 1);
+            }
+        }
+    }
+    return next;
+}
+
+/* The same, and turns them to the file's normals. */
+static size_t orient_some(burnish_builder *b, size_t first, size_t count, size_t next) {
+    for (size_t i = first; i < first + count; ++i) {
+        const burnish_vec3 cross = cross_of(b, i);
+        if (burnish_has_area(cross)) {
+            orient(b, i, cross);
+            if (next != i) {
+                move_triangles(b, i, next, 1);
+            }
+            ++next;
+        }
+    }
+    return next;
+}
+
 static void look_at_range(void *context, size_t first, size_t end) {
     triangles_context *c = context;
     burnish_builder *b = c->b;
-    const int has_normals = b->data->streams[BURNISH_NORMAL].count > 0;
     size_t next = c->kept ? first : c->next;
-    for (size_t i = first; i < end; ++i) {
-        if (c->remap) {
-            weld_corners(c, i, i + 1);
-        }
-        const burnish_vec3 cross = cross_of(b, i);
-        if (!burnish_has_area(cross)) {
-            continue;
-        }
-        if (has_normals) {
-            orient(b, i, cross);
-        }
-        if (next != i) {
-            move_triangles(b, i, next, 1);
-        }
-        ++next;
+    if (c->remap) {
+        weld_corners(c, first, end);
     }
+    next = (b->data->streams[BURNISH_NORMAL].count > 0 ? orient_some
+                                                       : keep_some)(b, first, end - first, next);
     if (c->kept) {
         c->kept[first / BURNISH_BUILD_GRAIN] = next - first;
     } else {

@@ -407,15 +407,6 @@ static void create_scratch(vertex_maker *maker, size_t capacity) {
     maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
 }
 
-/* 2 if the instruction set that kernels would take has AVX-512, 1 for AVX2, else 0. */
-static int find_width(void) {
-    burnish_isa isa;
-    const burnish_status status = burnish_isa_choose(NULL, &isa, NULL);
-    return status != BURNISH_STATUS_OK ? 0
-           : isa == BURNISH_ISA_AVX512 ? 2
-                                       : isa == BURNISH_ISA_AVX2;
-}
-
 static vertex_maker *create_makers(burnish_builder *b, int count, uint32_t *shared) {
     const size_t corners = 3 * b->triangle_count;
     vertex_maker *makers =
@@ -510,7 +501,7 @@ static burnish_status build_any(burnish_builder *b) {
                                    .corner_positions = b->corner_positions,
                                    .first_corner = b->first_corner,
                                    .corners = b->corners,
-                                   .wide = find_width()};
+                                   .wide = b->wide};
     b->surface.is_organic = !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
                             burnish_surface_is_organic(&b->surface, b->position_count);
     uint32_t *shared = burnish_allocate(b->memory, b->position_count, sizeof *shared, "vertices");

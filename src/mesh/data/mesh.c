@@ -131,15 +131,36 @@ static int has_alpha(const uint8_t *colors, size_t count) {
     return all < 255;
 }
 
-/* The bounds of the positions in the box from `least` to `most`, NULL: of all. Returns 0 if there
- * are none. */
-static int bound_positions(const burnish_mesh_view *view, const float *least, const float *most,
-                           float low[3], float high[3]) {
+void burnish_bound_positions(const float *positions, size_t count, float low[3], float high[3]) {
+    enum { LANES = 48 }; /* a multiple of 3, above what compilers unroll instead of vectorising */
+    const size_t first = 3 * count % LANES;
+    float least[LANES], most[LANES];
+    for (size_t k = 0; k < LANES; ++k) { /* the first ones, or again the first */
+        least[k] = most[k] = positions[k < 3 * count ? k : k % 3];
+    }
+    for (size_t i = first; i < 3 * count; i += LANES) {
+        for (size_t k = 0; k < LANES; ++k) {
+            const float value = positions[i + k];
+            least[k] = value < least[k] ? value : least[k];
+            most[k] = value > most[k] ? value : most[k];
+        }
+    }
+    memcpy(low, least, 3 * sizeof *low);
+    memcpy(high, most, 3 * sizeof *high);
+    for (size_t k = 3; k < LANES; ++k) {
+        low[k % 3] = least[k] < low[k % 3] ? least[k] : low[k % 3];
+        high[k % 3] = most[k] > high[k % 3] ? most[k] : high[k % 3];
+    }
+}
+
+/* The bounds of the positions in a box; keeps low and high if there are none. */
+static void bound_inside(const burnish_mesh_view *view, const float *least, const float *most,
+                         float low[3], float high[3]) {
     int is_first = 1;
     for (size_t i = 0; i < view->vertex_count; ++i) {
         const float *p = view->positions + 3 * i;
-        if (least && !(p[0] >= least[0] && p[0] <= most[0] && p[1] >= least[1] && p[1] <= most[1] &&
-                       p[2] >= least[2] && p[2] <= most[2])) {
+        if (!(p[0] >= least[0] && p[0] <= most[0] && p[1] >= least[1] && p[1] <= most[1] &&
+              p[2] >= least[2] && p[2] <= most[2])) {
             continue;
         }
         for (int k = 0; k < 3; ++k) {
@@ -148,7 +169,6 @@ static int bound_positions(const burnish_mesh_view *view, const float *least, co
         }
         is_first = 0;
     }
-    return !is_first;
 }
 
 /* The bounds of a point cloud's view: of the spheres that are framed. */
@@ -156,7 +176,7 @@ static void bound_cloud(burnish_mesh *mesh) {
     burnish_mesh_view *view = &mesh->view;
     memcpy(mesh->points_min, view->bounds_min, sizeof mesh->points_min);
     memcpy(mesh->points_max, view->bounds_max, sizeof mesh->points_max);
-    bound_positions(view, mesh->inner_min, mesh->inner_max, view->bounds_min, view->bounds_max);
+    bound_inside(view, mesh->inner_min, mesh->inner_max, view->bounds_min, view->bounds_max);
     for (int k = 0; k < 3; ++k) { /* stays finite at the end of the range */
         const float low = view->bounds_min[k] - view->point_radius;
         const float high = view->bounds_max[k] + view->point_radius;
@@ -178,7 +198,9 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     view->triangle_materials = mesh->triangle_materials;
     view->has_transparent_colors = has_alpha(view->colors, view->vertex_count);
     view->serial = atomic_fetch_add_explicit(&last_serial, 1, memory_order_relaxed) + 1;
-    bound_positions(view, NULL, NULL, view->bounds_min, view->bounds_max);
+    if (view->vertex_count > 0) {
+        burnish_bound_positions(positions, view->vertex_count, view->bounds_min, view->bounds_max);
+    }
     if (view->point_radius > 0) {
         bound_cloud(mesh);
     }

@@ -33,6 +33,9 @@ struct burnish_mesh {
     size_t warning_count;
 };
 
+/* The box around `count` > 0 positions. */
+void burnish_bound_positions(const float *positions, size_t count, float low[3], float high[3]);
+
 /* Updates the view of the mesh's arrays, except for counts, and gives it a new serial number. */
 void burnish_mesh_update_view(burnish_mesh *mesh);
 

@@ -89,15 +89,20 @@ __attribute__((target("avx512f,avx512dq"))) static void measure_avx512(const blo
 }
 #endif
 
-/* Measures the first `count` triangles of a block, and some copies of the first, whose results go
- * beyond the others. */
-static void measure_block(block *b, size_t count, int wide) {
+/* Fills a block up with copies of the first triangle, whose results go beyond the others. */
+static size_t fill_vectors(block *b, size_t count) {
     for (; count % BURNISH_FACE_LANES != 0; ++count) {
         for (int k = 0; k < 9; ++k) {
             b->positions[k][count] = b->positions[k][0];
         }
         b->at[count] = 0;
     }
+    return count;
+}
+
+/* Measures the first `count` triangles of a block. */
+static void measure_block(block *b, size_t count, int wide) {
+    count = fill_vectors(b, count);
 #if defined(__x86_64__)
     if (wide) {
         (wide > 1 ? measure_avx512 : measure_avx2)(b, count);
@@ -106,6 +111,16 @@ static void measure_block(block *b, size_t count, int wide) {
 #endif
     (void)wide;
     measure_any(b, count);
+}
+
+static inline void load_triangle(block *b, size_t i, const float *positions,
+                                 const uint32_t *numbers) {
+    for (int k = 0; k < 3; ++k) {
+        const float *position = positions + 3 * (size_t)numbers[k];
+        b->positions[3 * k][i] = position[0];
+        b->positions[3 * k + 1][i] = position[1];
+        b->positions[3 * k + 2][i] = position[2];
+    }
 }
 
 void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corners, size_t count,
@@ -119,16 +134,70 @@ void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corne
         for (size_t i = 0; i < size; ++i) {
             const uint32_t corner = corners[start + i], at = corner % 3;
             const uint32_t *numbers = surface->corner_positions + (corner - at);
-            for (int k = 0; k < 3; ++k) {
-                const float *position = surface->positions + 3 * (size_t)numbers[k];
-                b.positions[3 * k][i] = position[0];
-                b.positions[3 * k + 1][i] = position[1];
-                b.positions[3 * k + 2][i] = position[2];
-            }
+            load_triangle(&b, i, surface->positions, numbers);
             b.at[i] = at;
             to->next[start + i] = numbers[after[at + 1]];
             to->previous[start + i] = numbers[after[at + 2]];
         }
         measure_block(&b, size, wide);
     }
+}
+
+/* ---- areas ---- */
+
+static inline __attribute__((always_inline)) void find_any(const block *b, size_t count,
+                                                           uint8_t *has_area) {
+    for (size_t i = 0; i < count; ++i) {
+        double p[9];
+        for (int k = 0; k < 9; ++k) {
+            p[k] = b->positions[k][i];
+        }
+        const burnish_vec3 second = {p[3] - p[0], p[4] - p[1], p[5] - p[2]};
+        const burnish_vec3 third = {p[6] - p[0], p[7] - p[1], p[8] - p[2]};
+        const burnish_vec3 cross = burnish_vec3_cross(second, third);
+        has_area[i] = (cross.x != 0) | (cross.y != 0) | (cross.z != 0);
+    }
+}
+
+static void find_scalar(const block *b, size_t count, uint8_t *has_area) {
+    find_any(b, count, has_area);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) static void find_avx2(const block *b, size_t count,
+                                                      uint8_t *has_area) {
+    find_any(b, count, has_area);
+}
+
+__attribute__((target("avx512f,avx512dq"))) static void find_avx512(const block *b, size_t count,
+                                                                    uint8_t *has_area) {
+    find_any(b, count, has_area);
+}
+#endif
+
+void burnish_find_areas(const float *positions, const uint32_t *corners, size_t count, int wide,
+                        uint8_t *has_area) {
+    for (size_t start = 0, size; start < count; start += size) {
+        size = count - start < BLOCK ? count - start : BLOCK;
+        block b;
+        uint8_t found[BLOCK];
+        for (size_t i = 0; i < size; ++i) {
+            load_triangle(&b, i, positions, corners + 3 * (start + i));
+        }
+        const size_t whole = fill_vectors(&b, size);
+#if defined(__x86_64__)
+        (wide > 1 ? find_avx512 : wide ? find_avx2 : find_scalar)(&b, whole, found);
+#else
+        find_scalar(&b, whole, found);
+#endif
+        memcpy(has_area + start, found, size);
+    }
+}
+
+int burnish_face_width(void) {
+    burnish_isa isa;
+    const burnish_status status = burnish_isa_choose(NULL, &isa, NULL);
+    return status != BURNISH_STATUS_OK ? 0
+           : isa == BURNISH_ISA_AVX512 ? 2
+                                       : isa == BURNISH_ISA_AVX2;
 }

@@ -22,4 +22,11 @@ typedef struct burnish_measured_faces {
 void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corners, size_t count,
                            int wide, const burnish_measured_faces *to);
 
+/* Whether each of `count` triangles has area, 1 or 0. */
+void burnish_find_areas(const float *positions, const uint32_t *corners, size_t count, int wide,
+                        uint8_t *has_area);
+
+/* 2 if the instruction set that kernels would take has AVX-512, 1 for AVX2, else 0. */
+int burnish_face_width(void);
+
 #endif
