@@ -17,6 +17,8 @@
  * Metallic-roughness materials also reflect light several times (Fdez-Aguera, A Multiple-Scattering
  * Microfacet Model for Real-Time Image Based Lighting, 2019), and their kd is multiplied by the
  * share that is not reflected, so a white surface in uniform light of 1 is 1.
+ * The kd of a Phong material is at most 1 - (F0 A + B): white surfaces with a highlight reflect no
+ * more than they receive.
  * For Phong materials, an area light that shrinks to solid angle W becomes a directional light of
  * colour L W / pi.
  *

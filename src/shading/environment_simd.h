@@ -225,7 +225,7 @@ BURNISH_INLINE void environment_multiple(const environment_material *material, v
 }
 
 /* kd D + (F0 A + B) Spec, and for metallic-roughness the light of several reflections, kd being
- * what is not reflected. */
+ * what is not reflected; Phong's kd is at most that. */
 BURNISH_INLINE void environment_color(const environment_material *material, int is_metallic,
                                       const vf reflectance[3], const vf diffuse[3],
                                       const vf specular[3], vf out[3]) {
@@ -240,10 +240,9 @@ BURNISH_INLINE void environment_color(const environment_material *material, int 
         kept = vf_sub(kept, vf_min(most, kept));
     }
     for (int k = 0; k < 3; ++k) {
-        vf matt = vf_mul(material->diffuse[k], kept);
-        if (is_metallic) {
-            matt = vf_add(matt, multiple[k]);
-        }
+        const vf left = vf_sub(vf_set(1.0f), reflectance[k]);
+        const vf matt = is_metallic ? vf_add(vf_mul(material->diffuse[k], kept), multiple[k])
+                                    : vf_min(material->diffuse[k], left);
         out[k] = vf_mul(vf_add(vf_mul(matt, diffuse[k]), vf_mul(reflectance[k], specular[k])),
                         material->open);
     }

@@ -198,7 +198,8 @@ static double compare(const burnish_render_options *options, const burnish_mater
         const double edge =
             fmin((1 - r) * (1 - r), exp2(-9.28 * fmax(n_dot_v, 0))) * (1 - r) + 0.0425 - 0.0275 * r;
         const double a = 1.04 - 0.572 * r - 1.04 * edge, b = 0.022 * r - 0.04 + 1.04 * edge;
-        const double want = (double)material->diffuse[0] * sums[0] + (f0 * a + b) * sums[1];
+        const double share = f0 * a + b, kd = fmin((double)material->diffuse[0], 1 - share);
+        const double want = kd * sums[0] + share * sums[1];
         const double got = (double)picture.rgba[y][x][0] / (double)light->color[0];
         worst = fmax(worst, fabs(got - want));
     }
