@@ -1,6 +1,6 @@
-/* A white room with six windows of light and six boxes, seen from the origin: the dimensions and
- * intensities of three.js' RoomEnvironment (examples/jsm/environments/RoomEnvironment.js), after
- * model-viewer's EnvironmentScene. Surfaces are Lambertian with a rough dielectric's highlight and
+/* A white room with six windows of light and six boxes, seen from 4.4 above its floor: the dimensions
+ * and intensities of three.js' RoomEnvironment (examples/jsm/environments/RoomEnvironment.js), after
+ * model-viewer's EnvironmentScene. Surfaces are rough dielectrics (a share of 0.04 is not diffuse),
  * lit by one point light without shadows, as there. */
 #include "environment/room.h"
 
@@ -14,24 +14,25 @@ static const struct box {
     double turn;     /* about y, radians */
     double radiance; /* 0: a white surface */
 } boxes[] = {
-    {{-0.757, 13.219, 0.717}, {31.713, 28.305, 28.591}, 0, 0}, /* the room, seen from inside */
-    {{-10.906, 2.009, 1.846}, {2.328, 7.905, 4.651}, -0.195, 0},
-    {{-5.607, -0.754, -0.758}, {1.970, 1.534, 3.955}, 0.994, 0},
-    {{6.167, 0.857, 7.803}, {3.927, 6.285, 3.687}, 0.561, 0},
-    {{-2.017, 0.018, 6.124}, {2.002, 4.566, 2.064}, 0.333, 0},
-    {{2.291, -0.756, -2.621}, {1.546, 1.552, 1.496}, -0.286, 0},
-    {{-2.193, -0.369, -5.547}, {3.875, 3.487, 2.986}, 0.516, 0},
-    {{-16.116, 14.37, 8.208}, {0.1, 2.428, 2.739}, 0, 50},
-    {{-16.109, 18.021, -8.207}, {0.1, 2.425, 2.751}, 0, 50},
-    {{14.904, 12.198, -1.832}, {0.15, 4.265, 6.331}, 0, 17},
-    {{-0.462, 8.89, 14.520}, {4.38, 5.441, 0.088}, 0, 43},
-    {{3.235, 11.486, -12.541}, {2.5, 2.0, 0.1}, 0, 20},
-    {{0, 20, 0}, {1, 0.1, 1}, 0, 100},
+    {{-0.757, 9.719, 0.717}, {31.713, 28.305, 28.591}, 0, 0}, /* the room, seen from inside */
+    {{-10.906, -1.491, 1.846}, {2.328, 7.905, 4.651}, -0.195, 0},
+    {{-5.607, -4.254, -0.758}, {1.970, 1.534, 3.955}, 0.994, 0},
+    {{6.167, -2.643, 7.803}, {3.927, 6.285, 3.687}, 0.561, 0},
+    {{-2.017, -3.482, 6.124}, {2.002, 4.566, 2.064}, 0.333, 0},
+    {{2.291, -4.256, -2.621}, {1.546, 1.552, 1.496}, -0.286, 0},
+    {{-2.193, -3.869, -5.547}, {3.875, 3.487, 2.986}, 0.516, 0},
+    {{-16.116, 10.87, 8.208}, {0.1, 2.428, 2.739}, 0, 50},
+    {{-16.109, 14.521, -8.207}, {0.1, 2.425, 2.751}, 0, 50},
+    {{14.904, 8.698, -1.832}, {0.15, 4.265, 6.331}, 0, 17},
+    {{-0.462, 5.39, 14.520}, {4.38, 5.441, 0.088}, 0, 43},
+    {{3.235, 7.986, -12.541}, {2.5, 2.0, 0.1}, 0, 20},
+    {{0, 16.5, 0}, {1, 0.1, 1}, 0, 100},
 };
 enum { BOX_COUNT = sizeof boxes / sizeof *boxes };
 
-static const vec3 lamp = {0.418, 16.199, 0.300};
+static const vec3 lamp = {0.418, 12.699, 0.300};
 static const double lamp_intensity = 900; /* candela */
+static const double lamp_reach = 28;      /* where its light ends */
 
 /* A box, with its turn worked out. */
 typedef struct placed {
@@ -89,7 +90,10 @@ static double shade(vec3 point, vec3 normal) {
     const double miss = 1 - burnish_vec3_dot(viewer, half), squared = miss * miss;
     const double fresnel = 0.04 + 0.96 * squared * squared * miss;
     const double specular = fresnel * 0.5 / (n_l + (n_v > 0 ? n_v : 0));
-    return lamp_intensity * n_l * (1 + specular) / BURNISH_PI / burnish_vec3_dot(toward, toward);
+    const double distance = burnish_vec3_dot(toward, toward); /* squared */
+    const double share = distance / (lamp_reach * lamp_reach), end = 1 - share * share;
+    const double window = end > 0 ? end * end : 0;
+    return lamp_intensity * window * n_l * (0.96 + specular) / BURNISH_PI / distance;
 }
 
 static double radiance(const placed *places, vec3 ray) {

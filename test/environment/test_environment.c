@@ -3,6 +3,7 @@
 
 #include "burnish/render.h"
 #include "counting_context.h"
+#include "environment/environment.h"
 #include "environment/lobes.h"
 #include "environment/maps.h"
 #include "support.h"
@@ -269,6 +270,24 @@ static void test_names(void) {
     }
 }
 
+/* Radiance of three.js' RoomEnvironment (r187) from its origin: ceiling, wall, floor and a box. */
+static void test_room(void) {
+    static const struct {
+        int x, y;
+        double radiance;
+    } pixels[] = {{250, 5, 2.0732}, {100, 60, 0.9390}, {250, 250, 0.6998}, {100, 180, 0.2187}};
+    burnish_environment *environment;
+    burnish_error error;
+    CHECK_OK(burnish_environment_create_named(NULL, "room", &environment, &error), error);
+    const burnish_environment_level *image = &environment->levels[0];
+    CHECK1(image->width == 512);
+    for (size_t i = 0; i < sizeof pixels / sizeof *pixels; ++i) {
+        const double is = (double)image->texels[1][pixels[i].y * image->width + pixels[i].x];
+        CHECK(fabs(is - pixels[i].radiance) < 0.003, "%d, %d: %g", pixels[i].x, pixels[i].y, is);
+    }
+    burnish_environment_destroy(environment);
+}
+
 /* ---- Memory ---- */
 
 /* A sphere under an environment, a distant and a near light; *hash: of the picture. */
@@ -347,6 +366,7 @@ int main(int count, char **arguments) {
     RUN(test_values());
     RUN(test_arguments());
     RUN(test_names());
+    RUN(test_room());
     RUN(test_memory());
     return test_end("environment");
 }
