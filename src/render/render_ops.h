@@ -13,8 +13,12 @@
 /* Normal, colour, position, w, first light, x, y, and BURNISH_TEXTURE_STREAMS. */
 enum { BURNISH_BATCH_STREAMS = 13 + 12 };
 
+/* Without a lobe, and the family's two: the first of burnish_lobe_body. */
+enum { BURNISH_CODE_BODIES = 3 };
+
 struct burnish_ground_view;
 struct burnish_kernels_points;
+struct burnish_kernels_shader;
 struct burnish_mask;
 struct burnish_mesh_view;
 struct burnish_near_cells;
@@ -35,6 +39,13 @@ typedef struct burnish_batch_streams {
     const float *from[BURNISH_BATCH_STREAMS];
     float *to[BURNISH_BATCH_STREAMS];
 } burnish_batch_streams;
+
+/* Pixels that become codes: normals of any length, which are shown where their depth is that of a
+ * triangle. */
+typedef struct burnish_code_batch {
+    const float *normal[3], *depths;
+    uint32_t alpha, background; /* bits of the shown ones; the code of the others */
+} burnish_code_batch;
 
 typedef struct burnish_render_ops {
     /* out = in scaled to unit length; out may be in. */
@@ -150,6 +161,13 @@ typedef struct burnish_render_ops {
     void (*encode_pixels)(const struct burnish_srgb_encoder *encoder, size_t count,
                           const float *const rgb[3], const int32_t *shown, uint32_t alpha,
                           uint32_t background, uint32_t *pixels);
+
+    /* The codes of count pixels, a multiple of 16, for a shader of that burnish_lobe_body with
+     * directional lights and a distant viewer: what `shade` and encode_pixels make of them. */
+    void (*shade_codes[BURNISH_CODE_BODIES])(const struct burnish_kernels_shader *shader,
+                                             const struct burnish_srgb_encoder *encoder,
+                                             const burnish_code_batch *batch, size_t count,
+                                             uint32_t *codes);
 
     /* count groups of four pixels, each `stride` pixels after the last, to 12 bytes per group, one
      * after another: red, green, blue. The highest byte of a pixel must be 0. May write up to four

@@ -71,18 +71,15 @@ BURNISH_INLINE void shade_add_family(shade_kernel kernel, const burnish_kernels_
     }
 }
 
-/* A directional light and a distant viewer: one constant half vector. */
-BURNISH_INLINE void shade_distant_light(shade_kernel kernel, const burnish_kernels_shader *shader,
-                                        const burnish_light_constants *light,
-                                        const shade_vectors *at, shade_sums *sums) {
-    const vf zero = vf_set(0.0f), inverse = at->inverse_n;
-    vf n_dot_l = vf_max(vf_mul(shade_dot_constant(at->normal, light->vector), inverse), zero);
+/* A directional light and a distant viewer, from N.L >= 0 and the cosine with the half vector. */
+BURNISH_INLINE void shade_add_distant(shade_kernel kernel, const burnish_kernels_shader *shader,
+                                      const burnish_light_constants *light, vf n_dot_l, vf cosine,
+                                      shade_sums *sums) {
     shade_add_diffuse(light, kernel.output, n_dot_l, sums);
     if (kernel.body == BURNISH_LOBE_BODY_NONE) {
         return;
     }
-    vm lit = vf_greater(n_dot_l, zero);
-    vf cosine = vf_mul(shade_dot_constant(at->normal, light->half), inverse);
+    vm lit = vf_greater(n_dot_l, vf_set(0.0f));
     if (shade_is_family(kernel.body)) {
         vf u = vf_add(cosine, vf_set(shader->offset)); /* zeta is in the half vector */
         shade_add_family(kernel, shader, light, lit, u, sums);
@@ -90,6 +87,16 @@ BURNISH_INLINE void shade_distant_light(shade_kernel kernel, const burnish_kerne
         vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
         shade_add_specular(light, kernel.output, lobe, sums);
     }
+}
+
+/* A directional light and a distant viewer: one constant half vector. */
+BURNISH_INLINE void shade_distant_light(shade_kernel kernel, const burnish_kernels_shader *shader,
+                                        const burnish_light_constants *light,
+                                        const shade_vectors *at, shade_sums *sums) {
+    const vf inverse = at->inverse_n;
+    const vf n_dot_l = vf_mul(shade_dot_constant(at->normal, light->vector), inverse);
+    const vf cosine = vf_mul(shade_dot_constant(at->normal, light->half), inverse);
+    shade_add_distant(kernel, shader, light, vf_max(n_dot_l, vf_set(0.0f)), cosine, sums);
 }
 
 /* Cosines of one light. */

@@ -1,5 +1,6 @@
 #include "render/frame/frame.h"
 
+#include "render/frame/codes.h"
 #include "render/frame/planes.h"
 
 #include <stdatomic.h>
@@ -136,6 +137,21 @@ static void count_block_row(const burnish_output *output, burnish_tile_worker *w
     }
 }
 
+/* A row of blocks whose codes come straight from normals. */
+static void draw_coded_row(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
+    const burnish_tile *tile = &worker->tile;
+    uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
+    if (frame->counts_pixels || frame->surface.triangle_materials) {
+        frame->ops->classify_block_row(tile, number, &worker->row.pixels);
+    }
+    burnish_codes_shade_row(&frame->surface, &frame->output, tile, number, &worker->scratch,
+                            &worker->row, codes);
+    burnish_output_store_codes(&frame->output, tile, number, codes);
+    if (frame->counts_pixels) {
+        count_block_row(&frame->output, worker, number);
+    }
+}
+
 /* One row of blocks from visibility to the target, while its colours are in L1. */
 static void draw_block_row(const burnish_frame *frame, burnish_tile_worker *worker, int number) {
     const burnish_tile *tile = &worker->tile;
@@ -181,6 +197,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     }
     shade_layers(frame, bins, worker, column, row);
     const burnish_row_range drawn = keep_drawn_rows(&frame->output, tile);
+    const int is_direct = burnish_codes_are_direct(&frame->surface, &frame->output);
     if (frame->output.has_planes) {
         burnish_planes_clear(&frame->output, tile, &worker->sums);
     }
@@ -189,7 +206,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     }
     for (int number = drawn.first; number < drawn.end; ++number) {
         if (is_covered && tile->buffer.dirty_blocks[number]) {
-            draw_block_row(frame, worker, number);
+            (is_direct ? draw_coded_row : draw_block_row)(frame, worker, number);
         } else {
             burnish_output_store_background(&frame->output, tile, number);
         }

@@ -1,4 +1,5 @@
 /* The table of rendering kernels for the instruction set that BURNISH_VECTOR_... chooses. */
+#include "render/frame/codes_simd.h"
 #include "render/frame/pixels_simd.h"
 #include "render/light/ground_simd.h"
 #include "render/light/near_cells_simd.h"
@@ -14,9 +15,27 @@
 
 extern const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD);
 const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
-    OP(find_materials),   OP(normalize_array), OP(position_from_depth),  OP(collect_material),
-    OP(scatter_material), OP(occlude),         OP(cast_shadow),          OP(add_silhouette),
-    OP(shadow_ground),    OP(plane_records),   OP(locate_points),        OP(find_taps),
-    OP(sample_texture),   OP(cover_samples),   OP(interpolate_tangents), OP(turn_normals),
-    OP(vary_points),      OP(encode_pixels),   OP(pack_groups),          OP(apply_near_cells),
+    OP(find_materials),
+    OP(normalize_array),
+    OP(position_from_depth),
+    OP(collect_material),
+    OP(scatter_material),
+    OP(occlude),
+    OP(cast_shadow),
+    OP(add_silhouette),
+    OP(shadow_ground),
+    OP(plane_records),
+    OP(locate_points),
+    OP(find_taps),
+    OP(sample_texture),
+    OP(cover_samples),
+    OP(interpolate_tangents),
+    OP(turn_normals),
+    OP(vary_points),
+    OP(encode_pixels),
+    OP(pack_groups),
+    OP(apply_near_cells),
+    .shade_codes = {[BURNISH_LOBE_BODY_NONE] = codes_none,
+                    [BURNISH_LOBE_BODY_SQUARE] = codes_square,
+                    [BURNISH_LOBE_BODY_SQUARES] = codes_squares},
 };

@@ -305,27 +305,21 @@ _Static_assert((int)BURNISH_BATCH_STREAMS == 13 + (int)BURNISH_TEXTURE_STREAMS, 
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 
-/* Neighbouring blocks of a row that show a triangle: its pixels [first, end). */
-typedef struct block_run {
-    int row, first, end;
-} block_run;
-
-/* The materials of a run; complex pixels get another's, which keeps runs of one material long: their
- * result is discarded. Returns whether all are the same. */
-static int find_materials(const burnish_surface *surface, const burnish_tile *tile, block_run run,
-                          const burnish_block_row *pixels, int32_t *material) {
+int burnish_find_materials(const burnish_surface *surface, const burnish_tile *tile,
+                           burnish_block_run run, const burnish_block_row *pixels,
+                           int32_t *material) {
     const burnish_primitive *primitives =
         tile->options.samples > 1 ? tile->primitives.primitives : NULL;
     const int32_t *ids = tile->buffer.ids + run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
     if (surface->triangle_count == 1) {
-        for (int i = run.first; i < run.end; ++i) {
+        for (int i = 0; i < run.end - run.first; ++i) {
             material[i] = surface->triangle_materials[0];
         }
         return 1;
     }
     return surface->shading->ops->find_materials(
         surface->triangle_materials, surface->triangle_count, ids, primitives,
-        pixels->simple + run.first, (size_t)(run.end - run.first), material + run.first);
+        pixels->simple + run.first, (size_t)(run.end - run.first), material);
 }
 
 /* Whether all pixels of a block are simple, and show one triangle unless there is one sample. */
@@ -340,8 +334,8 @@ static int is_plain_block(const burnish_tile *tile, const int32_t *simple) {
 }
 
 /* The triangles of a run's pixels; complex pixels get the triangle of the pixel before. */
-static void find_triangles(const burnish_tile *tile, block_run run, const burnish_block_row *pixels,
-                           uint32_t *ids) {
+static void find_triangles(const burnish_tile *tile, burnish_block_run run,
+                           const burnish_block_row *pixels, uint32_t *ids) {
     uint32_t last = 0;
     for (int block = run.first; block < run.end; block += BURNISH_BLOCK_PIXELS) {
         const int32_t *simple = pixels->simple + block;
@@ -379,7 +373,7 @@ burnish_screen_points burnish_row_points(const burnish_raster_view *view, const 
 
 /* The batch of a run: its arrays are the tile's planes. */
 static burnish_fragment_batch run_batch(const burnish_surface *surface, const burnish_tile *tile,
-                                        block_run run) {
+                                        burnish_block_run run) {
     const int start = run.row * BURNISH_BLOCK_ROW_PIXELS + run.first;
     const int has_colors = surface->attributes->has_colors;
     burnish_fragment_batch batch = {.count = run.end - run.first,
@@ -397,8 +391,9 @@ static burnish_fragment_batch run_batch(const burnish_surface *surface, const bu
     return batch;
 }
 
-static void shade_run(const burnish_surface *surface, const burnish_tile *tile, block_run run,
-                      burnish_fragment_scratch *scratch, burnish_row_light *row) {
+static void shade_run(const burnish_surface *surface, const burnish_tile *tile,
+                      burnish_block_run run, burnish_fragment_scratch *scratch,
+                      burnish_row_light *row) {
     burnish_fragment_batch batch = run_batch(surface, tile, run);
     float *const rgb[3] = {row->rgb[0] + run.first, row->rgb[1] + run.first,
                            row->rgb[2] + run.first};
@@ -406,7 +401,7 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile, 
     batch.shown = row->pixels.simple + run.first;
     if (surface->triangle_materials) {
         batch.has_one_material =
-            find_materials(surface, tile, run, &row->pixels, scratch->material);
+            burnish_find_materials(surface, tile, run, &row->pixels, scratch->material + run.first);
         batch.material = scratch->material + run.first;
     }
     if (surface->shading->texturing) {
@@ -454,8 +449,8 @@ void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile 
         for (end = block; end < BURNISH_TILE_BLOCKS && dirty >> end & 1; ++end) {
         }
         if (end > block) {
-            const block_run run = {number, block * BURNISH_BLOCK_PIXELS,
-                                   end * BURNISH_BLOCK_PIXELS};
+            const burnish_block_run run = {number, block * BURNISH_BLOCK_PIXELS,
+                                           end * BURNISH_BLOCK_PIXELS};
             shade_run(surface, tile, run, scratch, row);
         }
     }

@@ -120,6 +120,17 @@ void burnish_surface_begin_tile(const burnish_surface *surface, const burnish_ti
 void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
                            burnish_row_light *row);
 
+/* Neighbouring blocks of a row that show a triangle: its pixels [first, end). */
+typedef struct burnish_block_run {
+    int row, first, end;
+} burnish_block_run;
+
+/* The materials of a run's pixels; complex ones get another's, which keeps runs of one material
+ * long: their result is discarded. Returns whether all are the same. pixels: of the row. */
+int burnish_find_materials(const burnish_surface *surface, const burnish_tile *tile,
+                           burnish_block_run run, const burnish_block_row *pixels,
+                           int32_t *material);
+
 /* The pixels of row `number`, in the order of its blocks, without depths. */
 burnish_screen_points burnish_row_points(const burnish_raster_view *view, const burnish_tile *tile,
                                          int number);

@@ -315,8 +315,8 @@ void burnish_output_add_fragments(const burnish_output *output, const burnish_ti
     }
 }
 
-static void store_coded(const burnish_output *output, const burnish_tile *tile, int number,
-                        const uint32_t *codes) {
+void burnish_output_store_codes(const burnish_output *output, const burnish_tile *tile, int number,
+                                const uint32_t *codes) {
     const int is_packed = output->target.pixels.format == BURNISH_PIXELS_RGB8;
     const burnish_row_range rows = burnish_output_rows(output, tile, number);
     for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
@@ -341,7 +341,7 @@ static void store_pixels(const burnish_output *output, const burnish_tile *tile,
         encode_row(output, sums, number, row, codes);
     }
     encode_layered_alpha(output, sums, number, codes);
-    store_coded(output, tile, number, codes);
+    burnish_output_store_codes(output, tile, number, codes);
 }
 
 /* ---- Ground ---- */
@@ -457,7 +457,7 @@ static void store_on_ground(const burnish_output *output, const burnish_tile *ti
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && output->alpha; ++i) {
         codes[i] |= (uint32_t)(alpha[i] * 255.0f + 0.5f) << 24;
     }
-    store_coded(output, tile, number, codes);
+    burnish_output_store_codes(output, tile, number, codes);
 }
 
 static void store_outline(const burnish_output *output, const burnish_tile *tile, int number,

@@ -75,6 +75,10 @@ void burnish_output_add_fragments(const burnish_output *output, const burnish_ti
 void burnish_output_store_row(const burnish_output *output, const burnish_tile *tile,
                               const burnish_tile_sums *sums, int number, burnish_row_light *row);
 
+/* Writes the codes of row `number` to a target of bytes. */
+void burnish_output_store_codes(const burnish_output *output, const burnish_tile *tile, int number,
+                                const uint32_t *codes);
+
 /* Writes background to row `number`, which shows nothing. */
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
                                      int number);
