@@ -188,9 +188,21 @@ static burnish_row_range keep_drawn_rows(const burnish_output *output, burnish_t
     return drawn;
 }
 
+/* Rows of blocks whose part of the target is fetched before they are drawn. The image is larger
+ * than the second-level cache, and stores would wait for it. */
+enum { ROWS_AHEAD = 4 };
+
+static void prefetch_row(const burnish_frame *frame, int column, int row, int number) {
+    burnish_output_prefetch(&frame->output, column * BURNISH_TILE_SIZE,
+                            row * BURNISH_TILE_SIZE + number * BURNISH_BLOCK_SIZE);
+}
+
 static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
                       burnish_tile_worker *worker, int column, int row) {
     burnish_tile *tile = &worker->tile;
+    for (int number = 0; number < ROWS_AHEAD; ++number) {
+        prefetch_row(frame, column, row, number);
+    }
     const int is_covered = rasterize(frame, bins, worker, column, row);
     if (is_covered && frame->output.target.pixels.pixels) {
         burnish_surface_begin_tile(&frame->surface, tile, &worker->scratch);
@@ -205,6 +217,9 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
         shade_complex_pixels(frame, worker);
     }
     for (int number = drawn.first; number < drawn.end; ++number) {
+        if (number + ROWS_AHEAD < drawn.end) {
+            prefetch_row(frame, column, row, number + ROWS_AHEAD);
+        }
         if (is_covered && tile->buffer.dirty_blocks[number]) {
             (is_direct ? draw_coded_row : draw_block_row)(frame, worker, number);
         } else {

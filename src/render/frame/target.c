@@ -491,6 +491,23 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
     }
 }
 
+void burnish_output_prefetch(const burnish_output *output, int x, int y) {
+    enum { LINE = 64 /* bytes */ };
+    const burnish_pixels *pixels = &output->target.pixels;
+    const int left = pixels->width - x, end = y + BURNISH_BLOCK_SIZE;
+    const int width = left < BURNISH_TILE_SIZE ? left : BURNISH_TILE_SIZE;
+    for (; pixels->pixels && y < end; ++y) {
+        if (y < output->rows.first || y >= output->rows.end) {
+            continue;
+        }
+        const uint8_t *row = pixels->pixels + (size_t)(y - output->rows.first) * pixels->stride +
+                             (size_t)x * output->pixel_size;
+        for (size_t i = 0; i < (size_t)width * output->pixel_size; i += LINE) {
+            __builtin_prefetch(row + i, 1, 2);
+        }
+    }
+}
+
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
                                      int number) {
     const burnish_row_range rows = burnish_output_rows(output, tile, number);

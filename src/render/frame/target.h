@@ -79,6 +79,10 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
 void burnish_output_store_codes(const burnish_output *output, const burnish_tile *tile, int number,
                                 const uint32_t *codes);
 
+/* Fetches the lines of the target that a row of a tile's blocks, whose first pixel is (x, y), will
+ * be written to. */
+void burnish_output_prefetch(const burnish_output *output, int x, int y);
+
 /* Writes background to row `number`, which shows nothing. */
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
                                      int number);
