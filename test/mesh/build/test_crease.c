@@ -333,6 +333,33 @@ static void make_dome(void) {
     }
 }
 
+static point on_rod(int side, int ring) {
+    static const double radii[] = {1, 1, 0.8}, heights[] = {0, 30, 30.2};
+    uint64_t state = (uint64_t)(side % 32 + 100 * ring);
+    test_random32(&state);
+    const double a = PI / 16 * side, r = radii[ring] + 0.003 * test_random32(&state) * 0x1p-32;
+    return (point){r * cos(a), r * sin(a), heights[ring]};
+}
+
+/* A long rod with a chamfer of 45 degrees and blunt ends, rough like a decimated part. */
+static void make_rod(void) {
+    for (int i = 0; i < 32; ++i) {
+        for (int ring = 0; ring < 2; ++ring) {
+            const point quad[4] = {on_rod(i, ring), on_rod(i + 1, ring), on_rod(i + 1, ring + 1),
+                                   on_rod(i, ring + 1)};
+            point normals[4];
+            for (int k = 0; k < 4; ++k) {
+                normals[k] = unit((point){quad[k].x, quad[k].y, ring * 0.9});
+            }
+            add_smooth_quad(quad, normals);
+        }
+        const point down[3] = {{0, 0, -1}, {0, 0, -1}, {0, 0, -1}};
+        const point up[3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+        add_polygon((const point[]){on_rod(i + 1, 0), on_rod(i, 0), {0, 0, -0.05}}, down, 3);
+        add_polygon((const point[]){on_rod(i, 2), on_rod(i + 1, 2), {0, 0, 30.25}}, up, 3);
+    }
+}
+
 /* The faces of cells that fill a cube, each once, wound at random. */
 static void make_cells(void) {
     enum { SIZE = 6 };
@@ -480,6 +507,7 @@ static const shape shapes[] = {
     {"noisy sphere of 512", noisy_3, 30, 0.02},
     {"noisy sphere of 2,048", noisy_4, 30, 0.02},
     {"rough dome on its base", make_dome, 30, 0.02},
+    {"rough rod with a chamfer", make_rod, 15, 0.02},
     {"faces of cells", make_cells, 25, 0.02},
 };
 
