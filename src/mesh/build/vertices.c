@@ -313,7 +313,10 @@ static void make_waiting(vertex_maker *maker, size_t faces) {
             maker->normals[k] = maker->fans->normals[k][i];
         }
         if (!one) {
-            one = burnish_rings_normals(&maker->rings, copied, faces, maker->normals);
+            burnish_neighbors neighbors;
+            burnish_fans_neighbors(maker->fans, i, faces, &neighbors);
+            one =
+                burnish_rings_normals_of(&maker->rings, copied, faces, &neighbors, maker->normals);
             copied += faces;
         }
         make_position(maker, positions[i], 1 + one);

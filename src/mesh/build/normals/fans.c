@@ -49,6 +49,16 @@ void burnish_fans_normals(burnish_fans *fans, const burnish_rings *rings, const 
     find_normals_any(fans, rings, whole, faces);
 }
 
+void burnish_fans_neighbors(const burnish_fans *fans, size_t vertex, size_t faces,
+                            burnish_neighbors *neighbors) {
+    neighbors->any_doubtful = 0;
+    for (size_t i = 0; i < faces; ++i) {
+        neighbors->smooth[i] = (uint32_t)fans->joined[i][vertex];
+        neighbors->doubtful[i] = (uint32_t)fans->doubtful[i][vertex];
+        neighbors->any_doubtful |= neighbors->doubtful[i];
+    }
+}
+
 void burnish_fans_to_rings(burnish_fans *fans, const burnish_rings *rings, size_t vertex,
                            size_t faces, const uint32_t *corners, size_t first) {
     for (size_t i = 0; i < faces; ++i) {

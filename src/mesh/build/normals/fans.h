@@ -15,7 +15,9 @@ typedef struct burnish_fans {
     double angles[BURNISH_PAIRWISE_MAX][BURNISH_FANS];
     uint32_t next[BURNISH_PAIRWISE_MAX][BURNISH_FANS]; /* other ends of the edges */
     uint32_t previous[BURNISH_PAIRWISE_MAX][BURNISH_FANS];
-    int64_t chosen[BURNISH_PAIRWISE_MAX][BURNISH_FANS]; /* masks: whether a face counts */
+    int64_t joined[BURNISH_PAIRWISE_MAX][BURNISH_FANS];   /* bits: neighbours across smooth edges */
+    int64_t doubtful[BURNISH_PAIRWISE_MAX][BURNISH_FANS]; /* bits: later ones, across others */
+    int64_t chosen[BURNISH_PAIRWISE_MAX][BURNISH_FANS];   /* masks: whether a face counts */
     double sum[3][BURNISH_FANS];
     uint32_t corners[BURNISH_PAIRWISE_MAX * BURNISH_FANS]; /* of vertices copied to rings */
     float normals[3][BURNISH_FANS];                        /* the result, and ... */
@@ -31,6 +33,10 @@ typedef struct burnish_fans {
  * faces:  of each vertex, 1 to BURNISH_PAIRWISE_MAX */
 void burnish_fans_normals(burnish_fans *fans, const burnish_rings *rings, const uint32_t *starts,
                           size_t count, size_t faces);
+
+/* The neighbours of a vertex's faces. */
+void burnish_fans_neighbors(const burnish_fans *fans, size_t vertex, size_t faces,
+                            burnish_neighbors *neighbors);
 
 /* Copies the faces of a vertex to the rings' arrays, from `first` on, and its corners to those of
  * the fans. What reads them as vectors waits until they are stored: copy several vertices before. */

@@ -11,14 +11,16 @@ typedef uint32_t NAME(number) __attribute__((vector_size(4 * LANES), aligned(4),
 
 /* Macros, because vectors as parameters depend on the instruction set of the caller. */
 #define LOAD(type, array) (*(const NAME(type) *)(const void *)&(array))
+#define STORE(array) (*(NAME(mask) *)(void *)&(array))
 #define NUMBER(array) __builtin_convertvector(LOAD(number, array), NAME(mask))
 #define COSINE(i, x, y, z)                                                                         \
     (LOAD(real, f->x[i][v]) * (x) + LOAD(real, f->y[i][v]) * (y) + LOAD(real, f->z[i][v]) * (z))
 #define CHOOSE(is, yes, no) ((NAME(real))(((NAME(mask))(yes) & (is)) | ((NAME(mask))(no) & ~(is))))
 
-/* Bits of the faces that each face shares a smooth edge with. */
-TARGET static void NAME(join_faces)(const burnish_fans *f, size_t v, size_t faces,
-                                    double smooth_cosine, NAME(mask) * joined) {
+/* Finds bits of the faces that each face shares an edge with: a smooth one, or a doubtful one. */
+TARGET static void NAME(join_faces)(burnish_fans *f, size_t v, size_t faces,
+                                    const burnish_rings *rings, NAME(mask) * joined) {
+    const double smooth_cosine = rings->smooth_cosine, sharp_cosine = rings->sharp_cosine;
     NAME(mask) next[BURNISH_PAIRWISE_MAX], previous[BURNISH_PAIRWISE_MAX];
     NAME(mask) bit = (NAME(mask)){0} + 1;
     for (size_t i = 0; i < faces; ++i) {
@@ -29,24 +31,31 @@ TARGET static void NAME(join_faces)(const burnish_fans *f, size_t v, size_t face
     for (size_t i = 0; i < faces; ++i, bit += bit) {
         const NAME(real) x = LOAD(real, f->x[i][v]), y = LOAD(real, f->y[i][v]);
         const NAME(real) z = LOAD(real, f->z[i][v]);
-        NAME(mask) other = bit, bits = joined[i];
+        NAME(mask) other = bit, bits = joined[i], doubtful = {0};
         for (size_t j = i + 1; j < faces; ++j) {
-            const NAME(mask) smooth = ((next[i] == previous[j]) | (previous[i] == next[j]) |
-                                       (next[i] == next[j]) | (previous[i] == previous[j])) &
-                                      (COSINE(j, x, y, z) > smooth_cosine);
+            const NAME(real) cosine = COSINE(j, x, y, z);
+            const NAME(mask) close = ((next[i] == previous[j]) | (previous[i] == next[j]) |
+                                      (next[i] == next[j]) | (previous[i] == previous[j])) &
+                                     (cosine > sharp_cosine);
+            const NAME(mask) smooth = close & (cosine > smooth_cosine);
             other += other;
             bits |= smooth & other;
+            doubtful |= (close ^ smooth) & other;
             joined[j] |= smooth & bit;
         }
         joined[i] = bits;
+        STORE(f->joined[i][v]) = bits;
+        STORE(f->doubtful[i][v]) = doubtful;
     }
 }
 
-/* Whether the faces are one set. */
-TARGET static void NAME(find_sets)(burnish_fans *f, size_t v, size_t faces, double smooth_cosine) {
+/* Whether the faces are one set; returns whether those of any vertex are. */
+TARGET static int NAME(find_sets)(burnish_fans *f, size_t v, size_t faces,
+                                  const burnish_rings *rings) {
     const int64_t all = (INT64_C(1) << faces) - 1;
     NAME(mask) joined[BURNISH_PAIRWISE_MAX], set = (NAME(mask)){0} + 1;
-    NAME(join_faces)(f, v, faces, smooth_cosine, joined);
+    uint32_t any = 0;
+    NAME(join_faces)(f, v, faces, rings, joined);
     for (int64_t missing = 1, grown = 1; missing && grown;) {
         const NAME(mask) before = set;
         NAME(mask) bit = (NAME(mask)){0} + 1;
@@ -61,7 +70,9 @@ TARGET static void NAME(find_sets)(burnish_fans *f, size_t v, size_t faces, doub
     }
     for (int k = 0; k < LANES; ++k) {
         f->is_one[v + (size_t)k] = set[k] == all;
+        any |= f->is_one[v + (size_t)k];
     }
+    return any != 0;
 }
 
 /* Whether a face determines the normal, a mask in f->chosen: all do, or the largest one and those
@@ -82,13 +93,13 @@ TARGET static void NAME(choose_faces)(burnish_fans *f, size_t v, size_t faces) {
     for (size_t i = 0; i < faces; ++i) {
         const NAME(mask) is_flat = COSINE(i, x, y, z) > BURNISH_COPLANAR_COSINE;
         flat_areas[i % 4] += (NAME(real))(LOAD(mask, f->lengths[i][v]) & is_flat);
-        *(NAME(mask) *)(void *)&f->chosen[i][v] = is_flat;
+        STORE(f->chosen[i][v]) = is_flat;
     }
     const NAME(real) flat = (flat_areas[0] + flat_areas[2]) + (flat_areas[1] + flat_areas[3]);
     const NAME(real) rest = ((areas[0] + areas[2]) + (areas[1] + areas[3])) - flat;
     const NAME(mask) all = ~((rest > 0) & (flat >= BURNISH_FLAT_SHARE * rest));
     for (size_t i = 0; i < faces; ++i) {
-        *(NAME(mask) *)(void *)&f->chosen[i][v] |= all;
+        STORE(f->chosen[i][v]) |= all;
     }
 }
 
@@ -122,7 +133,9 @@ TARGET static void NAME(store_normals)(burnish_fans *f, size_t count) {
 TARGET static void NAME(find_normals)(burnish_fans *f, const burnish_rings *rings, size_t count,
                                       size_t faces) {
     for (size_t v = 0; v < count; v += LANES) {
-        NAME(find_sets)(f, v, faces, rings->smooth_cosine);
+        if (!NAME(find_sets)(f, v, faces, rings)) {
+            continue; /* what the sums were is not used */
+        }
         if (rings->asks) {
             NAME(choose_faces)(f, v, faces);
         }
@@ -132,6 +145,7 @@ TARGET static void NAME(find_normals)(burnish_fans *f, const burnish_rings *ring
 }
 
 #undef LOAD
+#undef STORE
 #undef NUMBER
 #undef COSINE
 #undef CHOOSE

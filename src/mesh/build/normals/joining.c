@@ -44,17 +44,10 @@ static int join(burnish_rings *rings, uint32_t i, uint32_t j) {
     return i != j;
 }
 
-/* For each of a few faces, as bits, the faces that it shares an edge with.
- *   smooth    across a smooth edge
- *   doubtful  across one that may be smooth */
-typedef struct neighbors {
-    uint32_t smooth[BURNISH_SETS_MAX], doubtful[BURNISH_SETS_MAX];
-    uint32_t any_doubtful;
-} neighbors;
-
 /* Without branches: what a face shares with another can't be predicted. For at most
  * BURNISH_PAIRWISE_MAX faces. */
-static void find_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
+static void find_neighbors(const burnish_rings *rings, size_t first, size_t count,
+                           burnish_neighbors *n) {
     const uint32_t *next = rings->next + first, *previous = rings->previous + first;
     n->any_doubtful = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -80,7 +73,7 @@ static void find_neighbors(const burnish_rings *rings, size_t first, size_t coun
 /* The same, all of the others at once: the dot product has the same bits from either side. Reads
  * BURNISH_PAIRWISE_MAX entries from `first` on. */
 __attribute__((target("avx2"))) static void
-find_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
+find_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, burnish_neighbors *n) {
     const double *x = rings->x + first, *y = rings->y + first, *z = rings->z + first;
     const __m256d sharp_cosine = _mm256_set1_pd(rings->sharp_cosine);
     const __m256d smooth_cosine = _mm256_set1_pd(rings->smooth_cosine);
@@ -158,7 +151,7 @@ static inline int has_many(uint32_t bits) {
 static inline __attribute__((always_inline)) int find_many_neighbors(const burnish_rings *rings,
                                                                      size_t first, size_t count,
                                                                      find_edges *find,
-                                                                     neighbors *n) {
+                                                                     burnish_neighbors *n) {
     n->any_doubtful = 0;
     for (size_t i = 0; i < count; ++i) {
         n->smooth[i] = n->doubtful[i] = 0;
@@ -186,14 +179,15 @@ static inline __attribute__((always_inline)) int find_many_neighbors(const burni
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) static int
-find_many_neighbors_avx2(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
+__attribute__((target("avx2"))) static int find_many_neighbors_avx2(const burnish_rings *rings,
+                                                                    size_t first, size_t count,
+                                                                    burnish_neighbors *n) {
     return find_many_neighbors(rings, first, count, find_edges_avx2, n);
 }
 #endif
 
 /* The faces joined with a set so far. */
-static uint32_t grow_set(const neighbors *n, uint32_t set) {
+static uint32_t grow_set(const burnish_neighbors *n, uint32_t set) {
     for (uint32_t left = set; left != 0;) {
         const uint32_t found = n->smooth[__builtin_ctz(left)] & ~set;
         left = (left & (left - 1)) | found;
@@ -204,7 +198,8 @@ static uint32_t grow_set(const neighbors *n, uint32_t set) {
 
 /* Finds out which of the doubtful edges are smooth; one whose faces are joined already, as most are
  * in a scan, makes no difference. */
-static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count, neighbors *n) {
+static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count,
+                          burnish_neighbors *n) {
     for (size_t i = 0; i < count; ++i) {
         uint32_t set = n->doubtful[i] ? grow_set(n, 1U << i) : 0;
         for (uint32_t left = n->doubtful[i]; left != 0; left &= left - 1) {
@@ -220,7 +215,7 @@ static void ask_neighbors(const burnish_rings *rings, size_t first, size_t count
 
 /* Returns 0 if an edge has too many faces. */
 static int find_any_neighbors(const burnish_rings *rings, size_t first, size_t count,
-                              neighbors *n) {
+                              burnish_neighbors *n) {
 #if defined(__x86_64__)
     if (rings->wide) {
         if (count > BURNISH_PAIRWISE_MAX) {
@@ -237,27 +232,31 @@ static int find_any_neighbors(const burnish_rings *rings, size_t first, size_t c
     return 1;
 }
 
-size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
-                        uint32_t sets[BURNISH_SETS_MAX]) {
+size_t burnish_join_neighbors(burnish_rings *rings, size_t first, size_t count,
+                              burnish_neighbors *neighbors, uint32_t sets[BURNISH_SETS_MAX]) {
     const uint32_t all = (uint32_t)(((uint64_t)1 << count) - 1);
     uint32_t left = all;
     size_t found = 0;
-    neighbors n;
-    if (!find_any_neighbors(rings, first, count, &n)) {
-        return 0;
-    }
-    sets[0] = grow_set(&n, 1);
+    sets[0] = grow_set(neighbors, 1);
     if (sets[0] == all) {
         return 1;
     }
-    if (n.any_doubtful) {
-        ask_neighbors(rings, first, count, &n);
+    if (neighbors->any_doubtful) {
+        ask_neighbors(rings, first, count, neighbors);
     }
     while (left != 0) {
-        sets[found] = grow_set(&n, left & (0U - left));
+        sets[found] = grow_set(neighbors, left & (0U - left));
         left &= ~sets[found++];
     }
     return found;
+}
+
+size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,
+                        uint32_t sets[BURNISH_SETS_MAX]) {
+    burnish_neighbors n;
+    return find_any_neighbors(rings, first, count, &n)
+               ? burnish_join_neighbors(rings, first, count, &n, sets)
+               : 0;
 }
 
 /* Sorts edges by their other end, byte by byte from the lowest; those of one end keep their order.

@@ -32,6 +32,18 @@ static inline uint32_t burnish_find_root(uint32_t *parents, uint32_t i) {
     return i;
 }
 
+/* For each of a few faces, as bits, the faces that it shares an edge with. */
+typedef struct burnish_neighbors {
+    uint32_t smooth[BURNISH_SETS_MAX];   /* across a smooth edge */
+    uint32_t doubtful[BURNISH_SETS_MAX]; /* later ones across an edge that may be smooth */
+    uint32_t any_doubtful;
+} burnish_neighbors;
+
+/* Sets of joined faces among a few, whose neighbours are known, as burnish_join_few has them; asks
+ * the surface about doubtful edges. */
+size_t burnish_join_neighbors(burnish_rings *rings, size_t first, size_t count,
+                              burnish_neighbors *neighbors, uint32_t sets[BURNISH_SETS_MAX]);
+
 /* Sets of joined faces among a few, at most BURNISH_SETS_MAX, as bits, in the order of their first
  * faces. Returns how many; 0 if an edge has more than BURNISH_PAIRWISE_MAX faces. */
 size_t burnish_join_few(burnish_rings *rings, size_t first, size_t count,

@@ -269,6 +269,17 @@ static void store_few(const burnish_rings *rings, size_t first, const uint32_t *
     }
 }
 
+int burnish_rings_normals_of(burnish_rings *rings, size_t first, size_t count,
+                             burnish_neighbors *neighbors, float *normals) {
+    uint32_t sets[BURNISH_SETS_MAX];
+    const size_t few = burnish_join_neighbors(rings, first, count, neighbors, sets);
+    if (few == 1 && store_common(rings, first, count, normals)) {
+        return 1;
+    }
+    store_few(rings, first, sets, few, normals);
+    return 0;
+}
+
 int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals) {
     uint32_t sets[BURNISH_SETS_MAX];
     if (rings->flat) {

@@ -73,6 +73,11 @@ void burnish_rings_measure(burnish_rings *rings, const uint32_t *corners, size_t
  * Returns 1 when all of them are the same, bit for bit; then only the first one is written. */
 int burnish_rings_normals(burnish_rings *rings, size_t first, size_t count, float *normals);
 
+/* The same for up to BURNISH_SETS_MAX faces whose neighbours are known. */
+struct burnish_neighbors;
+int burnish_rings_normals_of(burnish_rings *rings, size_t first, size_t count,
+                             struct burnish_neighbors *neighbors, float *normals);
+
 /* Writes v / |v| in float with no negative zeros; 0 when v has no direction or is not finite. */
 void burnish_store_unit(burnish_vec3 v, float unit[3]);
 
