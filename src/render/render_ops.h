@@ -82,17 +82,22 @@ typedef struct burnish_render_ops {
     void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
                     const float *const normal[3], size_t count, float *open);
 
+    /* Bits of the 16 pixels of a block that are shown, >= 0 (NULL: all); *alike: bits of those whose
+     * squared distance from the first shown is below limits[0], and the cosine above limits[1]. */
+    unsigned (*compare_block)(const float *const position[3], const float *const normal[3],
+                              const int32_t *shown, const float limits[2], unsigned *alike);
+
     /* What of the light reaches count points, [0, 1]. Reads and writes whole vectors. */
     void (*cast_shadow)(const struct burnish_shadow_lookup *lookup,
                         const struct burnish_kernels_points *points, size_t count, float *lit);
 
     /* Writes the light of near lights, BURNISH_NEAR_VALUES arrays, of points of a tile that are in
      * cells of the material; left: 0 where it did, 1 where specular light is missing, 2 where all is.
-     * Depths are not read. Reads and writes whole vectors. */
-    void (*apply_near_cells)(const struct burnish_near_cells *cells, int material,
-                             const struct burnish_kernels_points *points,
-                             const burnish_screen_points *screen, size_t count,
-                             float (*values)[256], int32_t *left);
+     * Depths are not read. Returns bit i where some left is i. Reads and writes whole vectors. */
+    unsigned (*apply_near_cells)(const struct burnish_near_cells *cells, int material,
+                                 const struct burnish_kernels_points *points,
+                                 const burnish_screen_points *screen, size_t count,
+                                 float (*values)[256], int32_t *left);
 
     /* Adds a silhouette to `count` texels, a multiple of 16, of row `row` of the ground's texture:
      * its weight, shared out to the two layers whose widths are next to the blur's. */

@@ -38,4 +38,5 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     .shade_codes = {[BURNISH_LOBE_BODY_NONE] = codes_none,
                     [BURNISH_LOBE_BODY_SQUARE] = codes_square,
                     [BURNISH_LOBE_BODY_SQUARES] = codes_squares},
+    OP(compare_block),
 };

@@ -484,10 +484,13 @@ static void shine(const burnish_area *area, const burnish_kernels *kernels,
         const burnish_area_points all = {points, batch->material, batch->count, 0, each->roughness};
         burnish_area_integrate(area, kernels, &all, scratch, scratch->values);
     } else {
-        ops->apply_near_cells(batch->cells, batch->material, points, batch->screen,
-                              (size_t)batch->count, scratch->values, scratch->left);
-        integrate_rest(area, kernels, batch, points, 0);
-        if (area->materials[batch->material].reflecting.reflects) {
+        const unsigned lefts =
+            ops->apply_near_cells(batch->cells, batch->material, points, batch->screen,
+                                  (size_t)batch->count, scratch->values, scratch->left);
+        if (lefts & 4) {
+            integrate_rest(area, kernels, batch, points, 0);
+        }
+        if (lefts & 2 && area->materials[batch->material].reflecting.reflects) {
             integrate_rest(area, kernels, batch, points, 1);
         }
     }

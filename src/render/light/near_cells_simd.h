@@ -83,10 +83,11 @@ BURNISH_INLINE void near_apply(const burnish_near_cell *cell, const near_points 
     }
 }
 
-static void apply_near_cells(const burnish_near_cells *cells, int material,
-                             const burnish_kernels_points *points,
-                             const burnish_screen_points *screen, size_t count,
-                             float (*light)[BURNISH_NEAR_BATCH], int32_t *left) {
+static unsigned apply_near_cells(const burnish_near_cells *cells, int material,
+                                 const burnish_kernels_points *points,
+                                 const burnish_screen_points *screen, size_t count,
+                                 float (*light)[BURNISH_NEAR_BATCH], int32_t *left) {
+    unsigned lefts = 0;
     for (size_t i = 0; i < count; i += LANES) {
         const near_points at = near_load(points, screen, i);
         const vi number = near_find(cells, &at);
@@ -109,10 +110,14 @@ static void apply_near_cells(const burnish_near_cells *cells, int material,
         for (int k = 0; k < BURNISH_NEAR_VALUES; ++k) {
             vf_store(light[k] + i, own.values[k]);
         }
-        const vi none = vi_set(0);
-        vi_store(left + i, vi_add(vi_blend(own.done[BURNISH_NEAR_CELL_DIFFUSE], none, vi_set(1)),
-                                  vi_blend(own.done[BURNISH_NEAR_CELL_SPECULAR], none, vi_set(1))));
+        const vi none = vi_set(0), one = vi_set(1);
+        const vm diffuse = own.done[BURNISH_NEAR_CELL_DIFFUSE];
+        const vm specular = own.done[BURNISH_NEAR_CELL_SPECULAR];
+        vi_store(left + i, vi_add(vi_blend(diffuse, none, one), vi_blend(specular, none, one)));
+        lefts |= (unsigned)vm_any(vm_and_not(diffuse, specular)) << 1;
+        lefts |= (unsigned)vm_any(vm_not(diffuse)) << 2;
     }
+    return lefts;
 }
 
 #endif

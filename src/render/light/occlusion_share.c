@@ -41,6 +41,19 @@ static int is_alike(const burnish_share_scratch *scratch, int point, int key, fl
     return distance < reach_squared && cosine > ALIKE;
 }
 
+/* Makes a point a key; `next` is the key before of its square. */
+static int add_key(int point, int square, int next, int *count, burnish_share_scratch *scratch) {
+    const int key = (*count)++;
+    for (int k = 0; k < 3; ++k) {
+        scratch->key_position[k][key] = scratch->position[k][point];
+        scratch->key_normal[k][key] = scratch->normal[k][point];
+    }
+    scratch->square[key] = (uint16_t)square;
+    scratch->next[key] = (uint16_t)next;
+    scratch->first[square] = (uint16_t)key;
+    return key;
+}
+
 /* The key of a point: one of its square that is alike, or a new one. */
 static int find_key(float reach_squared, int point, int square, int *count,
                     burnish_share_scratch *scratch) {
@@ -51,15 +64,34 @@ static int find_key(float reach_squared, int point, int square, int *count,
             return key;
         }
     }
-    const int key = (*count)++;
-    for (int k = 0; k < 3; ++k) {
-        scratch->key_position[k][key] = scratch->position[k][point];
-        scratch->key_normal[k][key] = scratch->normal[k][point];
+    return add_key(point, square, is_known ? first : NO_KEY, count, scratch);
+}
+
+/* Gives the shown pixels of a block one key where find_key() would: where all are like the first.
+ * Returns 0 where not. */
+static int share_block(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
+                       const burnish_share_points *points, int at, int *count,
+                       burnish_share_scratch *scratch) {
+    const float *const position[3] = {scratch->position[0] + at, scratch->position[1] + at,
+                                      scratch->position[2] + at};
+    const float *const normal[3] = {scratch->normal[0] + at, scratch->normal[1] + at,
+                                    scratch->normal[2] + at};
+    const float limits[2] = {lookup->reach * lookup->reach, ALIKE};
+    unsigned alike;
+    const unsigned shown = ops->compare_block(
+        position, normal, points->shown ? points->shown + at : NULL, limits, &alike);
+    int key = NO_KEY;
+    if (shown & ~alike) {
+        return 0;
     }
-    scratch->square[key] = (uint16_t)square;
-    scratch->next[key] = (uint16_t)(is_known ? first : NO_KEY);
-    scratch->first[square] = (uint16_t)key;
-    return key;
+    if (shown) {
+        const int square = square_of(points->first_pixel + at, 4);
+        key = add_key(at + __builtin_ctz(shown), square, NO_KEY, count, scratch);
+    }
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+        scratch->key[at + i] = (uint16_t)(shown >> i & 1 ? key : NO_KEY);
+    }
+    return 1;
 }
 
 /* Sorts the points by pixel, keeping the order within a pixel. The order of fragments within a
@@ -83,8 +115,9 @@ static void sort_points(const burnish_share_points *points, int count, uint16_t 
 }
 
 /* Chooses the points that are looked up; returns how many. */
-static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_share_points *points,
-                     int count, int share, burnish_share_scratch *scratch) {
+static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
+                     const burnish_share_points *points, int count, int share,
+                     burnish_share_scratch *scratch) {
     const float reach_squared = lookup->reach * lookup->reach;
     uint16_t order[BURNISH_SHARE_BATCH];
     int keys = 0;
@@ -93,6 +126,11 @@ static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_share
     }
     for (int i = 0; i < count; ++i) {
         const int at = points->pixels ? order[i] : i;
+        if (!points->pixels && share == 4 && i % BURNISH_BLOCK_PIXELS == 0 &&
+            share_block(lookup, ops, points, i, &keys, scratch)) {
+            i += BURNISH_BLOCK_PIXELS - 1;
+            continue;
+        }
         const int pixel = points->pixels ? points->pixels[at] : points->first_pixel + at;
         scratch->key[at] = NO_KEY;
         if (!points->shown || points->shown[at] >= 0) {
@@ -111,7 +149,7 @@ static void look_up(const burnish_occlusion_lookup *lookup, const burnish_render
                                       scratch->key_position[2]};
     const float *const normal[3] = {scratch->key_normal[0], scratch->key_normal[1],
                                     scratch->key_normal[2]};
-    const int keys = find_keys(lookup, points, count, share, scratch);
+    const int keys = find_keys(lookup, ops, points, count, share, scratch);
     ops->occlude(lookup, position, normal, (size_t)keys, scratch->key_open);
     for (int i = 0; i < count; ++i) {
         if (scratch->key[i] != NO_KEY) {

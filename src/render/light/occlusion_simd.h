@@ -169,4 +169,31 @@ static void occlude(const burnish_occlusion_lookup *lookup, const float *const p
     }
 }
 
+/* ---- Sharing ---- */
+
+static unsigned compare_block(const float *const position[3], const float *const normal[3],
+                              const int32_t *shown, const float limits[2], unsigned *alike) {
+    enum { PIXELS = 16 };
+    unsigned bits = 0;
+    for (int i = 0; i < PIXELS && shown; i += LANES) {
+        bits |= vm_bits(vi_not_negative(vi_load(shown + i))) << i;
+    }
+    bits = shown ? bits : (1u << PIXELS) - 1;
+    const int first = bits ? __builtin_ctz(bits) : 0;
+    *alike = 0;
+    for (int i = 0; i < PIXELS; i += LANES) {
+        vf distance = vf_set(0.0f), cosine = vf_set(0.0f);
+        for (int k = 0; k < 3; ++k) {
+            const vf step = vf_sub(vf_load(position[k] + i), vf_set(position[k][first]));
+            const vf product = vf_mul(vf_load(normal[k] + i), vf_set(normal[k][first]));
+            distance = vf_add(distance, vf_mul(step, step));
+            cosine = vf_add(cosine, product);
+        }
+        *alike |= vm_bits(vm_and(vf_greater(vf_set(limits[0]), distance),
+                                 vf_greater(cosine, vf_set(limits[1]))))
+                  << i;
+    }
+    return bits;
+}
+
 #endif
