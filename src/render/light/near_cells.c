@@ -7,7 +7,7 @@
 
 enum {
     NODES = 9,   /* 3 x 3 */
-    MISSING = 2, /* most that need not be there */
+    MISSING = 3, /* most that need not be there */
     TERMS = BURNISH_NEAR_TERMS,
     VALUES = BURNISH_NEAR_VALUES,
     SIDE = BURNISH_NEAR_SIDE,
@@ -17,7 +17,7 @@ enum {
 
 /* A cell may turn a lobe, from its middle to its edge, by this share of the lobe's width, and its
  * points may be off its quadratics by that share. */
-#define MOST_TURN 1.5f
+#define MOST_TURN 2.0f
 #define MOST_DEVIATION 0.05f
 
 /* More than a lobe turns where points are off the quadratics of a cell's diffuse light. */
@@ -257,7 +257,7 @@ static float narrowest(const burnish_area *area, const burnish_area_material *ma
         const float r = reflecting->roughness, wider = 1.5f * r * r * __builtin_sqrtf(r);
         const float x = least_facing(area, square, all), near_edge = x > 0.03f ? x : 0.03f;
         const float width = near_edge + (1 - near_edge) * wider;
-        squared *= width < 1 ? width * width : 1;
+        squared *= width < 1 ? 0.5f * width * width : 0.5f;
     }
     return squared;
 }
