@@ -164,9 +164,10 @@ typedef struct burnish_load_options {
                           but their diameter between 1/2000 and 1/25 of the bounds' diagonal; the
                           diameter of lines is 1/300 of the diagonal */
     const char *scalar_property; /* NULL, or the name of a scalar property of the vertices of a PLY
-                             file, which replaces the texture coordinates: u and v are its value.
-                             Use it with keep_texture_coordinates. A file without it fails with
-                             FORMAT; other formats ignore it */
+                             file, or of a scalar attribute of glTF such as "_HEAT". It replaces
+                             the texture coordinates: u (and in PLY v) is its value. Use it with
+                             keep_texture_coordinates. A file without it fails with FORMAT; other
+                             formats ignore it */
     const double *origin; /* 3 numbers in [-1e30, 1e30], subtracted from the coordinates of the file
                              before they are rounded to float. The origin of another mesh puts both
                              into one space. NULL: 0, 0, 0; or a point near the middle, if the mesh

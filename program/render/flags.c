@@ -461,14 +461,14 @@ static const cli_flag flags[] = {
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
                "winding, are filled and hatched; cuts through other meshes and transparent "
                "surfaces are not. The camera frames the rest."},
-    {CLI_FLAG("color-by", "VALUE", "height, normal or a property of PLY", cli_flag_text,
+    {CLI_FLAG("color-by", "VALUE", "height, normal or a property of PLY or glTF", cli_flag_text,
               input.coloring.by),
      .manual =
          "Colours the object by values of its vertices instead of its own colours: *height* along "
          "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
-         "property of the vertices of a PLY file, such as *intensity*. Values are interpolated "
-         "over "
-         "triangles and then mapped. A legend shows the range; framing leaves room for it."},
+         "property of the vertices of a PLY or glTF file, such as *intensity* or *_HEAT*. Values "
+         "are interpolated over triangles and then mapped. A legend shows the range; framing "
+         "leaves room for it. Not for *--look=drawing*, which has no colours."},
     {CLI_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
      .words = color_map_words, .default_text = "viridis",
      .manual = "Colours of *--color-by*: *viridis*, *coolwarm*, which diverges from a grey middle, "

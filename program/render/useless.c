@@ -78,6 +78,8 @@ burnish_status render_check_useless(render_settings *settings, burnish_error *er
          "only a turntable has frames; use --turntable=FILE, or omit the flag"},
         {"columns,labels,no-labels,font", is_sheet,
          "only a sheet has them; use several --views or lobes, or omit the flag"},
+        {"color-by", settings->shading.look != BURNISH_LOOK_DRAWING,
+         "a drawing has no colours; use another --look, or omit the flag"},
         {"color-map,color-range,no-legend", settings->input.coloring.by != NULL,
          "no quantity is shown by colours; use --color-by, or omit the flag"},
         {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),

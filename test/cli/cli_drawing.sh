@@ -77,7 +77,7 @@ drawn edge-color=blue
 refused outline-contrast=50
 other input-format
 drawn clip=0,1,0,1
-drawn color-by=height
+refused color-by=height
 other color-map
 other color-range
 other no-legend
@@ -232,6 +232,7 @@ useless no-labels "$sheet" --no-labels
 useless labels "$sheet" --labels=a
 useless font "$sheet" --font=a.ttf
 lines='no lines are drawn; use --edges, or omit the flag'
+useless color-by 'a drawing has no colours; use another --look, or omit the flag' --color-by=height --look=drawing
 useless color-map 'no quantity is shown by colours; use --color-by, or omit the flag' --color-map=grey
 useless edge-color "$lines" --edge-color=red
 useless edge-width "$lines" --edge-width=3 --look=plain --views=front

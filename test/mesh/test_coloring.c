@@ -1,5 +1,6 @@
 /* Colours by values: maps at their published values, ranges, and what vertices get. */
 #include "burnish/mesh.h"
+#include "gltf_input.h"
 #include "mesh_arrays.h"
 #include "reader_input.h"
 
@@ -84,8 +85,33 @@ static void test_triangles(void) {
     burnish_error error;
     mesh = load_bytes(text, strlen(text), "a.ply", &options);
     CHECK1(burnish_mesh_color_by(mesh, &coloring, NULL, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_TEXT(error.text, "colours: the mesh has no scalar property; only PLY files have them");
+    CHECK_TEXT(error.text, "colours: the mesh has no scalar property; only PLY and glTF files have "
+                           "them");
     burnish_mesh_destroy(mesh);
+}
+
+/* A glTF attribute of one number per vertex: 1, 0 and 0. */
+static void test_gltf(void) {
+    burnish_load_options options = burnish_load_options_default();
+    burnish_coloring coloring = burnish_coloring_default();
+    burnish_error error;
+    double range[2];
+    byte_list file = {.size = 0};
+    put_json(&file, "$head'buffers':[$triangle_buffer],'bufferViews':[{'buffer':0,"
+                    "'byteLength':36}],'accessors':[$accessor(0,5126,3,VEC3),"
+                    "$part(12,5126,3,SCALAR)],$mesh('POSITION':0,'_HEAT':1),$node}");
+    options.scalar_property = "_HEAT";
+    options.keep_texture_coordinates = 1;
+    coloring.source = BURNISH_COLOR_BY_PROPERTY;
+    burnish_mesh *mesh = load_bytes(file.bytes, file.size, "a.gltf", &options);
+    CHECK1(burnish_mesh_color_by(mesh, &coloring, range, NULL) == BURNISH_STATUS_OK);
+    CHECK(range[0] == 0 && range[1] == 1, "%g to %g", range[0], range[1]);
+    burnish_mesh_destroy(mesh);
+    options.scalar_property = "_COLD";
+    CHECK1(burnish_mesh_load_memory(file.bytes, file.size, "a.gltf", &options, &mesh, &error) ==
+           BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(error.text, "a.gltf: no vertex attribute \"_COLD\" of one number to colour by; "
+                           "glTF's names of such attributes begin with _");
 }
 
 int main(int count, char **arguments) {
@@ -93,5 +119,6 @@ int main(int count, char **arguments) {
     RUN(test_maps());
     RUN(test_points());
     RUN(test_triangles());
+    RUN(test_gltf());
     return test_end("coloring");
 }

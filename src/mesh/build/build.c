@@ -130,7 +130,7 @@ static burnish_mesh *allocate_mesh(burnish_mesh_data *data, burnish_format forma
 
 /* Normals of OBJ, PLY, OFF and, rarely, glTF come from tools that average them across edges. Normal
  * textures are relative to them, so they stay. Other sources state the normals that they mean, and
- * prisms for lines have the right ones. */
+ * rods for lines have the right ones. */
 static burnish_normals_source choose_normals(const burnish_load_options *options,
                                              burnish_format format, const burnish_mesh_data *data) {
     const int is_questioned = format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||

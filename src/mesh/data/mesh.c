@@ -247,7 +247,7 @@ void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[
     for (int k = 0; k < 3; ++k) {
         low[k] = !mesh ? 0 : are_points ? mesh->points_min[k] : mesh->view.bounds_min[k];
         high[k] = !mesh ? 0 : are_points ? mesh->points_max[k] : mesh->view.bounds_max[k];
-        if (mesh && mesh->info.line_count > 0) { /* inside the prisms, unless a cut left less */
+        if (mesh && mesh->info.line_count > 0) { /* inside the rods, unless a cut left less */
             low[k] = low[k] < mesh->points_min[k] ? mesh->points_min[k] : low[k];
             high[k] = high[k] > mesh->points_max[k] ? mesh->points_max[k] : high[k];
         }

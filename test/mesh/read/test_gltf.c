@@ -298,14 +298,14 @@ static void test_shared_vertices(void) {
 
 /* ---- Points and lines ---- */
 
-/* Whether the prism of line i joins two of the triangle's positions. */
+/* Whether the rod of line i joins two of the triangle's positions. */
 static int joins(const burnish_mesh_data *s, size_t i, size_t from, size_t to) {
     static const double positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
     const size_t ends[2] = {from, to};
     for (size_t end = 0; end < 2; ++end) {
-        for (size_t k = 0; k < 3; ++k) { /* opposite vertices of its six are around the end */
-            const float *ring = burnish_positions(s) + 3 * (12 * i + 6 * end);
-            if (fabs(((double)ring[k] + (double)ring[9 + k]) / 2 - positions[ends[end]][k]) >
+        for (size_t k = 0; k < 3; ++k) { /* of its six rings, the third and fourth */
+            const float *ring = burnish_positions(s) + 3 * (48 * i + 16 + 8 * end);
+            if (fabs(((double)ring[k] + (double)ring[12 + k]) / 2 - positions[ends[end]][k]) >
                 1e-6) {
                 return 0;
             }
@@ -334,7 +334,7 @@ static void test_lines(void) {
                  cases[i].mode, cases[i].more);
         read_good(text, NULL, &s);
         CHECK1(s.line_count == cases[i].count && s.point_count == 0 && s.material_count == 1);
-        CHECK1(s.triangle_count == 12 * cases[i].count);
+        CHECK1(s.triangle_count == 64 * cases[i].count);
         for (size_t k = 0; k < cases[i].count && k < s.line_count; ++k) {
             CHECK1(joins(&s, k, cases[i].from[k], cases[i].to[k]));
         }

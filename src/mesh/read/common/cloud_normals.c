@@ -6,10 +6,11 @@
 
 #include "core/vector.h"
 
-/* Cells are so many spacings long: the 27 around a point hold about 45 points of a surface. Larger
- * ones follow for scans whose noise is as large as their spacing. */
-enum { SCALES = 2 };
-static const double cell_spacings[SCALES] = {1.7, 6};
+/* Cells are so many spacings long: the 27 around a point hold about 45 points of a surface. Smaller
+ * ones follow for thin objects of few points, larger ones for scans whose noise is as large as their
+ * spacing. */
+enum { SCALES = 3 };
+static const double cell_spacings[SCALES] = {1.7, 1, 6};
 
 enum {
     GRAIN = 1 << 10,
@@ -353,7 +354,7 @@ static burnish_status fit_at(voxels *v, double cell, int *are_surface, burnish_t
     burnish_status status = fill_voxels(v, tasks, memory);
     if (status == BURNISH_STATUS_OK && v->count > 0) {
         burnish_tasks_ranges(tasks, v->count, GRAIN, fit_voxels, v);
-        *are_surface = 3 * count_loose(v) < v->cloud->count;
+        *are_surface = 2 * count_loose(v) < v->cloud->count;
         if (*are_surface) {
             burnish_tasks_ranges(tasks, v->cloud->count, GRAIN, fill_normals, v);
         }

@@ -1,4 +1,4 @@
-/* Points: their size and normals. Lines: six-sided prisms. */
+/* Points: their size and normals. Lines: rods of eight sides, with round ends if they are few. */
 #include "mesh/read/common/points.h"
 
 #include <float.h>
@@ -7,7 +7,12 @@
 #include "mesh/read/common/cloud_normals.h"
 #include "mesh/read/io/budget.h"
 
-enum { SIDES = 6 /* of a prism */, GRAIN = 1 << 10 };
+enum {
+    SIDES = 8, /* of a rod */
+    RINGS = 6, /* of vertices, of a rod with round ends; without them 2 */
+    ROUND_LINES = 20000,
+    GRAIN = 1 << 10
+};
 
 /* ---- Points ---- */
 
@@ -118,6 +123,7 @@ typedef struct maker {
     const uint8_t *colors; /* NULL: none */
     const burnish_segment *segments;
     double radius;
+    size_t rings;
     float *to_positions, *to_normals;
     uint8_t *to_colors;
     uint32_t *to_corners;
@@ -147,40 +153,64 @@ static void find_frame(burnish_vec3 along, burnish_vec3 *u, burnish_vec3 *v) {
     *v = burnish_vec3_cross(along, *u);
 }
 
-static void make_prisms(void *user_data, size_t first, size_t end) {
-    static const double cosine[SIDES] = {1, 0.5, -0.5, -1, -0.5, 0.5};
-    const double s = 0.86602540378443865;
-    const double sine[SIDES] = {0, s, s, 0, -s, -s};
+/* The rings of a rod: their radius, and how far they are beyond their end, in radii of the rod. On a
+ * unit sphere, so these are the normals too; the first and the last ring are points. */
+static const double profile[RINGS][2] = {{0, -1}, {0.8, -0.6}, {1, 0}, {1, 0}, {0.8, 0.6}, {0, 1}};
+
+static void make_ring(const maker *m, const burnish_vec3 axes[3], size_t ring, size_t vertex,
+                      uint32_t point) {
+    const double h = 0.70710678118654752;
+    const double cosine[SIDES] = {1, h, 0, -h, -1, -h, 0, h};
+    const double sine[SIDES] = {0, h, 1, h, 0, -h, -1, -h};
+    for (size_t k = 0; k < SIDES; ++k) {
+        const burnish_vec3 spoke = burnish_vec3_add(burnish_vec3_scale(axes[1], cosine[k]),
+                                                    burnish_vec3_scale(axes[2], sine[k]));
+        const burnish_vec3 out = burnish_vec3_add(burnish_vec3_scale(spoke, profile[ring][0]),
+                                                  burnish_vec3_scale(axes[0], profile[ring][1]));
+        const float normal[3] = {(float)out.x, (float)out.y, (float)out.z};
+        write_vertex(m, vertex + k, m->positions + 3 * (size_t)point, normal,
+                     burnish_vec3_scale(out, m->radius), point);
+    }
+}
+
+/* Triangles of a rod; at the points of its ends there is one per side. */
+static size_t count_triangles(size_t rings) {
+    return 2 * SIDES * (rings - 1) - (rings == RINGS ? 2 * SIDES : 0);
+}
+
+/* Joins the rings of a rod, whose vertices start at `base`. */
+static void join_rings(size_t rings, size_t base, uint32_t *corners) {
+    for (size_t k = 0; k < SIDES * (rings - 1); ++k) {
+        const size_t row = k / SIDES, next = row * SIDES + (k + 1) % SIDES;
+        const size_t quad[6] = {k, next, SIDES + next, k, SIDES + next, SIDES + k};
+        const size_t first = rings == RINGS && row == 0 ? 3 : 0;
+        const size_t end = rings == RINGS && row == RINGS - 2 ? 3 : 6;
+        for (size_t c = first; c < end; ++c) {
+            *corners++ = (uint32_t)(base + quad[c]);
+        }
+    }
+}
+
+static void make_rods(void *user_data, size_t first, size_t end) {
     const maker *m = user_data;
+    const size_t skipped = (RINGS - m->rings) / 2;
     for (size_t i = first; i < end; ++i) {
         const uint32_t ends[2] = {m->segments[i].from, m->segments[i].to};
         const burnish_vec3 from = burnish_vec3_loadf(m->positions + 3 * (size_t)ends[0]);
         const burnish_vec3 to = burnish_vec3_loadf(m->positions + 3 * (size_t)ends[1]);
-        const burnish_vec3 along = burnish_vec3_normalize(burnish_vec3_sub(to, from));
-        burnish_vec3 u, v;
-        find_frame(along, &u, &v);
-        const size_t base = 2 * SIDES * i;
-        for (size_t k = 0; k < 2 * SIDES; ++k) {
-            const size_t side = k % SIDES, point = ends[k / SIDES];
-            const burnish_vec3 spoke = burnish_vec3_add(burnish_vec3_scale(u, cosine[side]),
-                                                        burnish_vec3_scale(v, sine[side]));
-            const float normal[3] = {(float)spoke.x, (float)spoke.y, (float)spoke.z};
-            write_vertex(m, base + k, m->positions + 3 * point, normal,
-                         burnish_vec3_scale(spoke, m->radius), point);
+        burnish_vec3 axes[3] = {burnish_vec3_normalize(burnish_vec3_sub(to, from))};
+        find_frame(axes[0], &axes[1], &axes[2]);
+        const size_t base = SIDES * m->rings * i;
+        for (size_t ring = 0; ring < m->rings; ++ring) {
+            make_ring(m, axes, skipped + ring, base + SIDES * ring, ends[2 * ring >= m->rings]);
         }
-        for (size_t k = 0; k < SIDES; ++k) {
-            const size_t next = (k + 1) % SIDES;
-            const size_t quad[6] = {k, next, SIDES + next, k, SIDES + next, SIDES + k};
-            for (size_t c = 0; c < 6; ++c) {
-                m->to_corners[6 * (SIDES * i + k) + c] = (uint32_t)(base + quad[c]);
-            }
-        }
+        join_rings(m->rings, base, m->to_corners + 3 * count_triangles(m->rings) * i);
     }
 }
 
 /* Replaces the mesh's arrays. */
 static burnish_status make(burnish_reader *reader, maker *m, size_t count) {
-    const size_t vertices = 2 * SIDES, triangles = 2 * SIDES;
+    const size_t vertices = SIDES * m->rings, triangles = count_triangles(m->rings);
     burnish_mesh_data *mesh = reader->mesh;
     burnish_mesh_data made = {.memory = mesh->memory, .tasks = mesh->tasks};
     burnish_mesh_data_reserve(&made, BURNISH_POSITION, vertices * count);
@@ -194,7 +224,7 @@ static burnish_status make(burnish_reader *reader, maker *m, size_t count) {
         m->to_normals = burnish_normals(&made);
         m->to_colors = burnish_colors(&made);
         m->to_corners = made.streams[BURNISH_POSITION].corners;
-        burnish_tasks_ranges(mesh->tasks, count, GRAIN, make_prisms, m);
+        burnish_tasks_ranges(mesh->tasks, count, GRAIN, make_rods, m);
     }
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_mesh_data_drop(mesh, (burnish_attribute)i);
@@ -207,7 +237,7 @@ static burnish_status make(burnish_reader *reader, maker *m, size_t count) {
                                                    : made.memory.status;
 }
 
-/* The bounds of the lines' ends: without the prisms around them. */
+/* The bounds of the lines' ends: without the rods around them. */
 static void bound_ends(burnish_mesh_data *mesh, const burnish_segment *segments, size_t count) {
     const float *positions = burnish_positions(mesh);
     for (size_t i = 0; i < 2 * count; ++i) {
@@ -240,7 +270,7 @@ burnish_status burnish_check_points(burnish_reader *reader, size_t count, int ar
     if (count > limit / triangles || count > BURNISH_VALUE_LIMIT / vertices) {
         return burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, NULL,
                                    are_lines
-                                       ? "%zu lines are too many: each is drawn as 12 triangles; "
+                                       ? "%zu lines are too many: each is drawn as 16 triangles; "
                                          "thin them out"
                                        : "%zu points are too many: each counts as a triangle; "
                                          "raise max-triangles, or thin them out",
@@ -259,10 +289,13 @@ burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    const uint64_t budget = burnish_budget_triangles(reader) / count_triangles(RINGS);
+    const size_t most_round = budget < ROUND_LINES ? (size_t)budget : ROUND_LINES;
     maker m = {.positions = burnish_positions(mesh),
                .colors = burnish_colors(mesh),
                .segments = segments,
-               .radius = line_diameter(mesh, reader->input->options->point_size) / 2};
+               .radius = line_diameter(mesh, reader->input->options->point_size) / 2,
+               .rings = count <= most_round ? RINGS : 2};
     bound_ends(mesh, segments, count);
     mesh->line_count = count;
     return make(reader, &m, count);

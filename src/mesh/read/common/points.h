@@ -1,4 +1,4 @@
-/* Point clouds, which are drawn as spheres, and lines as meshes of thin prisms. */
+/* Point clouds, which are drawn as spheres, and lines as meshes of thin rods. */
 #ifndef BURNISH_MESH_READ_COMMON_POINTS_H
 #define BURNISH_MESH_READ_COMMON_POINTS_H
 
@@ -14,7 +14,8 @@ typedef struct burnish_segment {
  *
  * A cloud keeps its positions and gets point_radius. Normals are those of the file, if there is one
  * per position and the option `normals` is not OWN; they are estimated for AUTO and OWN; a normal
- * of 0, 0, 0 means that the point looks like a ball. Lines are replaced by prisms.
+ * of 0, 0, 0 means that the point looks like a ball. Lines are replaced by rods,
+ * with round ends up to 20,000 of them.
  *
  * The diameter is the option point_size. If that is 0, the radius of points is 1.2 times wide
  * (cloud.h), at most 1/20 of the diagonal of the inner box. Clouds that would need more, and points

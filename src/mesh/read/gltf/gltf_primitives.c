@@ -144,8 +144,10 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     read_joints(gltf, primitive, attributes);
     primitive->material =
         burnish_gltf_reference(gltf, primitive->value, "material", BURNISH_GLTF_MATERIALS);
-    primitive->texcoord =
-        read_attribute(gltf, primitive, attributes, texcoord_name(gltf, primitive), WIDTH(2));
+    const char *scalar = gltf->reader->input->options->scalar_property;
+    primitive->texcoord = scalar ? read_attribute(gltf, primitive, attributes, scalar, WIDTH(1))
+                                 : read_attribute(gltf, primitive, attributes,
+                                                  texcoord_name(gltf, primitive), WIDTH(2));
     if (gltf->status == BURNISH_STATUS_OK) {
         read_indices(gltf, primitive);
     }

@@ -23,7 +23,7 @@ burnish_status burnish_thinning_step(burnish_reader *reader, uint64_t needed, ui
     const burnish_reader_input *input = reader->input;
     const uint64_t room = burnish_thinning_room(input);
     *step = 1;
-    if (needed <= (room > LEAST_ROWS ? room : LEAST_ROWS)) { /* few need no preview */
+    if (needed <= (room > LEAST_ROWS ? room : LEAST_ROWS) || count < LEAST_ROWS) { /* too few */
         return BURNISH_STATUS_OK;
     }
     if (room < LEAST_ROWS) {
