@@ -188,6 +188,7 @@ void burnish_find_areas(const float *positions, const uint32_t *corners, size_t 
 #if defined(__x86_64__)
         (wide > 1 ? find_avx512 : wide ? find_avx2 : find_scalar)(&b, whole, found);
 #else
+        (void)wide;
         find_scalar(&b, whole, found);
 #endif
         memcpy(has_area + start, found, size);
