@@ -165,7 +165,7 @@ BURNISH_INLINE void bench_roots(int kind, size_t count, const float *in, float *
     static void shade_##name##_##geometry(const burnish_bench_shader *restrict shader,             \
                                           const burnish_kernels_points *restrict points,           \
                                           size_t count, uint8_t *restrict rgba) {                  \
-        const shade_kernel kernel = {kind, BURNISH_SHADE_##geometry, BURNISH_SHADE_RGBA8};         \
+        const shade_kernel kernel = {kind, BURNISH_SHADE_##geometry, BURNISH_SHADE_RGBA8, 3};      \
         shade_array(kernel, &shader->shader, points, count, (shade_colors){rgba, NULL});           \
     }
 #define LOBE_AND_SHADE_FUNCTIONS(name, kind)                                                       \

@@ -66,14 +66,15 @@ BURNISH_INLINE vf each_value(int body, const burnish_kernels_shader *shader, con
 BURNISH_INLINE void each_light(int body, const burnish_kernels_shader *shader,
                                const burnish_light_constants *light, const shade_vectors *at,
                                const each_lobe *lobe, shade_sums *sums) {
+    const shade_kernel kernel = {body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_FLOAT, 3};
     const vf zero = vf_set(0.0f);
     const shade_cosines cosines = shade_cosines_of(light, at);
-    shade_add_diffuse(light, BURNISH_SHADE_FLOAT, vf_max(cosines.n_dot_l, zero), sums);
+    shade_add_diffuse(kernel, light, vf_max(cosines.n_dot_l, zero), sums);
     const vm lit = vf_greater(cosines.n_dot_l, zero);
     if (vm_any(lit)) {
         const vf cosine = shade_lobe_cosine(shader, at, &cosines);
-        shade_add_specular(light, BURNISH_SHADE_FLOAT,
-                           vf_and_mask(lit, each_value(body, shader, lobe, cosine)), sums);
+        shade_add_specular(kernel, light, vf_and_mask(lit, each_value(body, shader, lobe, cosine)),
+                           sums);
     }
 }
 

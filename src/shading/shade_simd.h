@@ -10,6 +10,7 @@
 /* Which of the kernels: constants where it is compiled. */
 typedef struct shade_kernel {
     int body, geometry, output; /* burnish_lobe_body, BURNISH_SHADE_... */
+    int channels;               /* 3; 1: all have the first one's constants */
 } shade_kernel;
 
 /* Where colours go, by the kernel's output. */
@@ -43,19 +44,19 @@ BURNISH_INLINE int shade_is_family(int body) {
     return body == BURNISH_LOBE_BODY_SQUARE || body == BURNISH_LOBE_BODY_SQUARES;
 }
 
-BURNISH_INLINE void shade_add_diffuse(const burnish_light_constants *light, int output, vf n_dot_l,
-                                      shade_sums *sums) {
-    for (int k = 0; k < 3; ++k) {
+BURNISH_INLINE void shade_add_diffuse(shade_kernel kernel, const burnish_light_constants *light,
+                                      vf n_dot_l, shade_sums *sums) {
+    for (int k = 0; k < kernel.channels; ++k) {
         sums->diffuse[k] =
-            vf_add(sums->diffuse[k], vf_mul(n_dot_l, vf_set(light->diffuse[output][k])));
+            vf_add(sums->diffuse[k], vf_mul(n_dot_l, vf_set(light->diffuse[kernel.output][k])));
     }
 }
 
-BURNISH_INLINE void shade_add_specular(const burnish_light_constants *light, int output, vf lobe,
-                                       shade_sums *sums) {
-    for (int k = 0; k < 3; ++k) {
+BURNISH_INLINE void shade_add_specular(shade_kernel kernel, const burnish_light_constants *light,
+                                       vf lobe, shade_sums *sums) {
+    for (int k = 0; k < kernel.channels; ++k) {
         sums->specular[k] =
-            vf_add(sums->specular[k], vf_mul(lobe, vf_set(light->specular[output][k])));
+            vf_add(sums->specular[k], vf_mul(lobe, vf_set(light->specular[kernel.output][k])));
     }
 }
 
@@ -66,8 +67,8 @@ BURNISH_INLINE void shade_add_family(shade_kernel kernel, const burnish_kernels_
     vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
     if (vm_any(shines)) {
         u = vf_and_mask(shines, vf_min(u, vf_set(1.0f)));
-        shade_add_specular(light, kernel.output,
-                           lobe_squares(u, kernel.body, shader->lobe.squarings), sums);
+        shade_add_specular(kernel, light, lobe_squares(u, kernel.body, shader->lobe.squarings),
+                           sums);
     }
 }
 
@@ -75,7 +76,7 @@ BURNISH_INLINE void shade_add_family(shade_kernel kernel, const burnish_kernels_
 BURNISH_INLINE void shade_add_distant(shade_kernel kernel, const burnish_kernels_shader *shader,
                                       const burnish_light_constants *light, vf n_dot_l, vf cosine,
                                       shade_sums *sums) {
-    shade_add_diffuse(light, kernel.output, n_dot_l, sums);
+    shade_add_diffuse(kernel, light, n_dot_l, sums);
     if (kernel.body == BURNISH_LOBE_BODY_NONE) {
         return;
     }
@@ -85,7 +86,7 @@ BURNISH_INLINE void shade_add_distant(shade_kernel kernel, const burnish_kernels
         shade_add_family(kernel, shader, light, lit, u, sums);
     } else if (vm_any(lit)) {
         vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
-        shade_add_specular(light, kernel.output, lobe, sums);
+        shade_add_specular(kernel, light, lobe, sums);
     }
 }
 
@@ -153,7 +154,7 @@ BURNISH_INLINE void shade_general_specular(shade_kernel kernel,
         shade_add_family(kernel, shader, light, lit, u, sums);
     } else if (vm_any(lit)) {
         vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
-        shade_add_specular(light, kernel.output, lobe, sums);
+        shade_add_specular(kernel, light, lobe, sums);
     }
 }
 
@@ -195,7 +196,7 @@ BURNISH_INLINE void shade_general_light(shade_kernel kernel, const burnish_kerne
                                         const burnish_light_constants *light,
                                         const shade_vectors *at, shade_sums *sums) {
     const shade_cosines cosines = shade_cosines_of(light, at);
-    shade_add_diffuse(light, kernel.output, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
+    shade_add_diffuse(kernel, light, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
     if (kernel.body != BURNISH_LOBE_BODY_NONE) {
         shade_general_specular(kernel, shader, light, at, &cosines, sums);
     }
@@ -249,7 +250,7 @@ BURNISH_INLINE void shade_points(shade_kernel kernel, const burnish_kernels_shad
     shade_vectors at;
     shade_sums sums;
     shade_load(kernel.geometry, shader, points, i, &at);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < kernel.channels; ++k) {
         sums.diffuse[k] = vf_set(shader->ambient[kernel.output][k]);
         sums.specular[k] = vf_set(0.0f);
     }
@@ -268,7 +269,7 @@ BURNISH_INLINE void shade_points(shade_kernel kernel, const burnish_kernels_shad
             shade_lessen_first(shader, kernel.output, vf_load(points->first_light + i), &sums);
         }
     }
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < kernel.channels; ++k) {
         if (points->diffuse[0]) {
             sums.diffuse[k] = vf_mul(sums.diffuse[k], vf_load(points->diffuse[k] + i));
         }
@@ -365,7 +366,7 @@ BURNISH_INLINE void shade_array(shade_kernel kernel, const burnish_kernels_shade
                                              const burnish_kernels_points *restrict points,        \
                                              size_t count, uint8_t *restrict rgba,                 \
                                              float *const rgb[3]) {                                \
-        const shade_kernel kernel = {body, geometry, output};                                      \
+        const shade_kernel kernel = {body, geometry, output, 3};                                   \
         shade_array(kernel, shader, points, count, (shade_colors){rgba, rgb});                     \
     }
 #define SHADE_FUNCTIONS(name, body)                                                                \

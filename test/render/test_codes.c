@@ -39,10 +39,15 @@ static void fold(uint64_t *state, burnish_light_constants *lights, burnish_kerne
     lighting.light_count = (int)(test_random32(state) % 3);
     lighting.lights[1] = lighting.lights[0];
     lighting.lights[1].vector[0] = -lighting.lights[0].vector[0];
+    const int is_grey = (int)(test_random32(state) & 1);
     for (int k = 0; k < 3; ++k) {
+        const int from = is_grey ? 0 : k;
         material.diffuse[k] = test_uniform_float(state, 0, 1);
         material.specular[k] = lighting.light_count == 1 ? 0 : test_uniform_float(state, 0, 1);
         lighting.lights[1].color[k] = test_uniform_float(state, 0, 2);
+        material.diffuse[k] = material.diffuse[from];
+        material.specular[k] = material.specular[from];
+        lighting.lights[1].color[k] = lighting.lights[1].color[from];
     }
     CHECK1(burnish_shader_fold(&lighting, &material, &lighting.lobe, lights, shader, NULL) ==
            BURNISH_STATUS_OK);

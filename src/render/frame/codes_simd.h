@@ -60,10 +60,34 @@ BURNISH_INLINE vf bound_cosine(const float unit[3], const float vector[3], vf si
     return vf_add(vf_set(cosine), vf_mul(side, vf_set(size * CODE_MARGIN)));
 }
 
+/* Whether all channels have the same constants, and so the same light. */
+static int is_grey(const burnish_kernels_shader *shader) {
+    enum { OUTPUT = BURNISH_SHADE_FLOAT };
+    int different = 0;
+    for (int k = 1; k < 3; ++k) {
+        different |= shader->ambient[OUTPUT][k] != shader->ambient[OUTPUT][0];
+        for (int l = 0; l < shader->light_count; ++l) {
+            const float *diffuse = shader->lights[l].diffuse[OUTPUT];
+            const float *specular = shader->lights[l].specular[OUTPUT];
+            different |= diffuse[k] != diffuse[0] || specular[k] != specular[0];
+        }
+    }
+    return !different;
+}
+
+BURNISH_INLINE vi encode_channels(const burnish_srgb_encoder *encoder, int channels,
+                                  const vf light[3]) {
+    if (channels == 1) {
+        const vi code = encode_vector(encoder, light[0]);
+        return vi_or(vi_or(code, vi_shl(code, 8)), vi_shl(code, 16));
+    }
+    return encode_light(encoder, light);
+}
+
 /* Finds the code of a direction, if it has one. */
-BURNISH_INLINE void find_code(int body, const burnish_kernels_shader *shader,
+BURNISH_INLINE void find_code(int body, int channels, const burnish_kernels_shader *shader,
                               const burnish_srgb_encoder *encoder, code_of_direction *known) {
-    const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT};
+    const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
     const vf side = vf_sub(vf_from_int(vi_and(vi_ramp(2), vi_set(2))), vf_set(1.0f));
     const float *d = known->direction;
     const float length = __builtin_sqrtf((d[0] * d[0] + d[1] * d[1]) + d[2] * d[2]);
@@ -71,7 +95,7 @@ BURNISH_INLINE void find_code(int body, const burnish_kernels_shader *shader,
     shade_sums sums;
     vf light[3];
     int32_t codes[LANES];
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < channels; ++k) {
         sums.diffuse[k] = vf_set(shader->ambient[kernel.output][k]);
         sums.specular[k] = vf_set(0.0f);
     }
@@ -80,18 +104,18 @@ BURNISH_INLINE void find_code(int body, const burnish_kernels_shader *shader,
         const vf n_dot_l = vf_max(bound_cosine(unit, of->vector, side), vf_set(0.0f));
         shade_add_distant(kernel, shader, of, n_dot_l, bound_cosine(unit, of->half, side), &sums);
     }
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < channels; ++k) {
         light[k] = vf_max(vf_add(sums.diffuse[k], sums.specular[k]), vf_set(0.0f));
     }
-    vi_store(codes, encode_light(encoder, light));
+    vi_store(codes, encode_channels(encoder, channels, light));
     known->code = codes[0];
     known->state = codes[0] == codes[LANES - 1] ? CODE_ONE : CODE_SPLIT;
 }
 
-BURNISH_INLINE void shade_codes(int body, const burnish_kernels_shader *shader,
+BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_shader *shader,
                                 const burnish_srgb_encoder *encoder,
                                 const burnish_code_batch *batch, size_t count, uint32_t *codes) {
-    const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT};
+    const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
     const burnish_kernels_points points = {
         .normal = {batch->normal[0], batch->normal[1], batch->normal[2]}};
     const vi alpha = vi_set((int32_t)batch->alpha), background = vi_set((int32_t)batch->background);
@@ -104,13 +128,13 @@ BURNISH_INLINE void shade_codes(int body, const burnish_kernels_shader *shader,
         vi code = vi_set(known.code);
         const int is_known = LANES > 1 && bits && points_there(&known, n, shown);
         if (is_known && known.state == CODE_UNKNOWN) {
-            find_code(body, shader, encoder, &known);
+            find_code(body, channels, shader, encoder, &known);
             code = vi_set(known.code);
         }
         if (bits && !(is_known && known.state == CODE_ONE)) {
             vf light[3];
             shade_points(kernel, shader, &points, i, light);
-            code = encode_light(encoder, light);
+            code = encode_channels(encoder, channels, light);
             for (int k = 0; k < 3 && !is_known; ++k) {
                 known.direction[k] = batch->normal[k][i + (size_t)__builtin_ctz(bits)];
                 known.state = CODE_UNKNOWN;
@@ -124,7 +148,11 @@ BURNISH_INLINE void shade_codes(int body, const burnish_kernels_shader *shader,
     static void codes_##name(const burnish_kernels_shader *shader,                                 \
                              const burnish_srgb_encoder *encoder, const burnish_code_batch *batch, \
                              size_t count, uint32_t *codes) {                                      \
-        shade_codes(body, shader, encoder, batch, count, codes);                                   \
+        if (is_grey(shader)) {                                                                     \
+            shade_codes(body, 1, shader, encoder, batch, count, codes);                            \
+        } else {                                                                                   \
+            shade_codes(body, 3, shader, encoder, batch, count, codes);                            \
+        }                                                                                          \
     }
 CODE_FUNCTION(none, BURNISH_LOBE_BODY_NONE)
 CODE_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE)
