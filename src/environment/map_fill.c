@@ -170,10 +170,17 @@ typedef struct reach {
     float all;
 } reach;
 
+/* Catmull and Rom's cubic through four texels. */
+typedef struct cubic {
+    int first;
+    float weights[4];
+} cubic;
+
 /* The polygons' light through one lobe. */
 typedef struct lobe_map {
     int size;
-    float *texels; /* with WIDE_BORDER */
+    float *texels;                            /* with WIDE_BORDER */
+    cubic columns[LARGEST_SIZE + 2 * BORDER]; /* of the map that it is added to */
 } lobe_map;
 
 typedef struct build {
@@ -322,12 +329,6 @@ static void add_polygon(const build *b, int number, const float *const w[3], int
 
 /* ---- Maps of lobes ---- */
 
-/* Catmull and Rom's cubic through four texels. */
-typedef struct cubic {
-    int first;
-    float weights[4];
-} cubic;
-
 static cubic find_cubic(int at, int size, int smaller) {
     const float middle = (float)(size + 1) / 2, scale = (float)smaller / (float)size;
     const float x = ((float)at - middle) * scale + (float)(smaller - 1) / 2 + WIDE_BORDER;
@@ -343,10 +344,6 @@ static void add_lobe_map(const build *b, const lobe_map *from, int band) {
     const int stride = b->size + 2 * BORDER, less = from->size + 2 * WIDE_BORDER;
     const texel *texels = (const texel *)from->texels;
     texel line[LARGEST_SIZE + 2 * WIDE_BORDER], *to = (texel *)b->texels;
-    cubic columns[LARGEST_SIZE + 2 * BORDER];
-    for (int i = 0; i < stride; ++i) {
-        columns[i] = find_cubic(i, b->size, from->size);
-    }
     for (int row = band * BLOCK; row < band * BLOCK + BLOCK && row < 2 * stride; ++row) {
         const int half = row >= stride;
         const cubic c = find_cubic(row - half * stride, b->size, from->size);
@@ -358,8 +355,8 @@ static void add_lobe_map(const build *b, const lobe_map *from, int band) {
                       rows[i + 2 * less] * c.weights[2] + rows[i + 3 * less] * c.weights[3];
         }
         for (int i = first; i <= last; ++i) {
-            const texel *t = line + columns[i].first;
-            const float *w = columns[i].weights;
+            const texel *t = line + from->columns[i].first;
+            const float *w = from->columns[i].weights;
             to[row * stride + i] += t[0] * w[0] + t[1] * w[1] + t[2] * w[2] + t[3] * w[3];
         }
     }
@@ -439,7 +436,12 @@ static burnish_status fill_lobe_maps(build *b) {
                      .lobes = &one};
         add_polygons(&own);
         status = fill(&own);
-        b->lobe_maps[b->lobe_map_count++] = (lobe_map){own.size, own.texels};
+        lobe_map *made = &b->lobe_maps[b->lobe_map_count++];
+        made->size = own.size;
+        made->texels = own.texels;
+        for (int i = 0; i < b->size + 2 * BORDER; ++i) {
+            made->columns[i] = find_cubic(i, b->size, own.size);
+        }
     }
     return status;
 }

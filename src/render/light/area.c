@@ -469,8 +469,9 @@ static void integrate_rest(const burnish_area *area, const burnish_kernels *kern
     const burnish_area_points part = {&rest, batch->material, count, only_specular, NULL};
     burnish_area_integrate(area, kernels, &part, scratch, scratch->rest_values);
     for (int k = 0; k < BURNISH_NEAR_VALUES; ++k) {
-        for (int i = 0; i < count; ++i) { /* values that are not wanted are 0 */
-            scratch->values[k][number[i]] += scratch->rest_values[k][i];
+        const int is_diffuse = k < BURNISH_NEAR_SPECULAR || k == BURNISH_NEAR_KEY_DIFFUSE;
+        for (int i = 0; i < count && !(only_specular && is_diffuse); ++i) {
+            scratch->values[k][number[i]] = scratch->rest_values[k][i];
         }
     }
 }

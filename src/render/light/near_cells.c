@@ -194,22 +194,27 @@ static void fit_values(const near_square *square, const float *values, float out
     }
 }
 
-static float fitted(const near_square *square, const float c[TERMS], int node) {
-    const float u = square->u[node], v = square->v[node];
-    return c[0] + (u * (c[1] + (u * c[3] + v * c[4])) + v * (c[2] + v * c[5]));
+/* What a quadratic says at the nodes. */
+static void evaluate(const near_square *square, const float c[TERMS], float out[NODES]) {
+    const float *u = square->u, *v = square->v;
+    for (int i = 0; i < NODES; ++i) {
+        out[i] = c[0] + (u[i] * (c[1] + (u[i] * c[3] + v[i] * c[4])) + v[i] * (c[2] + v[i] * c[5]));
+    }
 }
 
 /* The largest squared distance of a node from what its quadratics say. */
 static float largest_miss(const near_square *square, float (*const c)[TERMS],
                           float (*points)[BURNISH_NEAR_BATCH]) {
-    float largest = 0;
-    for (int node = 0; node < NODES; ++node) {
-        float squared = 0;
-        for (int k = 0; k < 3; ++k) {
-            const float d = points[k][square->first + node] - fitted(square, c[k], node);
-            squared += d * d;
+    float squared[NODES] = {0}, at[NODES], largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float *own = points[k] + square->first;
+        evaluate(square, c[k], at);
+        for (int i = 0; i < NODES; ++i) {
+            squared[i] += (own[i] - at[i]) * (own[i] - at[i]);
         }
-        largest = squared > largest ? squared : largest;
+    }
+    for (int i = 0; i < NODES; ++i) {
+        largest = squared[i] > largest ? squared[i] : largest;
     }
     return largest;
 }
@@ -389,16 +394,19 @@ static int fit_light(const near_square *square, float (*const values)[BURNISH_NE
     for (int i = 0; i < 4; ++i) {
         const int k = numbers[i];
         const float *own = values[k] + at;
-        float largest = 0;
+        float largest = 0, miss[NODES];
+        int misses = 0;
         fit_values(square, own, cell->light[k]);
+        evaluate(square, cell->light[k], miss);
         for (int node = 0; node < NODES; ++node) {
             largest = own[node] > largest ? own[node] : largest;
         }
+        const float most = MOST_ERROR + MOST_PART * largest;
         for (int node = 0; node < NODES; ++node) {
-            const float miss = fitted(square, cell->light[k], node) - own[node];
-            if (!((miss < 0 ? -miss : miss) < MOST_ERROR + MOST_PART * largest)) {
-                return 0;
-            }
+            misses |= !(miss[node] - own[node] < most) | !(own[node] - miss[node] < most);
+        }
+        if (misses) {
+            return 0;
         }
     }
     return 1;
