@@ -133,6 +133,13 @@ static void halve_colors(const uint8_t *from, size_t row, int width, uint8_t *to
     const float *light = burnish_srgb_to_linear;
     for (int x = 0; x < width; ++x, from += 8, to += 4) {
         const uint8_t *below = from + row;
+        uint64_t upper, lower;
+        memcpy(&upper, from, sizeof upper);
+        memcpy(&lower, below, sizeof lower);
+        if (upper == lower && upper >> 32 == (uint32_t)upper) { /* one colour, which stays */
+            memcpy(to, from, 4);
+            continue;
+        }
         for (int k = 0; k < 3; ++k) {
             to[k] = burnish_linear_to_srgb(
                 (((light[from[k]] + light[from[k + 4]]) + light[below[k]]) + light[below[k + 4]]) *
