@@ -292,6 +292,7 @@ static void make_waiting(vertex_maker *maker, size_t faces) {
     const uint32_t *positions = maker->positions[faces];
     uint32_t starts[BURNISH_FANS] = {0};
     const size_t count = maker->waiting[faces];
+    const int is_plain = b->data->streams[BURNISH_NORMAL].count == 0 && !b->has_extras;
     maker->waiting[faces] = 0;
     for (size_t i = 0; i < count; ++i) {
         starts[i] = b->first_corner[positions[i]];
@@ -306,11 +307,18 @@ static void make_waiting(vertex_maker *maker, size_t faces) {
         }
     }
     maker->rings.corners = maker->fans->corners;
+    maker->vertices =
+        burnish_reserve(&maker->memory, maker->vertices, &maker->capacity,
+                        maker->count + count * faces, sizeof *maker->vertices, "vertices");
     copied = 0;
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count && maker->memory.status == BURNISH_STATUS_OK; ++i) {
         int one = (int)maker->fans->is_one[i];
         for (int k = 0; k < 3; ++k) {
             maker->normals[k] = maker->fans->normals[k][i];
+        }
+        if (one && is_plain) { /* most vertices */
+            share_vertex(maker, positions[i]);
+            continue;
         }
         if (!one) {
             burnish_neighbors neighbors;

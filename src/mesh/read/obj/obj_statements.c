@@ -346,6 +346,11 @@ static inline unsigned scan_short_corner(obj_parser *obj, uint32_t *numbers) {
     obj->lexer.next = p + end;
     return used;
 }
+#else
+static inline unsigned scan_short_corner(obj_parser *obj, uint32_t *numbers) {
+    (void)obj, (void)numbers;
+    return 0;
+}
 #endif
 
 /* Records which corners of the face's triangles are relative to the chunk's first value; relative:
@@ -530,10 +535,7 @@ static const uint8_t *read_plain_face(obj_parser *obj, const uint8_t *at) {
         uint32_t *numbers = corners + count++ * COLUMNS;
         numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
         numbers[RELATIVE] = 0;
-        unsigned found = 0;
-#ifdef __SSE2__
-        found = has_room ? scan_short_corner(obj, numbers) : 0;
-#endif
+        unsigned found = has_room ? scan_short_corner(obj, numbers) : 0;
         found = found ? found : scan_corner(obj, numbers);
         if (found == 0 || numbers[RELATIVE]) {
             return NULL;
