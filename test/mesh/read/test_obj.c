@@ -327,6 +327,33 @@ static void test_obj_materials(void) {
     burnish_mesh_data_destroy(&s);
 }
 
+/* Lines have the materials of usemtl; those of a file with faces do not count. */
+static void test_line_materials(void) {
+    static const char library[] = "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n";
+#define LINES                                                                                      \
+    "mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nusemtl a\nl 2 3\nl 3 1\nusemtl "   \
+    "b\n"
+    burnish_mesh_data s;
+    read_good_with(LINES "l 1 2 3\n", library, &s);
+    CHECK1(s.triangle_count > 0 && s.triangle_count % 5 == 0 && s.material_count == 3);
+    for (size_t i = 0; i < s.triangle_count && s.triangle_materials; ++i) {
+        const size_t line = 5 * i / s.triangle_count;
+        CHECK(s.triangle_materials[i] == (line + 1) / 2, "triangle %zu", i);
+    }
+    CHECK1(s.triangle_materials && color_is(s.materials[1].diffuse, 1, 0, 0) &&
+           color_is(s.materials[2].diffuse, 0, 1, 0));
+    burnish_mesh_data_destroy(&s);
+    read_good_with(LINES "f 1 2 3\nusemtl a\nf 3 2 1\n", library, &s);
+    CHECK1(s.triangle_count == 2 && s.material_count == 2 && s.triangle_materials &&
+           s.triangle_materials[0] == 0 && s.triangle_materials[1] == 1);
+    CHECK1(color_is(s.materials[0].diffuse, 0, 1, 0) && color_is(s.materials[1].diffuse, 1, 0, 0));
+    burnish_mesh_data_destroy(&s);
+    read_good_with(LINES "f 1 2 3\n", library, &s);
+    CHECK1(s.material_count == 1 && color_is(s.materials[0].diffuse, 0, 1, 0));
+    burnish_mesh_data_destroy(&s);
+#undef LINES
+}
+
 /* Warnings of one kind are one line, and there are at most 16 lines. */
 static void test_many_warnings(void) {
     char library[512] = "newmtl a\n", mesh[512] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -582,6 +609,7 @@ int main(int count, char **arguments) {
     RUN(test_obj_polygons());
     RUN(test_mtl());
     RUN(test_obj_materials());
+    RUN(test_line_materials());
     RUN(test_many_warnings());
     RUN(test_first_error());
     RUN(test_missing_libraries());

@@ -16,6 +16,7 @@ typedef struct obj_state {
     int with_texcoords;
     burnish_obj_materials materials;
     size_t triangle;           /* those before it have their run of one material */
+    int has_line_runs;         /* the runs count lines: no face has been seen */
     burnish_segment *segments; /* of lines, while no face has been seen */
     size_t segment_count, segment_capacity;
     burnish_warning_group elements, few_corners, colors, normals, free_form, unknown;
@@ -81,6 +82,30 @@ static burnish_status read_line(obj_state *obj, burnish_lexer *lexer, size_t bef
     return BURNISH_STATUS_OK;
 }
 
+/* The lines of a file with faces are not drawn. */
+static void forget_line_runs(obj_state *obj) {
+    if (obj->has_line_runs) {
+        obj->triangle = obj->materials.run_count = 0;
+        obj->materials.changed = 1;
+        obj->has_line_runs = 0;
+    }
+}
+
+/* Begins a run of the current material if triangles, or else lines, have it. */
+static burnish_status begin_run(obj_state *obj, size_t triangle) {
+    const size_t drawn = triangle > 0 ? triangle : obj->segment_count;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (triangle > 0) {
+        forget_line_runs(obj);
+    }
+    if (drawn > obj->triangle) {
+        status = burnish_obj_begin_run(&obj->materials, obj->triangle);
+        obj->has_line_runs = triangle == 0;
+        obj->triangle = drawn;
+    }
+    return status;
+}
+
 static burnish_status accept(void *state, const burnish_chunk *chunk) {
     obj_state *obj = state;
     burnish_status status = BURNISH_STATUS_OK;
@@ -126,10 +151,7 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
         if (obj->reader->input->pieces) { /* names refer to the input's bytes */
             return burnish_pieces_give_up(obj->reader);
         }
-        if (triangle > obj->triangle) {
-            status = burnish_obj_begin_run(&obj->materials, obj->triangle);
-            obj->triangle = triangle;
-        }
+        status = begin_run(obj, triangle);
         if (status == BURNISH_STATUS_OK && event->kind == BURNISH_OBJ_LIBRARY) {
             status = burnish_obj_read_libraries(&obj->materials, &lexer);
         } else if (status == BURNISH_STATUS_OK) {
@@ -183,6 +205,16 @@ static void settle_colors(obj_state *obj) {
     }
 }
 
+/* Lines have become triangles, equally many each. */
+static burnish_status color_lines(obj_state *obj, size_t count) {
+    const size_t each = obj->reader->mesh->triangle_count / count;
+    const burnish_status status = begin_run(obj, 0);
+    for (size_t i = 0; i < obj->materials.run_count; ++i) {
+        obj->materials.runs[i].first_triangle *= each;
+    }
+    return status == BURNISH_STATUS_OK ? burnish_obj_resolve_materials(&obj->materials) : status;
+}
+
 /* Draws a file without faces as its lines, or its vertices as points. */
 static burnish_status make_points(obj_state *obj) {
     const size_t positions = obj->reader->mesh->streams[BURNISH_POSITION].count;
@@ -199,8 +231,11 @@ static burnish_status make_points(obj_state *obj) {
                             obj->segment_count - count, obj->segment_count);
     }
     settle_colors(obj);
-    return burnish_make_points(obj->reader, obj->segments,
-                               obj->reader->mesh->thinning > 1 ? 0 : count);
+    count = obj->reader->mesh->thinning > 1 ? 0 : count;
+    const burnish_status status = burnish_make_points(obj->reader, obj->segments, count);
+    return status == BURNISH_STATUS_OK && count > 0 && count == obj->segment_count
+               ? color_lines(obj, count)
+               : status;
 }
 
 static burnish_status finish(obj_state *obj) {
@@ -223,8 +258,8 @@ static burnish_status finish(obj_state *obj) {
     settle_corners(obj, BURNISH_TEXCOORD, "texture coordinates");
     settle_colors(obj);
     burnish_status status = burnish_cut_polygons(obj->reader);
-    if (status == BURNISH_STATUS_OK && obj->triangle < mesh->triangle_count) {
-        status = burnish_obj_begin_run(&obj->materials, obj->triangle);
+    if (status == BURNISH_STATUS_OK) {
+        status = begin_run(obj, mesh->triangle_count);
     }
     return status == BURNISH_STATUS_OK ? burnish_obj_resolve_materials(&obj->materials) : status;
 }
