@@ -96,10 +96,12 @@ SETUPS = ("1920x1080, 1 sample, 1 thread", "1920x1080, 1 sample, 2 threads", "19
 
 
 def frames(*arguments):
-    """[--parts FOLDER] BUILD_FOLDER PAGE: fills docs/frames.md from bench-peers; --parts only its table of parts"""
+    """[--parts FOLDER | --meshes] BUILD_FOLDER PAGE: fills docs/frames.md from bench-peers; --parts and --meshes only one table"""
     build, page = arguments[-2:]
     if arguments[0] == "--parts":
         tables = {"parts": parts(read(f"{build}/bench-parts.txt"), os.path.join(arguments[1], "SOURCES"))}
+    elif arguments[0] == "--meshes":
+        tables = {"meshes": meshes(read(f"{build}/bench-meshes.txt"))}
     else:
         values = json.loads(read(f"{build}/bench-peers.json"))
         tables = {
@@ -167,6 +169,21 @@ def shapes(text):
         else:
             rows.append([name, "", "", "", *ratios])
     return table("shape|triangles|burnish, ms|llvmpipe, ms|1 thread|2 threads|4 samples, 1 thread|4 samples, 2 threads|256x256, 1 thread", rows)
+
+
+def meshes(text):
+    """From bench/peers/meshes.py with files: the summary of each setup, and how many files there were."""
+    rows, setup, count = [], "", 0
+    for line in text.splitlines():
+        found = re.match("by medians: geometric mean (.*), least (.*), quartiles (.*), most (.*); .* of (.*) slower", line)
+        if re.match(r"[0-9]+x[0-9]+, ", line):
+            setup = line
+        elif found:
+            picture, samples, threads = setup.split(", ")
+            mean, least, quartiles, most, count = found.groups()
+            rows.append([f"{picture}, {samples}", threads.split()[0], mean, least, quartiles.replace(" ", ", "), most])
+    heading = f"{count} meshes, measured on: {processor()}."
+    return [heading, "", *table("picture|threads|geometric mean|least|quartiles|most", rows)]
 
 
 def parts(text, sources):
