@@ -203,6 +203,7 @@ static burnish_point_view make_point_view(const burnish_raster_view *view, float
         .nearer_z = (float)(size * length_of(view->rows[2])),
         .nearer_w = (float)(-size * w),
         .slope = (float)(w / pixels),
+        .opacity = 1,
         .center = {view->width * (BURNISH_SUBPIXELS / 2), view->height * (BURNISH_SUBPIXELS / 2)}};
     store_unit(view->rows[0], points.right);
     store_unit(view->rows[1], points.up);

@@ -110,6 +110,7 @@ typedef struct burnish_point_view {
     float right[3], up[3], forward[3]; /* unit vectors, in model space */
     float slope; /* of the ray through a pixel, per pixel from the image's centre; 0: parallel */
     int32_t center[2]; /* of the image, 1/256 pixel */
+    float opacity;     /* of all points; the alpha of their colours counts too. Depth ignores it */
 } burnish_point_view;
 
 /* A frame's geometry; every array but the mesh's indices is owned. All zero before the first frame;

@@ -241,6 +241,7 @@ typedef struct tile_disc {
     int32_t x, y, radius;
     float depth, rise; /* of the sphere's centre; of its nearest point minus that */
     float nearest;     /* their sum */
+    unsigned samples;  /* bits of those that show it, whatever the pixel: fewer if transparent */
 } tile_disc;
 
 BURNISH_INLINE float depth_in_disc(const tile_disc *disc, int32_t x, int32_t y) {
@@ -299,7 +300,7 @@ BURNISH_INLINE void draw_disc_pixel(burnish_tile *tile, const burnish_point_view
         const int32_t u = x + offsets[s][0] * BURNISH_SAMPLE_STEP;
         const int32_t v = y + offsets[s][1] * BURNISH_SAMPLE_STEP;
         const int sample = burnish_sample_index(samples, pixel, s);
-        if (!(disc->nearest > tile->buffer.depths[sample]) ||
+        if (!(disc->samples >> s & 1) || !(disc->nearest > tile->buffer.depths[sample]) ||
             (int64_t)u * u + (int64_t)v * v > most) {
             continue;
         }
@@ -345,6 +346,25 @@ static void append_disc(burnish_tile_primitives *primitives, tile_disc *disc, ui
     disc->id = (int32_t)at;
 }
 
+/* The samples that show a point: all of an opaque one, else as large a share as its opacity. They
+ * are the same for all points, so overlapping discs do not add up: a surface has the opacity of its
+ * points and shows what is behind it, but for points that are no more opaque. */
+BURNISH_INLINE unsigned choose_samples(const burnish_tile *tile, float opacity, uint32_t point) {
+    const int samples = tile->options.samples;
+    const unsigned all = (1u << samples) - 1;
+    if (tile->options.planes == 0) {
+        return all;
+    }
+    if (tile->attributes[1]) {
+        opacity *= tile->attributes[1][point][3] / tile->attributes[0][point][3];
+    }
+    if (!(opacity < 0.996f)) {
+        return all;
+    }
+    const int count = (int)(opacity * (float)samples + 0.5f);
+    return count > 0 ? (1u << count) - 1 : 0;
+}
+
 BURNISH_INLINE tile_disc make_disc(const burnish_tile *tile, const burnish_geometry *geometry,
                                    uint32_t point) {
     const burnish_screen_vertex *v = &geometry->vertices.items[point];
@@ -358,7 +378,8 @@ BURNISH_INLINE tile_disc make_disc(const burnish_tile *tile, const burnish_geome
                        .radius = size.radius,
                        .depth = v->depth,
                        .rise = rise,
-                       .nearest = v->depth + rise};
+                       .nearest = v->depth + rise,
+                       .samples = choose_samples(tile, geometry->points.opacity, point)};
 }
 
 /* Returns the largest radius. */
@@ -452,7 +473,7 @@ static void blend_disc(burnish_tile *tile, const burnish_point_view *points, con
         float values[6];
         disc_normal(tile, points, disc, &at, x, y, values);
         for (int k = 0; k < colors; ++k) {
-            values[3 + k] = tile->attributes[1][disc->point][k];
+            values[3 + k] = tile->attributes[1][disc->point][k] / attribute[3];
         }
         for (int k = 0; k < 3 + colors; ++k) {
             float *sum =
@@ -467,7 +488,7 @@ static void blend_points(burnish_tile *tile, const burnish_geometry *geometry,
                          const uint32_t *indices, size_t count, point_blend *blend) {
     for (size_t i = 0; i < count; ++i) {
         const tile_disc disc = make_disc(tile, geometry, indices[i]);
-        if (disc.radius >= BLEND_RADIUS) {
+        if (disc.radius >= BLEND_RADIUS && disc.samples == (1u << tile->options.samples) - 1) {
             blend_disc(tile, &geometry->points, &disc, blend);
         }
     }
@@ -489,24 +510,26 @@ static void end_blend(burnish_tile *tile, const point_blend *blend) {
         if (!(weight > 0)) {
             continue;
         }
-        for (int k = 0; k < planes; ++k) {
-            if (k != BURNISH_PLANE_W) {
-                tile->buffer.planes[k][pixel] = tile->buffer.planes[k][pixel] / weight;
+        const int front = front_sample(tile, pixel);
+        if (samples > 1) {
+            const int32_t id = tile->buffer.ids[front];
+            for (int s = 0; s < samples; ++s) {
+                tile->buffer.ids[burnish_sample_index(samples, pixel, s)] = id;
+            }
+            if (planes > BURNISH_PLANE_W) {
+                const uint32_t point = tile->primitives.primitives[id].vertices[0];
+                tile->buffer.planes[BURNISH_PLANE_W][pixel] = tile->attributes[0][point][3];
+            }
+            if (tile->options.needs_position) {
+                tile->buffer.center_depths[pixel] = blend->fronts[pixel];
             }
         }
-        if (samples == 1) {
-            continue;
-        }
-        const int32_t id = tile->buffer.ids[front_sample(tile, pixel)];
-        for (int s = 0; s < samples; ++s) {
-            tile->buffer.ids[burnish_sample_index(samples, pixel, s)] = id;
-        }
-        if (planes > BURNISH_PLANE_W) {
-            const uint32_t point = tile->primitives.primitives[id].vertices[0];
-            tile->buffer.planes[BURNISH_PLANE_W][pixel] = tile->attributes[0][point][3];
-        }
-        if (tile->options.needs_position) {
-            tile->buffer.center_depths[pixel] = blend->fronts[pixel];
+        for (int k = 0; k < planes; ++k) { /* colours are divided by w, as W is */
+            const float scale =
+                k > BURNISH_PLANE_W ? tile->buffer.planes[BURNISH_PLANE_W][pixel] : 1;
+            if (k != BURNISH_PLANE_W) {
+                tile->buffer.planes[k][pixel] = tile->buffer.planes[k][pixel] * scale / weight;
+            }
         }
     }
 }

@@ -363,6 +363,7 @@ static burnish_status draw_tiles(drawing *d) {
     const burnish_backdrop backdrop = d->options->background_environment
                                           ? burnish_backdrop_make(d->options, up_of(d))
                                           : (burnish_backdrop){0};
+    renderer->geometry.points.opacity = renderer->transparency.opacities[0];
     burnish_frame frame = {
         .ops = d->raster,
         .geometry = &renderer->geometry,
