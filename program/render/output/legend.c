@@ -23,6 +23,26 @@ static void fill(burnish_image *image, const int box[4], const uint8_t srgb[3]) 
     }
 }
 
+/* The label of a tick, from the highest value on. */
+static void write_label(const double range[2], int tick, char label[32]) {
+    const double at = range[1] + (range[0] - range[1]) * tick / (TICKS - 1);
+    const double size = range[1] > range[0] ? range[1] - range[0] : range[0] - range[1];
+    snprintf(label, 32, "%.4g", at < size * 1e-4 && at > -size * 1e-4 ? 0.0 : at);
+}
+
+/* Pixels from the bar to the end of the longest label. */
+static float label_room(const double range[2], float text) {
+    static const uint8_t ink[3] = {0};
+    float most = 0;
+    for (int i = 0; i < TICKS; ++i) {
+        char label[32];
+        write_label(range, i, label);
+        const float length = burnish_image_draw_text(NULL, 0, 0, text, ink, label);
+        most = length > most ? length : most;
+    }
+    return text / 2 + 2 + most;
+}
+
 /* What the values are, and their unit. */
 static void write_title(const render_result *result, char title[64]) {
     const char *unit = burnish_mesh_get_info(result->mesh)->unit;
@@ -45,7 +65,9 @@ void render_draw_legend(const render_result *result, const uint8_t background[3]
     if (!render_has_legend(coloring) || smaller < 100) {
         return;
     }
-    const int left = image->width - (int)(RENDER_LEGEND_INSET * smaller), width = (int)text;
+    const int width = (int)text, inset = (int)(RENDER_LEGEND_INSET * smaller);
+    const int needed = width + (int)label_room(range, text) + 2; /* more in small pictures */
+    const int left = image->width - (needed > inset ? needed : inset);
     const int top = image->height / 4, height = image->height / 2;
     for (int y = 0; y < height; ++y) {
         uint8_t srgb[3];
@@ -56,10 +78,8 @@ void render_draw_legend(const render_result *result, const uint8_t background[3]
     for (int i = 0; i < TICKS; ++i) {
         const int y = top + (height - 1) * i / (TICKS - 1);
         const int box[4] = {left + width, y, left + width + width / 3, y + 1};
-        const double at = range[1] + (range[0] - range[1]) * i / (TICKS - 1);
-        const double size = range[1] > range[0] ? range[1] - range[0] : range[0] - range[1];
+        write_label(range, i, label);
         fill(image, box, ink);
-        snprintf(label, sizeof label, "%.4g", at < size * 1e-4 && at > -size * 1e-4 ? 0.0 : at);
         burnish_image_draw_text(image, (float)(left + width + width / 2 + 2), (float)y + text / 2,
                                 text, ink, label);
     }
