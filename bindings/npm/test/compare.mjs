@@ -51,8 +51,8 @@ for (const line of readFileSync(golden, "utf8").trim().split("\n")) {
   }
   ++drawn;
   for (const burnish of instances) {
-    const { noTextures, creaseAngle, inputFormat, up, tessellation, clip, colorBy, ...drawn } = optionsOf(flags);
-    const loading = { noTextures, creaseAngle, inputFormat, up, tessellation, clip, colorBy, name: input, files, decode: decodePng };
+    const { noTextures, creaseAngle, inputFormat, up, tessellation, clip, colorBy, pointSize, ...drawn } = optionsOf(flags);
+    const loading = { noTextures, creaseAngle, inputFormat, up, tessellation, clip, colorBy, pointSize, name: input, files, decode: decodePng };
     const mesh = await burnish.read(inputOf(input), loading);
     const picture = mesh.render(drawn);
     mesh.close();
