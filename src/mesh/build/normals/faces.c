@@ -51,18 +51,23 @@ static inline __attribute__((always_inline)) double angle_of(double length, doub
     return choose(dot < 0, 4 * QUARTER_PI - angle, angle);
 }
 
+/* From corner `from` to corner `to` of triangle i. */
+static inline __attribute__((always_inline)) burnish_vec3 edge_of(const block *b, size_t i,
+                                                                  int from, int to) {
+    double edge[3];
+    for (int k = 0; k < 3; ++k) {
+        edge[k] = (double)b->positions[3 * to + k][i] - (double)b->positions[3 * from + k][i];
+    }
+    return (burnish_vec3){edge[0], edge[1], edge[2]};
+}
+
 /* Area makes the length positive: the square of the smallest product does not underflow. */
 static inline __attribute__((always_inline)) void measure_any(const block *b, size_t count) {
     double *restrict x = b->x, *restrict y = b->y, *restrict z = b->z;
     double *restrict lengths = b->lengths, *restrict angles = b->angles;
     for (size_t i = 0; i < count; ++i) {
-        double p[9];
-        for (int k = 0; k < 9; ++k) {
-            p[k] = b->positions[k][i];
-        }
-        const burnish_vec3 second = {p[3] - p[0], p[4] - p[1], p[5] - p[2]};
-        const burnish_vec3 third = {p[6] - p[0], p[7] - p[1], p[8] - p[2]};
-        const burnish_vec3 between = {p[6] - p[3], p[7] - p[4], p[8] - p[5]};
+        const burnish_vec3 second = edge_of(b, i, 0, 1), third = edge_of(b, i, 0, 2);
+        const burnish_vec3 between = edge_of(b, i, 1, 2);
         const burnish_vec3 cross = burnish_vec3_cross(second, third);
         const double length = burnish_vec3_length(cross), scale = 1 / length;
         lengths[i] = length;
@@ -148,12 +153,7 @@ void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corne
 static inline __attribute__((always_inline)) void find_any(const block *b, size_t count,
                                                            uint8_t *has_area) {
     for (size_t i = 0; i < count; ++i) {
-        double p[9];
-        for (int k = 0; k < 9; ++k) {
-            p[k] = b->positions[k][i];
-        }
-        const burnish_vec3 second = {p[3] - p[0], p[4] - p[1], p[5] - p[2]};
-        const burnish_vec3 third = {p[6] - p[0], p[7] - p[1], p[8] - p[2]};
+        const burnish_vec3 second = edge_of(b, i, 0, 1), third = edge_of(b, i, 0, 2);
         const burnish_vec3 cross = burnish_vec3_cross(second, third);
         has_area[i] = (cross.x != 0) | (cross.y != 0) | (cross.z != 0);
     }
