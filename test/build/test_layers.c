@@ -40,9 +40,10 @@ static const struct layer {
      "burnish/mesh.h"},
     {"src/environment", "core image image/decode shading simd burnish/kernels.h burnish/light.h"},
     {"src/render", "core raster simd burnish/mesh.h"},
+    {"src/render/drawing",
+     "core image/text/drawing.h render/frame burnish/drawing.h burnish/render.h"},
     {"src/render/frame", "core simd raster shading render render/light render/lines render/texture "
-                         "image/text/drawing.h burnish/core.h burnish/drawing.h burnish/look.h "
-                         "burnish/mesh.h burnish/render.h"},
+                         "burnish/core.h burnish/look.h burnish/mesh.h burnish/render.h"},
     {"src/render/light",
      "core environment simd raster render render/texture shading burnish/light.h burnish/mesh.h "
      "burnish/render.h"},

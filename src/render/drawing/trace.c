@@ -14,9 +14,9 @@
 #include "core/srgb.h"
 #include "core/vector.h"
 #include "image/text/drawing.h"
+#include "render/drawing/regions.h"
 #include "render/frame/caps.h"
 #include "render/frame/options.h"
-#include "render/frame/regions.h"
 #include "render/frame/view.h"
 
 enum {

@@ -1,6 +1,6 @@
 /* Regions: pixels of one value as an area between closed lines, and lines that hatch it. */
-#ifndef BURNISH_RENDER_FRAME_REGIONS_H
-#define BURNISH_RENDER_FRAME_REGIONS_H
+#ifndef BURNISH_RENDER_DRAWING_REGIONS_H
+#define BURNISH_RENDER_DRAWING_REGIONS_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,4 +1,4 @@
-#include "render/frame/regions.h"
+#include "render/drawing/regions.h"
 
 #include <stdlib.h>
 #include <string.h>
