@@ -114,7 +114,7 @@ static void test_rows_and_shares(const burnish_mesh *mesh, const burnish_environ
     options.transparent = 1;
     draw_floats(mesh, &options, object[0][0], NULL);
     for (int i = 0; i < HEIGHT * WIDTH; ++i) {
-        const float *all = whole[0][i], *own = object[0][i];
+        const float *all = whole[i / WIDTH][i % WIDTH], *own = object[i / WIDTH][i % WIDTH];
         double rgb[3];
         expect(&options.camera, i % WIDTH, i / WIDTH, rgb);
         for (int k = 0; k < 3; ++k) {

@@ -54,8 +54,6 @@ typedef struct near_squares {
 static int material_at(const burnish_near_field *field, const burnish_tile *tile, int x, int y) {
     const int samples = tile->options.samples, pixel = burnish_pixel_index(x, y);
     const int block = pixel / BURNISH_BLOCK_PIXELS, row = block / BURNISH_TILE_BLOCKS;
-    const int32_t *ids =
-        tile->buffer.ids + block * samples * BURNISH_BLOCK_PIXELS + pixel % BURNISH_BLOCK_PIXELS;
     if (x >= tile->width || y >= tile->height ||
         !(tile->buffer.dirty_blocks[row] >> block % BURNISH_TILE_BLOCKS & 1)) {
         return -1;
@@ -64,8 +62,12 @@ static int material_at(const burnish_near_field *field, const burnish_tile *tile
         if (!(tile->buffer.depths[pixel] > BURNISH_FARTHEST)) {
             return -1;
         }
-        return field->triangle_materials ? field->triangle_materials[(uint32_t)*ids >> 1] : 0;
+        return field->triangle_materials
+                   ? field->triangle_materials[(uint32_t)tile->buffer.ids[pixel] >> 1]
+                   : 0;
     }
+    const int32_t *ids =
+        tile->buffer.ids + block * samples * BURNISH_BLOCK_PIXELS + pixel % BURNISH_BLOCK_PIXELS;
     for (int s = 1; s < samples; ++s) {
         if (ids[s * BURNISH_BLOCK_PIXELS] != ids[0]) {
             return -1;

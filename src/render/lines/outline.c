@@ -58,12 +58,11 @@ burnish_status burnish_outline_begin(burnish_outline *outline,
 /* Samples of the pixels of a row of blocks, in the order of the blocks. */
 static void count_samples(const burnish_outline_pixels *pixels, int number, uint8_t all,
                           uint8_t *samples) {
-    const uint8_t *covered = pixels->covered + number * BURNISH_BLOCK_ROW_PIXELS;
-    for (int i = 0; pixels->covered && i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+    static const uint8_t none[BURNISH_BLOCK_ROW_PIXELS] = {0};
+    const uint8_t *covered =
+        pixels->covered ? pixels->covered + number * BURNISH_BLOCK_ROW_PIXELS : none;
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
         samples[i] = pixels->simple[i] >= 0 ? all : covered[i];
-    }
-    for (int i = 0; !pixels->covered && i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
-        samples[i] = pixels->simple[i] >= 0 ? all : 0;
     }
     for (int block = 0; pixels->layered && block < BURNISH_TILE_BLOCKS; ++block) {
         const unsigned bits = pixels->layered[number * BURNISH_TILE_BLOCKS + block];
