@@ -44,7 +44,8 @@ static int find_materials(const uint16_t *of_triangles, size_t triangle_count, c
         const vm here = vi_not_negative(simple);
         const unsigned bits = vm_bits(here);
         vi id = words ? vi_gather(words + 3, vi_blend(here, vi_shl(simple, 2), zero))
-                      : vi_blend(here, vi_load(ids + i), zero);
+                      : vi_load(ids + i);
+        id = vi_blend(here, id, zero); /* no primitive need be there */
         vi material = gather_16_bits(of_triangles, triangle_count, vi_shr(id, 1));
         vi_store(materials + i, material);
         last = bits ? materials[i + (size_t)__builtin_ctz(bits)] : last < 0 ? 0 : last;
