@@ -223,6 +223,19 @@ static void share_vertex(vertex_maker *maker, uint32_t position) {
     maker->shared[position] = corner;
 }
 
+/* The first corner of its vertex for each corner of a position with one vertex. */
+static void index_shared(void *context, size_t first, size_t end) {
+    const vertex_maker *maker = context;
+    const uint32_t *positions = maker->b->corner_positions, *shared = maker->shared;
+    uint32_t *indices = maker->b->mesh->indices;
+    for (size_t i = 3 * first; i < 3 * end; ++i) {
+        const uint32_t corner = shared[positions[i]];
+        if (corner != BURNISH_NONE) {
+            indices[i] = corner;
+        }
+    }
+}
+
 /* Whether all corners have the same normal from the file. */
 static int have_one_normal(const burnish_builder *b, const uint32_t *corners, size_t count) {
     const uint32_t *normals = burnish_stream_corners(b->data, BURNISH_NORMAL);
@@ -509,18 +522,22 @@ static burnish_status build_any(burnish_builder *b) {
         memset(shared, 0xff, b->position_count * sizeof *shared);
         status = make_vertices(b, makers, count);
     }
-    if (status == BURNISH_STATUS_OK) { /* in the order in which the triangles first use them */
-        burnish_number_heads(b->data->tasks, b->mesh->indices, 3 * b->triangle_count,
-                             b->corner_positions, shared);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_tasks_ranges(b->data->tasks, b->triangle_count, BURNISH_BUILD_GRAIN, index_shared,
+                             &makers[0]);
     }
     burnish_release(b->memory->context, shared);
     if (status == BURNISH_STATUS_OK) {
         burnish_build_release_corners(b, b->has_extras);
         status = burnish_build_allocate_vertices(b);
     }
-    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        burnish_tasks_ranges(b->data->tasks, makers[i].count, BURNISH_BUILD_GRAIN, write_range,
-                             &makers[i]);
+    if (status == BURNISH_STATUS_OK) {
+        /* In the order in which the triangles first use them. */
+        burnish_number_heads(b->data->tasks, b->mesh->indices, 3 * b->triangle_count);
+        for (int i = 0; i < count; ++i) {
+            burnish_tasks_ranges(b->data->tasks, makers[i].count, BURNISH_BUILD_GRAIN, write_range,
+                                 &makers[i]);
+        }
     }
     destroy_makers(makers, count);
     return status;

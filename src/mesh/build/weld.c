@@ -402,25 +402,18 @@ enum { HEAD_RANGES_MAX = 64, HEAD_RANGE_MIN_BITS = 13 };
 
 typedef struct numbering {
     uint32_t *heads;
-    const uint32_t *positions, *shared;
     size_t count, next;
     int range_bits; /* of an item's number in its range */
     size_t ranges;
     uint32_t found[HEAD_RANGES_MAX], bases[HEAD_RANGES_MAX]; /* of a range: its heads; before it */
 } numbering;
 
-static inline uint32_t head_of(const numbering *numbers, size_t i) {
-    const uint32_t shared = numbers->shared[numbers->positions[i]],
-                   mask = 0U - (shared == BURNISH_NONE);
-    return (numbers->heads[i] & mask) | (shared & ~mask);
-}
-
 static void number_in_order(void *context, size_t first, size_t end) {
     numbering *numbers = context;
     uint32_t *heads = numbers->heads;
     uint32_t next = (uint32_t)numbers->next;
     for (size_t i = first; i < end; ++i) { /* which are heads can't be predicted */
-        const uint32_t head = head_of(numbers, i), is_head = head == i, mask = 0U - is_head;
+        const uint32_t head = heads[i], is_head = head == i, mask = 0U - is_head;
         heads[i] = (next & mask) | (heads[head] & ~mask);
         next += is_head;
     }
@@ -439,8 +432,9 @@ static void mark_heads(void *context, size_t range, int thread) {
     (void)thread;
     for (size_t i = range << numbers->range_bits, end = head_range_end(numbers, range); i < end;
          ++i) {
-        const uint32_t head = head_of(numbers, i);
-        heads[i] = head == i ? IS_HEAD | next++ : head;
+        if (heads[i] == i) {
+            heads[i] = IS_HEAD | next++;
+        }
     }
     numbers->found[range] = next;
 }
@@ -486,9 +480,8 @@ static void number_by_threads(burnish_tasks *tasks, numbering *numbers) {
     burnish_tasks_run(tasks, numbers->ranges, 1, 0, number_by_heads, numbers);
 }
 
-size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count,
-                            const uint32_t *positions, const uint32_t *shared) {
-    numbering numbers = {.heads = heads, .positions = positions, .shared = shared, .count = count};
+size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count) {
+    numbering numbers = {.heads = heads, .count = count};
     if (burnish_tasks_threads(tasks) == 1 || count < BURNISH_BUILD_STEP || count > IS_HEAD) {
         burnish_tasks_in_order(tasks, count, BURNISH_BUILD_STEP, number_in_order, &numbers);
     } else {

@@ -19,13 +19,9 @@
 burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *tasks,
                             burnish_memory *memory, uint32_t *remap, float *to, size_t *unique);
 
-/* Numbers items in the order of the first ones equal to them, into heads; returns how many differ,
- * fewer if cancelled.
- *
- * heads:     of each item, the first one equal to it, at most its own number
- * positions: of each item; where shared[position] is not BURNISH_NONE, that is the first one */
-size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count,
-                            const uint32_t *positions, const uint32_t *shared);
+/* heads[i] is the first item equal to item i, at most i. Numbers the items in place, in the order
+ * of those first ones. Returns the number of different items; fewer if cancelled. */
+size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count);
 
 /* Words that a vertex of one position can differ in: normal, colour, texture coordinates, tangent.
  */
