@@ -104,6 +104,7 @@ def frames(*arguments):
         tables = {"meshes": meshes(read(f"{build}/bench-meshes.txt"))}
     else:
         values = json.loads(read(f"{build}/bench-peers.json"))
+        values.update(values.pop("medians"))
         tables = {
             "machine": [f"Measured on: {processor()}; medians of {values['rounds']} rounds in all."],
             "frames": per_set("ms per frame", FRAMES, lambda key, what: values.get(f"frame.{key}.{what}"), lambda value: "%.1f" if value < 100 else "%.0f"),
@@ -117,8 +118,9 @@ def frames(*arguments):
 
 
 def processor():
-    found = re.search(r"^model name[^:]*: (.*)", read("/proc/cpuinfo"), re.M) if os.path.exists("/proc/cpuinfo") else None
-    return found[1] if found else "an unnamed processor"
+    text = read("/proc/cpuinfo") if os.path.exists("/proc/cpuinfo") else ""
+    name, family, model = (re.search(rf"^{key}\s*: (.*)", text, re.M) for key in ("model name", "cpu family", "model"))
+    return f"{name[1]}, family {family[1]}, model {model[1]}" if name and family and model else name[1] if name else "an unnamed processor"
 
 
 def per_set(heading, names, value, form):
