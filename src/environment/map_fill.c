@@ -179,8 +179,8 @@ typedef struct cubic {
 /* The polygons' light through one lobe. */
 typedef struct lobe_map {
     int size;
-    float *texels;                            /* with WIDE_BORDER */
-    cubic columns[LARGEST_SIZE + 2 * BORDER]; /* of the map that it is added to */
+    float *texels;  /* with WIDE_BORDER */
+    cubic *columns; /* of the map that it is added to */
 } lobe_map;
 
 typedef struct build {
@@ -425,6 +425,16 @@ static burnish_status fill(build *b) {
     return filler->tasks ? burnish_tasks_check(filler->tasks, memory->error) : BURNISH_STATUS_OK;
 }
 
+static burnish_status make_columns(const build *b, lobe_map *map) {
+    const int count = b->size + 2 * BORDER;
+    burnish_memory *memory = b->filler->memory;
+    map->columns = burnish_allocate(memory, (size_t)count, sizeof *map->columns, "a map of light");
+    for (int i = 0; i < count && map->columns; ++i) {
+        map->columns[i] = find_cubic(i, b->size, map->size);
+    }
+    return memory->status;
+}
+
 /* The polygons' light through each lobe. */
 static burnish_status fill_lobe_maps(build *b) {
     burnish_status status = BURNISH_STATUS_OK;
@@ -439,8 +449,8 @@ static burnish_status fill_lobe_maps(build *b) {
         lobe_map *made = &b->lobe_maps[b->lobe_map_count++];
         made->size = own.size;
         made->texels = own.texels;
-        for (int i = 0; i < b->size + 2 * BORDER; ++i) {
-            made->columns[i] = find_cubic(i, b->size, own.size);
+        if (status == BURNISH_STATUS_OK) {
+            status = make_columns(b, made);
         }
     }
     return status;
@@ -465,6 +475,7 @@ burnish_status burnish_light_map_fill(const burnish_map_filler *filler, float al
     status = status == BURNISH_STATUS_OK ? fill(&b) : status;
     for (int i = 0; i < b.lobe_map_count; ++i) {
         burnish_release(filler->memory->context, b.lobe_maps[i].texels);
+        burnish_release(filler->memory->context, b.lobe_maps[i].columns);
     }
     *size = b.size;
     *texels = b.texels;

@@ -100,6 +100,12 @@ else
     echo "cli_turntable: SKIPPED: WebP, which this build does not write"
 fi
 
+# Some C libraries give threads 128 KiB of stack.
+if sh -c "ulimit -s 112; '$burnish' render :sphere --look=plain --size=16 -o plain.png" 2>/dev/null; then # not with the sanitizers
+    check "small stacks" sh -c "ulimit -s 128; '$burnish' render :sphere --size=64 --frames=3 --turntable=small.gif"
+    rm -f plain.png small.gif
+fi
+
 if command -v python3 >/dev/null; then
     check "$(PYTHONDONTWRITEBYTECODE=1 python3 "$here/turntable.py" "$burnish" 2>&1 | tail -1)" \
         env PYTHONDONTWRITEBYTECODE=1 python3 "$here/turntable.py" "$burnish"

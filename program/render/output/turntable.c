@@ -276,6 +276,19 @@ static void *draw_next(void *context) {
     return NULL;
 }
 
+/* Drawing needs more stack than threads have by default with some C libraries (128 KiB with musl). */
+static int start_drawing(stream *s) {
+    enum { STACK = 1 << 20 };
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0) {
+        return 0;
+    }
+    const int is_started = pthread_attr_setstacksize(&attributes, STACK) == 0 &&
+                           pthread_create(&s->thread, &attributes, draw_next, s) == 0;
+    pthread_attr_destroy(&attributes);
+    return is_started;
+}
+
 static void wait_for_next(stream *s) {
     if (s->is_drawing) {
         pthread_join(s->thread, NULL);
@@ -300,7 +313,7 @@ static burnish_status take_frame(stream *s, int frame, const burnish_image **ima
         s->next < result->settings->output.frames) {
         memcpy(s->shown.pixels, (*image)->pixels, image_size(*image));
         *image = &s->shown;
-        s->is_drawing = pthread_create(&s->thread, NULL, draw_next, s) == 0;
+        s->is_drawing = start_drawing(s);
     }
     return status;
 }
