@@ -283,6 +283,42 @@ static void test_preview(void) {
     }
 }
 
+/* Half of the points close together and half far apart, which takes the most memory: the share that
+ * previews count on is enough. */
+static void test_uneven(void) {
+    enum { COUNT = 60000, SHARE = 112 };
+    used_bytes used;
+    burnish_error error;
+    burnish_mesh *mesh = NULL;
+    burnish_load_options options = burnish_load_options_default();
+    FILE *file = tmpfile();
+    options.threads = 1;
+    options.context = make_counted(&used);
+    if (!file || !options.context) {
+        abort();
+    }
+    fprintf(file,
+            "ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\n"
+            "property float y\nproperty float z\nend_header\n",
+            COUNT);
+    uint32_t random = 1;
+    for (int i = 0; i < COUNT; ++i) {
+        float position[3];
+        for (int k = 0; k < 3; ++k) {
+            random = random * 1664525u + 1013904223u;
+            position[k] = (float)(random >> 8) * (i % 2 ? 0x1p-24f : k < 2 ? 0x1p-27f : 0);
+        }
+        fwrite(position, sizeof position, 1, file);
+    }
+    rewind(file);
+    CHECK_OK(burnish_mesh_load_descriptor(fileno(file), "a.ply", &options, &mesh, &error), error);
+    const size_t most = atomic_load(&used.most);
+    CHECK(most <= (size_t)COUNT * SHARE + WINDOW, "%zu bytes, %zu a point", most, most / COUNT);
+    burnish_mesh_destroy(mesh);
+    fclose(file);
+    burnish_context_destroy((burnish_context *)(uintptr_t)options.context);
+}
+
 /* Rods between vertices, by numbers from either end. */
 static void test_lines(void) {
     burnish_load_options options = burnish_load_options_default();
@@ -377,6 +413,7 @@ int main(int count, char **arguments) {
     RUN(test_density());
     RUN(test_outliers());
     RUN(test_preview());
+    RUN(test_uneven());
     RUN(test_lines());
     RUN(test_limits());
     return test_end("points");

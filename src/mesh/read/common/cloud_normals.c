@@ -31,10 +31,11 @@ typedef struct voxel {
     float normal[3]; /* 0, 0, 0: not like a surface */
 } voxel;
 
-/* The numbers of the voxels of 4 x 4 x 4 cells, + 1; 0: not there. Neighbours are in few blocks. */
+/* The numbers of the voxels of 2 x 2 x 2 cells, + 1; 0: not there. Neighbours are in at most eight
+ * blocks; larger ones would take too much memory where points are far apart. */
 typedef struct block {
     uint64_t key; /* of its first cell */
-    uint32_t voxels[64];
+    uint32_t voxels[8];
 } block;
 
 typedef struct voxels {
@@ -78,11 +79,11 @@ static size_t slot_of(const voxels *v, uint64_t key) {
 }
 
 static uint64_t block_key(const int64_t cell[3]) {
-    return key_of(cell[0] & ~3, cell[1] & ~3, cell[2] & ~3);
+    return key_of(cell[0] & ~1, cell[1] & ~1, cell[2] & ~1);
 }
 
 static size_t in_block(const int64_t cell[3]) {
-    return (size_t)((cell[0] & 3) | (cell[1] & 3) << 2 | (cell[2] & 3) << 4);
+    return (size_t)((cell[0] & 1) | (cell[1] & 1) << 1 | (cell[2] & 1) << 2);
 }
 
 /* The blocks around a cell, found as they are needed. */
@@ -93,7 +94,7 @@ typedef struct around {
 
 static const voxel *find_voxel(const voxels *v, const int64_t cell[3], around last[8]) {
     const uint64_t key = block_key(cell);
-    around *at = &last[(cell[0] >> 2 & 1) | (cell[1] >> 1 & 2) | (cell[2] & 4)];
+    around *at = &last[(cell[0] >> 1 & 1) | (cell[1] & 2) | (cell[2] << 1 & 4)];
     if (at->key != key) {
         const uint32_t number = v->slots[slot_of(v, key)];
         *at = (around){key, number ? &v->blocks[number - 1] : NULL};
