@@ -94,7 +94,7 @@ typedef struct around {
 
 static const voxel *find_voxel(const voxels *v, const int64_t cell[3], around last[8]) {
     const uint64_t key = block_key(cell);
-    around *at = &last[(cell[0] >> 1 & 1) | (cell[1] & 2) | (cell[2] << 1 & 4)];
+    around *at = &last[(cell[0] >> 1 & 1) | (cell[1] & 2) | (cell[2] & 2) << 1];
     if (at->key != key) {
         const uint32_t number = v->slots[slot_of(v, key)];
         *at = (around){key, number ? &v->blocks[number - 1] : NULL};
