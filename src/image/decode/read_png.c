@@ -20,8 +20,11 @@ typedef struct decoder {
     png_infop info;
     const uint8_t *bytes;
     size_t size, next;
-    burnish_memory memory; /* of libpng and its zlib */
-    char reason[120];      /* libpng's */
+    burnish_memory memory;   /* of libpng and its zlib */
+    char reason[120];        /* libpng's */
+    int passes;              /* more than 1 if interlaced */
+    int has_palette;         /* rows are read as indices of 8 bits */
+    uint8_t palette[256][4]; /* black beyond its end, as libpng has it */
 } decoder;
 
 static png_voidp allocate(png_structp png, png_alloc_size_t size) {
@@ -53,17 +56,67 @@ static void pass_over(png_structp png, png_const_charp reason) {
     (void)png, (void)reason;
 }
 
-/* Everything as 8 bits of RGB or RGBA. Returns the channels. */
-static int ask_for_codes(decoder *d, int channels) {
-    png_set_expand(d->png);
-    png_set_scale_16(d->png);
-    png_set_gray_to_rgb(d->png);
-    if (channels == 4) {
-        png_set_add_alpha(d->png, 255, PNG_FILLER_AFTER);
+/* Returns the channels of its colours. */
+static int take_palette(decoder *d, int channels) {
+    png_colorp colors = NULL;
+    png_bytep alphas = NULL;
+    int count = 0, alpha_count = 0;
+    png_get_PLTE(d->png, d->info, &colors, &count);
+    png_get_tRNS(d->png, d->info, &alphas, &alpha_count, NULL);
+    for (int i = 0; i < 256; ++i) {
+        const png_color color = i < count ? colors[i] : (png_color){0, 0, 0};
+        const uint8_t alpha = i < alpha_count ? alphas[i] : 255;
+        memcpy(d->palette[i], (uint8_t[]){color.red, color.green, color.blue, alpha}, 4);
     }
-    png_set_interlace_handling(d->png);
+    return channels == 4 || alpha_count > 0 ? 4 : 3;
+}
+
+/* Everything as 8 bits of RGB or RGBA, or of indices. Returns the channels of the image. */
+static int ask_for_codes(decoder *d, int channels) {
+    d->has_palette = png_get_color_type(d->png, d->info) == PNG_COLOR_TYPE_PALETTE;
+    if (d->has_palette) { /* libpng's own expansion takes 27 instructions per pixel */
+        channels = take_palette(d, channels);
+        png_set_packing(d->png);
+    } else {
+        png_set_expand(d->png);
+        png_set_scale_16(d->png);
+        png_set_gray_to_rgb(d->png);
+        if (channels == 4) {
+            png_set_add_alpha(d->png, 255, PNG_FILLER_AFTER);
+        }
+    }
+    d->passes = png_set_interlace_handling(d->png);
     png_read_update_info(d->png, d->info);
-    return png_get_channels(d->png, d->info);
+    return d->has_palette ? channels : png_get_channels(d->png, d->info);
+}
+
+/* Colours of a row from its indices, which are at its end. */
+static void expand_indices(const decoder *d, uint8_t *row, size_t width, int channels) {
+    const uint8_t *from = row + width * (size_t)(channels - 1);
+    if (channels == 4) {
+        for (size_t x = 0; x < width; ++x) {
+            memcpy(row + 4 * x, d->palette[from[x]], 4);
+        }
+    } else {
+        for (size_t x = 0; x < width; ++x) {
+            memcpy(row + 3 * x, d->palette[from[x]], 3);
+        }
+    }
+}
+
+static void read_rows(const decoder *d, burnish_image *image) {
+    const size_t width = (size_t)image->width, size = width * (size_t)image->channels;
+    const size_t skipped = d->has_palette ? size - width : 0;
+    for (int pass = 1; pass <= d->passes; ++pass) {
+        for (int y = 0; y < image->height; ++y) {
+            uint8_t *row = image->pixels + size * (size_t)y;
+            png_read_row(d->png, row + skipped, NULL);
+            burnish_written_outside(row + skipped, size - skipped);
+            if (d->has_palette && pass == d->passes) {
+                expand_indices(d, row, width, image->channels);
+            }
+        }
+    }
 }
 
 /* Rejects more rows than the file can hold, so a small file can not use much memory. */
@@ -115,7 +168,7 @@ static int is_whole(const decoder *d) {
 }
 
 static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_memory *memory,
-                             burnish_image *image, png_bytepp *rows) {
+                             burnish_image *image) {
     if (setjmp(png_jmpbuf(d->png))) {
         return d->memory.status != BURNISH_STATUS_OK
                    ? d->memory.status
@@ -134,22 +187,14 @@ static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_me
     png_set_chunk_malloc_max(d->png, MOST_CHUNK_BYTES);
     png_set_chunk_cache_max(d->png, NO_CHUNKS);
     png_set_crc_action(d->png, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
+    png_set_option(d->png, PNG_IGNORE_ADLER32, PNG_OPTION_ON); /* chunks have their own sums */
     png_read_info(d->png, d->info);
     status = make_image(from, d, memory, image);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    *rows = burnish_allocate(memory, (size_t)image->height, sizeof **rows, from->name);
-    if (!*rows) {
-        return memory->status;
-    }
-    for (int y = 0; y < image->height; ++y) {
-        (*rows)[y] = image->pixels + (size_t)y * (size_t)image->width * (size_t)image->channels;
-    }
-    png_read_image(d->png, *rows);
+    read_rows(d, image);
     png_read_end(d->png, NULL);
-    burnish_written_outside(image->pixels,
-                            (size_t)image->width * (size_t)image->height * (size_t)image->channels);
     return d->memory.status; /* libpng ignores failures of optional parts */
 }
 
@@ -158,15 +203,13 @@ burnish_status burnish_decode_png(const burnish_encoded *from, burnish_memory *m
     decoder d = {.bytes = from->bytes,
                  .size = from->size,
                  .memory = burnish_memory_of(memory->context, memory->error)};
-    png_bytepp rows = NULL;
     d.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &d, fail, pass_over, &d, allocate,
                                      give_back);
     d.info = d.png ? png_create_info_struct(d.png) : NULL;
-    burnish_status status = d.info ? decode(from, &d, memory, picture, &rows)
+    burnish_status status = d.info ? decode(from, &d, memory, picture)
                                    : burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
                                                   "%.200s: out of memory", from->name);
     png_destroy_read_struct(&d.png, &d.info, NULL);
-    burnish_release(memory->context, rows);
     return status;
 }
 
