@@ -238,12 +238,12 @@ static void test_level_kinds(void) {
 }
 
 /* Texels of level 0 that a thread asks for, as a kernel does, and what they should be. */
-enum { BAND_WIDTH = 38, BAND_HEIGHT = 150, ASKED = 16 };
+enum { BLOCKS_WIDTH = 138, BLOCKS_HEIGHT = 150 };
 
-typedef struct band_check {
+typedef struct block_check {
     const burnish_texture_levels *levels, *whole;
     atomic_int wrong;
-} band_check;
+} block_check;
 
 static size_t texel_size(const burnish_texture_levels *levels) {
     return levels->texels ? 8 : 4;
@@ -255,40 +255,32 @@ static const uint8_t *texel_of(const burnish_texture_levels *levels, int32_t i) 
 }
 
 static void ask_for_texels(void *context, size_t index, int thread) {
-    band_check *check = context;
-    const burnish_texture_levels *whole = check->whole;
+    block_check *check = context;
     uint64_t state = test_seed(index);
-    int32_t upper[ASKED], lower[ASKED];
+    const int32_t x = (int32_t)(test_random32(&state) % BLOCKS_WIDTH), y = (int32_t)(index % 150);
+    const burnish_texture_box box = {{x, y}, {x + 1, y + 1}};
+    const int32_t indices[] = {check->whole->offset[1] + x, y * (BLOCKS_WIDTH + 1) + x};
     (void)thread;
-    for (int i = 0; i < ASKED; ++i) { /* a few neighbouring rows, and texels of other levels */
-        const int32_t row = (int32_t)(index * 7 + test_random32(&state) % 3) % BAND_HEIGHT;
-        const int32_t other = whole->offset[1] + (int32_t)(test_random32(&state) % 100);
-        upper[i] = i % 4 == 3
-                       ? other
-                       : row * (BAND_WIDTH + 1) + (int32_t)(test_random32(&state) % BAND_WIDTH);
-        lower[i] = upper[i] + BAND_WIDTH + 1;
-    }
-    burnish_texture_levels_need(check->levels, upper, lower, ASKED);
-    for (int i = 0; i < ASKED; ++i) { /* each with the one on its right */
-        const size_t size = 2 * texel_size(whole);
-        atomic_fetch_add(
-            &check->wrong,
-            memcmp(texel_of(check->levels, upper[i]), texel_of(whole, upper[i]), size) != 0 ||
-                (i % 4 != 3 &&
-                 memcmp(texel_of(check->levels, lower[i]), texel_of(whole, lower[i]), size) != 0));
+    burnish_texture_levels_need(check->levels, &box, indices, 2);
+    for (int32_t i = indices[1], row = 0; row < 2; ++row, i += BLOCKS_WIDTH + 1) {
+        const size_t size = 2 * texel_size(check->whole);
+        atomic_fetch_add(&check->wrong,
+                         memcmp(texel_of(check->levels, i), texel_of(check->whole, i), size) != 0);
     }
 }
 
 /* Level 0 is built on demand by any number of threads, and nowhere else. */
-static void test_bands(void) {
-    static uint8_t texels[4 * BAND_WIDTH * BAND_HEIGHT];
-    const burnish_texture texture = {NULL, BAND_WIDTH, BAND_HEIGHT, texels, 1};
+static void test_blocks(void) {
+    static uint8_t texels[4 * BLOCKS_WIDTH * BLOCKS_HEIGHT];
+    const burnish_texture texture = {NULL, BLOCKS_WIDTH, BLOCKS_HEIGHT, texels, 1};
     const burnish_texture_kind kinds[] = {BURNISH_TEXTURE_NUMBERS, BURNISH_TEXTURE_COLORS,
                                           BURNISH_TEXTURE_NORMALS};
-    const int32_t asked = 40 * (BAND_WIDTH + 1), below = 41 * (BAND_WIDTH + 1);
+    const burnish_texture_box none = {{INT32_MAX, INT32_MAX}, {-1, -1}},
+                              all = {{0, 0}, {BLOCKS_WIDTH, BLOCKS_HEIGHT}};
+    const int32_t asked = 15 * (BLOCKS_WIDTH + 1) + 3;
     burnish_memory memory = burnish_memory_of(NULL, NULL);
     burnish_tasks tasks;
-    fill_random(texels, (size_t)BAND_WIDTH * BAND_HEIGHT, 3);
+    fill_random(texels, (size_t)BLOCKS_WIDTH * BLOCKS_HEIGHT, 3);
     for (size_t n = 0; n < sizeof kinds / sizeof *kinds; ++n) {
         burnish_texture_levels whole = {0}, levels = {0};
         CHECK1(burnish_texture_levels_create(&whole, &texture, kinds[n], NULL, &memory) ==
@@ -296,19 +288,22 @@ static void test_bands(void) {
                burnish_texture_levels_create(&levels, &texture, kinds[n], NULL, &memory) ==
                    BURNISH_STATUS_OK);
         burnish_texture_levels_need_all(&whole, NULL);
-        CHECK1(levels.bands && atomic_load(&levels.bands->ready) == 0);
-        burnish_texture_levels_need(&levels, &whole.offset[1], &whole.offset[2], 1);
-        CHECK1(atomic_load(&levels.bands->ready) == 0);
-        burnish_texture_levels_need(&levels, &asked, &below, 1);
-        CHECK1(__builtin_popcountll(atomic_load(&levels.bands->ready)) <= 2);
+        CHECK1(levels.blocks && !burnish_texture_levels_has_some(&levels));
+        const int blocks = levels.blocks ? atomic_load(&levels.blocks->missing) : 0;
+        burnish_texture_levels_need(&levels, &none, &asked, 1);
+        CHECK1(!burnish_texture_levels_has_some(&levels));
+        burnish_texture_levels_need(&levels, &all, &whole.offset[1], 1);
+        CHECK1(!burnish_texture_levels_has_some(&levels));
+        burnish_texture_levels_need(&levels, &all, &asked, 1);
+        CHECK1(atomic_load(&levels.blocks->missing) == blocks - 2);
         for (int threads = 1; threads <= 5; threads += 4) {
-            band_check check = {.levels = &levels, .whole = &whole};
+            block_check check = {.levels = &levels, .whole = &whole};
             burnish_tasks_begin(&tasks, NULL, threads);
-            burnish_tasks_run(&tasks, threads == 1 ? 5 : 300, 1, 0, ask_for_texels, &check);
+            burnish_tasks_run(&tasks, threads == 1 ? 5 : 6000, 1, 0, ask_for_texels, &check);
             CHECK(atomic_load(&check.wrong) == 0, "kind %zu: %d texels", n,
                   atomic_load(&check.wrong));
         }
-        CHECK1(atomic_load(&levels.bands->ready) == levels.bands->all);
+        CHECK1(atomic_load(&levels.blocks->missing) == 0);
         CHECK1(memcmp(texel_of(&levels, 0), texel_of(&whole, 0),
                       texel_size(&whole) * (size_t)whole.offset[1]) == 0);
         burnish_texture_levels_destroy(&levels, NULL);
@@ -596,7 +591,7 @@ int main(int count, char **arguments) {
     RUN(test_levels_drawn());
     RUN(test_level_texels());
     RUN(test_level_kinds());
-    RUN(test_bands());
+    RUN(test_blocks());
     RUN(test_normal_map());
     RUN(test_factors());
     RUN(test_alpha());

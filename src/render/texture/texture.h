@@ -52,7 +52,7 @@ typedef struct burnish_texture_taps {
     burnish_texture_level_taps level[2];       /* the next larger and the next smaller one */
     float share[BURNISH_TEXTURE_BATCH];        /* of the smaller one */
     uint8_t has_second[BURNISH_TEXTURE_BATCH]; /* of each vector: it counts */
-    int32_t least;                             /* of level[0].upper */
+    burnish_texture_box box;                   /* of all in level 0 */
 } burnish_texture_taps;
 
 /* Texture coordinates of points, and their changes to the pixel on the right and to the pixel
@@ -198,8 +198,8 @@ static inline int burnish_has_roughness(const burnish_material *material) {
            f[1] > 0 || f[2] > 0;
 }
 
-/* `count` rounded up to whole vectors: lanes after the last point also read from the bands of a
- * texture. */
+/* `count` rounded up to whole vectors: lanes after the last point also read from the blocks of
+ * a texture. */
 static inline int burnish_texture_padded(int count) {
     return (count + BURNISH_TEXTURE_GROUP - 1) / BURNISH_TEXTURE_GROUP * BURNISH_TEXTURE_GROUP;
 }

@@ -84,40 +84,43 @@ static size_t lay_out(burnish_texture_levels *levels, int width, int height) {
 typedef struct level_widening {
     const uint8_t *from;
     uint16_t *to;
-    int width;
+    size_t width;
     int is_weighted;
-    uint16_t light[256];
+    const uint16_t *light;
 } level_widening;
 
-static void widen_row(const level_widening *widening, const uint8_t *from, uint16_t *to) {
-    const size_t width = (size_t)widening->width;
-    for (size_t i = 0; i < 4 * width; i += 4) {
+static void find_light(uint16_t light[256]) {
+    for (int code = 0; code < 256; ++code) {
+        light[code] = (uint16_t)(burnish_srgb_to_linear[code] * (float)BURNISH_TEXEL_ONE + 0.5f);
+    }
+}
+
+static void widen_texels(const uint16_t *light, int is_weighted, const uint8_t *from, size_t count,
+                         uint16_t *to) {
+    for (size_t i = 0; i < 4 * count && !is_weighted; i += 4) {
+        to[i] = light[from[i]];
+        to[i + 1] = light[from[i + 1]];
+        to[i + 2] = light[from[i + 2]];
+        to[i + 3] = (uint16_t)(from[i + 3] * (BURNISH_TEXEL_ONE / 255));
+    }
+    for (size_t i = 0; i < 4 * count && is_weighted; i += 4) {
         const uint32_t alpha = from[i + 3];
         for (size_t k = i; k < i + 3; ++k) {
-            const uint32_t light = widening->light[from[k]];
-            to[k] = (uint16_t)(widening->is_weighted ? (light * alpha + 127) / 255 : light);
+            to[k] = (uint16_t)((light[from[k]] * alpha + 127) / 255);
         }
         to[i + 3] = (uint16_t)(alpha * (BURNISH_TEXEL_ONE / 255));
     }
-    memcpy(to + 4 * width, to, 4 * sizeof *to);
 }
 
 static void widen_rows(void *context, size_t first, size_t end) {
     const level_widening *widening = context;
-    const size_t width = (size_t)widening->width;
+    const size_t row = 4 * (widening->width + 1); /* items */
     for (size_t y = first; y < end; ++y) {
-        widen_row(widening, widening->from + y * burnish_texture_row_size(widening->width),
-                  widening->to + 4 * (width + 1) * y);
+        uint16_t *to = widening->to + row * y;
+        widen_texels(widening->light, widening->is_weighted, widening->from + row * y,
+                     widening->width, to);
+        memcpy(to + row - 4, to, 4 * sizeof *to);
     }
-}
-
-static level_widening make_widening(const burnish_texture_levels *levels, int i) {
-    level_widening widening = {.is_weighted = levels->is_weighted, .width = levels->width[i]};
-    for (int code = 0; code < 256; ++code) {
-        widening.light[code] =
-            (uint16_t)(burnish_srgb_to_linear[code] * (float)BURNISH_TEXEL_ONE + 0.5f);
-    }
-    return widening;
 }
 
 /* Texels of level i beyond the image: the ends of rows, and a last row. */
@@ -130,132 +133,180 @@ static void repeat_first(burnish_texture_levels *levels, int i, uint8_t *codes) 
     memcpy(codes + height * size, codes, size);
 }
 
-static void fill_light(burnish_texture_levels *levels, int i, level_widening *widening,
+static void fill_light(burnish_texture_levels *levels, int i, const uint16_t *light,
                        const uint8_t *codes, burnish_tasks *tasks) {
     const size_t row = 4 * ((size_t)levels->width[i] + 1), height = (size_t)levels->height[i];
-    widening->from = codes;
-    widening->to = levels->texels + 4 * (size_t)levels->offset[i];
-    widening->width = levels->width[i];
+    level_widening widening = {codes, levels->texels + 4 * (size_t)levels->offset[i],
+                               (size_t)levels->width[i], levels->is_weighted, light};
     burnish_tasks_ranges(tasks, height, burnish_texture_row_grain(levels->width[i]), widen_rows,
-                         widening);
-    memcpy(widening->to + row * height, widening->to, row * sizeof *widening->to);
+                         &widening);
+    memcpy(widening.to + row * height, widening.to, row * sizeof *widening.to);
 }
 
 /* ---- Level 0 ---- */
 
-/* Makes rows [first, end) of level 0 from the image; the last row of the level repeats the first.
- * Normals become unit vectors; their alpha is ignored. */
+/* Normals become unit vectors; their alpha is ignored. */
+static void copy_codes(const uint8_t *from, size_t count, int is_normals, uint8_t *to) {
+    const size_t most = BURNISH_TEXTURE_NORMALS_MAX;
+    memcpy(to, from, 4 * count);
+    for (size_t x = 0; is_normals && x < count; x += most) {
+        burnish_texture_unit_normals(to + 4 * x, (int)(count - x < most ? count - x : most));
+    }
+}
+
+/* The rows of the whole image as codes. */
 typedef struct level_copy {
     const burnish_texture *texture;
-    uint8_t *codes; /* NULL: to texels, as light */
-    uint16_t *texels;
+    uint8_t *codes;
     int is_normals;
-    level_widening widening;
 } level_copy;
 
-static void copy_row(const level_copy *copy, size_t y) {
-    const int width = copy->texture->width, most = BURNISH_TEXTURE_NORMALS_MAX;
-    const size_t from_row = y == (size_t)copy->texture->height ? 0 : y;
-    const uint8_t *from = copy->texture->pixels + 4 * (size_t)width * from_row;
-    if (!copy->codes) {
-        widen_row(&copy->widening, from, copy->texels + 4 * ((size_t)width + 1) * y);
-        return;
-    }
-    uint8_t *to = copy->codes + y * burnish_texture_row_size(width);
-    memcpy(to, from, 4 * (size_t)width);
-    for (int x = 0; copy->is_normals && x < width; x += most) {
-        burnish_texture_unit_normals(to + 4 * (size_t)x, width - x < most ? width - x : most);
-    }
-    memcpy(to + 4 * (size_t)width, to, 4);
-}
-
 static void copy_rows(void *context, size_t first, size_t end) {
+    const level_copy *copy = context;
+    const size_t width = (size_t)copy->texture->width;
     for (size_t y = first; y < end; ++y) {
-        copy_row(context, y);
+        copy_codes(copy->texture->pixels + 4 * width * y, width, copy->is_normals,
+                   copy->codes + y * burnish_texture_row_size(copy->texture->width));
     }
 }
 
-/* Bands of level 0 on demand, but where the next level is made of level 0's own codes: of masks,
+/* The logarithm of a block's side, given the texels of the level's. */
+static int block_bits(int side, int least) {
+    int bits = least;
+    while (side > BURNISH_TEXTURE_BLOCKS << bits) {
+        ++bits;
+    }
+    return bits;
+}
+
+/* Blocks of level 0 on demand, but where the next level is made of level 0's own codes: of masks,
  * whose alpha changes, and of normals that are not halved. */
-static burnish_status make_bands(burnish_texture_levels *levels, const burnish_texture *texture,
-                                 burnish_texture_kind kind, burnish_memory *memory) {
-    enum { BANDS = 64 };
+static burnish_status make_blocks(burnish_texture_levels *levels, const burnish_texture *texture,
+                                  burnish_texture_kind kind, burnish_memory *memory) {
+    enum { COLUMN_BITS = 6, ROW_BITS = 4 };
+    const int width = levels->width[0] + 1, height = levels->height[0] + 1;
     const int is_even =
         levels->width[0] == 2 * levels->width[1] && levels->height[0] == 2 * levels->height[1];
     if (levels->count == 1 || kind == BURNISH_TEXTURE_MASKED ||
         (kind == BURNISH_TEXTURE_NORMALS && !is_even)) {
         return BURNISH_STATUS_OK;
     }
-    levels->bands = burnish_allocate_zeroed(memory, 1, sizeof *levels->bands, "texture levels");
-    if (levels->bands) {
-        const int rows = (levels->height[0] + BANDS) / BANDS; /* of height + 1 */
-        const int count = levels->height[0] / rows + 1;
-        levels->bands->texture = texture;
-        levels->bands->is_normals = kind == BURNISH_TEXTURE_NORMALS;
-        levels->bands->rows = rows;
-        levels->bands->all = UINT64_MAX >> (BANDS - count);
+    levels->blocks = burnish_allocate_zeroed(memory, 1, sizeof *levels->blocks, "texture levels");
+    if (levels->blocks) {
+        burnish_texture_blocks *blocks = levels->blocks;
+        blocks->column_bits = block_bits(width, COLUMN_BITS);
+        blocks->row_bits = block_bits(height, ROW_BITS);
+        const int columns = ((width - 1) >> blocks->column_bits) + 1;
+        blocks->texture = texture;
+        blocks->is_normals = kind == BURNISH_TEXTURE_NORMALS;
+        blocks->rows = ((height - 1) >> blocks->row_bits) + 1;
+        blocks->all = UINT64_MAX >> (64 - columns);
+        atomic_init(&blocks->missing, blocks->rows * columns);
+        find_light(blocks->light);
     }
     return memory->status;
 }
 
-static void make_band(const burnish_texture_levels *levels, int band) {
-    burnish_texture_bands *bands = levels->bands;
-    const size_t first = (size_t)band * (size_t)bands->rows, rows = (size_t)levels->height[0] + 1;
-    const size_t end = rows - first < (size_t)bands->rows ? rows : first + (size_t)bands->rows;
-    level_copy copy = {bands->texture, levels->codes, levels->texels, bands->is_normals,
-                       make_widening(levels, 0)};
-    copy_rows(&copy, first, end);
-    atomic_fetch_or_explicit(&bands->ready, (uint64_t)1 << band, memory_order_release);
+/* Texels [first, end) of a row of level 0. Its last texel repeats the first, its last row too. */
+static void make_texels(const burnish_texture_levels *levels, size_t y, size_t first, size_t end) {
+    const burnish_texture_blocks *blocks = levels->blocks;
+    const size_t width = (size_t)levels->width[0], height = (size_t)levels->height[0];
+    const uint8_t *from = blocks->texture->pixels + 4 * width * (y == height ? 0 : y);
+    const size_t to = (width + 1) * y;
+    const size_t inside = end > width ? width : end;
+    for (int part = 0; part < 2; ++part) {
+        const size_t at = part ? width : first, count = part ? end - inside : inside - first;
+        const uint8_t *texels = from + (part ? 0 : 4 * first);
+        if (levels->codes) {
+            copy_codes(texels, count, blocks->is_normals, levels->codes + 4 * (to + at));
+        } else {
+            widen_texels(blocks->light, levels->is_weighted, texels, count,
+                         levels->texels + 4 * (to + at));
+        }
+    }
 }
 
-static void need_bands(const burnish_texture_levels *levels, uint64_t wanted) {
-    burnish_texture_bands *bands = levels->bands;
-    if ((atomic_load_explicit(&bands->ready, memory_order_acquire) & wanted) == wanted) {
-        return;
+static void make_block(const burnish_texture_levels *levels, int row, int column) {
+    burnish_texture_blocks *blocks = levels->blocks;
+    const size_t width = (size_t)levels->width[0] + 1, height = (size_t)levels->height[0] + 1;
+    const size_t first = (size_t)column << blocks->column_bits;
+    const size_t top = (size_t)row << blocks->row_bits;
+    const size_t end = first + ((size_t)1 << blocks->column_bits);
+    const size_t bottom = top + ((size_t)1 << blocks->row_bits);
+    for (size_t y = top; y < (bottom < height ? bottom : height); ++y) {
+        make_texels(levels, y, first, end < width ? end : width);
     }
-    uint64_t mine = wanted & ~atomic_fetch_or(&bands->taken, wanted);
+    atomic_fetch_sub_explicit(&blocks->missing, 1, memory_order_release);
+    atomic_fetch_or_explicit(&blocks->ready[row], (uint64_t)1 << column, memory_order_release);
+}
+
+static inline int is_missing(const burnish_texture_blocks *blocks, int row, uint64_t wanted) {
+    return (atomic_load_explicit(&blocks->ready[row], memory_order_acquire) & wanted) != wanted;
+}
+
+static void need_blocks(const burnish_texture_levels *levels, int row, uint64_t wanted) {
+    burnish_texture_blocks *blocks = levels->blocks;
+    uint64_t mine = wanted & ~atomic_fetch_or(&blocks->taken[row], wanted);
     for (; mine; mine &= mine - 1) {
-        make_band(levels, __builtin_ctzll(mine));
+        make_block(levels, row, __builtin_ctzll(mine));
     }
     /* another thread is making what is missing, and waits for nothing */
-    while ((atomic_load_explicit(&bands->ready, memory_order_acquire) & wanted) != wanted) {
+    while (is_missing(blocks, row, wanted)) {
     }
 }
 
-void burnish_texture_levels_need(const burnish_texture_levels *levels, const int32_t *upper,
-                                 const int32_t *lower, size_t count) {
-    const burnish_texture_bands *bands = levels->bands;
-    if (!bands || atomic_load_explicit(&bands->ready, memory_order_acquire) == bands->all) {
+static int is_box_there(const burnish_texture_blocks *blocks, const burnish_texture_box *box) {
+    const uint64_t wanted = UINT64_MAX << (box->first[0] >> blocks->column_bits) &
+                            UINT64_MAX >> (63 - (box->last[0] >> blocks->column_bits));
+    int missing = 0;
+    for (int y = box->first[1] >> blocks->row_bits; y <= box->last[1] >> blocks->row_bits; ++y) {
+        missing |= is_missing(blocks, y, wanted);
+    }
+    return !missing;
+}
+
+void burnish_texture_levels_need(const burnish_texture_levels *levels,
+                                 const burnish_texture_box *box, const int32_t *indices,
+                                 size_t count) {
+    const burnish_texture_blocks *blocks = levels->blocks;
+    const int stride = levels->width[0] + 1;
+    const double per_row = 1.0 / stride;
+    if (!blocks || box->first[0] > box->last[0] || is_box_there(blocks, box)) {
         return;
     }
-    const int32_t size = levels->offset[1];
-    int32_t first = size, last = -1;
     for (size_t i = 0; i < count; ++i) {
-        const int32_t inside = lower[i] < size ? lower[i] : -1;
-        first = upper[i] < first ? upper[i] : first;
-        last = inside > last ? inside : last;
-    }
-    if (first < size) {
-        const int per_band = (levels->width[0] + 1) * bands->rows;
-        const int from = first / per_band, to = last / per_band;
-        need_bands(levels, bands->all & UINT64_MAX << from & UINT64_MAX >> (63 - to));
+        if (indices[i] < levels->offset[1]) {
+            const int y = (int)((indices[i] + 0.5) * per_row), x = indices[i] - y * stride;
+            const uint64_t wanted = (uint64_t)1 << (x >> blocks->column_bits) |
+                                    (uint64_t)1 << ((x + 1) >> blocks->column_bits);
+            for (int row = y >> blocks->row_bits; row <= (y + 1) >> blocks->row_bits; ++row) {
+                if (is_missing(blocks, row, wanted)) {
+                    need_blocks(levels, row, wanted);
+                }
+            }
+        }
     }
 }
 
 int burnish_texture_levels_has_some(const burnish_texture_levels *levels) {
-    return !levels->bands || atomic_load_explicit(&levels->bands->ready, memory_order_acquire) > 0;
+    for (int i = 0; levels->blocks && i < levels->blocks->rows; ++i) {
+        if (atomic_load_explicit(&levels->blocks->ready[i], memory_order_acquire)) {
+            return 1;
+        }
+    }
+    return !levels->blocks;
 }
 
-static void need_range(void *context, size_t first, size_t end) {
+static void need_rows(void *context, size_t first, size_t end) {
     const burnish_texture_levels *levels = context;
-    need_bands(levels, UINT64_MAX << first & UINT64_MAX >> (64 - end));
+    for (size_t i = first; i < end; ++i) {
+        need_blocks(levels, (int)i, levels->blocks->all);
+    }
 }
 
 void burnish_texture_levels_need_all(const burnish_texture_levels *levels, burnish_tasks *tasks) {
-    const burnish_texture_bands *bands = levels->bands;
-    if (bands && atomic_load_explicit(&bands->ready, memory_order_acquire) != bands->all) {
-        const size_t count = (size_t)(levels->height[0] / bands->rows) + 1;
-        burnish_tasks_ranges(tasks, count, 1, need_range, (void *)levels);
+    if (levels->blocks && atomic_load(&levels->blocks->missing) > 0) {
+        burnish_tasks_ranges(tasks, (size_t)levels->blocks->rows, 1, need_rows, (void *)levels);
     }
 }
 
@@ -271,11 +322,11 @@ static uint8_t *codes_at(const burnish_texture_levels *levels, const level_codes
     return codes->codes + 4 * ((size_t)levels->offset[i] - codes->first);
 }
 
-/* The step from level i to the next, level 0 as the image has it where it comes in bands. */
+/* The step from level i to the next, level 0 as the image has it where it comes in blocks. */
 static burnish_texture_step step_from(const burnish_texture_levels *levels,
                                       const burnish_texture *texture, const level_codes *codes,
                                       burnish_texture_kind kind, int i) {
-    const int is_image = i == 0 && levels->bands;
+    const int is_image = i == 0 && levels->blocks;
     burnish_texture_step step = {.from = is_image ? texture->pixels : codes_at(levels, codes, i),
                                  .from_row = burnish_texture_row_size(levels->width[i]) -
                                              (is_image ? 4 : 0),
@@ -292,11 +343,12 @@ static burnish_texture_step step_from(const burnish_texture_levels *levels,
 static void fill_levels(burnish_texture_levels *levels, const burnish_texture *texture,
                         const level_codes *codes, burnish_texture_kind kind, burnish_tasks *tasks) {
     const mask_cover cover = {texture, codes->codes, levels->cutoff};
-    level_widening widening = make_widening(levels, 0);
+    uint16_t light[256];
+    find_light(light);
     for (int i = 0; i < levels->count; ++i) {
-        if (i > 0 || !levels->bands) {
+        if (i > 0 || !levels->blocks) {
             if (levels->texels) {
-                fill_light(levels, i, &widening, codes_at(levels, codes, i), tasks);
+                fill_light(levels, i, light, codes_at(levels, codes, i), tasks);
             } else {
                 repeat_first(levels, i, codes_at(levels, codes, i));
             }
@@ -320,10 +372,10 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
     const size_t count = (size_t)texture->width * (size_t)texture->height;
     const int is_light = kind == BURNISH_TEXTURE_COLORS || burnish_texture_is_weighted(kind);
     const size_t total = lay_out(levels, texture->width, texture->height);
-    if (make_bands(levels, texture, kind, memory) != BURNISH_STATUS_OK) {
+    if (make_blocks(levels, texture, kind, memory) != BURNISH_STATUS_OK) {
         return memory->status;
     }
-    level_codes codes = {.first = is_light && levels->bands ? (size_t)levels->offset[1] : 0};
+    level_codes codes = {.first = is_light && levels->blocks ? (size_t)levels->offset[1] : 0};
     codes.codes = burnish_allocate(memory, total - codes.first + BURNISH_TEXTURE_PAD, 4,
                                    "codes of texture levels");
     if (is_light) {
@@ -335,7 +387,7 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
     if (memory->status == BURNISH_STATUS_OK) {
         find_least(levels, texture->pixels, count);
         levels->is_weighted = burnish_texture_is_weighted(kind) && levels->least[3] < 255;
-        if (!levels->bands) {
+        if (!levels->blocks) {
             level_copy copy = {.texture = texture,
                                .codes = codes.codes,
                                .is_normals = kind == BURNISH_TEXTURE_NORMALS};
@@ -358,6 +410,6 @@ void burnish_texture_levels_destroy(burnish_texture_levels *levels,
                                     const burnish_context *context) {
     burnish_release(context, levels->texels);
     burnish_release(context, levels->codes);
-    burnish_release(context, levels->bands);
+    burnish_release(context, levels->blocks);
     *levels = (burnish_texture_levels){0};
 }

@@ -32,15 +32,26 @@ static inline int burnish_texture_is_weighted(burnish_texture_kind kind) {
 
 enum { BURNISH_TEXEL_ONE = 65535 }; /* what 1 is in 16 bits */
 
-/* Level 0 of a texture takes most of the memory. It is built on demand, in bands of rows: a picture
- * that shows a texture at a reduced size does not need it. */
-typedef struct burnish_texture_bands {
+/* Level 0 of a texture takes most of the memory. It is built on demand, in blocks: a picture shows
+ * only some of it, or none at a reduced size. Sides of blocks are powers of two, in texels. */
+enum { BURNISH_TEXTURE_BLOCKS = 64 }; /* along a side, at most */
+typedef struct burnish_texture_blocks {
     const burnish_texture *texture; /* of the mesh that is drawn */
     int is_normals;
-    int rows;                      /* of a band */
-    uint64_t all;                  /* bit i: band i */
-    _Atomic uint64_t taken, ready; /* by the thread that makes it; made */
-} burnish_texture_bands;
+    int column_bits, row_bits; /* logarithms of a block's width and height */
+    int rows;                  /* of blocks */
+    uint64_t all;              /* bit i: column i */
+    _Atomic int missing;       /* blocks */
+    /* Of each row of blocks: taken by the thread that makes it, made. */
+    _Atomic uint64_t taken[BURNISH_TEXTURE_BLOCKS], ready[BURNISH_TEXTURE_BLOCKS];
+    uint16_t light[256]; /* of codes */
+} burnish_texture_blocks;
+
+/* Texels of level 0 from the first to the last one, both included; empty where first[0] > last[0].
+ * Columns go to the width, rows to the height. */
+typedef struct burnish_texture_box {
+    int32_t first[2], last[2]; /* column, row */
+} burnish_texture_box;
 
 /* All zero: none. Owned. */
 typedef struct burnish_texture_levels {
@@ -50,7 +61,7 @@ typedef struct burnish_texture_levels {
      * and a level with its first row. */
     uint16_t *texels;
     uint8_t *codes;
-    burnish_texture_bands *bands; /* NULL: level 0 is there */
+    burnish_texture_blocks *blocks; /* NULL: level 0 is there */
     /* Of each level, in texels; items from count on repeat the last level. A row has width + 1. */
     int32_t offset[BURNISH_TEXTURE_LEVELS_MAX];
     int32_t width[BURNISH_TEXTURE_LEVELS_MAX], height[BURNISH_TEXTURE_LEVELS_MAX];
@@ -68,11 +79,12 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
                                              const burnish_texture *texture,
                                              burnish_texture_kind kind, burnish_tasks *tasks,
                                              burnish_memory *memory);
-/* Makes sure that texels of level 0 are there, for any thread: among those of some indices, which
- * may be of other levels too, and of their rows.
- *   upper, lower  count indices each, those below not less than those above */
-void burnish_texture_levels_need(const burnish_texture_levels *levels, const int32_t *upper,
-                                 const int32_t *lower, size_t count);
+/* Makes sure that texels of level 0 are there, for any thread: those at some indices, which may be
+ * of other levels too, and their neighbours on the right, below, and between these.
+ *   box  contains them; nothing is done if all of it is there */
+void burnish_texture_levels_need(const burnish_texture_levels *levels,
+                                 const burnish_texture_box *box, const int32_t *indices,
+                                 size_t count);
 /* All of them. */
 void burnish_texture_levels_need_all(const burnish_texture_levels *levels, burnish_tasks *tasks);
 /* Whether some are there. */

@@ -31,10 +31,8 @@ static int sample_into(const burnish_texture_batch *batch, int slot, unsigned ch
         batch->ops->find_taps(sampler, batch->streams, count, &scratch->taps);
         scratch->taps_of = sampler;
     }
-    if (sampler->levels->bands && scratch->taps.least < sampler->levels->offset[1]) {
-        burnish_texture_levels_need(sampler->levels, scratch->taps.level[0].upper,
-                                    scratch->taps.level[0].lower, count);
-    }
+    burnish_texture_levels_need(sampler->levels, &scratch->taps.box, scratch->taps.level[0].upper,
+                                count);
     batch->ops->sample_texture(sampler->levels, &scratch->taps, channels, count, out);
     return 1;
 }

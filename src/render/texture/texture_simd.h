@@ -282,15 +282,27 @@ BURNISH_INLINE texture_level texture_level_of(const burnish_texture_levels *leve
     return texture_half_log2(vf_min(vf_max(squared, vf_set(1.0f)), most));
 }
 
-/* The texels around (u, v) in each lane's level; returns the first. nearest: where it holds, the
- * nearest alone. */
-BURNISH_INLINE vi texture_find_taps(const burnish_texture_sampler *sampler, vf u, vf v, vi level,
-                                    vm nearest, size_t i, burnish_texture_level_taps *taps) {
+/* Texels of level 0 from the first to the last one: column, row. */
+typedef struct texture_box {
+    vi first[2], last[2];
+} texture_box;
+
+BURNISH_INLINE void texture_add_to_box(texture_box *box, vm is_inside, int k, vi first) {
+    const vi last = vi_add(first, vi_set(1));
+    box->first[k] = vi_min(box->first[k], vi_blend(is_inside, first, vi_set(INT32_MAX)));
+    box->last[k] = vi_max(box->last[k], vi_blend(is_inside, last, vi_set(-1)));
+}
+
+/* The texels around u, v in each lane's level. nearest: where it holds, the nearest alone.
+ *   box  grows by those of level 0; may be NULL */
+BURNISH_INLINE void texture_find_taps(const burnish_texture_sampler *sampler, const vf uv[2],
+                                      vi level, vm nearest, size_t i,
+                                      burnish_texture_level_taps *taps, texture_box *box) {
     const burnish_texture_levels *levels = sampler->levels;
     const vi width = vi_gather16(levels->width, level), height = vi_gather16(levels->height, level);
     const vi offset = vi_gather16(levels->offset, level), stride = vi_add(width, vi_set(1));
-    texture_side x = texture_find(u, width, sampler->wrap[0]);
-    texture_side y = texture_find(v, height, sampler->wrap[1]);
+    texture_side x = texture_find(uv[0], width, sampler->wrap[0]);
+    texture_side y = texture_find(uv[1], height, sampler->wrap[1]);
     if (sampler->is_nearest) {
         const vf half = vf_set(0.5f), one = vf_set(1.0f);
         x.share = vf_blend(nearest, vf_and_mask(vf_greater(x.share, half), one), x.share);
@@ -301,7 +313,11 @@ BURNISH_INLINE vi texture_find_taps(const burnish_texture_sampler *sampler, vf u
     vi_store(taps->lower + i, vi_add(upper, stride));
     vf_store(taps->x + i, x.share);
     vf_store(taps->y + i, y.share);
-    return upper;
+    if (box) {
+        const vm is_inside = vi_greater(vi_set(1), level);
+        texture_add_to_box(box, is_inside, 0, x.first);
+        texture_add_to_box(box, is_inside, 1, y.first);
+    }
 }
 
 /* A texture's own coordinates and their changes. */
@@ -324,30 +340,36 @@ BURNISH_INLINE void texture_transform(const burnish_texture_sampler *sampler,
 
 static void find_taps(const burnish_texture_sampler *sampler, const float *const *streams,
                       size_t count, burnish_texture_taps *taps) {
-    vi least = vi_set(INT32_MAX);
+    const vi most = vi_set(INT32_MAX), none = vi_set(-1);
+    texture_box box = {{most, most}, {none, none}};
     for (size_t i = 0; i < count; i += LANES) {
         vf at[6];
         texture_transform(sampler, streams, i, at);
-        const vf u = texture_wrap(at[0], sampler->wrap[0]);
-        const vf v = texture_wrap(vf_sub(vf_set(1.0f), at[1]), sampler->wrap[1]);
+        const vf uv[2] = {texture_wrap(at[0], sampler->wrap[0]),
+                          texture_wrap(vf_sub(vf_set(1.0f), at[1]), sampler->wrap[1])};
         const texture_level level = texture_level_of(sampler->levels, at + 2);
         const vm nearest = vm_not(level.is_small);
-        least = vi_min(least,
-                       texture_find_taps(sampler, u, v, level.first, nearest, i, &taps->level[0]));
+        texture_find_taps(sampler, uv, level.first, nearest, i, &taps->level[0], &box);
         const int has_second = !sampler->is_single && vm_any(level.is_small);
         vf_store(taps->share + i, sampler->is_single ? vf_set(0.0f) : level.share);
         taps->has_second[i / LANES] = (uint8_t)has_second;
         if (has_second) {
             const vi next =
                 vi_min(vi_add(level.first, vi_set(1)), vi_set(BURNISH_TEXTURE_LEVELS_MAX - 1));
-            (void)texture_find_taps(sampler, u, v, next, nearest, i, &taps->level[1]);
+            texture_find_taps(sampler, uv, next, nearest, i, &taps->level[1], NULL);
         }
     }
-    int32_t lanes[LANES];
-    vi_store(lanes, least);
-    taps->least = INT32_MAX;
-    for (int lane = 0; lane < LANES; ++lane) {
-        taps->least = lanes[lane] < taps->least ? lanes[lane] : taps->least;
+    for (int k = 0; k < 2; ++k) {
+        int32_t first[LANES], last[LANES];
+        vi_store(first, box.first[k]);
+        vi_store(last, box.last[k]);
+        taps->box.first[k] = INT32_MAX;
+        taps->box.last[k] = -1;
+        for (int lane = 0; lane < LANES; ++lane) {
+            taps->box.first[k] =
+                first[lane] < taps->box.first[k] ? first[lane] : taps->box.first[k];
+            taps->box.last[k] = last[lane] > taps->box.last[k] ? last[lane] : taps->box.last[k];
+        }
     }
 }
 
