@@ -71,12 +71,12 @@ static void clear_table(lzw *coder) {
 }
 
 /* The slot of a key, or the free one where it belongs. */
-static int find_slot(const lzw *coder, uint32_t key) {
+static inline uint32_t find_slot(const lzw *coder, uint32_t key) {
     uint32_t slot = key * 2654435761U >> 19; /* 13 bits */
-    while (coder->keys[slot] != 0 && coder->keys[slot] != key) {
+    while (coder->keys[slot] != key && coder->keys[slot] != 0) {
         slot = (slot + 1) % LZW_SLOTS;
     }
-    return (int)slot;
+    return slot;
 }
 
 /* A reader learns each code one step later than the writer, and widens its codes when the next one
@@ -88,27 +88,29 @@ static void count_code(lzw *coder) {
     ++coder->next;
 }
 
-static void put_row(lzw *coder, const uint8_t *row, int count, int *prefix) {
-    for (int i = 0; i < count; ++i) {
-        if (*prefix < 0) {
-            *prefix = row[i];
-            continue;
-        }
-        const uint32_t key = 1 + ((uint32_t)*prefix << 8 | row[i]);
-        const int slot = find_slot(coder, key);
+/* Returns the code of what is left to be put; negative: nothing. */
+static int put_row(lzw *coder, const uint8_t *row, int count, int prefix) {
+    int i = 0;
+    if (prefix < 0) {
+        prefix = row[i++];
+    }
+    for (; i < count; ++i) {
+        const uint32_t key = 1 + ((uint32_t)prefix << 8 | row[i]);
+        const uint32_t slot = find_slot(coder, key);
         if (coder->keys[slot] == key) {
-            *prefix = coder->codes[slot];
+            prefix = coder->codes[slot];
             continue;
         }
-        put_code(coder, *prefix);
+        put_code(coder, prefix);
         coder->keys[slot] = key;
         coder->codes[slot] = (uint16_t)coder->next;
         count_code(coder);
         if (coder->next > LZW_MAX) {
             clear_table(coder);
         }
-        *prefix = row[i];
+        prefix = row[i];
     }
+    return prefix;
 }
 
 /* The image data of a rectangle of indices. */
@@ -119,8 +121,8 @@ static void put_indices(gif_state *state, picture_bytes *out, const int box[4], 
     picture_put_byte(out, 8); /* bits of an index */
     clear_table(coder);
     for (int y = box[1]; y < box[1] + box[3]; ++y) {
-        put_row(coder, state->indices + (size_t)y * (size_t)width + (size_t)box[0], box[2],
-                &prefix);
+        prefix = put_row(coder, state->indices + (size_t)y * (size_t)width + (size_t)box[0], box[2],
+                         prefix);
     }
     put_code(coder, prefix);
     count_code(coder);
@@ -180,33 +182,58 @@ static const uint8_t *find_mix(gif_state *state, const picture_palette *palette,
 
 /* Returns 0 without memory. */
 static int map_frame(gif_state *state, const picture_palette *palette, const burnish_image *frame) {
+    const size_t channels = (size_t)frame->channels, width = (size_t)frame->width;
     const uint8_t *pixel = frame->pixels;
-    uint8_t *index = state->indices;
     for (int y = 0; y < frame->height; ++y) {
-        for (int x = 0; x < frame->width; ++x, pixel += frame->channels) {
+        uint8_t *row = state->indices + (size_t)y * width;
+        const uint8_t *rank = ranks[y & 3];
+        for (size_t x = 0; x < width;) {
+            const size_t run = picture_run(pixel, width - x, channels), end = x + run;
             const uint8_t *mix = find_mix(state, palette, pixel);
+            const int is_seen = channels == 3 || pixel[3] >= 128;
             if (!mix) {
                 return 0;
             }
-            *index++ = frame->channels == 4 && pixel[3] < 128 ? NOTHING : mix[ranks[y & 3][x & 3]];
+            for (; x < end; ++x) {
+                row[x] = is_seen ? mix[rank[x & 3]] : NOTHING;
+            }
+            pixel += run * channels;
         }
     }
     return 1;
 }
 
-/* Indices that are those of the frame before become NOTHING; box: the rest. */
+/* Indices that are those of the frame before become NOTHING. [*left, *right] grows by the others.
+ * Returns whether there are some. */
+static int drop_row(uint8_t *indices, uint8_t *before, int width, int *left, int *right) {
+    enum { STEP = 32 };
+    int is_changed = 0;
+    for (int x = 0; x < width; x += STEP) {
+        const int end = width - x < STEP ? width : x + STEP;
+        if (memcmp(indices + x, before + x, (size_t)(end - x)) == 0) {
+            memset(indices + x, NOTHING, (size_t)(end - x));
+            continue;
+        }
+        for (int i = x; i < end; ++i) {
+            if (indices[i] == before[i]) {
+                indices[i] = NOTHING;
+            } else {
+                before[i] = indices[i];
+                *left = i < *left ? i : *left;
+                *right = i > *right ? i : *right;
+            }
+        }
+        is_changed = 1;
+    }
+    return is_changed;
+}
+
+/* box: the part of the frame that changed. */
 static void drop_unchanged(gif_state *state, int width, int height, int box[4]) {
     int left = width, right = -1, top = height, bottom = -1;
-    uint8_t *index = state->indices, *before = state->before;
     for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x, ++index, ++before) {
-            if (*index == *before) {
-                *index = NOTHING;
-                continue;
-            }
-            *before = *index;
-            left = x < left ? x : left;
-            right = x > right ? x : right;
+        const size_t at = (size_t)y * (size_t)width;
+        if (drop_row(state->indices + at, state->before + at, width, &left, &right)) {
             top = y < top ? y : top;
             bottom = y;
         }

@@ -11,7 +11,10 @@ enum {
     ROUNDS = 6 /* of k-means; after them next to nothing moves */
 };
 
+/* Pages of codes without a colour are neither read nor cleared: most of 64 MB. */
+enum { CODES_PER_PAGE = 256 };
 struct picture_histogram {
+    uint8_t has_colors[CODES / CODES_PER_PAGE];
     uint32_t counts[CODES];
 };
 
@@ -36,11 +39,19 @@ void picture_histogram_destroy(picture_histogram *histogram) {
 }
 
 void picture_histogram_add(picture_histogram *histogram, const burnish_image *image) {
-    const size_t count = (size_t)image->width * (size_t)image->height;
+    const size_t channels = (size_t)image->channels;
     const uint8_t *pixel = image->pixels;
-    for (size_t i = 0; i < count; ++i, pixel += image->channels) {
-        uint32_t *counter = &histogram->counts[pixel[0] << 16 | pixel[1] << 8 | pixel[2]];
-        *counter += (image->channels == 3 || pixel[3] >= 128) && *counter < UINT32_MAX;
+    size_t left = (size_t)image->width * (size_t)image->height;
+    while (left > 0) {
+        const size_t run = picture_run(pixel, left, channels);
+        const uint32_t code = (uint32_t)(pixel[0] << 16 | pixel[1] << 8 | pixel[2]);
+        if (channels == 3 || pixel[3] >= 128) {
+            uint32_t *counter = &histogram->counts[code];
+            *counter = run > UINT32_MAX - *counter ? UINT32_MAX : *counter + (uint32_t)run;
+            histogram->has_colors[code / CODES_PER_PAGE] = 1;
+        }
+        pixel += run * channels;
+        left -= run;
     }
 }
 
@@ -55,16 +66,19 @@ static uint32_t root(uint32_t value) {
 }
 
 static entry *list_entries(const picture_histogram *histogram, size_t *count) {
-    *count = 0;
-    for (size_t code = 0; code < CODES; ++code) {
-        *count += histogram->counts[code] > 0;
+    size_t most = 1;
+    for (size_t page = 0; page < CODES / CODES_PER_PAGE; ++page) {
+        most += histogram->has_colors[page] ? CODES_PER_PAGE : 0;
     }
-    entry *entries = malloc((*count + 1) * sizeof *entries);
-    size_t used = 0;
+    entry *entries = malloc(most * sizeof *entries);
+    *count = 0;
     for (uint32_t code = 0; code < CODES && entries; ++code) {
-        if (histogram->counts[code] > 0) {
-            entries[used++] = (entry){{(uint8_t)(code >> 16), (uint8_t)(code >> 8), (uint8_t)code},
-                                      root(histogram->counts[code])};
+        if (!histogram->has_colors[code / CODES_PER_PAGE]) {
+            code += CODES_PER_PAGE - 1;
+        } else if (histogram->counts[code] > 0) {
+            entries[(*count)++] =
+                (entry){{(uint8_t)(code >> 16), (uint8_t)(code >> 8), (uint8_t)code},
+                        root(histogram->counts[code])};
         }
     }
     return entries;

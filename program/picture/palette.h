@@ -13,6 +13,18 @@ typedef struct picture_palette {
     uint8_t first[256]; /* of a green: the first colour that has as much; count for none */
 } picture_palette;
 
+/* How many of `count` pixels, 1 or more, are like the first one, one after another. */
+static inline size_t picture_run(const uint8_t *pixel, size_t count, size_t channels) {
+    const uint8_t *at = pixel + channels;
+    size_t run = 1;
+    for (; run < count && at[0] == pixel[0] && at[1] == pixel[1] && at[2] == pixel[2] &&
+           at[channels - 1] == pixel[channels - 1];
+         ++run) {
+        at += channels;
+    }
+    return run;
+}
+
 /* How often each of the 2^24 colours occurs: 64 MiB, of which only what occurs is touched. */
 typedef struct picture_histogram picture_histogram;
 
