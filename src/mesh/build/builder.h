@@ -37,6 +37,7 @@ typedef struct burnish_builder {
     size_t triangle_count;      /* triangles with area, at the head of data's arrays */
     uint32_t *corner_positions; /* 3 per triangle: welded positions; may be the corners of data's
                                    positions */
+    size_t corner_capacity;     /* triangles that there is memory for, if they are not */
     int has_extras;             /* attributes other than position and normal */
     int has_file_normals;       /* some corner does */
     int normals_replaced;       /* AUTO has dropped them */

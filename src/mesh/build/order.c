@@ -238,6 +238,7 @@ burnish_status burnish_build_move(burnish_builder *b, int corners) {
     if (corners) {
         if (b->corner_positions != data->streams[BURNISH_POSITION].corners) {
             b->corner_positions = permute(b, b->corner_positions, BURNISH_TRIPLE, move_triples);
+            b->corner_capacity = b->triangle_count;
         }
         for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
             burnish_stream *stream = &data->streams[i];

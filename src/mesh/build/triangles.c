@@ -419,6 +419,7 @@ static burnish_status place_corners(burnish_builder *b, triangles_context *conte
         b->corner_positions =
             burnish_allocate(b->memory, b->data->triangle_count, BURNISH_TRIPLE, "triangles");
     }
+    b->corner_capacity = shared ? b->data->triangle_count : stream->corner_capacity;
     if (!shared) {
         stream->corners = NULL;
         stream->corner_capacity = 0;

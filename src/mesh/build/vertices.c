@@ -5,11 +5,12 @@
 #include "mesh/build/vertices.h"
 #include "mesh/build/builder.h"
 #include "mesh/build/corners.h"
+#include "mesh/build/first_use.h"
 #include "mesh/build/indexed.h"
 #include "mesh/build/normals/creases.h"
 #include "mesh/build/normals/fans.h"
 #include "mesh/build/order.h"
-#include "mesh/build/triangles.h"
+#include "mesh/build/vertex_writer.h"
 #include "mesh/build/weld.h"
 
 enum {
@@ -31,7 +32,8 @@ burnish_status burnish_build_allocate_indices(burnish_builder *b) {
 
 burnish_status burnish_build_allocate_vertices(burnish_builder *b) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        if (i < BURNISH_EXTRA_ATTRIBUTES || b->data->streams[i].count > 0) {
+        if (!b->mesh->attributes[i] &&
+            (i < BURNISH_EXTRA_ATTRIBUTES || b->data->streams[i].count > 0)) {
             b->mesh->attributes[i] =
                 burnish_allocate(b->memory, b->vertex_count,
                                  burnish_attribute_size((burnish_attribute)i), "vertices");
@@ -51,13 +53,6 @@ void burnish_build_find_extras(burnish_builder *b) {
     }
 }
 
-/* One vertex of the result while they are collected. */
-typedef struct built_vertex {
-    uint32_t corner;   /* the first one that uses it */
-    uint32_t position; /* number of the welded position */
-    float normal[3];
-} built_vertex;
-
 /* The state of a thread that makes vertices. */
 typedef struct vertex_maker {
     burnish_builder *b;
@@ -71,10 +66,8 @@ typedef struct vertex_maker {
     size_t corner_count;
     float *normals;               /* 3 per corner of one position */
     burnish_weld_record *records; /* 1 per corner of one position */
-    built_vertex *vertices;
-    size_t count, capacity;
-    uint32_t *shared; /* of all makers, for each position with one vertex: its first corner; else
-                         BURNISH_NONE */
+    burnish_later_vertices *later;
+    burnish_first_vertices *first; /* of all makers */
 } vertex_maker;
 
 /* ---- one position ---- */
@@ -103,19 +96,33 @@ static int same_vertex(const burnish_weld_record *x, const burnish_weld_record *
     return memcmp(x->key, y->key, sizeof x->key) == 0;
 }
 
-/* Appends a vertex. There is room. */
-static void append_vertex(vertex_maker *maker, uint32_t position, uint32_t first_corner,
-                          const void *normal) {
-    built_vertex *vertex = &maker->vertices[maker->count++];
+/* Makes room for more vertices. */
+static int reserve_vertices(vertex_maker *maker, size_t count) {
+    burnish_later_vertices *later = maker->later;
+    later->items = burnish_reserve(&maker->memory, later->items, &later->capacity,
+                                   later->count + count, sizeof *later->items, "vertices");
+    return maker->memory.status == BURNISH_STATUS_OK;
+}
+
+/* Takes a vertex; there is room. */
+static void take_vertex(vertex_maker *maker, uint32_t position, uint32_t first_corner,
+                        const void *normal) {
+    const burnish_builder *b = maker->b;
+    if (first_corner == b->corners[b->first_corner[position]]) {
+        memcpy(maker->first->normals + 3 * (size_t)position, normal, 3 * sizeof(float));
+        return;
+    }
+    burnish_later_vertex *vertex = &maker->later->items[maker->later->count++];
     vertex->corner = first_corner;
     vertex->position = position;
     memcpy(vertex->normal, normal, sizeof vertex->normal);
+    maker->first->is_split[position] = 1;
 }
 
 /* The same for few corners that have only a normal. */
 static void number_by_normal(vertex_maker *maker, uint32_t position, const uint32_t *corners,
                              size_t count) {
-    uint32_t *indices = maker->b->mesh->indices;
+    uint32_t *to = maker->first->heads;
     uint32_t heads[FEW_NORMALS];
     size_t found = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -127,9 +134,9 @@ static void number_by_normal(vertex_maker *maker, uint32_t position, const uint3
         }
         if (k == found) {
             heads[found++] = (uint32_t)i;
-            append_vertex(maker, position, corners[i], normal);
+            take_vertex(maker, position, corners[i], normal);
         }
-        indices[corners[i]] = corners[heads[k]];
+        to[corners[i]] = corners[heads[k]];
     }
 }
 
@@ -143,7 +150,7 @@ static size_t hash_record(const burnish_weld_record *record, uint64_t seed) {
 }
 
 /* Describes corners in maker->records; one that equals a corner before it is mostly left out and
- * refers to that in the mesh's indices. Returns how many are left. The table is in the rings, whose
+ * refers to that among the heads. Returns how many are left. The table is in the rings, whose
  * normals are made. */
 static size_t describe_different(vertex_maker *maker, const uint32_t *corners, size_t count) {
     burnish_weld_record *records = maker->records;
@@ -163,7 +170,7 @@ static size_t describe_different(vertex_maker *maker, const uint32_t *corners, s
             slot = &slots[(hash + k) & (size - 1)];
         }
         if (*slot != BURNISH_NONE && same_vertex(&records[*slot], record)) {
-            maker->b->mesh->indices[corners[i]] = records[*slot].value;
+            maker->first->heads[corners[i]] = records[*slot].value;
             continue;
         }
         *slot = *slot == BURNISH_NONE ? (uint32_t)left : *slot;
@@ -183,14 +190,13 @@ static size_t describe_corners(vertex_maker *maker, const uint32_t *corners, siz
     return count;
 }
 
-/* Gives each corner of one position its vertex: corners that have the same share one. For now the
- * mesh's indices contain the first corner of that vertex. */
+/* Gives each corner of one position its vertex: corners that have the same share one. */
 static void number_corners(vertex_maker *maker, uint32_t position) {
     const burnish_builder *b = maker->b;
     const uint32_t *corners = b->corners + b->first_corner[position];
     const size_t count = b->first_corner[position + (size_t)1] - b->first_corner[position];
     burnish_weld_record *records = maker->records;
-    uint32_t *indices = b->mesh->indices;
+    uint32_t *heads = maker->first->heads;
     if (count <= FEW_NORMALS && !b->has_extras) {
         number_by_normal(maker, position, corners, count);
         return;
@@ -204,36 +210,19 @@ static void number_corners(vertex_maker *maker, uint32_t position) {
         while (head < i && !same_vertex(&records[head], &records[i])) {
             ++head;
         }
-        indices[records[i].value] = head < i ? indices[records[head].value] : records[i].value;
+        heads[records[i].value] = head < i ? heads[records[head].value] : records[i].value;
         if (head == i) {
-            append_vertex(maker, position, records[i].value, records[i].key);
+            take_vertex(maker, position, records[i].value, records[i].key);
         }
     }
     for (size_t i = 0; i < count && left < count; ++i) { /* those left out */
-        indices[corners[i]] = indices[indices[corners[i]]];
+        heads[corners[i]] = heads[heads[corners[i]]];
     }
 }
 
-/* All corners of a position have one normal, the first in maker, and nothing else. Its corners are
- * scattered: they get their indices later, in the order of the triangles. */
+/* All corners of a position have one normal, the first in maker, and nothing else. */
 static void share_vertex(vertex_maker *maker, uint32_t position) {
-    const burnish_builder *b = maker->b;
-    const uint32_t corner = b->corners[b->first_corner[position]];
-    append_vertex(maker, position, corner, maker->normals);
-    maker->shared[position] = corner;
-}
-
-/* The first corner of its vertex for each corner of a position with one vertex. */
-static void index_shared(void *context, size_t first, size_t end) {
-    const vertex_maker *maker = context;
-    const uint32_t *positions = maker->b->corner_positions, *shared = maker->shared;
-    uint32_t *indices = maker->b->mesh->indices;
-    for (size_t i = 3 * first; i < 3 * end; ++i) {
-        const uint32_t corner = shared[positions[i]];
-        if (corner != BURNISH_NONE) {
-            indices[i] = corner;
-        }
-    }
+    memcpy(maker->first->normals + 3 * (size_t)position, maker->normals, 3 * sizeof(float));
 }
 
 /* Whether all corners have the same normal from the file. */
@@ -258,9 +247,7 @@ static void make_position(vertex_maker *maker, uint32_t position, int made) {
     const uint32_t *corners = b->corners + b->first_corner[position];
     const size_t count = corner_count(b, position);
     const int has_file_normals = b->data->streams[BURNISH_NORMAL].count > 0;
-    maker->vertices = burnish_reserve(&maker->memory, maker->vertices, &maker->capacity,
-                                      maker->count + count, sizeof *maker->vertices, "vertices");
-    if (maker->memory.status != BURNISH_STATUS_OK) {
+    if (!reserve_vertices(maker, count)) {
         return;
     }
     if (!made && !b->has_extras && have_one_normal(b, corners, count)) {
@@ -307,9 +294,6 @@ static void make_waiting(vertex_maker *maker, size_t faces) {
         }
     }
     maker->rings.corners = maker->fans->corners;
-    maker->vertices =
-        burnish_reserve(&maker->memory, maker->vertices, &maker->capacity,
-                        maker->count + count * faces, sizeof *maker->vertices, "vertices");
     copied = 0;
     for (size_t i = 0; i < count && maker->memory.status == BURNISH_STATUS_OK; ++i) {
         int one = (int)maker->fans->is_one[i];
@@ -418,32 +402,20 @@ static void create_scratch(vertex_maker *maker, size_t capacity) {
     maker->records = burnish_allocate(&maker->memory, capacity, sizeof *maker->records, "vertices");
 }
 
-static vertex_maker *create_makers(burnish_builder *b, int count, uint32_t *shared) {
+static vertex_maker *create_makers(burnish_builder *b, burnish_first_vertices *first,
+                                   burnish_later_vertices *lists, int count) {
     const size_t corners = 3 * b->triangle_count;
     vertex_maker *makers =
         burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *makers, "vertices");
     for (int i = 0; i < count && makers; ++i) {
         makers[i].b = b;
-        makers[i].shared = shared;
+        makers[i].first = first;
+        makers[i].later = &lists[i];
         makers[i].memory = burnish_memory_of(b->memory->context, &makers[i].error);
         create_scratch(&makers[i], corners < CORNERS_MAX ? corners : CORNERS_MAX);
-        makers[i].vertices = burnish_reserve(&makers[i].memory, NULL, &makers[i].capacity,
-                                             b->position_count / (size_t)count + 1,
-                                             sizeof *makers[i].vertices, "vertices");
         burnish_memory_join(b->memory, &makers[i].memory);
     }
     return makers;
-}
-
-static void destroy_makers(vertex_maker *makers, int count) {
-    for (int i = 0; i < count && makers; ++i) {
-        const burnish_context *context = makers[i].memory.context;
-        destroy_scratch(&makers[i]);
-        burnish_release(context, makers[i].vertices);
-    }
-    if (makers) {
-        burnish_release(makers->b->memory->context, makers);
-    }
 }
 
 /* Positions with more corners than fit: one by one, with rings of their size. */
@@ -459,7 +431,7 @@ static void make_large(vertex_maker *maker) {
     }
 }
 
-static burnish_status make_vertices(burnish_builder *b, vertex_maker *makers, int count) {
+static burnish_status run_makers(burnish_builder *b, vertex_maker *makers, int count) {
     const size_t tasks = (b->position_count + POSITIONS_PER_TASK - 1) / POSITIONS_PER_TASK;
     burnish_tasks_run(b->data->tasks, tasks, 1, count, make_task, makers);
     burnish_status status = burnish_tasks_check(b->data->tasks, b->memory->error);
@@ -469,77 +441,90 @@ static burnish_status make_vertices(burnish_builder *b, vertex_maker *makers, in
     if (status == BURNISH_STATUS_OK && b->max_faces > CORNERS_MAX) {
         make_large(&makers[0]);
     }
-    for (int i = 0; i < count; ++i) {
+    return status;
+}
+
+static burnish_status make_vertices(burnish_builder *b, burnish_first_vertices *first,
+                                    burnish_later_vertices *lists, int count) {
+    vertex_maker *makers = create_makers(b, first, lists, count);
+    burnish_status status = b->memory->status;
+    if (status == BURNISH_STATUS_OK) {
+        status = run_makers(b, makers, count);
+    }
+    for (int i = 0; i < count && makers; ++i) {
         burnish_memory_join(b->memory, &makers[i].memory);
         destroy_scratch(&makers[i]);
-        b->vertex_count += makers[i].count;
     }
+    burnish_release(b->memory->context, makers);
     return status == BURNISH_STATUS_OK ? b->memory->status : status;
 }
 
 /* ---- the result ---- */
 
-static void write_range(void *context, size_t first, size_t end) {
-    const vertex_maker *maker = context;
-    const burnish_builder *b = maker->b;
-    void *const *attributes = b->mesh->attributes;
-    const float *from = burnish_positions(b->data);
-    float *positions = attributes[BURNISH_POSITION], *normals = attributes[BURNISH_NORMAL];
-    for (size_t k = first; k < end; ++k) {
-        const built_vertex *vertex = &maker->vertices[k];
-        const size_t number = b->mesh->indices[vertex->corner];
-        memcpy(positions + 3 * number, from + 3 * (size_t)vertex->position, 3 * sizeof(float));
-        memcpy(normals + 3 * number, vertex->normal, 3 * sizeof(float));
-        for (int i = 0; i < b->extra_count; ++i) {
-            const burnish_attribute attribute = b->extras[i].attribute;
-            uint8_t *to = attributes[attribute];
-            burnish_copy_extra(&b->extras[i], b->extras[i].corners[vertex->corner],
-                               to + burnish_attribute_size(attribute) * number);
-        }
+/* Numbers the positions and lists their corners. */
+static burnish_status prepare_surface(burnish_builder *b, burnish_renumbering *renumbering) {
+    burnish_status status = burnish_build_number_positions(b, renumbering);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_build_list_corners(b);
     }
-}
-
-static burnish_status build_any(burnish_builder *b) {
-    const size_t worth = b->position_count / POSITIONS_PER_THREAD,
-                 all = (size_t)burnish_tasks_threads(b->data->tasks);
-    const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
-    burnish_status status = burnish_build_list_corners(b);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_build_find_extras(b);
     b->surface = (burnish_surface){.positions = burnish_positions(b->data),
                                    .corner_positions = b->corner_positions,
+                                   .triangle_count = b->triangle_count,
                                    .first_corner = b->first_corner,
                                    .corners = b->corners,
+                                   .file_numbers = renumbering->before,
                                    .wide = b->wide};
-    b->surface.is_organic = !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
-                            burnish_surface_is_organic(&b->surface, b->position_count);
-    uint32_t *shared = burnish_allocate(b->memory, b->position_count, sizeof *shared, "vertices");
-    vertex_maker *makers = create_makers(b, count, shared);
-    status = b->memory->status;
-    if (status == BURNISH_STATUS_OK) {
-        memset(shared, 0xff, b->position_count * sizeof *shared);
-        status = make_vertices(b, makers, count);
+    b->surface.is_organic =
+        !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
+        burnish_surface_is_organic(&b->surface, renumbering->numbers,
+                                   renumbering->count > 0 ? renumbering->count : b->position_count);
+    burnish_release(b->memory->context, renumbering->numbers);
+    renumbering->numbers = NULL;
+    return BURNISH_STATUS_OK;
+}
+
+static void create_first(burnish_builder *b, burnish_first_vertices *first) {
+    first->normals = burnish_allocate(b->memory, b->position_count, 3 * sizeof(float), "vertices");
+    first->is_split = burnish_allocate_zeroed(b->memory, b->position_count, 1, "vertices");
+    first->heads = b->mesh->indices; /* those of an attempt to find vertices by numbers */
+    b->mesh->indices = NULL;
+    if (!first->heads) {
+        first->heads = burnish_allocate(b->memory, b->triangle_count, BURNISH_TRIPLE, "triangles");
     }
-    if (status == BURNISH_STATUS_OK) {
-        burnish_tasks_ranges(b->data->tasks, b->triangle_count, BURNISH_BUILD_GRAIN, index_shared,
-                             &makers[0]);
+}
+
+static void destroy_first(burnish_builder *b, burnish_first_vertices *first) {
+    burnish_release(b->memory->context, first->normals);
+    burnish_release(b->memory->context, first->is_split);
+    burnish_release(b->memory->context, first->heads);
+}
+
+static burnish_status build_any(burnish_builder *b, burnish_renumbering *renumbering) {
+    const size_t worth = b->position_count / POSITIONS_PER_THREAD,
+                 all = (size_t)burnish_tasks_threads(b->data->tasks);
+    const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
+    burnish_status status = prepare_surface(b, renumbering);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
-    burnish_release(b->memory->context, shared);
+    burnish_first_vertices first;
+    burnish_later_vertices *lists =
+        burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *lists, "vertices");
+    burnish_build_find_extras(b);
+    create_first(b, &first);
+    status = make_vertices(b, &first, lists, count);
     if (status == BURNISH_STATUS_OK) {
-        burnish_build_release_corners(b, b->has_extras);
-        status = burnish_build_allocate_vertices(b);
+        status =
+            burnish_build_write_vertices(b, &first, lists, (size_t)count, renumbering->count > 0);
     }
-    if (status == BURNISH_STATUS_OK) {
-        /* In the order in which the triangles first use them. */
-        burnish_number_heads(b->data->tasks, b->mesh->indices, 3 * b->triangle_count);
-        for (int i = 0; i < count; ++i) {
-            burnish_tasks_ranges(b->data->tasks, makers[i].count, BURNISH_BUILD_GRAIN, write_range,
-                                 &makers[i]);
-        }
+    for (int i = 0; i < count && lists; ++i) {
+        burnish_release(b->memory->context, lists[i].items);
     }
-    destroy_makers(makers, count);
+    burnish_release(b->memory->context, lists);
+    destroy_first(b, &first);
     return status;
 }
 
@@ -549,9 +534,11 @@ burnish_status burnish_build_vertices(burnish_builder *b) {
     if (status == BURNISH_STATUS_OK) {
         status = burnish_build_move(b, !done);
     }
-    if (status == BURNISH_STATUS_OK &&
-        !b->mesh->indices) { /* possibly in the memory of the corners */
-        status = burnish_build_allocate_indices(b);
+    if (status == BURNISH_STATUS_OK && !done) {
+        burnish_renumbering renumbering;
+        status = build_any(b, &renumbering);
+        burnish_release(b->memory->context, renumbering.before);
+        burnish_release(b->memory->context, renumbering.numbers);
     }
-    return status == BURNISH_STATUS_OK && !done ? build_any(b) : status;
+    return status;
 }

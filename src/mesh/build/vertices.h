@@ -10,7 +10,7 @@ burnish_status burnish_build_vertices(burnish_builder *b);
 
 burnish_status burnish_build_allocate_indices(burnish_builder *b);
 
-/* The arrays of vertex_count vertices. */
+/* The arrays of vertex_count vertices that the mesh has not got yet. */
 burnish_status burnish_build_allocate_vertices(burnish_builder *b);
 
 /* Lists the attributes other than position and normal. */

@@ -292,8 +292,8 @@ static int goes_on(const burnish_surface *s, uint32_t from, uint32_t at) {
 }
 
 /* Whether many triangles are needles, as between the rims of a decimated cylinder. */
-static int has_needles(const burnish_surface *s, size_t position_count) {
-    const uint64_t count = s->first_corner[position_count] / 3;
+static int has_needles(const burnish_surface *s) {
+    const uint64_t count = s->triangle_count;
     const uint64_t samples = count < SAMPLES ? count : SAMPLES;
     double needles = 0;
     for (uint64_t i = 0; i < samples; ++i) {
@@ -311,18 +311,22 @@ static int has_needles(const burnish_surface *s, size_t position_count) {
     return needles >= NEEDLE_SHARE * (double)samples;
 }
 
-int burnish_surface_is_organic(const burnish_surface *s, size_t position_count) {
+int burnish_surface_is_organic(const burnish_surface *s, const uint32_t *numbers,
+                               size_t position_count) {
     const uint64_t samples = position_count < SAMPLES ? position_count : SAMPLES;
     double all = 0, plane = 0, sharp = 0, excess = 0;
     for (uint64_t i = 0; i < samples && excess < EXCESS_SHARE * all + EDGES_SURE; ++i) {
-        const burnish_edge_counts counts = count_edges(s, (uint32_t)(i * SPREAD % position_count));
+        const uint32_t sample = (uint32_t)(i * SPREAD % position_count);
+        const uint32_t position = numbers ? numbers[sample] : sample;
+        const burnish_edge_counts counts =
+            position == BURNISH_NONE ? (burnish_edge_counts){0} : count_edges(s, position);
         all += counts.all;
         plane += counts.plane;
         sharp += counts.sharp;
         excess += counts.plane - (counts.flat - counts.plane) * (0.3 / 0.7);
     }
     return all >= EDGES_MIN && plane < PLANE_SHARE * all && excess < EXCESS_SHARE * all &&
-           sharp < SHARP_SHARE * all && !has_needles(s, position_count);
+           sharp < SHARP_SHARE * all && !has_needles(s);
 }
 
 /* The same if the position is asked for again, which it is by other edges. */

@@ -1,15 +1,17 @@
 /* Faces are measured in blocks: scattered positions are brought together, then loops over arrays,
  * which compilers vectorise, compute. The operations and their order are the same for any width. */
 #include <stddef.h>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 #include "mesh/build/normals/faces.h"
 
-enum { BLOCK = 64 };
+enum { BLOCK = BURNISH_FACE_BLOCK };
 
 /* The triangles of some corners, and where their faces go. */
 typedef struct block {
-    float positions[9][BLOCK]; /* x, y, z of the first corner, the second and the third */
-    int64_t at[BLOCK];         /* 0..2: the corner that counts */
+    float positions[9][BLOCK]; /* x, y, z of the corner, the next one and the previous one */
     double *x, *y, *z, *lengths, *angles;
 } block;
 
@@ -34,15 +36,23 @@ static inline __attribute__((always_inline)) double choose(int is, double yes, d
     return yes;
 }
 
-/* The angle between two vectors, in (0, pi], within 5e-16: from the length of their cross product,
- * above 0, and their dot product. It is near 0, a right angle, or 45 degrees. */
-static inline __attribute__((always_inline)) double angle_of(double length, double dot) {
-    const double width = __builtin_fabs(dot);
+/* The tangent of an angle is up / along, plus base where that is not 0. */
+typedef struct tangent {
+    double up, along, base;
+} tangent;
+
+/* Of the angle between two vectors, whose cross product's length is above 0, and their dot product
+ * without its sign. It is near 0, a right angle, or 45 degrees. */
+static inline __attribute__((always_inline)) tangent tangent_of(double length, double width) {
     const int flat = length <= TANGENT * width, steep = width <= TANGENT * length;
-    const double up = choose(flat, length, choose(steep, -width, length - width));
-    const double along = choose(flat, width, choose(steep, length, length + width));
-    const double base = choose(flat, 0, choose(steep, 2 * QUARTER_PI, QUARTER_PI));
-    const double t = up / along, z = t * t;
+    return (tangent){choose(flat, length, choose(steep, -width, length - width)),
+                     choose(flat, width, choose(steep, length, length + width)),
+                     choose(flat, 0, choose(steep, 2 * QUARTER_PI, QUARTER_PI))};
+}
+
+/* The angle, in (0, pi], within 6e-16. */
+static inline __attribute__((always_inline)) double angle_of(double t, double base, double dot) {
+    const double z = t * t;
     double sum = arctangent[10];
     for (int i = 9; i >= 0; --i) {
         sum = sum * z + arctangent[i];
@@ -51,35 +61,32 @@ static inline __attribute__((always_inline)) double angle_of(double length, doub
     return choose(dot < 0, 4 * QUARTER_PI - angle, angle);
 }
 
-/* From corner `from` to corner `to` of triangle i. */
+/* From corner 0 to corner `to` of triangle i. */
 static inline __attribute__((always_inline)) burnish_vec3 edge_of(const block *b, size_t i,
-                                                                  int from, int to) {
+                                                                  int to) {
     double edge[3];
     for (int k = 0; k < 3; ++k) {
-        edge[k] = (double)b->positions[3 * to + k][i] - (double)b->positions[3 * from + k][i];
+        edge[k] = (double)b->positions[3 * to + k][i] - (double)b->positions[k][i];
     }
     return (burnish_vec3){edge[0], edge[1], edge[2]};
 }
 
-/* Area makes the length positive: the square of the smallest product does not underflow. */
+/* One division gives the inverse length and the tangent. No product of two lengths or dot products
+ * of floats leaves the range of doubles. */
 static inline __attribute__((always_inline)) void measure_any(const block *b, size_t count) {
     double *restrict x = b->x, *restrict y = b->y, *restrict z = b->z;
     double *restrict lengths = b->lengths, *restrict angles = b->angles;
     for (size_t i = 0; i < count; ++i) {
-        const burnish_vec3 second = edge_of(b, i, 0, 1), third = edge_of(b, i, 0, 2);
-        const burnish_vec3 between = edge_of(b, i, 1, 2);
-        const burnish_vec3 cross = burnish_vec3_cross(second, third);
-        const double length = burnish_vec3_length(cross), scale = 1 / length;
+        const burnish_vec3 next = edge_of(b, i, 1), previous = edge_of(b, i, 2);
+        const burnish_vec3 cross = burnish_vec3_cross(next, previous);
+        const double length = burnish_vec3_length(cross), dot = burnish_vec3_dot(next, previous);
+        const tangent t = tangent_of(length, __builtin_fabs(dot));
+        const double inverse = 1 / (length * t.along), scale = t.along * inverse;
         lengths[i] = length;
         x[i] = cross.x * scale;
         y[i] = cross.y * scale;
         z[i] = cross.z * scale;
-        angles[i] = choose(b->at[i] == 0, burnish_vec3_dot(second, third),
-                           choose(b->at[i] == 1, -burnish_vec3_dot(between, second),
-                                  burnish_vec3_dot(third, between)));
-    }
-    for (size_t i = 0; i < count; ++i) {
-        angles[i] = angle_of(lengths[i], angles[i]);
+        angles[i] = angle_of(t.up * length * inverse, t.base, dot);
     }
 }
 
@@ -100,7 +107,6 @@ static size_t fill_vectors(block *b, size_t count) {
         for (int k = 0; k < 9; ++k) {
             b->positions[k][count] = b->positions[k][0];
         }
-        b->at[count] = 0;
     }
     return count;
 }
@@ -118,33 +124,149 @@ static void measure_block(block *b, size_t count, int wide) {
     measure_any(b, count);
 }
 
-static inline void load_triangle(block *b, size_t i, const float *positions,
-                                 const uint32_t *numbers) {
-    for (int k = 0; k < 3; ++k) {
-        const float *position = positions + 3 * (size_t)numbers[k];
-        b->positions[3 * k][i] = position[0];
-        b->positions[3 * k + 1][i] = position[1];
-        b->positions[3 * k + 2][i] = position[2];
+static inline void load_position(block *b, size_t i, int row, const float *positions,
+                                 uint32_t number) {
+    const float *position = positions + 3 * (size_t)number;
+    b->positions[row][i] = position[0];
+    b->positions[row + 1][i] = position[1];
+    b->positions[row + 2][i] = position[2];
+}
+
+/* The corners after and before one of a triangle. */
+static inline void load_neighbors(block *b, size_t i, const burnish_surface *surface,
+                                  uint32_t corner, const burnish_measured_faces *to) {
+    static const uint8_t after[5] = {0, 1, 2, 0, 1};
+    const uint32_t at = corner % 3, *numbers = surface->corner_positions + (corner - at);
+    to->next[i] = numbers[after[at + 1]];
+    to->previous[i] = numbers[after[at + 2]];
+    load_position(b, i, 3, surface->positions, to->next[i]);
+    load_position(b, i, 6, surface->positions, to->previous[i]);
+}
+
+/* A face that has area, though it seems to have none from this corner by rounding: measured as the
+ * area was. */
+static void measure_again(const burnish_surface *surface, uint32_t corner, size_t i,
+                          const burnish_measured_faces *to) {
+    const burnish_vec3 cross =
+        burnish_face_cross(surface->positions, surface->corner_positions + (corner - corner % 3));
+    const double length = burnish_vec3_length(cross);
+    to->lengths[i] = length;
+    to->x[i] = cross.x * (1 / length);
+    to->y[i] = cross.y * (1 / length);
+    to->z[i] = cross.z * (1 / length);
+    to->angles[i] = 0;
+}
+
+static burnish_measured_faces skip(const burnish_measured_faces *to, size_t count) {
+    return (burnish_measured_faces){to->x + count,       to->y + count,      to->z + count,
+                                    to->lengths + count, to->angles + count, to->next + count,
+                                    to->previous + count};
+}
+
+/* Measures a block whose positions are loaded. */
+static void measure_loaded(block *b, const burnish_surface *surface, const uint32_t *corners,
+                           size_t count, int wide, const burnish_measured_faces *to) {
+    b->x = to->x, b->y = to->y, b->z = to->z;
+    b->lengths = to->lengths, b->angles = to->angles;
+    measure_block(b, count, wide);
+    int any = 0;
+    for (size_t i = 0; i < count; ++i) {
+        any |= to->lengths[i] == 0;
+    }
+    for (size_t i = 0; i < count && any; ++i) {
+        if (to->lengths[i] == 0) {
+            measure_again(surface, corners[i], i, to);
+        }
     }
 }
 
 void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corners, size_t count,
                            int wide, const burnish_measured_faces *to) {
-    static const uint8_t after[5] = {0, 1, 2, 0, 1};
     for (size_t start = 0, size; start < count; start += size) {
+        const burnish_measured_faces part = skip(to, start);
         size = count - start < BLOCK ? count - start : BLOCK;
         block b;
-        b.x = to->x + start, b.y = to->y + start, b.z = to->z + start;
-        b.lengths = to->lengths + start, b.angles = to->angles + start;
         for (size_t i = 0; i < size; ++i) {
-            const uint32_t corner = corners[start + i], at = corner % 3;
-            const uint32_t *numbers = surface->corner_positions + (corner - at);
-            load_triangle(&b, i, surface->positions, numbers);
-            b.at[i] = at;
-            to->next[start + i] = numbers[after[at + 1]];
-            to->previous[start + i] = numbers[after[at + 2]];
+            load_position(&b, i, 0, surface->positions,
+                          surface->corner_positions[corners[start + i]]);
+            load_neighbors(&b, i, surface, corners[start + i], &part);
         }
-        measure_block(&b, size, wide);
+        measure_loaded(&b, surface, corners + start, size, wide, &part);
+    }
+}
+
+#if defined(__x86_64__)
+/* Eight at a time: corners and to have room for whole vectors. */
+__attribute__((target("avx2"))) static void
+load_positions_avx2(block *b, size_t i, int row, const float *positions, __m256i numbers) {
+    const __m256i at = _mm256_add_epi32(numbers, _mm256_slli_epi32(numbers, 1));
+    for (int k = 0; k < 3; ++k) {
+        _mm256_storeu_ps(b->positions[row + k] + i, _mm256_i32gather_ps(positions + k, at, 4));
+    }
+}
+
+__attribute__((target("avx2"))) static void
+load_neighbors_avx2(block *b, const burnish_surface *surface, const uint32_t *corners, size_t count,
+                    const burnish_measured_faces *to) {
+    const int *numbers = (const int *)(const void *)surface->corner_positions;
+    const __m256i third = _mm256_set1_epi32((int)0xaaaaaaab), two = _mm256_set1_epi32(2);
+    for (size_t i = 0; i < count; i += 8) {
+        const __m256i corner = _mm256_loadu_si256((const __m256i *)(corners + i));
+        const __m256i odd = _mm256_srli_epi64(corner, 32);
+        const __m256i low = _mm256_srli_epi64(_mm256_mul_epu32(corner, third), 33);
+        const __m256i high = _mm256_srli_epi64(_mm256_mul_epu32(odd, third), 33);
+        const __m256i triangle = _mm256_or_si256(low, _mm256_slli_epi64(high, 32));
+        const __m256i first = _mm256_add_epi32(triangle, _mm256_slli_epi32(triangle, 1));
+        const __m256i at = _mm256_sub_epi32(corner, first);
+        /* one more, but 0 after 2; one less, but 2 before 0 */
+        const __m256i after = _mm256_sub_epi32(
+            corner,
+            _mm256_add_epi32(_mm256_set1_epi32(-1),
+                             _mm256_and_si256(_mm256_cmpeq_epi32(at, two), _mm256_set1_epi32(3))));
+        const __m256i before = _mm256_add_epi32(
+            corner,
+            _mm256_add_epi32(_mm256_set1_epi32(-1),
+                             _mm256_and_si256(_mm256_cmpeq_epi32(at, _mm256_setzero_si256()),
+                                              _mm256_set1_epi32(3))));
+        const __m256i next = _mm256_i32gather_epi32(numbers, after, 4);
+        const __m256i previous = _mm256_i32gather_epi32(numbers, before, 4);
+        _mm256_storeu_si256((__m256i *)(to->next + i), next);
+        _mm256_storeu_si256((__m256i *)(to->previous + i), previous);
+        load_positions_avx2(b, i, 3, surface->positions, next);
+        load_positions_avx2(b, i, 6, surface->positions, previous);
+    }
+}
+#endif
+
+static void load_row(block *b, const burnish_surface *surface, const uint32_t *corners,
+                     size_t count, int wide, const burnish_measured_faces *to) {
+#if defined(__x86_64__)
+    if (wide) {
+        load_neighbors_avx2(b, surface, corners, count, to);
+        return;
+    }
+#endif
+    (void)wide;
+    for (size_t i = 0; i < count; ++i) {
+        load_neighbors(b, i, surface, corners[i], to);
+    }
+}
+
+void burnish_measure_fans(const burnish_surface *surface, const uint32_t *starts, size_t count,
+                          size_t faces, int wide, const burnish_measured_faces *to) {
+    const size_t whole = (count + BURNISH_FACE_LANES - 1) / BURNISH_FACE_LANES * BURNISH_FACE_LANES;
+    uint32_t corners[BLOCK];
+    block b;
+    for (size_t v = 0; v < whole; ++v) { /* the first one fills vectors up */
+        load_position(&b, v, 0, surface->positions,
+                      surface->corner_positions[surface->corners[starts[v < count ? v : 0]]]);
+    }
+    for (size_t i = 0; i < faces; ++i) {
+        for (size_t v = 0; v < whole; ++v) {
+            corners[v] = surface->corners[starts[v < count ? v : 0] + i];
+        }
+        load_row(&b, surface, corners, whole, wide, &to[i]);
+        measure_loaded(&b, surface, corners, whole, wide, &to[i]);
     }
 }
 
@@ -153,7 +275,7 @@ void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corne
 static inline __attribute__((always_inline)) void find_any(const block *b, size_t count,
                                                            uint8_t *has_area) {
     for (size_t i = 0; i < count; ++i) {
-        const burnish_vec3 second = edge_of(b, i, 0, 1), third = edge_of(b, i, 0, 2);
+        const burnish_vec3 second = edge_of(b, i, 1), third = edge_of(b, i, 2);
         const burnish_vec3 cross = burnish_vec3_cross(second, third);
         has_area[i] = (cross.x != 0) | (cross.y != 0) | (cross.z != 0);
     }
@@ -182,7 +304,9 @@ void burnish_find_areas(const float *positions, const uint32_t *corners, size_t 
         block b;
         uint8_t found[BLOCK];
         for (size_t i = 0; i < size; ++i) {
-            load_triangle(&b, i, positions, corners + 3 * (start + i));
+            for (int k = 0; k < 3; ++k) {
+                load_position(&b, i, 3 * k, positions, corners[3 * (start + i) + (size_t)k]);
+            }
         }
         const size_t whole = fill_vectors(&b, size);
 #if defined(__x86_64__)

@@ -5,7 +5,8 @@
 #include "mesh/build/normals/surface.h"
 
 enum {
-    BURNISH_FACE_LANES = 8 /* results are written up to a multiple of so many */
+    BURNISH_FACE_LANES = 8, /* results are written up to a multiple of so many */
+    BURNISH_FACE_BLOCK = 64 /* corners that are measured at once */
 };
 
 /* Where results go: one per corner. */
@@ -21,6 +22,13 @@ typedef struct burnish_measured_faces {
  * wide: 1 if the processor has AVX2, 2 for AVX-512; does not affect the bits of the results */
 void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corners, size_t count,
                            int wide, const burnish_measured_faces *to);
+
+/* Measures the faces of `count` vertices, at most BURNISH_FACE_BLOCK, with `faces` each: those of
+ * their i-th corners to to[i].
+ *
+ * starts: of each vertex's corners in the surface's list */
+void burnish_measure_fans(const burnish_surface *surface, const uint32_t *starts, size_t count,
+                          size_t faces, int wide, const burnish_measured_faces *to);
 
 /* Whether each of `count` triangles has area, 1 or 0. */
 void burnish_find_areas(const float *positions, const uint32_t *corners, size_t count, int wide,

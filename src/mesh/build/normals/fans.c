@@ -27,19 +27,13 @@ void burnish_fans_normals(burnish_fans *fans, const burnish_rings *rings, const 
     if (!rings->asks) {
         memset(fans->chosen, 0xff, sizeof fans->chosen);
     }
+    burnish_measured_faces to[BURNISH_PAIRWISE_MAX];
     for (size_t i = 0; i < faces; ++i) {
-        const burnish_measured_faces to = {fans->x[i],       fans->y[i],      fans->z[i],
-                                           fans->lengths[i], fans->angles[i], fans->next[i],
-                                           fans->previous[i]};
-        uint32_t row[BURNISH_FANS];
-        for (size_t v = 0; v < count; ++v) {
-            row[v] = rings->surface->corners[starts[v] + i];
-        }
-        for (size_t v = count; v < whole; ++v) {
-            row[v] = row[0];
-        }
-        burnish_measure_faces(rings->surface, row, whole, rings->wide, &to);
+        to[i] = (burnish_measured_faces){fans->x[i],       fans->y[i],      fans->z[i],
+                                         fans->lengths[i], fans->angles[i], fans->next[i],
+                                         fans->previous[i]};
     }
+    burnish_measure_fans(rings->surface, starts, count, faces, rings->wide, to);
 #if defined(__x86_64__)
     if (rings->wide) {
         (rings->wide > 1 ? find_normals_avx512 : find_normals_avx2)(fans, rings, whole, faces);
