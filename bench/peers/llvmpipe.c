@@ -1,11 +1,9 @@
-/* Mesa's software rasteriser as a contestant: GLES 3.2 without a window. Buffers and programs are
- * made once; a frame is glClear, one draw call and glFinish; reading the picture back is
- * not timed.
+/* Mesa's software rasteriser, or the machine's GPU, as a contestant: GLES 3.2 without a window.
+ * Buffers and programs are made once; a frame is glClear, a draw call per material and glFinish;
+ * only scene-read also copies the picture into the program's memory, where burnish's is.
  *
  * The runner sets the number of threads in the environment: LP_NUM_THREADS=0 rasterises in the
  * calling thread, 2 in two more threads. */
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GLES3/gl32.h>
 #include <math.h>
 #include <meshoptimizer.h>
@@ -13,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../egl.h"
 #include "llvmpipe_shaders.h"
 #include "worker.h"
 
@@ -26,10 +25,15 @@ static const struct variant {
     const char *name, *lobe;
     int target;
     int two_sided; /* 1: draws every face with N turned toward the viewer, as burnish does */
+    int reads;     /* 1: copies the picture */
 } VARIANTS[] = {
-    {"power", lobe_power, LINEAR8, 0},           {"power-srgb", lobe_power, SRGB8, 0},
-    {"power-two-sided", lobe_power, LINEAR8, 1}, {"family", lobe_family, LINEAR8, 0},
-    {"schlick", lobe_schlick, LINEAR8, 0},       {"scene", lobe_power, LINEAR8, SIDES_OF_SCENE},
+    {"power", lobe_power, LINEAR8, 0, 0},
+    {"power-srgb", lobe_power, SRGB8, 0, 0},
+    {"power-two-sided", lobe_power, LINEAR8, 1, 0},
+    {"family", lobe_family, LINEAR8, 0, 0},
+    {"schlick", lobe_schlick, LINEAR8, 0, 0},
+    {"scene-read", lobe_power, LINEAR8, SIDES_OF_SCENE, 1},
+    {"scene", lobe_power, LINEAR8, SIDES_OF_SCENE, 0},
 };
 
 enum { VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS };
@@ -41,42 +45,15 @@ static const char *const ORDER_NAMES[ORDERS] = {"burnish's order", "meshoptimize
 
 typedef struct gl_renderer {
     const burnish_peers_job *job;
-    EGLDisplay display;
-    EGLContext context;
     GLuint programs[VARIANT_COUNT], number_program;
     GLuint framebuffers[TARGETS];
     GLuint resolved;       /* where the samples of LINEAR8 go; 0: it has one per pixel */
     GLuint meshes[ORDERS]; /* vertex array objects */
     int fastest;           /* of these */
+    uint8_t *bytes;        /* the copied picture */
     size_t *ends;          /* of each material's indices */
     size_t material_count;
 } gl_renderer;
-
-static void fail(char *note, const char *what) {
-    snprintf(note, BURNISH_PEERS_NOTE, "EGL: %s", what);
-}
-
-static int open_context(gl_renderer *gl, char *note) {
-    PFNEGLGETPLATFORMDISPLAYEXTPROC get_display =
-        (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
-                                 EGL_NONE};
-    if (!get_display) {
-        fail(note, "no platform displays");
-        return 0;
-    }
-    gl->display = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-    if (!gl->display || !eglInitialize(gl->display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_ES_API)) {
-        fail(note, "no surfaceless display");
-        return 0;
-    }
-    gl->context = eglCreateContext(gl->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (!gl->context || !eglMakeCurrent(gl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, gl->context)) {
-        fail(note, "no OpenGL ES 3.2 context");
-        return 0;
-    }
-    return 1;
-}
 
 static GLuint compile(GLenum kind, const char *const *parts, GLsizei count, char *note) {
     GLuint shader = glCreateShader(kind);
@@ -367,10 +344,8 @@ static int make_meshes(gl_renderer *gl) {
 
 static void close_gl(void *state) {
     gl_renderer *gl = state;
-    if (gl->display) {
-        eglMakeCurrent(gl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglTerminate(gl->display);
-    }
+    burnish_bench_close_gl();
+    free(gl->bytes);
     free(gl->ends);
     free(gl);
 }
@@ -444,7 +419,14 @@ static int open_gl(void **state, const burnish_peers_job *job, int threads, char
         return 0;
     }
     gl->job = job;
-    if (!open_context(gl, note) || !make_programs(gl, note) || !make_framebuffers(gl, note)) {
+    const char *missing = burnish_bench_open_gl(3, 2);
+    if (missing) {
+        snprintf(note, BURNISH_PEERS_NOTE, "EGL: %s", missing);
+        close_gl(gl);
+        return 0;
+    }
+    gl->bytes = malloc((size_t)job->options.width * (size_t)job->options.height * 4);
+    if (!gl->bytes || !make_programs(gl, note) || !make_framebuffers(gl, note)) {
         close_gl(gl);
         return 0;
     }
@@ -481,6 +463,12 @@ static int frame(void *state, const char *name, double *milliseconds) {
     }
     double start = burnish_peers_now(gl->job);
     draw(gl, gl->programs[i], VARIANTS[i].target, !is_two_sided(gl, i), gl->fastest);
+    if (VARIANTS[i].reads) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER,
+                          gl->resolved ? gl->resolved : gl->framebuffers[LINEAR8]);
+        glReadPixels(0, 0, gl->job->options.width, gl->job->options.height, GL_RGBA,
+                     GL_UNSIGNED_BYTE, gl->bytes);
+    }
     *milliseconds = burnish_peers_now(gl->job) - start;
     return glGetError() == GL_NO_ERROR;
 }

@@ -5,7 +5,6 @@
  * Usage: bench_shaders BURNISH_GLSL [ROUNDS]
  * Exit code 77: OpenGL ES 3 with timer queries is missing. */
 #include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GLES3/gl3.h>
 /* after burnish.glsl, which declares the types */
 #include <GLES2/gl2ext.h>
@@ -14,12 +13,49 @@
 #include <string.h>
 #include <time.h>
 
+#include "../egl.h"
+
 enum { WIDTH = 1920, HEIGHT = 1080, LOBES = 16, ROUNDS_MAX = 99, SOURCE_MAX = 1 << 16 };
 
 /* A parallelogram that slides through the lobe with c. */
 #define AREA                                                                                       \
     "vec3(c * 4.0 - 3.2, 0.2, 1.0), vec3(0.4, 0.0, 0.0), vec3(0.0, 0.3, 0.1), 2, vec3(0.0, 0.0, "  \
     "1.0)"
+
+/* Its corners. */
+#define CORNERS                                                                                    \
+    "vec3(c * 4.0 - 3.2, 0.2, 1.0), vec3(c * 4.0 - 2.8, 0.2, 1.0), vec3(c * 4.0 - 2.8, 0.5, 1.1)," \
+    "vec3(c * 4.0 - 3.2, 0.5, 1.1)"
+
+/* Linearly transformed cosines, as three.js has them: two look-ups by roughness and angle, the
+ * polygon's vector irradiance with Hill and Heitz' rational function for the angle of an edge, and
+ * the horizon of a sphere of the same irradiance; diffuse and specular. The normal is z. What the
+ * tables contain does not change the cost. */
+static const char LTC[] =
+    "uniform highp sampler2D table, scale;\n"
+    "vec3 ltcEdge(vec3 a, vec3 b) {\n"
+    "    float x = dot(a, b), y = abs(x);\n"
+    "    float v = (0.8543985 + (0.4965155 + 0.0145206 * y) * y) / (3.417594 + (4.1616724 + y) * "
+    "y);\n"
+    "    return cross(a, b) * (x > 0.0 ? v : 0.5 * inversesqrt(max(1.0 - x * x, 1e-7)) - v);\n"
+    "}\n"
+    "float ltcPolygon(mat3 inverse, vec3 corners[4]) {\n"
+    "    vec3 a = normalize(inverse * corners[0]), b = normalize(inverse * corners[1]);\n"
+    "    vec3 c = normalize(inverse * corners[2]), d = normalize(inverse * corners[3]);\n"
+    "    vec3 f = ltcEdge(a, b) + ltcEdge(b, c) + ltcEdge(c, d) + ltcEdge(d, a);\n"
+    "    float size = length(f);\n"
+    "    return max((size * size + f.z) / (size + 1.0), 0.0);\n"
+    "}\n"
+    "float ltc(vec3 corners[4], vec3 view, float roughness) {\n"
+    "    vec2 at = vec2(roughness, sqrt(1.0 - view.z)) * (63.0 / 64.0) + 0.5 / 64.0;\n"
+    "    vec4 t = texture(table, at), s = texture(scale, at);\n"
+    "    mat3 inverse = mat3(t.x, 0.0, t.y, 0.0, 1.0, 0.0, t.z, 0.0, t.w);\n"
+    "    vec3 right = normalize(view - vec3(0.0, 0.0, view.z)), up = vec3(-right.y, right.x, "
+    "0.0);\n"
+    "    mat3 turn = transpose(mat3(right, up, vec3(0.0, 0.0, 1.0)));\n"
+    "    return ltcPolygon(mat3(1.0), corners) +\n"
+    "           (0.04 * s.x + 0.96 * s.y) * ltcPolygon(inverse * turn, corners);\n"
+    "}\n";
 
 static const struct contestant {
     const char *name, *body;
@@ -35,8 +71,9 @@ static const struct contestant {
     {"order 32", "burnishLobe32(c, zeta)", LOBES},
     {"area light, order 2",
      "dot(burnishRectLight(" AREA ", vec3(0.0, 0.0, 1.0), zeta, 2), vec2(1.0))", 1},
-    {"area light, GGX", "dot(burnishRectLightGgx(" AREA ", vec3(0.1, 0.2, 0.97), 0.3), vec2(1.0))",
-     1},
+    {"area light, GGX",
+     "dot(burnishRectLightGgx(" AREA ", vec3(c * 0.1, 0.2, 0.97), c * 0.3), vec2(1.0))", 1},
+    {"area light, LTC", "ltc(vec3[4](" CORNERS "), vec3(c * 0.1, 0.2, 0.97), c * 0.3)", 1},
 };
 
 enum { NONE, POWER, CONTESTANT_COUNT = sizeof CONTESTANTS / sizeof *CONTESTANTS };
@@ -67,38 +104,10 @@ static void stop(int code, const char *what) {
     exit(code);
 }
 
-/* Without a window: Mesa's platform, else the first device. */
-static EGLDisplay open_display(void) {
-    const PFNEGLGETPLATFORMDISPLAYEXTPROC get_display =
-        (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
-    const PFNEGLQUERYDEVICESEXTPROC query_devices =
-        (PFNEGLQUERYDEVICESEXTPROC)eglGetProcAddress("eglQueryDevicesEXT");
-    EGLDeviceEXT device;
-    EGLint count = 0;
-    if (!get_display) {
-        return EGL_NO_DISPLAY;
-    }
-    EGLDisplay display = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-    if (display && eglInitialize(display, NULL, NULL)) {
-        return display;
-    }
-    if (!query_devices || !query_devices(1, &device, &count) || count < 1) {
-        return EGL_NO_DISPLAY;
-    }
-    display = get_display(EGL_PLATFORM_DEVICE_EXT, device, NULL);
-    return display && eglInitialize(display, NULL, NULL) ? display : EGL_NO_DISPLAY;
-}
-
 static void open_context(void) {
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
-    const EGLDisplay display = open_display();
-    EGLContext context;
-    if (!display || !eglBindAPI(EGL_OPENGL_ES_API)) {
-        stop(77, "no display without a window; run scripts/install-deps shaders");
-    }
-    context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (!context || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-        stop(77, "no OpenGL ES 3 context");
+    const char *missing = burnish_bench_open_gl(3, 0);
+    if (missing) {
+        stop(77, missing);
     }
     if (!strstr((const char *)glGetString(GL_EXTENSIONS), "GL_EXT_disjoint_timer_query")) {
         stop(77, "no timer queries");
@@ -120,12 +129,12 @@ static GLuint compile(GLenum kind, const char *source) {
 }
 
 static GLuint make_program(const char *shaders, const struct contestant *one) {
-    static char source[SOURCE_MAX + 2048];
+    static char source[SOURCE_MAX + 4096];
     const GLuint program = glCreateProgram();
     GLint good = 0;
     char main_part[1024];
     snprintf(main_part, sizeof main_part, FRAGMENT_MAIN, one->body, one->count);
-    snprintf(source, sizeof source, "#version 300 es\nprecision highp float;\n%s%s", shaders,
+    snprintf(source, sizeof source, "#version 300 es\nprecision highp float;\n%s%s%s", shaders, LTC,
              main_part);
     glAttachShader(program, compile(GL_VERTEX_SHADER, VERTEX));
     glAttachShader(program, compile(GL_FRAGMENT_SHADER, source));
@@ -137,12 +146,32 @@ static GLuint make_program(const char *shaders, const struct contestant *one) {
     glUseProgram(program);
     glUniform1f(glGetUniformLocation(program, "exponent"), 64.0f);
     glUniform1f(glGetUniformLocation(program, "zeta"), 65.0f / 3.0f);
+    glUniform1i(glGetUniformLocation(program, "scale"), 1);
     return program;
+}
+
+/* The tables of LTC, half floats as in three.js, with one entry throughout. */
+static void open_tables(void) {
+    enum { SIDE = 64 };
+    static float entries[SIDE * SIDE][4];
+    GLuint tables[2];
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        memcpy(entries[i], (const float[4]){1.1f, 0.1f, -0.1f, 0.9f}, sizeof entries[i]);
+    }
+    glGenTextures(2, tables);
+    for (int i = 1; i >= 0; --i) {
+        glActiveTexture(i ? GL_TEXTURE1 : GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, tables[i]);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, SIDE, SIDE, 0, GL_RGBA, GL_FLOAT, entries);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    }
 }
 
 static void open_target(void) {
     GLuint texture, framebuffer;
     glGenTextures(1, &texture);
+    glActiveTexture(GL_TEXTURE2);
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, WIDTH, HEIGHT);
     glGenFramebuffers(1, &framebuffer);
@@ -152,11 +181,6 @@ static void open_target(void) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         stop(1, "no target");
     }
-}
-
-static int draws_on_processor(void) {
-    const char *name = (const char *)glGetString(GL_RENDERER);
-    return strstr(name, "llvmpipe") || strstr(name, "SwiftShader") || strstr(name, "softpipe");
 }
 
 static double processor_time(void) {
@@ -179,12 +203,21 @@ static double time_pass(GLuint program, GLuint query) {
     glFinish();
     const double spent = processor_time() - start;
     get_result(query, GL_QUERY_RESULT, &nanoseconds);
-    return draws_on_processor() ? spent : (double)nanoseconds * 1e-6;
+    return burnish_bench_draws_on_processor() ? spent : (double)nanoseconds * 1e-6;
 }
 
 static int compare(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
+}
+
+/* Decimals for three digits that count. */
+static int decimals(double value) {
+    int count = 2;
+    for (; count < 8 && value > 0 && value < 1; ++count) {
+        value *= 10;
+    }
+    return value >= 10 ? count - 1 : count;
 }
 
 static void print_table(double times[][ROUNDS_MAX], int rounds) {
@@ -199,11 +232,12 @@ static void print_table(double times[][ROUNDS_MAX], int rounds) {
         (const char *)glGetString(GL_RENDERER));
     for (int i = 0; i < CONTESTANT_COUNT; ++i) {
         const double more = medians[i] - medians[NONE];
+        const double each = more * 1e6 / ((double)WIDTH * HEIGHT * CONTESTANTS[i].count);
         if (i == NONE) {
-            printf("| none | %.2f | | |\n", medians[i]);
+            printf("| none | %.*f | | |\n", decimals(medians[i]), medians[i]);
         } else {
-            printf("| %s | %.2f | %.4f | %.0f %% |\n", CONTESTANTS[i].name, medians[i],
-                   more * 1e6 / ((double)WIDTH * HEIGHT * CONTESTANTS[i].count),
+            printf("| %s | %.*f | %.*f | %.0f %% |\n", CONTESTANTS[i].name, decimals(medians[i]),
+                   medians[i], decimals(each), each,
                    100 * more / power * LOBES / CONTESTANTS[i].count);
         }
     }
@@ -221,6 +255,7 @@ int main(int count, char **arguments) {
     shaders[fread(shaders, 1, SOURCE_MAX - 1, file)] = 0;
     fclose(file);
     open_context();
+    open_tables();
     open_target();
     glGenQueries(1, &query);
     for (int i = 0; i < CONTESTANT_COUNT; ++i) {
