@@ -2,6 +2,7 @@
 import array
 import math
 import os
+import re
 import struct
 import subprocess
 import time
@@ -36,6 +37,12 @@ def quantile(values, share):
     below = int(place)
     above = min(below + 1, len(values) - 1)
     return values[below] + (place - below) * (values[above] - values[below])
+
+
+def mesa(reply):
+    """Mesa's version in what bench_peers_llvmpipe replies to "open"."""
+    found = re.search(r"Mesa [0-9.]+", reply)
+    return found[0] if found else "an unnamed OpenGL"
 
 
 def median(values):

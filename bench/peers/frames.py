@@ -44,6 +44,7 @@ cores = os.cpu_count()
 patience = [300 if rounds > 1 else 0] # seconds; a single round is a check, not a measurement
 figures = collections.defaultdict(list) # {name: values}
 skipped = {}
+versions = {}
 comparisons = {} # {(scene, contestant): comparison}
 count = collections.Counter() # rounds, busy_rounds
 
@@ -68,6 +69,8 @@ def start(name, scene, threads):
         contestant.stop()
         return None
     print("  " + reply.removeprefix("ready "))
+    if name == "llvmpipe":
+        versions["mesa"] = measure.mesa(reply)
     return contestant
 
 
@@ -206,7 +209,7 @@ def collect():
     data["skipped"] = {name: skipped[name] for name in (*VARIANTS, "f3d") if name in skipped}
     if cores < 2:
         data["skipped"]["t2"] = "this machine offers one core"
-    return dict(data, busy_rounds=count["busy_rounds"], rounds=count["rounds"])
+    return dict(data, **versions, busy_rounds=count["busy_rounds"], rounds=count["rounds"])
 
 
 def main():

@@ -18,6 +18,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import measure
 
 NAMES = ("burnish", "llvmpipe")
+peers = set() # versions
 SLOW = 100 # milliseconds: such a frame is timed once, a third of it in rounds of one
 FRAMES, ROUNDS = 3, 3
 SETUPS = [(threads, samples, size) for threads in (1, 2) for size in ((1920, 1080), (256, 256)) for samples in (1, 4)]
@@ -44,6 +45,7 @@ def run_setup(contestants, setup, source, is_short):
         if not reply.startswith("ready"):
             print(f"bench-peers: {name}: {reply}", file=sys.stderr)
             return None
+    peers.add(measure.mesa(reply))
     counts = contestants[0].request("counts").split()
     if counts[1:2] == ["0"]:
         print(f"bench-peers: {source} has no triangles", file=sys.stderr) # llvmpipe draws no points
@@ -98,6 +100,7 @@ def main():
         print(number, name, file=sys.stderr)
     for contestant in sum(pairs.values(), []):
         contestant.stop()
+    print(f"llvmpipe: {', '.join(peers)}")
     for setup, own in zip(setups, results):
         print_setup(setup, own)
     if not inputs: # for the page's table

@@ -32,7 +32,7 @@ def fill(folder, name, *exceptions):
     keep = folder == "--keep"
     folder, name, *exceptions = (name, *exceptions) if keep else (folder, name, *exceptions)
     tables = {os.path.basename(path): page.read(path).splitlines() for path in glob.glob(os.path.join(folder, "*"))}
-    page.fill(name, tables, exceptions, keep)
+    page.fill(name, tables, exceptions, keep, empty=keep)
 
 
 COMMANDS = [check, fill, lobes.theory, lobes.figures, measurements.performance, measurements.frames, measurements.scale, measurements.shaders,

@@ -106,7 +106,7 @@ def frames(*arguments):
         values = json.loads(read(f"{build}/bench-peers.json"))
         values.update(values.pop("medians"))
         tables = {
-            "machine": [f"Measured on: {processor()}; medians of {values['rounds']} rounds in all."],
+            "machine": [f"Measured on: {processor()}; llvmpipe of {values.get('mesa')}; medians of {values['rounds']} rounds in all."],
             "frames": per_set("ms per frame", FRAMES, lambda key, what: values.get(f"frame.{key}.{what}"), lambda value: "%.1f" if value < 100 else "%.0f"),
             "ratios": per_set("time relative to burnish with energy:2, culled", RATIOS, lambda key, what: values.get(f"frame.{key}.{what}_over"), lambda value: "%.2f"),
             "processes": processes(values),
@@ -175,8 +175,9 @@ def shapes(text):
 
 def meshes(text):
     """From bench/peers/meshes.py with files: the summary of each setup, and how many files there were."""
-    rows, setup, count = [], "", 0
+    rows, setup, count, peer = [], "", 0, ""
     for line in text.splitlines():
+        peer = line.removeprefix("llvmpipe: ") if line.startswith("llvmpipe: ") else peer
         found = re.match("by medians: geometric mean (.*), least (.*), quartiles (.*), most (.*); .* of (.*) slower", line)
         if re.match(r"[0-9]+x[0-9]+, ", line):
             setup = line
@@ -184,7 +185,7 @@ def meshes(text):
             picture, samples, threads = setup.split(", ")
             mean, least, quartiles, most, count = found.groups()
             rows.append([f"{picture}, {samples}", threads.split()[0], mean, least, quartiles.replace(" ", ", "), most])
-    heading = f"{count} meshes, measured on: {processor()}."
+    heading = f"{count} meshes, measured on: {processor()}; llvmpipe of {peer}."
     return [heading, "", *table("picture|threads|geometric mean|least|quartiles|most", rows)]
 
 
