@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../egl.h"
+#include "bench/shaders/egl.h"
 #include "llvmpipe_shaders.h"
 #include "worker.h"
 

@@ -13,7 +13,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "../egl.h"
+#include "egl.h"
 
 enum { WIDTH = 1920, HEIGHT = 1080, LOBES = 16, ROUNDS_MAX = 99, SOURCE_MAX = 1 << 16 };
 

@@ -61,5 +61,5 @@ function(burnish_isa_objects objects)
   set(${objects} ${files} PARENT_SCOPE)
 endfunction()
 # This alternative takes one value at a time.
-set_source_files_properties(bench/kernels_scalar.c PROPERTIES COMPILE_OPTIONS
+set_source_files_properties(bench/kernels/scalar.c PROPERTIES COMPILE_OPTIONS
   "-fno-tree-vectorize;-fno-tree-slp-vectorize;-funroll-loops")

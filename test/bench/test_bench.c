@@ -2,8 +2,8 @@
  * times. */
 #include <math.h>
 
-#include "bench/kernels.h"
-#include "bench/kernels_scalar.h"
+#include "bench/kernels/kernels.h"
+#include "bench/kernels/scalar.h"
 #include "support.h"
 
 /* Largest errors against max(0, c)^32 and 1/sqrt: the absolute one, and the relative one where

@@ -1,6 +1,6 @@
 /* The contenders over a vector and over arrays, compiled once for each instruction set with its
  * flags: BURNISH_BENCH_ISA is its word, and BURNISH_VECTOR_... chooses the vector type. */
-#include "bench/kernels_isa.h"
+#include "bench/kernels/isa.h"
 
 #define CONTENDERS_OF_(word) burnish_bench_contenders_##word
 #define CONTENDERS_OF(word) CONTENDERS_OF_(word)
@@ -13,7 +13,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "bench/kernels_isa_ops.h"
+#include "bench/kernels/isa_ops.h"
 #include "shading/lobe_simd.h"
 
 /* log2 of m in [1, 2) minus RAMP (m - 1), degree 6 by Remez exchange, 1.85e-6 absolute; times n. */

@@ -2,7 +2,7 @@
 #ifndef BURNISH_BENCH_KERNELS_LIBRARIES_H
 #define BURNISH_BENCH_KERNELS_LIBRARIES_H
 
-#include "bench/kernels_isa.h"
+#include "bench/kernels/isa.h"
 
 /* One library's function, or why there is none. */
 typedef struct burnish_bench_symbol {

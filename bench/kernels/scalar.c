@@ -1,5 +1,5 @@
 /* Lobes one value at a time. Compiled without vectorisation (CMakeLists.txt). */
-#include "bench/kernels_scalar.h"
+#include "bench/kernels/scalar.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* The machine, from /proc, /sys and the compiler. */
-#include "bench/kernels_machine.h"
+#include "bench/kernels/machine.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Input of the contenders: cosines, a sphere, two large arrays. */
-#include "bench/kernels_input.h"
+#include "bench/kernels/input.h"
 
 #include <math.h>
 #include <stdlib.h>

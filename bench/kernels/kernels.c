@@ -1,15 +1,15 @@
 /* The sections of the benchmark, and their rows. */
-#include "bench/kernels.h"
+#include "bench/kernels/kernels.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/kernels_clock.h"
-#include "bench/kernels_input.h"
-#include "bench/kernels_machine.h"
-#include "bench/kernels_scalar.h"
+#include "bench/kernels/clock.h"
+#include "bench/kernels/input.h"
+#include "bench/kernels/machine.h"
+#include "bench/kernels/scalar.h"
 #include "shading/shading_ops.h"
 
 enum { JOBS_MAX = 16 };

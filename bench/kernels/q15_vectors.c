@@ -1,5 +1,5 @@
 /* The integer arrays with the vectors of BURNISH_BENCH_ISA, whose flags compile this file. */
-#include "bench/q15.h"
+#include "bench/kernels/q15.h"
 
 #define PASTE(a, b) a##b
 #define NAME(a, b) PASTE(a, b)

@@ -1,5 +1,5 @@
 /* Timing of contenders that take turns. */
-#include "bench/kernels_clock.h"
+#include "bench/kernels/clock.h"
 
 #include <stdlib.h>
 #include <string.h>

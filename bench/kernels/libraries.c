@@ -1,5 +1,5 @@
 /* Other libraries' vector powf by dlopen. */
-#include "bench/kernels_libraries.h"
+#include "bench/kernels/libraries.h"
 
 #include <dlfcn.h>
 #include <string.h>

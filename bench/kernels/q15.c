@@ -1,15 +1,15 @@
 /* bench_q15: the integer arrays compared with the kernels in floating point, on this machine.
  * Usage: bench_q15 [FOLDER [quick]]: prints the tables as Markdown; with FOLDER also writes
  * FOLDER/machine, lobes, memory and pixels. Contenders of a table take turns; times are medians. */
-#include "bench/q15.h"
+#include "bench/kernels/q15.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bench/kernels.h"
-#include "bench/kernels_clock.h"
-#include "bench/kernels_machine.h"
+#include "bench/kernels/clock.h"
+#include "bench/kernels/kernels.h"
+#include "bench/kernels/machine.h"
 
 enum {
     POINTS = 2048,

@@ -2,8 +2,8 @@
 #ifndef BURNISH_BENCH_KERNELS_INPUT_H
 #define BURNISH_BENCH_KERNELS_INPUT_H
 
-#include "bench/kernels.h"
-#include "bench/kernels_libraries.h"
+#include "bench/kernels/kernels.h"
+#include "bench/kernels/libraries.h"
 
 /* The lobes that a prepared shader may have. */
 enum {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/kernels.h"
+#include "bench/kernels/kernels.h"
 #include "cli/output.h"
 #include "cli/run.h"
 #include "cli/values.h"
