@@ -70,7 +70,7 @@ typedef struct burnish_bench_contenders {
     burnish_bench_root_function *root[BURNISH_BENCH_ROOT_COUNT];
 } burnish_bench_contenders;
 
-/* kernels_isa.c is compiled for each instruction set and returns its contenders, or NULL if its
+/* isa.c is compiled for each instruction set and returns its contenders, or NULL if its
  * flags lack that instruction set. */
 #define BURNISH_BENCH_DECLARE(name, word, lanes)                                                   \
     const burnish_bench_contenders *burnish_bench_contenders_##word(void);
