@@ -1,21 +1,50 @@
-/* Computes one map of light. */
+/* The light that arrives around some directions, as maps of light have it: from a dome, an environment
+ * and polygons. */
 #ifndef BURNISH_ENVIRONMENT_MAP_FILL_H
 #define BURNISH_ENVIRONMENT_MAP_FILL_H
 
-#include "core/memory.h"
+#include "environment/lobes.h"
 #include "environment/maps.h"
+#include "shading/polygon.h"
 
+/* The most directions at once; BURNISH_MAP_GROUP in turn should be neighbours. */
+enum { BURNISH_MAP_POINTS = 256, BURNISH_MAP_GROUP = 16 };
+
+/* What maps are computed from, as long as they are. */
 typedef struct burnish_map_filler {
-    const burnish_light_sources *sources;
+    burnish_light_sources sources;
     const burnish_kernels *kernels;
-    burnish_tasks *tasks; /* NULL: the caller alone */
-    burnish_memory *memory;
 } burnish_map_filler;
 
-/* Allocates and fills the texels of a map (light_map.h).
- *   alpha  0: the diffuse map
- * Errors: MEMORY (*texels: NULL), CANCELLED. */
-burnish_status burnish_light_map_fill(const burnish_map_filler *filler, float alpha, int *size,
-                                      float **texels);
+/* Which directions receive none of a polygon's light, and which all of it. */
+typedef struct burnish_map_reach {
+    float middle[3], least;                    /* with a smaller cosine: none */
+    int edge_count;                            /* 0: not used */
+    float edge[BURNISH_POLYGON_VERTEX_MAX][3]; /* unit vectors toward the polygon's side */
+    float sine; /* farther from the edges than this: all or, on the other side of one, none; 2
+                   without edges */
+    float all;
+} burnish_map_reach;
+
+/* Light through the sum of some lobes, or of all lights on a matt surface. */
+typedef struct burnish_map_light {
+    const burnish_map_filler *filler;
+    burnish_light_lobes lobes; /* count 0: diffuse */
+    int has_rest;              /* 1: the dome and the environment too, not only polygons */
+    int polygon_count;
+    burnish_polygon_constants polygons[BURNISH_AREA_LIGHT_MAX];
+    burnish_map_reach reaches[BURNISH_AREA_LIGHT_MAX];
+    const float *colors[BURNISH_AREA_LIGHT_MAX];
+} burnish_map_light;
+
+/* Adds the distant area lights of the filler to light whose filler and lobes are set. */
+void burnish_map_light_add_polygons(burnish_map_light *light);
+
+/* Adds the light of `count` unit vectors w, which are normals or the lobes' axes. */
+void burnish_map_light_add(const burnish_map_light *light, const float *const w[3], int count,
+                           float *const rgb[3]);
+
+/* The radius of a cap with the integral of the lobe. */
+float burnish_map_lobe_radius(const burnish_light_lobe *lobe);
 
 #endif

@@ -7,14 +7,13 @@
 #include "core/numbers.h"
 #include "core/vector.h"
 #include "environment/environment.h"
-#include "environment/map_fill.h"
+#include "environment/map_cells.h"
 
-/* A map and its memory; texels NULL: not computed. */
+/* A map. */
 typedef struct table {
     float alpha;   /* 0: diffuse */
     int is_needed; /* 1: since the sources were last set */
-    int size;
-    float *texels;
+    burnish_map_cells *cells;
 } table;
 
 /* What maps depend on. Padding is 0: it is compared byte by byte. */
@@ -29,26 +28,21 @@ typedef struct key {
 
 struct burnish_light_maps {
     const burnish_context *context;
-    const burnish_kernels *kernels;
-    burnish_tasks *tasks;
-    const burnish_environment *environment;
+    burnish_map_filler filler;
     int is_set;
     key key;
     table diffuse, levels[BURNISH_LIGHT_LEVELS], alphas[BURNISH_LIGHT_ALPHAS_MAX];
     burnish_light_map diffuse_map;
 };
 
-static burnish_light_map map_of(const table *t) {
-    return (burnish_light_map){t->size, t->texels};
-}
-
 /* What the maps show. */
-static burnish_light_sources sources_of(const burnish_light_maps *maps) {
+static burnish_light_sources sources_of(const burnish_light_maps *maps,
+                                        const burnish_environment *environment) {
     const key *k = &maps->key;
     burnish_light_sources sources = {.distant = k->distant,
                                      .distant_count = k->distant_count,
                                      .dome = k->has_dome ? &k->dome : NULL,
-                                     .environment = maps->environment,
+                                     .environment = environment,
                                      .strength = k->strength,
                                      .largest = k->largest};
     memcpy(sources.up, k->up, sizeof k->up);
@@ -56,21 +50,24 @@ static burnish_light_sources sources_of(const burnish_light_maps *maps) {
     return sources;
 }
 
-/* Computes a map unless it is there; alpha 0: diffuse. */
-static burnish_status make(burnish_light_maps *maps, table *t, float alpha, burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(maps->context, error);
-    if (t->texels) {
-        return BURNISH_STATUS_OK;
-    }
-    const burnish_light_sources sources = sources_of(maps);
-    const burnish_map_filler filler = {&sources, maps->kernels, maps->tasks, &memory};
-    t->alpha = alpha;
-    return burnish_light_map_fill(&filler, alpha, &t->size, &t->texels);
+static void drop(burnish_light_maps *maps, table *t) {
+    burnish_map_cells_destroy(t->cells, maps->context);
+    *t = (table){0};
 }
 
-static void drop(burnish_light_maps *maps, table *t) {
-    burnish_release(maps->context, t->texels);
-    *t = (table){0};
+/* Makes a map unless it is there; alpha 0: diffuse. */
+static burnish_status make(burnish_light_maps *maps, table *t, float alpha, burnish_light_map *map,
+                           burnish_error *error) {
+    burnish_memory memory = burnish_memory_of(maps->context, error);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!t->cells) {
+        t->alpha = alpha;
+        status = burnish_map_cells_create(&maps->filler, alpha, &memory, &t->cells);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        *map = burnish_map_cells_map(t->cells);
+    }
+    return status;
 }
 
 static void drop_all(burnish_light_maps *maps) {
@@ -133,13 +130,11 @@ static void fill_key(const burnish_light_sources *sources, key *k) {
 
 burnish_status burnish_light_maps_set(burnish_light_maps *maps,
                                       const burnish_light_sources *sources,
-                                      const burnish_kernels *kernels, burnish_tasks *tasks,
-                                      burnish_error *error) {
+                                      const burnish_kernels *kernels, burnish_error *error) {
     key k;
     fill_key(sources, &k);
-    maps->kernels = kernels ? kernels : burnish_kernels_best();
-    maps->tasks = tasks;
-    maps->environment = sources->environment;
+    maps->filler.kernels = kernels ? kernels : burnish_kernels_best();
+    maps->filler.sources.environment = sources->environment;
     for (int i = 0; i < BURNISH_LIGHT_ALPHAS_MAX; ++i) {
         maps->alphas[i].is_needed = 0;
     }
@@ -148,28 +143,14 @@ burnish_status burnish_light_maps_set(burnish_light_maps *maps,
     }
     drop_all(maps);
     maps->key = k;
-    burnish_status status = make(maps, &maps->diffuse, 0, error);
-    if (status == BURNISH_STATUS_OK) {
-        maps->diffuse_map = map_of(&maps->diffuse);
-        maps->is_set = 1;
-    }
+    maps->filler.sources = sources_of(maps, sources->environment);
+    const burnish_status status = make(maps, &maps->diffuse, 0, &maps->diffuse_map, error);
+    maps->is_set = status == BURNISH_STATUS_OK;
     return status;
 }
 
 const burnish_light_map *burnish_light_maps_diffuse(const burnish_light_maps *maps) {
     return &maps->diffuse_map;
-}
-
-/* Computes a specular map, or leaves the table empty. */
-static burnish_status make_specular(burnish_light_maps *maps, table *t, float alpha,
-                                    burnish_light_map *map, burnish_error *error) {
-    burnish_status status = make(maps, t, alpha, error);
-    if (status == BURNISH_STATUS_OK) {
-        *map = map_of(t);
-    } else {
-        drop(maps, t);
-    }
-    return status;
 }
 
 burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
@@ -178,11 +159,11 @@ burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
     table *found = NULL;
     for (int i = 0; i < BURNISH_LIGHT_ALPHAS_MAX; ++i) {
         table *t = &maps->alphas[i];
-        if (t->texels && t->alpha == alpha) {
+        if (t->cells && t->alpha == alpha) {
             found = t;
             break;
         }
-        found = t->is_needed || (found && !found->texels) ? found : t;
+        found = t->is_needed || (found && !found->cells) ? found : t;
     }
     if (!found) {
         return burnish_fail(error, BURNISH_STATUS_LIMIT,
@@ -192,7 +173,7 @@ burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
         drop(maps, found);
     }
     found->is_needed = 1;
-    return make_specular(maps, found, alpha, specular, error);
+    return make(maps, found, alpha, specular, error);
 }
 
 burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
@@ -202,12 +183,29 @@ burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
     first = first > 1 ? first : 1;
     for (int i = first; i < BURNISH_LIGHT_LEVELS && status == BURNISH_STATUS_OK; ++i) {
         const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
-        status = make_specular(maps, &maps->levels[i], roughness * roughness, &levels[i], error);
+        status = make(maps, &maps->levels[i], roughness * roughness, &levels[i], error);
     }
     for (int i = 0; i < first; ++i) {
         levels[i] = levels[first];
     }
     return status;
+}
+
+static void need_row(void *context, size_t row, int thread) {
+    const burnish_light_map *map = context;
+    (void)thread;
+    for (int column = 0; column < map->size + 2; column += BURNISH_LIGHT_CELL) {
+        burnish_light_map_need(map, (int)row * BURNISH_LIGHT_CELL, column);
+    }
+}
+
+void burnish_light_map_complete(burnish_light_map *map, burnish_tasks *tasks) {
+    const size_t rows = 2 * ((size_t)map->size + 2);
+    burnish_tasks_run(tasks, (rows + BURNISH_LIGHT_CELL - 1) / BURNISH_LIGHT_CELL, 1, 0, need_row,
+                      map);
+    if (!tasks || !burnish_tasks_cancelled(tasks)) {
+        map->states = NULL;
+    }
 }
 
 void burnish_light_axes(const double up[3], double degrees, double axes[3][3]) {

@@ -32,23 +32,21 @@ burnish_status burnish_light_maps_create(const burnish_context *context, burnish
 /* NULL is allowed. */
 void burnish_light_maps_destroy(burnish_light_maps *maps);
 
-/* Sets the sources, which are copied except for the environment. If they differ from the last ones,
- * all maps are dropped and the diffuse map is computed.
+/* Sets the sources, which are copied except for the environment, which must outlive look-ups. If they
+ * differ from the last ones, all maps are dropped.
  *   kernels  NULL: the best; do not affect the maps
- *   tasks    NULL: the caller alone. Used until the next call of this function
- * Errors: MEMORY, CANCELLED. */
+ * Errors: MEMORY. */
 burnish_status burnish_light_maps_set(burnish_light_maps *maps,
                                       const burnish_light_sources *sources,
-                                      const burnish_kernels *kernels, burnish_tasks *tasks,
-                                      burnish_error *error);
+                                      const burnish_kernels *kernels, burnish_error *error);
 
 /* D(N) of light.h. Valid until the sources change. */
 const burnish_light_map *burnish_light_maps_diffuse(const burnish_light_maps *maps);
 
-/* Spec(R, alpha) of light.h, computed unless it has been for the same sources. Valid until the next
+/* Spec(R, alpha) of light.h, kept as long as the sources are the same. Valid until the next
  * burnish_light_maps_set(), after which another map may replace it.
  *   alpha  clamped to [BURNISH_LIGHT_ALPHA_MIN, 1]
- * Errors: MEMORY, CANCELLED, LIMIT (more than BURNISH_LIGHT_ALPHAS_MAX since then: use the levels). */
+ * Errors: MEMORY, LIMIT (more than BURNISH_LIGHT_ALPHAS_MAX since then: use the levels). */
 burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
                                        burnish_light_map *specular, burnish_error *error);
 
@@ -57,6 +55,10 @@ burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
 burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
                                          burnish_light_map levels[BURNISH_LIGHT_LEVELS],
                                          burnish_error *error);
+
+/* Computes all texels of a map now: look-ups of large pictures then need not check. tasks NULL: by the
+ * caller alone. */
+void burnish_light_map_complete(burnish_light_map *map, burnish_tasks *tasks);
 
 #define BURNISH_LIGHT_ALPHA_MIN 0.015625f /* of level 1 */
 

@@ -34,20 +34,65 @@ BURNISH_INLINE vf environment_mix(vf a, vf b, vf share) {
     return vf_add(a, vf_mul(share, vf_sub(b, a)));
 }
 
-/* The first of the four texels around a direction, as a number from the map's first one, and the
- * shares of the others. */
+/* The first of the four texels around a direction, as a number from the map's first one, its cell, and
+ * the shares of the others. */
 typedef struct environment_tap {
     int32_t first[LANES];
+    vi cell;
     vf x, y;
 } environment_tap;
 
-BURNISH_INLINE environment_tap environment_tap_of(const environment_place *at, vf size) {
+BURNISH_INLINE environment_tap environment_tap_of(const environment_place *at, vf size,
+                                                  vi cells_across) {
     environment_tap tap;
     const vf stride = vf_add(size, vf_set(2.0f)); /* whole numbers are exact, the index too */
     const vf column = environment_texel(at->x, size, &tap.x);
     const vf row = vf_add(environment_texel(at->y, size, &tap.y), vf_and_mask(at->second, stride));
     vi_store(tap.first, vi_truncate(vf_add(vf_mul(row, stride), column)));
+    const vi across = vi_shr(vi_truncate(column), BURNISH_LIGHT_CELL_BITS);
+    const vi down = vi_shr(vi_truncate(row), BURNISH_LIGHT_CELL_BITS);
+    tap.cell = vi_add(vi_mul(down, cells_across), across);
     return tap;
+}
+
+BURNISH_INLINE unsigned environment_state(const burnish_light_map *map, int32_t cell) {
+    return atomic_load_explicit(&map->states[cell], memory_order_acquire);
+}
+
+/* Makes the cells of look-ups in some maps ready. */
+__attribute__((noinline)) static void environment_fill(const burnish_light_map *const maps[LANES],
+                                                       const int32_t cells[LANES]) {
+    for (int lane = 0; lane < LANES; ++lane) {
+        const burnish_light_map *map = maps[lane];
+        if (map->states && environment_state(map, cells[lane]) != BURNISH_LIGHT_READY) {
+            map->fill(map->cells, cells[lane]);
+        }
+    }
+}
+
+BURNISH_INLINE int environment_all_equal(vi x, int32_t number) {
+    return vm_bits(vi_equal(x, vi_set(number))) == (1u << LANES) - 1;
+}
+
+/* In one map. Most vectors have one cell. */
+BURNISH_INLINE void environment_need(const burnish_light_map *map, const environment_tap *tap) {
+    unsigned states = BURNISH_LIGHT_READY;
+    int32_t cells[LANES];
+    if (!map->states) {
+        return;
+    }
+    vi_store(cells, tap->cell);
+    const int count = environment_all_equal(tap->cell, cells[0]) ? 1 : LANES;
+    for (int lane = 0; lane < count; ++lane) {
+        states &= environment_state(map, cells[lane]);
+    }
+    if (states != BURNISH_LIGHT_READY) {
+        const burnish_light_map *maps[LANES];
+        for (int lane = 0; lane < LANES; ++lane) {
+            maps[lane] = map;
+        }
+        environment_fill(maps, cells);
+    }
 }
 
 /* The mean of four texels.
@@ -77,14 +122,15 @@ BURNISH_INLINE void environment_mix_texels(const environment_tap *tap,
 }
 
 /* One map for all lanes. */
-BURNISH_INLINE void environment_look_up_one(const burnish_light_map *map, const vf w[3],
-                                            vf out[3]) {
+BURNISH_INLINE void environment_look_up_one(const burnish_light_map *map,
+                                            const environment_place *place, vf out[3]) {
     enum { TEXEL = 4 * sizeof(float) };
-    const environment_place place = environment_find(w);
-    const environment_tap tap = environment_tap_of(&place, vf_set((float)map->size));
+    const environment_tap tap = environment_tap_of(place, vf_set((float)map->size),
+                                                   vi_set(burnish_light_cells_across(map->size)));
     const char *texels = (const char *)map->texels, *from[LANES];
     const size_t stride = ((size_t)map->size + 2) * TEXEL;
     size_t below[LANES];
+    environment_need(map, &tap);
     for (int lane = 0; lane < LANES; ++lane) {
         from[lane] = texels + (size_t)(uint32_t)tap.first[lane] * TEXEL;
         below[lane] = stride;
@@ -92,33 +138,51 @@ BURNISH_INLINE void environment_look_up_one(const burnish_light_map *map, const 
     environment_mix_texels(&tap, from, below, out);
 }
 
+/* A map for each lane. */
+BURNISH_INLINE void environment_look_up_each(const burnish_light_map *const maps[LANES],
+                                             const environment_place *place, vf out[3]) {
+    enum { TEXEL = 4 * sizeof(float) };
+    const char *from[LANES];
+    float sizes[LANES];
+    int32_t across[LANES], cells[LANES];
+    size_t below[LANES];
+    for (int lane = 0; lane < LANES; ++lane) {
+        sizes[lane] = (float)maps[lane]->size;
+        across[lane] = burnish_light_cells_across(maps[lane]->size);
+    }
+    const environment_tap tap = environment_tap_of(place, vf_load(sizes), vi_load(across));
+    vi_store(cells, tap.cell);
+    environment_fill(maps, cells);
+    for (int lane = 0; lane < LANES; ++lane) {
+        const burnish_light_map *map = maps[lane];
+        from[lane] = (const char *)map->texels + (size_t)(uint32_t)tap.first[lane] * TEXEL;
+        below[lane] = ((size_t)map->size + 2) * TEXEL;
+    }
+    environment_mix_texels(&tap, from, below, out);
+}
+
 /* Between the two levels next to each lane's roughness. */
 BURNISH_INLINE void environment_look_up_levels(const burnish_light_map *levels, vf roughness,
-                                               const vf w[3], vf out[3]) {
-    enum { TEXEL = 4 * sizeof(float) };
+                                               const environment_place *place, vf out[3]) {
     const vf steps = vf_set((float)(BURNISH_LIGHT_LEVELS - 1));
     const vf at = vf_min(vf_max(vf_mul(roughness, steps), vf_set(0.0f)),
                          vf_set((float)(BURNISH_LIGHT_LEVELS - 1) - 0x1p-10f));
     const vi level = vi_truncate(at);
     const vf share = vf_sub(at, vf_from_int(level));
-    const environment_place place = environment_find(w);
     int32_t numbers[LANES];
     vi_store(numbers, level);
+    const int has_one = environment_all_equal(level, numbers[0]);
     for (int i = 0; i < 2; ++i) {
-        const char *from[LANES];
-        float sizes[LANES];
-        size_t below[LANES];
+        const burnish_light_map *maps[LANES];
         vf color[3];
         for (int lane = 0; lane < LANES; ++lane) {
-            sizes[lane] = (float)levels[numbers[lane] + i].size;
+            maps[lane] = &levels[numbers[lane] + i];
         }
-        const environment_tap tap = environment_tap_of(&place, vf_load(sizes));
-        for (int lane = 0; lane < LANES; ++lane) {
-            const burnish_light_map *map = &levels[numbers[lane] + i];
-            from[lane] = (const char *)map->texels + (size_t)(uint32_t)tap.first[lane] * TEXEL;
-            below[lane] = ((size_t)map->size + 2) * TEXEL;
+        if (has_one) {
+            environment_look_up_one(maps[0], place, color);
+        } else {
+            environment_look_up_each(maps, place, color);
         }
-        environment_mix_texels(&tap, from, below, color);
         for (int k = 0; k < 3; ++k) {
             out[k] = i ? environment_mix(out[k], color[k], share) : color[k];
         }
@@ -271,14 +335,16 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
     environment_load(constants, points, material->is_metallic, surface.roughness, i, &at);
     if (constants->diffuse) {
         environment_turn(constants, at.normal);
-        environment_look_up_one(constants->diffuse, at.normal, diffuse);
+        const environment_place place = environment_find(at.normal);
+        environment_look_up_one(constants->diffuse, &place, diffuse);
     }
     if (constants->diffuse && material->reflects) {
         environment_turn(constants, at.axis);
+        const environment_place place = environment_find(at.axis);
         if (has_levels) {
-            environment_look_up_levels(material->specular, surface.roughness, at.axis, specular);
+            environment_look_up_levels(material->specular, surface.roughness, &place, specular);
         } else {
-            environment_look_up_one(material->specular, at.axis, specular);
+            environment_look_up_one(material->specular, &place, specular);
         }
     }
     environment_add_near(each, i, diffuse, specular);

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "burnish/render.h"
+#include "core/tasks.h"
 #include "counting_context.h"
 #include "environment/environment.h"
 #include "environment/lobes.h"
@@ -22,12 +23,12 @@ static burnish_environment *environment_of(const float *rgb) {
 }
 
 static burnish_light_maps *maps_of(const burnish_environment *environment, double axes[3][3],
-                                   burnish_isa isa, burnish_tasks *tasks) {
+                                   burnish_isa isa) {
     burnish_light_sources sources = {.environment = environment, .strength = 1};
     burnish_light_maps *maps;
     memcpy(sources.environment_axes, axes, sizeof sources.environment_axes);
     CHECK1(burnish_light_maps_create(NULL, &maps, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_light_maps_set(maps, &sources, burnish_kernels_for(isa), tasks, NULL) ==
+    CHECK1(burnish_light_maps_set(maps, &sources, burnish_kernels_for(isa), NULL) ==
            BURNISH_STATUS_OK);
     return maps;
 }
@@ -54,6 +55,7 @@ static double compare(const burnish_light_map *map,
             direction(map, column, row, w);
             if ((w[2] < 0) == (row >= map->size + 2)) { /* in the row's half of the sphere */
                 const float *texel = map->texels + 4 * (row * (map->size + 2) + column);
+                burnish_light_map_need(map, row, column);
                 worst = fmax(worst, fabs((double)texel[0] - expected(w, context)));
             }
         }
@@ -75,7 +77,7 @@ static void test_constant(void) {
         rgb[i] = 1;
     }
     burnish_environment *environment = environment_of(rgb);
-    burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR, NULL);
+    burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR);
     CHECK1(compare(burnish_light_maps_diffuse(maps), one, NULL) < 1e-5);
     CHECK1(burnish_light_maps_levels(maps, 0, levels, NULL) == BURNISH_STATUS_OK);
     for (int i = 0; i < BURNISH_LIGHT_LEVELS; ++i) {
@@ -100,7 +102,7 @@ static void test_turned_hemisphere(void) {
     }
     burnish_environment *environment = environment_of(rgb);
     burnish_light_axes(up, 70, axes);
-    burnish_light_maps *maps = maps_of(environment, axes, BURNISH_ISA_SCALAR, NULL);
+    burnish_light_maps *maps = maps_of(environment, axes, BURNISH_ISA_SCALAR);
     CHECK1(compare(burnish_light_maps_diffuse(maps), half_sky, up) < 4e-3);
     burnish_light_maps_destroy(maps);
     burnish_environment_destroy(environment);
@@ -130,7 +132,7 @@ static void test_spot(void) {
     burnish_light_map map;
     rgb[3 * (ROW * WIDTH + COLUMN)] = 1000;
     burnish_environment *environment = environment_of(rgb);
-    burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR, NULL);
+    burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR);
     const double polar = M_PI * (ROW + 0.5) / HEIGHT;
     const double azimuth = 2 * M_PI * (COLUMN + 0.5) / WIDTH - M_PI; /* about z */
     const spot expected = {{sin(polar) * cos(azimuth), cos(polar), sin(polar) * sin(azimuth)},
@@ -162,12 +164,13 @@ static void test_bits(void) {
             continue;
         }
         burnish_tasks_begin(&tasks, NULL, 1 + isa % 3);
-        all[isa] = maps_of(environment, identity, (burnish_isa)isa, &tasks);
+        all[isa] = maps_of(environment, identity, (burnish_isa)isa);
         for (int i = 0; i < 2; ++i) {
             CHECK1(burnish_light_maps_need(all[isa], i ? 0.5f : 0.1f, &map, NULL) ==
                    BURNISH_STATUS_OK);
             first[i] = first[i].texels ? first[i] : map;
             const size_t rows = (size_t)map.size + 2;
+            burnish_light_map_complete(&map, &tasks);
             CHECK(memcmp(first[i].texels, map.texels, 2 * rows * rows * 4 * sizeof(float)) == 0,
                   "%s", burnish_isa_name((burnish_isa)isa));
         }
@@ -183,13 +186,14 @@ static void test_key(void) {
     static float rgb[3 * WIDTH * HEIGHT];
     burnish_environment *environment = environment_of(rgb);
     burnish_light_sources sources = {.environment = environment, .strength = 1};
-    burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR, NULL);
+    burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR);
     memcpy(sources.environment_axes, identity, sizeof identity);
     burnish_environment_destroy(environment);
     rgb[0] = 1000;
     sources.environment = environment = environment_of(rgb);
-    CHECK1(burnish_light_maps_set(maps, &sources, NULL, NULL, NULL) == BURNISH_STATUS_OK);
+    CHECK1(burnish_light_maps_set(maps, &sources, NULL, NULL) == BURNISH_STATUS_OK);
     const burnish_light_map *diffuse = burnish_light_maps_diffuse(maps);
+    burnish_light_map_need(diffuse, diffuse->size, diffuse->size / 2);
     CHECK1(diffuse->texels[4 * (diffuse->size * (diffuse->size + 2) + diffuse->size / 2)] > 0);
     burnish_light_maps_destroy(maps);
     burnish_environment_destroy(environment);
@@ -256,11 +260,13 @@ static void test_names(void) {
         burnish_environment *environment;
         CHECK1(burnish_environment_create_named(NULL, names[i], &environment, NULL) ==
                BURNISH_STATUS_OK);
-        burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR, NULL);
+        burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR);
         const burnish_light_map *map = burnish_light_maps_diffuse(maps);
         const int stride = map->size + 2, middle = map->size / 2;
         const float *up = map->texels + 4 * (map->size * stride + middle); /* y nearly 1 */
         const float *down = map->texels + 4 * (stride + middle);
+        burnish_light_map_need(map, map->size, middle);
+        burnish_light_map_need(map, 1, middle);
         const double luminance =
             0.2126 * (double)up[0] + 0.7152 * (double)up[1] + 0.0722 * (double)up[2];
         CHECK(luminance > (i ? 1.5 : 0.93) && luminance < (i ? 2 : 1.07), "%g", luminance);

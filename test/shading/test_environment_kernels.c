@@ -14,7 +14,7 @@ static burnish_light_map maps[BURNISH_LIGHT_LEVELS];
 
 static void fill_maps(uint64_t *state) {
     for (int i = 0; i < BURNISH_LIGHT_LEVELS; ++i) {
-        maps[i] = (burnish_light_map){SIZE + 8 - i, texels[i]};
+        maps[i] = (burnish_light_map){.size = SIZE + 8 - i, .texels = texels[i]};
         for (size_t k = 0; k < sizeof texels[i] / sizeof *texels[i]; ++k) {
             texels[i][k] = test_uniform_float(state, 0, 4);
         }

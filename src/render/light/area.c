@@ -8,6 +8,9 @@
 /* The least of the largest sizes of maps. */
 enum { SMALL_MAP = 64 };
 
+/* Pictures of so many pixels look up most directions: their maps are completed first. */
+enum { LARGE_PICTURE = 1 << 20 };
+
 /* ---- What shines ---- */
 
 static int is_dark(const float color[3]) {
@@ -194,8 +197,7 @@ static void find_key(burnish_area *area, const burnish_render_options *options,
 /* ---- Maps ---- */
 
 static burnish_status update_maps(burnish_area *area, const burnish_render_options *options,
-                                  const burnish_area_view *view, burnish_tasks *tasks,
-                                  burnish_memory *memory) {
+                                  const burnish_area_view *view, burnish_memory *memory) {
     burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
     burnish_light_sources sources;
     burnish_status status = BURNISH_STATUS_OK;
@@ -208,11 +210,11 @@ static burnish_status update_maps(burnish_area *area, const burnish_render_optio
         status = burnish_light_maps_create(memory->context, &area->maps, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_light_maps_set(area->maps, &sources, options->kernels, tasks, memory->error);
+        status = burnish_light_maps_set(area->maps, &sources, options->kernels, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        area->constants.diffuse = burnish_light_maps_diffuse(area->maps);
+        area->diffuse = *burnish_light_maps_diffuse(area->maps);
+        area->constants.diffuse = &area->diffuse;
     }
     const int is_camera = all_follow_camera(area, options);
     for (int k = 0; k < 9; ++k) {
@@ -361,6 +363,16 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
     return status == BURNISH_STATUS_OK ? prepare_alphas(area, memory) : status;
 }
 
+static void complete_maps(burnish_area *area, burnish_tasks *tasks) {
+    burnish_light_map_complete(&area->diffuse, tasks);
+    for (int i = 0; i < area->alpha_count; ++i) {
+        burnish_light_map_complete(&area->specular[i], tasks);
+    }
+    for (int i = 0; area->has_levels && i < BURNISH_LIGHT_LEVELS; ++i) {
+        burnish_light_map_complete(&area->levels[i], tasks);
+    }
+}
+
 burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh *mesh,
                                    const burnish_render_options *options,
                                    const burnish_area_view *view,
@@ -371,8 +383,14 @@ burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh 
     memcpy(area->constants.viewer, view->viewer, sizeof area->constants.viewer);
     find_key(area, options, view);
     gather_near(area, options, view);
-    status = update_maps(area, options, view, tasks, memory);
-    return status == BURNISH_STATUS_OK ? update_materials(area, mesh, texturing, memory) : status;
+    status = update_maps(area, options, view, memory);
+    status = status == BURNISH_STATUS_OK ? update_materials(area, mesh, texturing, memory) : status;
+    if (status == BURNISH_STATUS_OK && area->constants.diffuse &&
+        (int64_t)options->width * options->height >= LARGE_PICTURE) {
+        complete_maps(area, tasks);
+        status = burnish_tasks_check(tasks, memory->error);
+    }
+    return status;
 }
 
 void burnish_area_destroy(burnish_area *area, const burnish_context *context) {

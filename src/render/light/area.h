@@ -41,7 +41,7 @@ typedef struct burnish_area {
     uint64_t used_mesh; /* burnish_mesh_view.serial; 0: nobody's */
     float alphas[BURNISH_LIGHT_ALPHAS_MAX + BURNISH_LIGHT_LEVELS]; /* of this frame */
     int alpha_count, has_levels, first_level;
-    burnish_light_map specular[BURNISH_LIGHT_ALPHAS_MAX]; /* of the alphas */
+    burnish_light_map diffuse, specular[BURNISH_LIGHT_ALPHAS_MAX]; /* of the alphas */
     burnish_light_map levels[BURNISH_LIGHT_LEVELS];
 } burnish_area;
 
@@ -64,7 +64,7 @@ int burnish_area_is_needed(const burnish_render_options *options);
 
 /* Prepares the lights of a frame.
  *   texturing  NULL: no material is special
- * Errors: MEMORY, CANCELLED. */
+ * Errors: MEMORY. */
 burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh *mesh,
                                    const burnish_render_options *options,
                                    const burnish_area_view *view,
