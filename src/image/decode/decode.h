@@ -5,16 +5,18 @@
 
 #include "burnish/image.h"
 #include "core/memory.h"
+#include "core/tasks.h"
 
 /* An encoded image in memory. */
 typedef struct burnish_encoded {
     const uint8_t *bytes;
     size_t size;
-    const char *name;    /* for messages */
-    int channels;        /* 4: always RGBA; 0: RGBA if the file has any transparency, else RGB */
-    int max_side;        /* wider or higher images are rejected with LIMIT */
-    uint64_t max_pixels; /* larger ones also */
-    uint64_t *decoded;   /* += the decoded pixels, damaged ones included; may be NULL */
+    const char *name;     /* for messages */
+    int channels;         /* 4: always RGBA; 0: RGBA if the file has any transparency, else RGB */
+    int max_side;         /* wider or higher images are rejected with LIMIT */
+    uint64_t max_pixels;  /* larger ones also */
+    burnish_tasks *tasks; /* for what can be shared; NULL: the caller alone */
+    uint64_t *decoded;    /* += the decoded pixels, damaged ones included; may be NULL */
 } burnish_encoded;
 
 /* Decodes to 8 bits per channel; 16 bits are rounded to the nearest value. Gamma and profiles of

@@ -90,18 +90,35 @@ static int ask_for_codes(decoder *d, int channels) {
     return d->has_palette ? channels : png_get_channels(d->png, d->info);
 }
 
-/* Colours of a row from its indices, which are at its end. */
-static void expand_indices(const decoder *d, uint8_t *row, size_t width, int channels) {
-    const uint8_t *from = row + width * (size_t)(channels - 1);
-    if (channels == 4) {
-        for (size_t x = 0; x < width; ++x) {
+/* Colours of rows from their indices, which are at their ends. */
+typedef struct index_rows {
+    const decoder *decoder;
+    const burnish_image *image;
+} index_rows;
+
+static void expand_rows(void *context, size_t first, size_t end) {
+    const index_rows *rows = context;
+    const decoder *d = rows->decoder;
+    const size_t width = (size_t)rows->image->width, channels = (size_t)rows->image->channels;
+    for (size_t y = first; y < end; ++y) {
+        uint8_t *row = rows->image->pixels + y * width * channels;
+        const uint8_t *from = row + width * (channels - 1);
+        for (size_t x = 0; x < width && channels == 4; ++x) {
             memcpy(row + 4 * x, d->palette[from[x]], 4);
         }
-    } else {
-        for (size_t x = 0; x < width; ++x) {
+        for (size_t x = 0; x < width && channels == 3; ++x) {
             memcpy(row + 3 * x, d->palette[from[x]], 3);
         }
     }
+}
+
+static burnish_status expand_indices(const decoder *d, const burnish_encoded *from,
+                                     burnish_memory *memory, const burnish_image *image) {
+    enum { GRAIN = 1 << 16 }; /* pixels that are worth a task */
+    index_rows rows = {d, image};
+    burnish_tasks_ranges(from->tasks, (size_t)image->height, 1 + GRAIN / (size_t)image->width,
+                         expand_rows, &rows);
+    return burnish_tasks_check(from->tasks, memory->error);
 }
 
 static void read_rows(const decoder *d, burnish_image *image) {
@@ -109,12 +126,9 @@ static void read_rows(const decoder *d, burnish_image *image) {
     const size_t skipped = d->has_palette ? size - width : 0;
     for (int pass = 1; pass <= d->passes; ++pass) {
         for (int y = 0; y < image->height; ++y) {
-            uint8_t *row = image->pixels + size * (size_t)y;
-            png_read_row(d->png, row + skipped, NULL);
-            burnish_written_outside(row + skipped, size - skipped);
-            if (d->has_palette && pass == d->passes) {
-                expand_indices(d, row, width, image->channels);
-            }
+            uint8_t *row = image->pixels + size * (size_t)y + skipped;
+            png_read_row(d->png, row, NULL);
+            burnish_written_outside(row, size - skipped);
         }
     }
 }
@@ -195,6 +209,12 @@ static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_me
     }
     read_rows(d, image);
     png_read_end(d->png, NULL);
+    if (d->has_palette) {
+        status = expand_indices(d, from, memory, image);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+    }
     return d->memory.status; /* libpng ignores failures of optional parts */
 }
 

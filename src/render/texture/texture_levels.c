@@ -5,14 +5,38 @@
 #include "core/srgb.h"
 #include "render/texture/texture_reduce.h"
 
-static void find_least(burnish_texture_levels *levels, const uint8_t *texels, size_t count) {
+/* The least code of each channel of some texels. */
+typedef struct least_codes {
+    const burnish_texture *texture;
+    _Atomic uint32_t least[4];
+} least_codes;
+
+static void find_least_rows(void *context, size_t first, size_t end) {
+    least_codes *codes = context;
+    const size_t row = 4 * (size_t)codes->texture->width;
+    const uint8_t *texels = codes->texture->pixels;
     uint8_t least[4] = {255, 255, 255, 255};
-    for (size_t i = 0; i < 4 * count; i += 4) {
+    for (size_t i = row * first; i < row * end; i += 4) {
         for (int k = 0; k < 4; ++k) {
             least[k] = texels[i + (size_t)k] < least[k] ? texels[i + (size_t)k] : least[k];
         }
     }
-    memcpy(levels->least, least, sizeof least);
+    for (int k = 0; k < 4; ++k) {
+        uint32_t known = atomic_load(&codes->least[k]);
+        while (least[k] < known &&
+               !atomic_compare_exchange_weak(&codes->least[k], &known, least[k])) {
+        }
+    }
+}
+
+static void find_least(burnish_texture_levels *levels, const burnish_texture *texture,
+                       burnish_tasks *tasks) {
+    least_codes codes = {texture, {255, 255, 255, 255}};
+    burnish_tasks_ranges(tasks, (size_t)texture->height,
+                         4 * burnish_texture_row_grain(texture->width), find_least_rows, &codes);
+    for (int k = 0; k < 4; ++k) {
+        levels->least[k] = (uint8_t)atomic_load(&codes.least[k]);
+    }
 }
 
 /* ---- Masks ---- */
@@ -369,7 +393,6 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
                                              const burnish_texture *texture,
                                              burnish_texture_kind kind, burnish_tasks *tasks,
                                              burnish_memory *memory) {
-    const size_t count = (size_t)texture->width * (size_t)texture->height;
     const int is_light = kind == BURNISH_TEXTURE_COLORS || burnish_texture_is_weighted(kind);
     const size_t total = lay_out(levels, texture->width, texture->height);
     if (make_blocks(levels, texture, kind, memory) != BURNISH_STATUS_OK) {
@@ -385,7 +408,7 @@ burnish_status burnish_texture_levels_create(burnish_texture_levels *levels,
         levels->codes = codes.codes;
     }
     if (memory->status == BURNISH_STATUS_OK) {
-        find_least(levels, texture->pixels, count);
+        find_least(levels, texture, tasks);
         levels->is_weighted = burnish_texture_is_weighted(kind) && levels->least[3] < 255;
         if (!levels->blocks) {
             level_copy copy = {.texture = texture,

@@ -205,6 +205,7 @@ static int decode(burnish_reader *reader, const char *name, const uint8_t *bytes
     burnish_encoded from =
         encoded_picture(name, bytes, size, texels_left(reader), &reader->textures->texels);
     burnish_image picture;
+    from.tasks = reader->mesh->tasks;
     burnish_status status = burnish_decode(&from, &memory, &picture);
     if (status == BURNISH_STATUS_LIMIT && reader->textures->ahead_texels > 0) {
         burnish_reader_drop_ahead(reader); /* pictures not requested yet make room */
