@@ -1,11 +1,6 @@
 /* Drawing large triangles cell by cell: cells that an edge or HiZ excludes are left out at once,
  * cells wholly inside need no edges, and depth and attributes are planes, one addition per vector.
  *
- * Coverage is exact. From one pixel's centre to the next, or from sample s of a pixel to sample s
- * of the next, an edge function changes by multiples of 256. So floor(E / 256) has the sign of E,
- * and its steps are whole numbers. An edge that crosses the tile stays below 63 (2^23 + 2^23) +
- * 2^23 < 2^31 all over it, for images of 16384 pixels and a guard band of 16000.
- *
  * Planes count from the tile's first pixel in double precision up to a cell's first pixel, and
  * within the cell in single precision:
  *   value(x, y) = (float)((base + down Y) + across X) + ((float)across u + (float)down v),
@@ -14,6 +9,7 @@
 #ifndef BURNISH_RASTER_LARGE_SIMD_H
 #define BURNISH_RASTER_LARGE_SIMD_H
 
+#include "raster/large_setup_simd.h"
 #include "raster/stamps_simd.h"
 
 enum {
@@ -23,7 +19,7 @@ enum {
     CELL_BLOCKS = BURNISH_HIZ_PIXELS / BURNISH_BLOCK_SIZE, /* across and down */
     CELL_PIXELS = BURNISH_HIZ_PIXELS * BURNISH_HIZ_PIXELS,
     /* four numbers are one vector: depth and three of the first attribute, then the others */
-    NUMBERS = 2 * 4,
+    NUMBERS = (int)LARGE_NUMBERS,
     CELL_VECTORS = (int)CELL_PIXELS / (int)LANES,
     /* Of a cell with few vectors all are drawn: skipping some would cost more by wrong guesses of
      * branches. */
@@ -34,7 +30,6 @@ _Static_assert(CELL_VECTORS <= 64, "bits of a cell's vectors fit 64");
 
 typedef double double4 __attribute__((vector_size(32)));
 typedef float float4 __attribute__((vector_size(16)));
-typedef int32_t int4 __attribute__((vector_size(16)));
 
 /* Columns and rows of a block's pixels, and of cells that are classified at once. */
 static const int32_t BLOCK_PIXEL_X[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
@@ -42,14 +37,10 @@ static const int32_t BLOCK_PIXEL_Y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3,
 static const int32_t CELL_X[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
 static const int32_t CELL_Y[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
 
-/* floor((E + bias) / 256): an edge that crosses the tile; all zero for one that has all of it
- * inside. */
+/* An edge of one triangle, as in large_group. */
 typedef struct large_edge {
-    int64_t value;              /* E at the centre of the tile's first pixel, whatever it crosses */
-    int32_t start, right, down; /* at the centre of the tile's first pixel; steps per pixel */
-    int32_t step[BURNISH_MAX_SAMPLES]; /* from a pixel's centre to its samples */
-    int32_t most;                      /* of these steps */
-    int32_t low, high;           /* least and greatest step from a cell's first pixel centre */
+    int32_t start, right, down, most, low, high;
+    int32_t step[BURNISH_MAX_SAMPLES];
     int32_t pixels[CELL_PIXELS]; /* steps from a cell's first pixel to all of them */
     int32_t cells[LANES];        /* from the first of CELL_ROWS x CELL_COLUMNS cells */
 } large_edge;
@@ -83,50 +74,21 @@ BURNISH_INLINE void step_edge(int32_t right, int32_t down, int32_t pixels[CELL_P
     }
 }
 
-/* Fills an edge; returns 0 when the whole tile is outside. */
-BURNISH_INLINE int compute_large_edge(const triangle_setup *setup, size_t lane, int i, int samples,
-                                      large_edge *edge) {
-    enum { LAST = BURNISH_TILE_SIZE - 1, LAST_OF_CELL = BURNISH_HIZ_PIXELS - 1 };
-    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
-    const int a = i == 2 ? 0 : i + 1;
-    const int64_t dx = setup->dx[i][lane], dy = setup->dy[i][lane];
-    edge->value = dx * (HALF_PIXEL - setup->y[a][lane]) - dy * (HALF_PIXEL - setup->x[a][lane]);
-    const int64_t e = edge->value + setup->bias[i][lane];
-    const int64_t start = e >> BURNISH_SUBPIXEL_BITS;
-    int32_t right = (int32_t)-dy, down = (int32_t)dx, least = INT32_MAX, most = INT32_MIN;
-    for (int s = 0; s < samples; ++s) {
-        const int64_t at = e + BURNISH_SAMPLE_STEP * (dx * offsets[s][1] - dy * offsets[s][0]);
-        const int32_t step = samples == 1 ? 0 : (int32_t)((at >> BURNISH_SUBPIXEL_BITS) - start);
-        edge->step[s] = step;
-        least = step < least ? step : least;
-        most = step > most ? step : most;
+BURNISH_INLINE void load_edge(const large_group *group, size_t lane, int i, int samples,
+                              large_edge *edge) {
+    edge->start = group->start[i][lane];
+    edge->right = group->right[i][lane];
+    edge->down = group->down[i][lane];
+    edge->most = group->most[i][lane];
+    edge->low = group->low[i][lane];
+    edge->high = group->high[i][lane];
+    for (int s = 0; samples > 1 && s < samples; ++s) {
+        edge->step[s] = group->step[i][s][lane];
     }
-    int32_t low = (right < 0 ? right : 0) + (down < 0 ? down : 0);
-    int32_t high = (right > 0 ? right : 0) + (down > 0 ? down : 0);
-    if (start + (int64_t)LAST * high + most < 0) {
-        return 0;
-    }
-    const int is_inside = start + (int64_t)LAST * low + least >= 0;
-    if (is_inside) {
-        right = down = low = high = least = most = 0;
-        memset(edge->step, 0, (size_t)samples * sizeof *edge->step);
-    }
-    edge->start = is_inside ? 0 : (int32_t)start;
-    edge->right = right;
-    edge->down = down;
-    edge->most = most;
-    edge->low = LAST_OF_CELL * low + least;
-    edge->high = LAST_OF_CELL * high + most;
-    step_edge(right, down, edge->pixels);
-    const vi cells =
-        vi_add(vi_mul(vi_set(right), vi_load(CELL_X)), vi_mul(vi_set(down), vi_load(CELL_Y)));
+    step_edge(edge->right, edge->down, edge->pixels);
+    const vi cells = vi_add(vi_mul(vi_set(edge->right), vi_load(CELL_X)),
+                            vi_mul(vi_set(edge->down), vi_load(CELL_Y)));
     vi_store(edge->cells, vi_shl(cells, BURNISH_HIZ_BITS));
-    return 1;
-}
-
-/* Whether a weight changes so fast that the triangle is narrower than 1/16 pixel. */
-BURNISH_INLINE int is_steep(double step1, double step2) {
-    return step1 > 16 || step1 < -16 || step2 > 16 || step2 < -16;
 }
 
 /* Steps of a plane from a cell's first pixel to all of them. */
@@ -146,86 +108,41 @@ BURNISH_INLINE void step_plane(float across, float down, float pixels[CELL_PIXEL
     }
 }
 
-/* Four numbers of vertex i: depth and three of the first attribute, or the others. Depth is that
- * of vertex 0, and what is added to it for vertices 1 and 2. */
-BURNISH_INLINE float4 load_numbers(const triangle_setup *setup, size_t lane, int planes, int g,
-                                   int i) {
-    float4 numbers = {0};
+/* Four numbers of a lane: of depth and three attributes, or of the others. */
+BURNISH_INLINE void load_numbers(const double (*numbers)[LANES], size_t lane, int planes, int g,
+                                 double4 *to) {
+    double4 four = {0};
     for (int k = 0; k < 4 && 4 * g + k <= planes; ++k) {
-        numbers[k] =
-            4 * g + k == 0 ? setup->depth[i][lane] : setup->attributes[i][4 * g + k - 1][lane];
+        four[k] = numbers[4 * g + k][lane];
     }
-    return numbers;
+    *to = four;
 }
 
-/* a where the mask holds, b elsewhere. */
-BURNISH_INLINE float4 pick4(int4 mask, float4 a, float4 b) {
-    return (float4)(((int4)a & mask) | ((int4)b & ~mask));
-}
-
-/* The planes of depth and `planes` attributes; the edges are there. */
-BURNISH_INLINE void compute_planes(const triangle_setup *setup, size_t lane, int planes,
-                                   large_triangle *large) {
-    const int64_t dx1 = setup->dx[1][lane], dy1 = setup->dy[1][lane];
-    const int64_t dx2 = setup->dx[2][lane], dy2 = setup->dy[2][lane];
-    const double inverse_area = 1.0 / (double)(dx2 * setup->dy[0][lane] - dy2 * setup->dx[0][lane]);
-    const double weight1 = (double)large->edges[1].value * inverse_area;
-    const double weight2 = (double)large->edges[2].value * inverse_area;
-    const double right1 = (double)(-dy1 * BURNISH_SUBPIXELS) * inverse_area;
-    const double right2 = (double)(-dy2 * BURNISH_SUBPIXELS) * inverse_area;
-    const double down1 = (double)(dx1 * BURNISH_SUBPIXELS) * inverse_area;
-    const double down2 = (double)(dx2 * BURNISH_SUBPIXELS) * inverse_area;
-    large->is_needle = is_steep(right1, right2) || is_steep(down1, down2);
+/* One triangle of a group. */
+BURNISH_INLINE void load_large(const large_group *group, size_t lane, int samples, int planes,
+                               large_triangle *large) {
+    for (int i = 0; i < 3; ++i) {
+        load_edge(group, lane, i, samples, &large->edges[i]);
+    }
+    large->is_needle = (int)(group->needles >> lane & 1);
     for (int g = 0; g < (planes + 4) / 4; ++g) {
-        float4 corner[3];
-        for (int i = 0; i < 3; ++i) {
-            corner[i] = load_numbers(setup, lane, planes, g, i);
-        }
-        const double4 value = __builtin_convertvector(corner[0], double4);
-        double4 base = value, first = __builtin_convertvector(corner[1], double4);
-        double4 second = __builtin_convertvector(corner[2], double4);
-        if (g == 0) { /* depth is a difference already */
-            base[0] = 0;
-            corner[1][0] += corner[0][0];
-            corner[2][0] += corner[0][0];
-        }
-        first -= base;
-        second -= base;
-        float4 low = pick4(corner[0] < corner[1], corner[0], corner[1]);
-        float4 high = pick4(corner[0] > corner[1], corner[0], corner[1]);
-        low = pick4(low < corner[2], low, corner[2]);
-        high = pick4(high > corner[2], high, corner[2]);
-        memcpy(large->low + 4 * g, &low, sizeof low);
-        memcpy(large->high + 4 * g, &high, sizeof high);
-        large->base[g] = value + (first * weight1 + second * weight2);
-        large->across[g] = first * right1 + second * right2;
-        large->down[g] = first * down1 + second * down2;
-        const float4 across = __builtin_convertvector(large->across[g], float4);
-        const float4 down = __builtin_convertvector(large->down[g], float4);
-        for (int k = 0; k < 4 && 4 * g + k <= planes; ++k) {
-            step_plane(across[k], down[k], large->pixels[4 * g + k]);
-        }
+        load_numbers(group->base, lane, planes, g, &large->base[g]);
+        load_numbers(group->across, lane, planes, g, &large->across[g]);
+        load_numbers(group->below, lane, planes, g, &large->down[g]);
     }
-}
-
-/* Bounds of depth in a cell, farther and nearer than rounding can make them. */
-BURNISH_INLINE void compute_depth_bounds(large_triangle *large, int samples) {
-    enum { LAST_OF_CELL = BURNISH_HIZ_PIXELS - 1 };
-    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
-    const double base = large->base[0][0], across = large->across[0][0], down = large->down[0][0];
-    const double wide = across < 0 ? -across : across, high = down < 0 ? -down : down;
-    const double margin = ((base < 0 ? -base : base) + BURNISH_TILE_SIZE * (wide + high)) * 0x1p-20;
-    /* samples lie up to half a pixel from a pixel's centre */
-    const double middle = 0.5 * LAST_OF_CELL * (across + down);
-    const double reach = 0.5 * BURNISH_HIZ_PIXELS * (wide + high) + margin;
-    for (int s = 0; s < samples; ++s) {
-        large->sample_depth[s] = (float)((across * offsets[s][0] + down * offsets[s][1]) / 16);
+    for (int k = 0; k <= planes; ++k) {
+        large->low[k] = group->least[k][lane];
+        large->high[k] = group->greatest[k][lane];
+        step_plane((float)group->across[k][lane], (float)group->below[k][lane], large->pixels[k]);
     }
-    large->depth = (float)base;
-    large->depth_right = (float)(across * BURNISH_HIZ_PIXELS);
-    large->depth_down = (float)(down * BURNISH_HIZ_PIXELS);
-    large->nearest = (float)(middle + reach);
-    large->farthest = (float)(middle - reach);
+    for (int s = 0; samples > 1 && s < samples; ++s) {
+        large->sample_depth[s] = group->sample_depth[s][lane];
+    }
+    large->depth = (float)group->base[0][lane];
+    large->depth_right = group->depth_right[lane];
+    large->depth_down = group->depth_down[lane];
+    large->nearest = group->nearest[lane];
+    large->farthest = group->farthest[lane];
     vf_store(large->cell_depths,
              vf_add(vf_mul(vf_set(large->depth_right), vf_from_int(vi_load(CELL_X))),
                     vf_mul(vf_set(large->depth_down), vf_from_int(vi_load(CELL_Y)))));
@@ -478,13 +395,7 @@ BURNISH_INLINE void draw_cells(burnish_tile *tile, const large_triangle *large, 
 BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, size_t lane,
                                draw_kind kind, int32_t id) {
     large_triangle large;
-    for (int i = 0; i < 3; ++i) {
-        if (!compute_large_edge(setup, lane, i, kind.samples, &large.edges[i])) {
-            return;
-        }
-    }
-    compute_planes(setup, lane, kind.planes, &large);
-    compute_depth_bounds(&large, kind.samples);
+    load_large(setup->large, lane, kind.samples, kind.planes, &large);
     const int x0 = setup->x0[lane] / BURNISH_HIZ_PIXELS, x1 = setup->x1[lane] / BURNISH_HIZ_PIXELS;
     const int y0 = setup->y0[lane] / BURNISH_HIZ_PIXELS, y1 = setup->y1[lane] / BURNISH_HIZ_PIXELS;
     const int first_row = y0 & ~(CELL_ROWS - 1);

@@ -83,6 +83,7 @@ static void fill_cells(burnish_tile *tile, const burnish_geometry *geometry, con
                        unsigned back) {
     const int samples = tile->options.samples;
     triangle_setup setup;
+    large_group group;
     large_triangle large;
     for (size_t first = 0; first < found->count; first += LANES) {
         const size_t left = found->count - first, lanes = left < LANES ? left : LANES;
@@ -91,15 +92,9 @@ static void fill_cells(burnish_tile *tile, const burnish_geometry *geometry, con
         fetch_group(tile, geometry, found->indices + first, lanes, back, &setup.primitives);
         load_group(tile, geometry, &setup, x, y, depth);
         compute_setup(tile, lanes, x, y, depth, &setup);
+        prepare_large(samples, 0, &setup, &group);
         for (unsigned rest = setup.live & ~setup.small; rest; rest &= rest - 1) {
-            const size_t lane = (size_t)__builtin_ctz(rest);
-            if (!compute_large_edge(&setup, lane, 0, samples, &large.edges[0]) ||
-                !compute_large_edge(&setup, lane, 1, samples, &large.edges[1]) ||
-                !compute_large_edge(&setup, lane, 2, samples, &large.edges[2])) {
-                continue;
-            }
-            compute_planes(&setup, lane, 0, &large);
-            compute_depth_bounds(&large, samples);
+            load_large(&group, (size_t)__builtin_ctz(rest), samples, 0, &large);
             for (int column = 0; column < BURNISH_HIZ_SIZE; column += CELL_COLUMNS) {
                 edge_cells edges[3];
                 start_edges(&large, column, 0, edges);

@@ -45,6 +45,7 @@ typedef struct triangle_setup {
     float inverse_area[LANES]; /* of triangles whose edge functions fit 32 bits */
     float attributes[3][BURNISH_PLANE_COUNT][LANES];
     primitive_group primitives;
+    const struct large_group *large; /* of triangles that are live and not small */
     /* bits: touch a pixel; are drawn by stamps; have edge functions of more than 32 bits; touch at
      * most 2 x 2 pixels, 3 x 3; touch too many stamps to be queued */
     unsigned live, small, beyond, tiny, tiny_3x3, wide;

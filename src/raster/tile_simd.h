@@ -324,6 +324,7 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
     tiny_pixels pixels = {0};
     tiny_samples found;
     stamp_queue queue;
+    large_group group;
     primitive_group next;
     fetch_group(tile, geometry, indices, count < LANES ? count : LANES, back, &next);
     for (size_t first = 0; first < count; first += LANES) {
@@ -335,6 +336,9 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
         fetch_group(tile, geometry, indices + after, ahead, back, &next);
         load_group(tile, geometry, &setup, x, y, depth);
         compute_setup(tile, lanes, x, y, depth, &setup);
+        if (setup.live & ~setup.small) {
+            prepare_large(options->samples, are_layers ? 0 : options->planes, &setup, &group);
+        }
         if (are_layers) {
             draw_layers(tile, &setup, indices + first, back);
         } else if (options->samples == 4 && options->planes == 3) {
