@@ -141,7 +141,14 @@ static uint64_t batch_cells(const burnish_geometry *geometry, size_t number,
     const burnish_triangle_batch *batch = &geometry->batches[number];
     const burnish_batch_header *header = &geometry->headers[number];
     unsigned large = 0;
+    uint32_t any = 0;
     uint64_t cells = 0;
+    for (unsigned i = 0; i < BURNISH_BATCH_SIZE; ++i) { /* mostly none is large */
+        any |= batch->last[i] - batch->first[i];
+    }
+    if (!(header->visible[0] | header->visible[1]) || !(any & 0xfffefffeu)) {
+        return 0;
+    }
     for (unsigned i = 0; i < BURNISH_BATCH_SIZE;
          ++i) { /* x and y at once: last is not before first */
         large |= (unsigned)(((batch->last[i] - batch->first[i]) & 0xfffefffeu) != 0) << i;

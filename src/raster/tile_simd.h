@@ -3,7 +3,6 @@
 #define BURNISH_RASTER_TILE_SIMD_H
 
 #include "raster/large_simd.h"
-#include "raster/occluders_simd.h"
 #include "raster/tiny_simd.h"
 
 /* ---- HiZ ---- */
