@@ -1,5 +1,4 @@
-/* A vertex has the number of first corners of vertices before its own, which are counted by bits. If
- * every position has one vertex and is in order, its number stays, and so do its arrays. */
+/* A vertex has the number of first corners of vertices before its own, which are counted by bits. */
 #include "mesh/build/vertex_writer.h"
 #include "mesh/build/triangles.h"
 #include "mesh/build/vertices.h"
@@ -15,7 +14,6 @@ typedef struct writer {
     uint32_t *before;                   /* the bits before each word */
     uint32_t *numbers;                  /* of each position's vertex, BURNISH_NONE: several */
     uint32_t *indices;
-    int keeps; /* 1: vertices are what positions were */
 } writer;
 
 static uint32_t count_bits(uint64_t x) {
@@ -34,13 +32,17 @@ static void mark(const writer *w, uint32_t corner) {
     w->bits[corner / WORD] |= (uint64_t)1 << corner % WORD;
 }
 
-/* Finds the first corners of all vertices. Returns how many there are. */
+/* Finds the first corners of all vertices, those of positions where their lists' starts were.
+ * Returns how many there are. */
 static size_t mark_corners(const writer *w, const burnish_later_vertices *lists, size_t list_count,
                            size_t words) {
     uint32_t sum = 0;
     memset(w->bits, 0, words * sizeof *w->bits);
-    for (size_t i = 0; i < w->b->position_count; ++i) {
-        if (w->first_corners[i] != BURNISH_NONE) {
+    for (size_t i = 0; i < w->b->position_count; ++i) { /* in place: each is read before */
+        const uint32_t start = w->first_corners[i];
+        w->first_corners[i] = BURNISH_NONE;
+        if (start < w->first_corners[i + 1]) {
+            w->first_corners[i] = w->b->corners[start];
             mark(w, w->first_corners[i]);
         }
     }
@@ -83,6 +85,8 @@ static burnish_status number_vertices(burnish_builder *b, writer *w,
     w->numbers = burnish_allocate(b->memory, b->position_count, sizeof *w->numbers, "vertices");
     if (b->memory->status == BURNISH_STATUS_OK) {
         b->vertex_count = mark_corners(w, lists, list_count, words);
+        burnish_release(b->memory->context, b->corners);
+        b->corners = NULL;
         burnish_tasks_ranges(tasks, b->position_count, BURNISH_BUILD_GRAIN, number_range, w);
         burnish_tasks_ranges(tasks, b->triangle_count, BURNISH_BUILD_GRAIN, index_range, w);
     }
@@ -97,10 +101,8 @@ static void write_vertex(const writer *w, size_t number, const float *position, 
     const burnish_builder *b = w->b;
     void *const *attributes = b->mesh->attributes;
     float *positions = attributes[BURNISH_POSITION], *normals = attributes[BURNISH_NORMAL];
-    if (!w->keeps) {
-        memcpy(positions + 3 * number, position, 3 * sizeof(float));
-        memcpy(normals + 3 * number, normal, 3 * sizeof(float));
-    }
+    memcpy(positions + 3 * number, position, 3 * sizeof(float));
+    memcpy(normals + 3 * number, normal, 3 * sizeof(float));
     for (int i = 0; i < b->extra_count; ++i) {
         const burnish_attribute attribute = b->extras[i].attribute;
         uint8_t *to = attributes[attribute];
@@ -115,7 +117,7 @@ static void write_first(void *context, size_t first, size_t end) {
     for (size_t i = first; i < end; ++i) {
         const uint32_t corner = w->first_corners[i];
         if (corner != BURNISH_NONE) {
-            const uint32_t number = w->keeps ? (uint32_t)i : w->numbers[i];
+            const uint32_t number = w->numbers[i];
             write_vertex(w, number != BURNISH_NONE ? number : number_of(w, corner),
                          positions + 3 * i, normals + 3 * i, corner);
         }
@@ -136,7 +138,7 @@ static burnish_status write_vertices(burnish_builder *b, writer *w,
                                      const burnish_later_vertices *lists, size_t list_count) {
     burnish_tasks *tasks = b->data->tasks;
     burnish_status status = burnish_build_allocate_vertices(b);
-    if (status == BURNISH_STATUS_OK && (!w->keeps || b->extra_count > 0)) {
+    if (status == BURNISH_STATUS_OK) {
         burnish_tasks_ranges(tasks, b->position_count, BURNISH_BUILD_GRAIN, write_first, w);
     }
     for (size_t i = 0; i < list_count && status == BURNISH_STATUS_OK; ++i) {
@@ -157,48 +159,26 @@ static void choose_indices(burnish_builder *b, burnish_first_vertices *first, wr
     w->indices = b->corner_positions;
 }
 
-/* The mesh owns what it keeps, and what only corners have goes. */
-static void take_arrays(burnish_builder *b, burnish_first_vertices *first, const writer *w) {
-    burnish_stream *positions = &b->data->streams[BURNISH_POSITION];
+/* The mesh owns its indices, and what only corners have goes. */
+static void take_indices(burnish_builder *b, burnish_first_vertices *first, const writer *w) {
     b->mesh->indices = w->indices;
-    if (w->indices == first->heads) {
-        first->heads = NULL;
-    } else {
+    if (w->indices == b->corner_positions) {
         b->corner_positions = NULL;
         burnish_release(b->memory->context, first->heads);
-        first->heads = NULL;
     }
-    if (w->keeps) {
-        b->vertex_count = b->position_count;
-        b->mesh->attributes[BURNISH_POSITION] = positions->items;
-        b->mesh->attributes[BURNISH_NORMAL] = first->normals;
-        first->normals = positions->items = NULL;
-        positions->count = positions->capacity = 0;
-    }
+    first->heads = NULL;
     burnish_build_release_corners(b, b->has_extras);
 }
 
 burnish_status burnish_build_write_vertices(burnish_builder *b, burnish_first_vertices *first,
-                                            const burnish_later_vertices *lists, size_t list_count,
-                                            int is_ordered) {
-    writer w = {.b = b, .first = first, .first_corners = b->first_corner, .keeps = is_ordered};
-    burnish_status status = BURNISH_STATUS_OK;
-    for (size_t i = 0; i < list_count; ++i) {
-        w.keeps &= lists[i].count == 0;
-    }
-    for (size_t i = 0; i < b->position_count; ++i) { /* in place: each is read before */
-        const int is_used = b->first_corner[i] < b->first_corner[i + 1];
-        w.first_corners[i] = is_used ? b->corners[b->first_corner[i]] : BURNISH_NONE;
-    }
+                                            const burnish_later_vertices *lists,
+                                            size_t list_count) {
+    writer w = {.b = b, .first = first, .first_corners = b->first_corner};
     b->first_corner = NULL;
-    burnish_release(b->memory->context, b->corners);
-    b->corners = NULL;
     choose_indices(b, first, &w);
-    if (!w.keeps) {
-        status = number_vertices(b, &w, lists, list_count);
-    }
+    burnish_status status = number_vertices(b, &w, lists, list_count);
     if (status == BURNISH_STATUS_OK) {
-        take_arrays(b, first, &w);
+        take_indices(b, first, &w);
         status = write_vertices(b, &w, lists, list_count);
     }
     burnish_release(b->memory->context, w.bits);

@@ -26,12 +26,8 @@ typedef struct burnish_later_vertices {
 
 /* Makes the mesh's vertices and indices, numbered in the order in which triangles first use them,
  * whatever the lists and their order are. Takes what it needs from the builder, which keeps no
- * lists of corners, and from `first`.
- *
- * is_ordered: 1 if the positions are numbered in that order
- * Errors: MEMORY, CANCELLED. */
+ * lists of corners, and from `first`. Errors: MEMORY, CANCELLED. */
 burnish_status burnish_build_write_vertices(burnish_builder *b, burnish_first_vertices *first,
-                                            const burnish_later_vertices *lists, size_t list_count,
-                                            int is_ordered);
+                                            const burnish_later_vertices *lists, size_t list_count);
 
 #endif

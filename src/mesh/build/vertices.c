@@ -5,7 +5,6 @@
 #include "mesh/build/vertices.h"
 #include "mesh/build/builder.h"
 #include "mesh/build/corners.h"
-#include "mesh/build/first_use.h"
 #include "mesh/build/indexed.h"
 #include "mesh/build/normals/creases.h"
 #include "mesh/build/normals/fans.h"
@@ -376,6 +375,11 @@ static void make_rest(vertex_maker *maker) {
     }
 }
 
+static void rest_task(void *context, size_t maker, int thread) {
+    (void)thread;
+    make_rest((vertex_maker *)context + maker);
+}
+
 /* ---- makers ---- */
 
 static void destroy_scratch(vertex_maker *maker) {
@@ -435,8 +439,8 @@ static burnish_status run_makers(burnish_builder *b, vertex_maker *makers, int c
     const size_t tasks = (b->position_count + POSITIONS_PER_TASK - 1) / POSITIONS_PER_TASK;
     burnish_tasks_run(b->data->tasks, tasks, 1, count, make_task, makers);
     burnish_status status = burnish_tasks_check(b->data->tasks, b->memory->error);
-    for (int i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        make_rest(&makers[i]);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_tasks_run(b->data->tasks, (size_t)count, 1, 0, rest_task, makers);
     }
     if (status == BURNISH_STATUS_OK && b->max_faces > CORNERS_MAX) {
         make_large(&makers[0]);
@@ -461,29 +465,15 @@ static burnish_status make_vertices(burnish_builder *b, burnish_first_vertices *
 
 /* ---- the result ---- */
 
-/* Numbers the positions and lists their corners. */
-static burnish_status prepare_surface(burnish_builder *b, burnish_renumbering *renumbering) {
-    burnish_status status = burnish_build_number_positions(b, renumbering);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_build_list_corners(b);
-    }
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
+static void describe_surface(burnish_builder *b) {
     b->surface = (burnish_surface){.positions = burnish_positions(b->data),
                                    .corner_positions = b->corner_positions,
-                                   .triangle_count = b->triangle_count,
                                    .first_corner = b->first_corner,
                                    .corners = b->corners,
-                                   .file_numbers = renumbering->before,
                                    .wide = b->wide};
     b->surface.is_organic =
         !b->normals_complete && b->crease_angle == BURNISH_CREASE_AUTO &&
-        burnish_surface_is_organic(&b->surface, renumbering->numbers,
-                                   renumbering->count > 0 ? renumbering->count : b->position_count);
-    burnish_release(b->memory->context, renumbering->numbers);
-    renumbering->numbers = NULL;
-    return BURNISH_STATUS_OK;
+        burnish_surface_is_organic(&b->surface, b->position_count, b->data->tasks);
 }
 
 static void create_first(burnish_builder *b, burnish_first_vertices *first) {
@@ -502,14 +492,15 @@ static void destroy_first(burnish_builder *b, burnish_first_vertices *first) {
     burnish_release(b->memory->context, first->heads);
 }
 
-static burnish_status build_any(burnish_builder *b, burnish_renumbering *renumbering) {
+static burnish_status build_any(burnish_builder *b) {
     const size_t worth = b->position_count / POSITIONS_PER_THREAD,
                  all = (size_t)burnish_tasks_threads(b->data->tasks);
     const int count = worth <= 1 ? 1 : (int)(worth < all ? worth : all);
-    burnish_status status = prepare_surface(b, renumbering);
+    burnish_status status = burnish_build_list_corners(b);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    describe_surface(b);
     burnish_first_vertices first;
     burnish_later_vertices *lists =
         burnish_allocate_zeroed(b->memory, (size_t)count, sizeof *lists, "vertices");
@@ -517,8 +508,7 @@ static burnish_status build_any(burnish_builder *b, burnish_renumbering *renumbe
     create_first(b, &first);
     status = make_vertices(b, &first, lists, count);
     if (status == BURNISH_STATUS_OK) {
-        status =
-            burnish_build_write_vertices(b, &first, lists, (size_t)count, renumbering->count > 0);
+        status = burnish_build_write_vertices(b, &first, lists, (size_t)count);
     }
     for (int i = 0; i < count && lists; ++i) {
         burnish_release(b->memory->context, lists[i].items);
@@ -534,11 +524,5 @@ burnish_status burnish_build_vertices(burnish_builder *b) {
     if (status == BURNISH_STATUS_OK) {
         status = burnish_build_move(b, !done);
     }
-    if (status == BURNISH_STATUS_OK && !done) {
-        burnish_renumbering renumbering;
-        status = build_any(b, &renumbering);
-        burnish_release(b->memory->context, renumbering.before);
-        burnish_release(b->memory->context, renumbering.numbers);
-    }
-    return status;
+    return status == BURNISH_STATUS_OK && !done ? build_any(b) : status;
 }

@@ -19,10 +19,6 @@
 burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *tasks,
                             burnish_memory *memory, uint32_t *remap, float *to, size_t *unique);
 
-/* heads[i] is the first item equal to item i, at most i. Numbers the items in place, in the order
- * of those first ones. Returns the number of different items; fewer if cancelled. */
-size_t burnish_number_heads(burnish_tasks *tasks, uint32_t *heads, size_t count);
-
 /* Words that a vertex of one position can differ in: normal, colour, texture coordinates, tangent.
  */
 enum { BURNISH_WELD_KEY_WORDS = 10 };

@@ -114,31 +114,6 @@ static void test_weld_hostile(void) {
     free(expected);
 }
 
-/* Heads are numbered in their order, by any number of threads. */
-static void test_weld_heads(void) {
-    enum { COUNT = 1000000 };
-    uint32_t *heads = malloc(COUNT * sizeof *heads), *expected = malloc(COUNT * sizeof *expected);
-    uint32_t *made = malloc(COUNT * sizeof *made);
-    uint64_t state = test_seed(3);
-    size_t different = 0;
-    for (uint32_t i = 0; i < COUNT; ++i) {
-        const uint32_t other =
-            i > 0 && test_random32(&state) % 4 > 0 ? test_random32(&state) % i : i;
-        heads[i] = other == i ? i : heads[other];
-        expected[i] = other == i ? (uint32_t)different++ : expected[other];
-    }
-    for (int threads = 1; threads <= 7; ++threads) {
-        burnish_tasks tasks;
-        burnish_tasks_begin(&tasks, NULL, threads);
-        memcpy(made, heads, COUNT * sizeof *made);
-        CHECK1(burnish_number_heads(&tasks, made, COUNT) == different);
-        CHECK(memcmp(made, expected, COUNT * sizeof *made) == 0, "%d threads", threads);
-    }
-    free(heads);
-    free(expected);
-    free(made);
-}
-
 static void test_weld_sort(void) {
     enum { MOST = 300 };
     burnish_weld_record records[MOST];
@@ -174,7 +149,6 @@ int main(int count, char **arguments) {
     RUN(test_weld());
     RUN(test_weld_zeros());
     RUN(test_weld_hostile());
-    RUN(test_weld_heads());
     RUN(test_weld_sort());
     return test_end("weld");
 }

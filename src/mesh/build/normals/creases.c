@@ -31,12 +31,13 @@
 #define SPREAD UINT64_C(2654435761)
 
 enum {
-    SAMPLES = 1024,  /* vertices that are measured */
-    EDGES_MIN = 256, /* fewer decide nothing */
-    EDGES_SURE = 24, /* so many edges more than an organic surface has end the search */
-    FACES_MAX = 32,  /* at the end of an edge with fewer: more are not searched, which bounds the
+    SAMPLES = 1024,    /* vertices that are measured */
+    SAMPLE_GROUP = 64, /* of them, which decide whether threads measure the others */
+    EDGES_MIN = 256,   /* fewer decide nothing */
+    EDGES_SURE = 24,   /* so many edges more than an organic surface has end the search */
+    FACES_MAX = 32,    /* at the end of an edge with fewer: more are not searched, which bounds the
                        time for any input */
-    WALK_MAX = 16    /* triangles of one flat face that are crossed */
+    WALK_MAX = 16      /* triangles of one flat face that are crossed */
 };
 
 /* Across a curve, neighbouring steps are at most so many times as wide, ... */
@@ -292,8 +293,8 @@ static int goes_on(const burnish_surface *s, uint32_t from, uint32_t at) {
 }
 
 /* Whether many triangles are needles, as between the rims of a decimated cylinder. */
-static int has_needles(const burnish_surface *s) {
-    const uint64_t count = s->triangle_count;
+static int has_needles(const burnish_surface *s, size_t position_count) {
+    const uint64_t count = s->first_corner[position_count] / 3;
     const uint64_t samples = count < SAMPLES ? count : SAMPLES;
     double needles = 0;
     for (uint64_t i = 0; i < samples; ++i) {
@@ -311,22 +312,44 @@ static int has_needles(const burnish_surface *s) {
     return needles >= NEEDLE_SHARE * (double)samples;
 }
 
-int burnish_surface_is_organic(const burnish_surface *s, const uint32_t *numbers,
-                               size_t position_count) {
-    const uint64_t samples = position_count < SAMPLES ? position_count : SAMPLES;
-    double all = 0, plane = 0, sharp = 0, excess = 0;
-    for (uint64_t i = 0; i < samples && excess < EXCESS_SHARE * all + EDGES_SURE; ++i) {
-        const uint32_t sample = (uint32_t)(i * SPREAD % position_count);
-        const uint32_t position = numbers ? numbers[sample] : sample;
-        const burnish_edge_counts counts =
-            position == BURNISH_NONE ? (burnish_edge_counts){0} : count_edges(s, position);
-        all += counts.all;
-        plane += counts.plane;
-        sharp += counts.sharp;
-        excess += counts.plane - (counts.flat - counts.plane) * (0.3 / 0.7);
+typedef struct sampler {
+    const burnish_surface *surface;
+    size_t position_count;
+    burnish_edge_counts counts[SAMPLES];
+} sampler;
+
+static void count_samples(sampler *s, size_t first, size_t end) {
+    for (uint64_t i = first; i < end; ++i) {
+        s->counts[i] = count_edges(s->surface, (uint32_t)(i * SPREAD % s->position_count));
     }
-    return all >= EDGES_MIN && plane < PLANE_SHARE * all && excess < EXCESS_SHARE * all &&
-           sharp < SHARP_SHARE * all && !has_needles(s);
+}
+
+static void count_group(void *context, size_t group, int thread) {
+    (void)thread;
+    count_samples(context, (group + 1) * SAMPLE_GROUP, (group + 2) * SAMPLE_GROUP);
+}
+
+/* Most machined parts are known by the first group, so one thread goes on step by step. */
+int burnish_surface_is_organic(const burnish_surface *s, size_t position_count,
+                               burnish_tasks *tasks) {
+    const size_t samples = position_count < SAMPLES ? position_count : SAMPLES;
+    const int is_shared = samples == SAMPLES && burnish_tasks_threads(tasks) > 1;
+    sampler all = {.surface = s, .position_count = position_count};
+    double edges = 0, plane = 0, sharp = 0, excess = 0;
+    for (size_t i = 0; i < samples && excess < EXCESS_SHARE * edges + EDGES_SURE; ++i) {
+        if (is_shared && i == SAMPLE_GROUP) {
+            burnish_tasks_run(tasks, SAMPLES / SAMPLE_GROUP - 1, 1, 0, count_group, &all);
+        } else if (!is_shared || i < SAMPLE_GROUP) {
+            count_samples(&all, i, i + 1);
+        }
+        const burnish_edge_counts *counts = &all.counts[i];
+        edges += counts->all;
+        plane += counts->plane;
+        sharp += counts->sharp;
+        excess += counts->plane - (counts->flat - counts->plane) * (0.3 / 0.7);
+    }
+    return edges >= EDGES_MIN && plane < PLANE_SHARE * edges && excess < EXCESS_SHARE * edges &&
+           sharp < SHARP_SHARE * edges && !has_needles(s, position_count);
 }
 
 /* The same if the position is asked for again, which it is by other edges. */

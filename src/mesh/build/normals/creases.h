@@ -40,12 +40,9 @@ typedef struct burnish_known {
 
 /* Whether a surface is organic, as scans and sculptures are: hardly any two neighbours are in one
  * plane. Half of the edges of most machined parts are diagonals of flat faces. Measured at up to
- * 1,024 vertices, which do not depend on the threads.
- *
- * numbers: of the file's positions, BURNISH_NONE if a position has no triangles; or NULL
- * position_count: of the file */
-int burnish_surface_is_organic(const burnish_surface *surface, const uint32_t *numbers,
-                               size_t position_count);
+ * 1,024 vertices, which do not depend on the threads. */
+int burnish_surface_is_organic(const burnish_surface *surface, size_t position_count,
+                               burnish_tasks *tasks);
 
 /* Whether an edge between 20 and 60 degrees is smooth; in an organic surface, between 20 and 160.
  *

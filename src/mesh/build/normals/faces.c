@@ -52,11 +52,11 @@ static inline __attribute__((always_inline)) tangent tangent_of(double length, d
 
 /* The angle, in (0, pi], within 6e-16. */
 static inline __attribute__((always_inline)) double angle_of(double t, double base, double dot) {
-    const double z = t * t;
-    double sum = arctangent[10];
-    for (int i = 9; i >= 0; --i) {
-        sum = sum * z + arctangent[i];
-    }
+    const double *c = arctangent, z = t * t, z2 = z * z, z4 = z2 * z2;
+    const double low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z);
+    const double middle = (c[4] + c[5] * z) + z2 * (c[6] + c[7] * z);
+    const double high = (c[8] + c[9] * z) + z2 * c[10];
+    const double sum = low + z4 * (middle + z4 * high); /* short chains of operations */
     const double angle = base + (t + t * (z * sum));
     return choose(dot < 0, 4 * QUARTER_PI - angle, angle);
 }

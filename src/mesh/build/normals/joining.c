@@ -19,10 +19,8 @@ static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t 
     burnish_surface surface = *rings->surface;
     const uint32_t here = surface.corner_positions[rings->corners[i]];
     const uint32_t from = rings->corners[i] / 3, to = rings->corners[j] / 3;
-    const uint32_t *numbers = surface.file_numbers;
-    const int ascends = numbers ? numbers[here] < numbers[end] : here < end;
     const burnish_answer asked = {.triangles = {from < to ? from : to, from < to ? to : from},
-                                  .edge = {ascends ? here : end, ascends ? end : here}};
+                                  .edge = {here < end ? here : end, here < end ? end : here}};
     burnish_answer *kept =
         &rings->answers[(asked.triangles[0] * 5 + asked.triangles[1]) % BURNISH_ANSWERS];
     if (memcmp(kept, &asked, offsetof(burnish_answer, is_smooth)) != 0) {

@@ -11,14 +11,11 @@
 typedef struct burnish_surface {
     const float *positions;
     const uint32_t *corner_positions; /* 3 per triangle, every triangle with area */
-    size_t triangle_count;
-    const uint32_t *first_corner; /* as the builder has them */
+    const uint32_t *first_corner;     /* as the builder has them */
     const uint32_t *corners;
-    const uint32_t *file_numbers; /* of positions: the direction of an edge does not depend on how
-                                     they are numbered here; NULL: as here */
-    int wide;                     /* as burnish_measure_faces() has it */
-    int is_organic;               /* burnish_surface_is_organic() */
-    struct burnish_known *known;  /* a thread's own: what it computed; or NULL */
+    int wide;                    /* as burnish_measure_faces() has it */
+    int is_organic;              /* burnish_surface_is_organic() */
+    struct burnish_known *known; /* a thread's own: what it computed; or NULL */
 } burnish_surface;
 
 /* The cross product of two edges: twice the area long, along the normal by winding. */
