@@ -148,6 +148,12 @@ static burnish_normals_source choose_normals(const burnish_load_options *options
                                                           : BURNISH_NORMALS_FILE;
 }
 
+/* Gathers have signed indices of 32 bits: of corners and of coordinates. */
+static int fits_gathers(const burnish_mesh_data *data) {
+    return data->triangle_count <= INT32_MAX / 3 &&
+           data->streams[BURNISH_POSITION].count <= INT32_MAX / 3;
+}
+
 burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                                   const burnish_load_options *options, burnish_format format,
                                   burnish_mesh **mesh) {
@@ -159,7 +165,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
                          .crease_angle = options->crease_angle,
                          .normals = choose_normals(options, format, data),
                          .measure = options->measure,
-                         .wide = burnish_face_width()};
+                         .wide = fits_gathers(data) ? burnish_face_width() : 0};
     *mesh = NULL;
     burnish_build_prepare_textures(&b, options);
     for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {

@@ -73,7 +73,8 @@ static inline __attribute__((always_inline)) burnish_vec3 edge_of(const block *b
 
 /* One division gives the inverse length and the tangent. No product of two lengths or dot products
  * of floats leaves the range of doubles. */
-static inline __attribute__((always_inline)) void measure_any(const block *b, size_t count) {
+static inline __attribute__((always_inline)) uint64_t measure_any(const block *b, size_t count) {
+    uint64_t missing = 0; /* the top bit: a length is 0 */
     double *restrict x = b->x, *restrict y = b->y, *restrict z = b->z;
     double *restrict lengths = b->lengths, *restrict angles = b->angles;
     for (size_t i = 0; i < count; ++i) {
@@ -82,22 +83,26 @@ static inline __attribute__((always_inline)) void measure_any(const block *b, si
         const double length = burnish_vec3_length(cross), dot = burnish_vec3_dot(next, previous);
         const tangent t = tangent_of(length, __builtin_fabs(dot));
         const double inverse = 1 / (length * t.along), scale = t.along * inverse;
+        uint64_t bits;
+        memcpy(&bits, &length, sizeof bits);
+        missing |= bits - 1;
         lengths[i] = length;
         x[i] = cross.x * scale;
         y[i] = cross.y * scale;
         z[i] = cross.z * scale;
         angles[i] = angle_of(t.up * length * inverse, t.base, dot);
     }
+    return missing >> 63;
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) static void measure_avx2(const block *b, size_t count) {
-    measure_any(b, count);
+__attribute__((target("avx2"))) static uint64_t measure_avx2(const block *b, size_t count) {
+    return measure_any(b, count);
 }
 
-__attribute__((target("avx512f,avx512dq"))) static void measure_avx512(const block *b,
-                                                                       size_t count) {
-    measure_any(b, count);
+__attribute__((target("avx512f,avx512dq"))) static uint64_t measure_avx512(const block *b,
+                                                                           size_t count) {
+    return measure_any(b, count);
 }
 #endif
 
@@ -111,17 +116,16 @@ static size_t fill_vectors(block *b, size_t count) {
     return count;
 }
 
-/* Measures the first `count` triangles of a block. */
-static void measure_block(block *b, size_t count, int wide) {
+/* Measures the first `count` triangles of a block. Returns whether one seems to have no area. */
+static uint64_t measure_block(block *b, size_t count, int wide) {
     count = fill_vectors(b, count);
 #if defined(__x86_64__)
     if (wide) {
-        (wide > 1 ? measure_avx512 : measure_avx2)(b, count);
-        return;
+        return (wide > 1 ? measure_avx512 : measure_avx2)(b, count);
     }
 #endif
     (void)wide;
-    measure_any(b, count);
+    return measure_any(b, count);
 }
 
 static inline void load_position(block *b, size_t i, int row, const float *positions,
@@ -168,11 +172,7 @@ static void measure_loaded(block *b, const burnish_surface *surface, const uint3
                            size_t count, int wide, const burnish_measured_faces *to) {
     b->x = to->x, b->y = to->y, b->z = to->z;
     b->lengths = to->lengths, b->angles = to->angles;
-    measure_block(b, count, wide);
-    int any = 0;
-    for (size_t i = 0; i < count; ++i) {
-        any |= to->lengths[i] == 0;
-    }
+    const uint64_t any = measure_block(b, count, wide);
     for (size_t i = 0; i < count && any; ++i) {
         if (to->lengths[i] == 0) {
             measure_again(surface, corners[i], i, to);
@@ -297,23 +297,48 @@ __attribute__((target("avx512f,avx512dq"))) static void find_avx512(const block 
 }
 #endif
 
+static void load_triangles(block *b, const float *positions, const uint32_t *corners,
+                           size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            load_position(b, i, 3 * k, positions, corners[3 * i + (size_t)k]);
+        }
+    }
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) static void
+load_triangles_avx2(block *b, const float *positions, const uint32_t *corners, size_t count) {
+    const __m256i at = _mm256_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21);
+    const size_t whole = count / 8 * 8;
+    for (size_t i = 0; i < whole; i += 8) {
+        const int *numbers = (const int *)(const void *)(corners + 3 * i);
+        for (int k = 0; k < 3; ++k) {
+            load_positions_avx2(b, i, 3 * k, positions, _mm256_i32gather_epi32(numbers + k, at, 4));
+        }
+    }
+    for (size_t i = whole; i < count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            load_position(b, i, 3 * k, positions, corners[3 * i + (size_t)k]);
+        }
+    }
+}
+#endif
+
 void burnish_find_areas(const float *positions, const uint32_t *corners, size_t count, int wide,
                         uint8_t *has_area) {
     for (size_t start = 0, size; start < count; start += size) {
         size = count - start < BLOCK ? count - start : BLOCK;
         block b;
         uint8_t found[BLOCK];
-        for (size_t i = 0; i < size; ++i) {
-            for (int k = 0; k < 3; ++k) {
-                load_position(&b, i, 3 * k, positions, corners[3 * (start + i) + (size_t)k]);
-            }
-        }
-        const size_t whole = fill_vectors(&b, size);
 #if defined(__x86_64__)
+        (wide ? load_triangles_avx2 : load_triangles)(&b, positions, corners + 3 * start, size);
+        const size_t whole = fill_vectors(&b, size);
         (wide > 1 ? find_avx512 : wide ? find_avx2 : find_scalar)(&b, whole, found);
 #else
         (void)wide;
-        find_scalar(&b, whole, found);
+        load_triangles(&b, positions, corners + 3 * start, size);
+        find_scalar(&b, fill_vectors(&b, size), found);
 #endif
         memcpy(has_area + start, found, size);
     }
