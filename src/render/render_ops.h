@@ -22,6 +22,7 @@ struct burnish_kernels_shader;
 struct burnish_mask;
 struct burnish_mesh_view;
 struct burnish_near_cells;
+struct burnish_near_left;
 struct burnish_occlusion_lookup;
 struct burnish_primitive;
 struct burnish_shadow_lookup;
@@ -92,12 +93,12 @@ typedef struct burnish_render_ops {
                         const struct burnish_kernels_points *points, size_t count, float *lit);
 
     /* Writes the light of near lights, BURNISH_NEAR_VALUES arrays, of points of a tile that are in
-     * cells of the material; left: 0 where it did, 1 where specular light is missing, 2 where all is.
-     * Depths are not read. Returns bit i where some left is i. Reads and writes whole vectors. */
-    unsigned (*apply_near_cells)(const struct burnish_near_cells *cells, int material,
-                                 const struct burnish_kernels_points *points,
-                                 const burnish_screen_points *screen, size_t count,
-                                 float (*values)[256], int32_t *left);
+     * cells of the material; fills *left with the others. Depths are not read. Reads and writes whole
+     * vectors. */
+    void (*apply_near_cells)(const struct burnish_near_cells *cells, int material,
+                             const struct burnish_kernels_points *points,
+                             const burnish_screen_points *screen, size_t count,
+                             float (*values)[256], struct burnish_near_left *left);
 
     /* Adds a silhouette to `count` texels, a multiple of 16, of row `row` of the ground's texture:
      * its weight, shared out to the two layers whose widths are next to the blur's. */

@@ -463,20 +463,16 @@ static void integrate_rest(const burnish_area *area, const burnish_kernels *kern
         points->normal[0],   points->normal[1],   points->normal[2], points->position[0],
         points->position[1], points->position[2], points->w};
     burnish_kernels_points rest = {.w = scratch->rest[6]};
-    uint8_t number[BURNISH_NEAR_BATCH];
-    int count = 0;
-    for (int i = 0; i < batch->count; ++i) {
-        number[count] = (uint8_t)i;
-        count += scratch->left[i] == 2 - only_specular && (!batch->shown || batch->shown[i] >= 0);
-    }
-    if (count == 0) {
-        return;
-    }
-    for (int k = 0; k < 7; ++k) {
-        for (int i = 0; i < count; ++i) {
-            scratch->rest[k][i] = from[k][number[i]];
+    const int32_t *number = scratch->left.number[only_specular];
+    const int count = scratch->left.count[only_specular];
+    for (int i = 0; i < count; ++i) {
+        const int32_t at = number[i];
+        for (int k = 0; k < 7; ++k) {
+            scratch->rest[k][i] = from[k][at];
         }
-        for (int i = count; i % 16; ++i) { /* vectors are read to their end */
+    }
+    for (int i = count; i % 16; ++i) { /* vectors are read to their end */
+        for (int k = 0; k < 7; ++k) {
             scratch->rest[k][i] = 0;
         }
     }
@@ -488,8 +484,10 @@ static void integrate_rest(const burnish_area *area, const burnish_kernels *kern
     burnish_area_integrate(area, kernels, &part, scratch, scratch->rest_values);
     for (int k = 0; k < BURNISH_NEAR_VALUES; ++k) {
         const int is_diffuse = k < BURNISH_NEAR_SPECULAR || k == BURNISH_NEAR_KEY_DIFFUSE;
+        const float *own = scratch->rest_values[k];
+        float *to = scratch->values[k];
         for (int i = 0; i < count && !(only_specular && is_diffuse); ++i) {
-            scratch->values[k][number[i]] = scratch->rest_values[k][i];
+            to[number[i]] = own[i];
         }
     }
 }
@@ -503,13 +501,13 @@ static void shine(const burnish_area *area, const burnish_kernels *kernels,
         const burnish_area_points all = {points, batch->material, batch->count, 0, each->roughness};
         burnish_area_integrate(area, kernels, &all, scratch, scratch->values);
     } else {
-        const unsigned lefts =
-            ops->apply_near_cells(batch->cells, batch->material, points, batch->screen,
-                                  (size_t)batch->count, scratch->values, scratch->left);
-        if (lefts & 4) {
+        scratch->left.shown = batch->shown;
+        ops->apply_near_cells(batch->cells, batch->material, points, batch->screen,
+                              (size_t)batch->count, scratch->values, &scratch->left);
+        if (scratch->left.count[0] > 0) {
             integrate_rest(area, kernels, batch, points, 0);
         }
-        if (lefts & 2 && area->materials[batch->material].reflecting.reflects) {
+        if (scratch->left.count[1] > 0 && area->materials[batch->material].reflecting.reflects) {
             integrate_rest(area, kernels, batch, points, 1);
         }
     }

@@ -49,14 +49,21 @@ typedef struct burnish_near_batch {
     const float *roughness; /* of each point; read with levels */
 } burnish_near_batch;
 
+/* The points of a batch that no square has lit. */
+typedef struct burnish_near_left {
+    const int32_t *shown; /* only points that are shown, >= 0, are left; NULL: all are */
+    int count[2];         /* that lack all light, and only specular light */
+    int32_t number[2][BURNISH_NEAR_BATCH + 16];
+} burnish_near_left;
+
 /* A thread's arrays. */
 typedef struct burnish_near_scratch {
     float axis[3][BURNISH_NEAR_BATCH];   /* as in maps */
     float leaned[6][BURNISH_NEAR_BATCH]; /* GGX's axis and stretch */
     float light[2][BURNISH_NEAR_BATCH], roughness[BURNISH_NEAR_BATCH];
     float values[BURNISH_NEAR_VALUES][BURNISH_NEAR_BATCH]; /* of a batch's points */
-    /* some of a batch's points: their numbers, normals, positions, w, and values */
-    int32_t left[BURNISH_NEAR_BATCH];
+    burnish_near_left left;
+    /* some of a batch's points: their normals, positions, w, and values */
     float rest[7][BURNISH_NEAR_BATCH], rest_values[BURNISH_NEAR_VALUES][BURNISH_NEAR_BATCH];
 } burnish_near_scratch;
 

@@ -390,12 +390,23 @@ static int is_dark(const burnish_area *area, const near_square *square, int at,
     return 1;
 }
 
-/* Fits four of the values at nodes; returns 0 where it is not smooth. */
+/* Fits four of the values at nodes, three colours and the key; returns 0 where it is not smooth. */
 static int fit_light(const near_square *square, float (*const values)[BURNISH_NEAR_BATCH], int at,
                      const int *numbers, burnish_near_cell *cell) {
     for (int i = 0; i < 4; ++i) {
-        const int k = numbers[i];
+        const int k = numbers[i], first = numbers[0];
         const float *own = values[k] + at;
+        if (i == 3 && !cell->has_key) {
+            memset(cell->light[k], 0, sizeof cell->light[k]);
+            continue;
+        }
+        if (i == 1 || i == 2) {
+            if (memcmp(own, values[first] + at, NODES * sizeof *own) == 0) {
+                memcpy(cell->light[k], cell->light[first], sizeof cell->light[k]);
+                continue;
+            }
+            cell->is_grey = 0;
+        }
         float largest = 0, miss[NODES];
         int misses = 0;
         fit_values(square, own, cell->light[k]);
@@ -502,6 +513,8 @@ static void light_cells(const burnish_near_field *field, near_squares *squares, 
         square->cell.x = cells->left + (float)square->x + half;
         square->cell.y = cells->top - (float)square->y - half;
         square->cell.scale = 1 / half;
+        square->cell.is_grey = 1;
+        square->cell.has_key = field->area->near_lights.key >= 0;
         if (light_cell(field->area, square, i * NODES, scratch)) {
             install(cells, square);
         }

@@ -30,6 +30,7 @@ typedef struct burnish_near_cell {
     float normal_limit[BURNISH_NEAR_CELL_KINDS], position_limit[BURNISH_NEAR_CELL_KINDS];
     float normal[3][BURNISH_NEAR_TERMS], position[3][BURNISH_NEAR_TERMS]; /* a unit vector, / w */
     float light[BURNISH_NEAR_VALUES][BURNISH_NEAR_TERMS];
+    int is_grey, has_key; /* 1: the three colours are equal; a light casts a shadow */
 } burnish_near_cell;
 
 /* A tile's. */

@@ -73,21 +73,43 @@ BURNISH_INLINE void near_apply(const burnish_near_cell *cell, const near_points 
         const vm is_alike = vm_and(vf_greater(vf_set(cell->normal_limit[kind]), turned),
                                    vf_greater(vf_set(cell->position_limit[kind]), moved));
         const vm holds = vm_and(here, is_alike);
-        for (int k = 0; k < 4 && vm_any(holds); ++k) { /* three colours and the key */
+        const int values = cell->has_key ? 4 : 3; /* three colours and the key */
+        vf value = vf_set(0.0f);
+        for (int k = 0; k < values && vm_any(holds); ++k) {
             const int number = k < 3 ? 3 * kind + k : BURNISH_NEAR_KEY_DIFFUSE + kind;
-            const vf value = near_quadratic(cell->light[number], u, v);
-            light->values[number] =
-                vf_blend(holds, vf_max(value, vf_set(0.0f)), light->values[number]);
+            if (k == 0 || k == 3 || !cell->is_grey) {
+                value = vf_max(near_quadratic(cell->light[number], u, v), vf_set(0.0f));
+            }
+            light->values[number] = vf_blend(holds, value, light->values[number]);
         }
         light->done[kind] = vm_or(light->done[kind], holds);
     }
 }
 
-static unsigned apply_near_cells(const burnish_near_cells *cells, int material,
-                                 const burnish_kernels_points *points,
-                                 const burnish_screen_points *screen, size_t count,
-                                 float (*light)[BURNISH_NEAR_BATCH], int32_t *left) {
-    unsigned lefts = 0;
+/* Adds to *left the points from number i on that no cell has lit. */
+BURNISH_INLINE void near_leave(const near_light *light, size_t i, size_t count,
+                               burnish_near_left *left) {
+    const vm diffuse = light->done[BURNISH_NEAR_CELL_DIFFUSE];
+    const unsigned lit[2] = {vm_bits(diffuse),
+                             vm_bits(light->done[BURNISH_NEAR_CELL_SPECULAR]) | ~vm_bits(diffuse)};
+    const vi numbers = vi_add(vi_set((int32_t)i), vi_ramp(1));
+    unsigned wanted = i + LANES <= count ? (1u << LANES) - 1 : (1u << (count - i)) - 1;
+    if (left->shown) {
+        wanted &= vm_bits(vi_not_negative(vi_load(left->shown + i)));
+    }
+    for (int k = 0; k < 2; ++k) {
+        const unsigned lanes = wanted & ~lit[k];
+        if (lanes) {
+            left->count[k] += vi_compress(lanes, left->number[k] + left->count[k], numbers);
+        }
+    }
+}
+
+static void apply_near_cells(const burnish_near_cells *cells, int material,
+                             const burnish_kernels_points *points,
+                             const burnish_screen_points *screen, size_t count,
+                             float (*light)[BURNISH_NEAR_BATCH], burnish_near_left *left) {
+    left->count[0] = left->count[1] = 0;
     for (size_t i = 0; i < count; i += LANES) {
         const near_points at = near_load(points, screen, i);
         const vi number = near_find(cells, &at);
@@ -110,14 +132,8 @@ static unsigned apply_near_cells(const burnish_near_cells *cells, int material,
         for (int k = 0; k < BURNISH_NEAR_VALUES; ++k) {
             vf_store(light[k] + i, own.values[k]);
         }
-        const vi none = vi_set(0), one = vi_set(1);
-        const vm diffuse = own.done[BURNISH_NEAR_CELL_DIFFUSE];
-        const vm specular = own.done[BURNISH_NEAR_CELL_SPECULAR];
-        vi_store(left + i, vi_add(vi_blend(diffuse, none, one), vi_blend(specular, none, one)));
-        lefts |= (unsigned)vm_any(vm_and_not(diffuse, specular)) << 1;
-        lefts |= (unsigned)vm_any(vm_not(diffuse)) << 2;
+        near_leave(&own, i, count, left);
     }
-    return lefts;
 }
 
 #endif
