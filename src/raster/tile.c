@@ -43,6 +43,17 @@ static void destroy_layers(burnish_tile_layers *layers, const burnish_context *c
     }
 }
 
+int burnish_tile_primitives_of(const burnish_geometry *geometry) {
+    enum { MOST = 1 << 20 }; /* more than any tile holds */
+    const size_t needed =
+        geometry->batch_count * BURNISH_BATCH_SIZE + BURNISH_TILE_PRIMITIVES_AT_ONCE;
+    int room = 1;
+    while ((size_t)room < needed && room < MOST) {
+        room *= 2;
+    }
+    return room;
+}
+
 burnish_status burnish_tile_create(burnish_tile *tile, const burnish_tile_options *options,
                                    const burnish_context *context, burnish_error *error) {
     const int samples = options->samples;
@@ -67,8 +78,9 @@ burnish_status burnish_tile_create(burnish_tile *tile, const burnish_tile_option
         for (unsigned bits = 0; bits < sizeof tile->means / sizeof *tile->means; ++bits) {
             tile->means[bits] = burnish_mean_of_samples(samples, bits);
         }
-        create_primitives(&tile->primitives, (size_t)BURNISH_TILE_PRIMITIVES * (size_t)samples,
-                          &memory);
+        const size_t most = (size_t)BURNISH_TILE_PRIMITIVES * (size_t)samples;
+        const size_t needed = options->primitives > 0 ? (size_t)options->primitives : most;
+        create_primitives(&tile->primitives, needed < most ? needed : most, &memory);
     }
     if (options->has_layers) {
         tile->layers = create_layers(count, &memory);

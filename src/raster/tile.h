@@ -41,6 +41,7 @@ typedef struct burnish_tile_options {
     int needs_position; /* 1: fragments get x, y and depth, simple pixels the depth at their centre
                          */
     int has_layers;     /* 1: transparent triangles are kept as layers; 0: they are left out */
+    int primitives;     /* burnish_tile_primitives_of(geometry); 0: any number */
 } burnish_tile_options;
 
 /* No triangle is that far away, or that near. */
@@ -104,7 +105,10 @@ enum {
     /* Primitives per sample that a tile holds before it evicts primitives that no sample shows. At
      * most half of them are shown. */
     BURNISH_TILE_PRIMITIVES = 2 * BURNISH_TILE_PIXELS,
-    BURNISH_TILE_PRIMITIVES_EXTRA = 16 /* that a vector may write past the last one */
+    BURNISH_TILE_PRIMITIVES_EXTRA = 16, /* that a vector may write past the last one */
+    BURNISH_TILE_LIST_PART = 128,       /* batches that are listed and drawn at once */
+    BURNISH_TILE_PRIMITIVES_AT_ONCE =
+        BURNISH_TILE_LIST_PART * BURNISH_BATCH_SIZE + BURNISH_TILE_PRIMITIVES_EXTRA
 };
 
 /* Layers of a sample that are kept at once: the nearest ones; and how often those behind are
@@ -150,6 +154,10 @@ typedef struct burnish_tile {
 } burnish_tile;
 
 /* Attributes are the caller's to set. Errors: MEMORY; destroy it all the same. */
+/* Room for primitives that is enough for a tile of a frame, a power of two: another frame of the
+ * mesh takes the same tiles, though other triangles are clipped. */
+int burnish_tile_primitives_of(const burnish_geometry *geometry);
+
 burnish_status burnish_tile_create(burnish_tile *tile, const burnish_tile_options *options,
                                    const burnish_context *context, burnish_error *error);
 void burnish_tile_destroy(burnish_tile *tile);

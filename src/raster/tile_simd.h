@@ -359,7 +359,7 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
 /* ---- Lists ---- */
 
 enum {
-    LIST_PART = 128, /* entries read at once */
+    LIST_PART = BURNISH_TILE_LIST_PART, /* entries read at once */
     /* triangles drawn before HiZ is built again: as much work as a few of them */
     HIZ_AGE = 2048
 };

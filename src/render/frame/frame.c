@@ -377,7 +377,8 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                     surface->caps || surface->shading->texturing,
         .needs_position = surface->shading->needs_position || target->depth || surface->caps ||
                           surface->shading->texturing,
-        .has_layers = surface->transparency != NULL};
+        .has_layers = surface->transparency != NULL,
+        .primitives = burnish_tile_primitives_of(frame->geometry)};
     burnish_status status = BURNISH_STATUS_OK;
     const int threads = worker_count(frame);
     if (tiles->worker_count != threads ||
