@@ -224,7 +224,8 @@ typedef struct burnish_render_report {
  * material and 76 bytes more per light. Tile lists take 8 bytes per entry of up to 16 neighbouring
  * triangles, at most about 128 MiB unless a single row of tiles needs more. Each thread takes 0.2
  * MB and, with several samples, 0.2 MB and 0.7 MB per sample more. Ambient occlusion takes 130 KiB
- * per direction (33 KiB for images below 384 pixels), and vertices, triangles and tile lists again.
+ * per direction (33 KiB for images below 384 pixels), 16 bytes per vertex for each thread, up to 48
+ * more per vertex, and 12 per triangle.
  * The ground takes the same for at least 16 directions, and 2.2 MB. A shadow takes 2 MB, 8 MB in
  * images above 1024 pixels. Transparent triangles take 1 bit per triangle of the mesh and, for each
  * thread, 1.1 MB per sample. Distant area lights, a dome or an environment take at most 2.2 MB for

@@ -36,7 +36,6 @@ typedef struct burnish_maps {
     burnish_map_vertex *vertices; /* one per vertex of the mesh */
     const uint32_t *indices;      /* 3 per triangle */
     size_t triangle_count;
-    const uint16_t *transparent;       /* per batch; bit i: triangle i is left out. NULL: none is */
     uint16_t *depths[BURNISH_MAPS][2]; /* size^2 codes, row after row: along, against */
     uint64_t cells[BURNISH_MAPS];      /* what burnish_geometry.cells would be is added */
 } burnish_maps;

@@ -121,10 +121,9 @@ BURNISH_INLINE uint64_t long_cells(const long_triangle *t) {
     return wide > 1 || high > 1 ? (uint64_t)(touched < box ? touched : box) : 0;
 }
 
-/* Draws those triangles `lanes` of pair m that have an area, but for `omitted`. */
+/* Draws those triangles `lanes` of pair m that have an area. */
 BURNISH_INLINE void draw_long_triangles(burnish_maps *maps, int m, const vi at[3],
-                                        const vf depth[3], const vi bounds[4], unsigned lanes,
-                                        unsigned omitted) {
+                                        const vf depth[3], const vi bounds[4], unsigned lanes) {
     int32_t packed[3][LANES], bound[4][LANES];
     float depths[3][LANES];
     for (int i = 0; i < 3; ++i) {
@@ -158,8 +157,8 @@ BURNISH_INLINE void draw_long_triangles(burnish_maps *maps, int m, const vi at[3
             t.y[2] = y;
             t.depth[2] = first;
         }
-        maps->cells[m] += area ? long_cells(&t) : 0;
-        if (area && !(omitted >> lane & 1)) {
+        if (area) {
+            maps->cells[m] += long_cells(&t);
             draw_long(&t, maps->size, maps->depths[m]);
         }
     }

@@ -350,10 +350,9 @@ BURNISH_INLINE uint64_t map_cells(unsigned lanes, const vi x[3], const vi y[3], 
     return sum;
 }
 
-/* Queues those triangles `lanes` of pair m that have an area and touch a texel, but for `omitted`,
- * or draws them. */
+/* Queues those triangles `lanes` of pair m that have an area and touch a texel, or draws them. */
 BURNISH_INLINE void queue_triangles(burnish_maps *maps, int m, const vi at[3], const vf depth[3],
-                                    unsigned lanes, unsigned omitted, maps_work *work) {
+                                    unsigned lanes, maps_work *work) {
     vi x[3], y[3], bounds[4];
     for (int i = 0; i < 3; ++i) {
         x[i] = vi_and(at[i], vi_set(0xffff));
@@ -371,7 +370,7 @@ BURNISH_INLINE void queue_triangles(burnish_maps *maps, int m, const vi at[3], c
     const unsigned flat = vm_bits(vi_equal(area, vi_set(0)));
     const unsigned narrow =
         touching & ~vm_bits(vi_greater(vi_max(wide, high), vi_set(FEW_TEXELS - 1)));
-    append_triangles(&work->narrow[m], narrow & ~flat & ~omitted, at, depth);
+    append_triangles(&work->narrow[m], narrow & ~flat, at, depth);
     draw_full_queue(&work->narrow[m], 0, maps->size, maps->depths[m], &work->texels);
     if (touching == narrow) {
         return;
@@ -384,11 +383,11 @@ BURNISH_INLINE void queue_triangles(burnish_maps *maps, int m, const vi at[3], c
     }
     const unsigned large = touching & vm_bits(vi_greater(longest, vi_set(BURNISH_SMALL_EDGE)));
     const unsigned others = touching & ~narrow & ~large & ~flat;
-    append_triangles(&work->wide[m], others & ~omitted, at, depth);
+    append_triangles(&work->wide[m], others, at, depth);
     draw_full_queue(&work->wide[m], 1, maps->size, maps->depths[m], &work->texels);
     maps->cells[m] += map_cells(others, x, y, area, bounds);
     if (large) {
-        draw_long_triangles(maps, m, at, depth, bounds, large, omitted);
+        draw_long_triangles(maps, m, at, depth, bounds, large);
     }
 }
 
@@ -412,17 +411,15 @@ static void draw_maps(burnish_maps *maps) {
         work.narrow[m].count = work.wide[m].count = 0;
     }
     for (size_t first = 0; first < maps->triangle_count; first += LANES) {
-        const size_t batch = first / BURNISH_BATCH_SIZE, at = first % BURNISH_BATCH_SIZE;
         const size_t rest = maps->triangle_count - first;
         const unsigned lanes = rest < LANES ? (1u << rest) - 1 : (unsigned)ALL_LANES;
-        const unsigned omitted = maps->transparent ? maps->transparent[batch] >> at : 0;
         vf corner[3][4];
         load_map_triangles(maps, first, rest, corner);
         for (int m = 0; m < maps->count; ++m) {
             const vi packed[3] = {vf_bits(corner[0][2 * m]), vf_bits(corner[1][2 * m]),
                                   vf_bits(corner[2][2 * m])};
             const vf depth[3] = {corner[0][2 * m + 1], corner[1][2 * m + 1], corner[2][2 * m + 1]};
-            queue_triangles(maps, m, packed, depth, lanes, omitted, &work);
+            queue_triangles(maps, m, packed, depth, lanes, &work);
         }
     }
     for (int m = 0; m < maps->count; ++m) {

@@ -18,7 +18,6 @@ enum {
 typedef struct soup {
     float positions[9 * TRIANGLES];
     uint32_t indices[3 * TRIANGLES];
-    uint16_t transparent[TRIANGLES / BURNISH_BATCH_SIZE + 1];
     burnish_mesh_view mesh;
 } soup;
 
@@ -46,9 +45,6 @@ static void make_soup(soup *made, size_t count, uint64_t *state) {
         }
         if (test_random32(state) % 30 == 0) {
             made->indices[3 * t + 1] = made->indices[3 * t];
-        }
-        if (test_random32(state) % 5 == 0) {
-            made->transparent[t / BURNISH_BATCH_SIZE] |= (uint16_t)(1 << t % BURNISH_BATCH_SIZE);
         }
     }
     made->mesh = (burnish_mesh_view){.vertex_count = 3 * count,
@@ -159,7 +155,6 @@ static void test_soups(void) {
         for (int k = 0; k < count; ++k) {
             views[k] = burnish_occlusion_view(2 * (first + k), 64, size);
         }
-        drawer.transparent = i % 4 == 0 ? made.transparent : NULL;
         drawer.max_overdraw = 1e9;
         check_soup(&made, views, count, &drawer, &state, "any");
         views[0] = burnish_map_view_make((burnish_vec3){0, 0, 1}, (burnish_vec3){1, 0, 0}, size);
@@ -180,7 +175,6 @@ static void test_overdraw(void) {
         const burnish_map_view views[2] = {burnish_occlusion_view(2 * (i % 32), 64, 128),
                                            burnish_occlusion_view(2 * ((i + 1) % 32), 64, 128)};
         make_soup(&made, TRIANGLES, &state);
-        drawer.transparent = i % 4 == 0 ? made.transparent : NULL;
         drawer.max_overdraw = (1 << test_random32(&state) % 10) / 16.0;
         check_soup(&made, views, 2, &drawer, &state, "limit");
         draw_pairs(&made, &drawer, views, 2, BURNISH_ISA_SCALAR, 1, &run);

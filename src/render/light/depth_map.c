@@ -224,8 +224,7 @@ static void draw_pairs(void *context, size_t index, int thread) {
                                  ? NULL
                                  : all->drawer->vertices + (size_t)thread * mesh->vertex_count,
                          .indices = mesh->indices,
-                         .triangle_count = mesh->triangle_count,
-                         .transparent = all->drawer->transparent};
+                         .triangle_count = mesh->triangle_count};
     for (int i = 0; i < maps.count; ++i) {
         views[i] = raster_view(&pairs->views[first + i], mesh);
         for (int side = 0; side < 2; ++side) {

@@ -5,6 +5,10 @@
 
 #include "render/space.h"
 
+/* Edge of the cells in which vertices become one, in texels. Against ray casting, the error grows by
+ * 0.6 %, by 2.2 % with cells of a texel. */
+#define CLUSTER 0.75
+
 /* How far points are moved off the surface, in texels: less makes a curved surface hide itself,
  * more opens creases. */
 #define OFFSET 1.5
@@ -44,21 +48,22 @@ burnish_map_view burnish_occlusion_view(int i, int count, int size) {
 
 /* As many directions as do not show as silhouettes on large flat faces, which meshes of few
  * triangles have, and as few as do not take too long where a mesh is large: those are rough. Deep
- * places of large pictures need more. */
-static int choose_count(const burnish_mesh_view *mesh, int is_large) {
+ * places of large pictures need more. In small pictures silhouettes are not wider than the maps'
+ * filters, and 48 directions have the error of 54 or, on average, of 72. */
+static int choose_count(const burnish_mesh_view *mesh, int side) {
     static const struct {
         size_t triangles;
-        int counts[2];
-    } steps[] = {{8192, {72, 72}},
-                 {65536, {54, 54}},
-                 {262144, {36, 54}},
-                 {1048576, {28, 36}},
-                 {SIZE_MAX, {18, 18}}};
+        int counts[3]; /* of small, medium, and large pictures */
+    } steps[] = {{8192, {48, 72, 72}},
+                 {65536, {48, 54, 54}},
+                 {262144, {36, 36, 54}},
+                 {1048576, {28, 28, 36}},
+                 {SIZE_MAX, {18, 18, 18}}};
     int i = 0;
     while (burnish_drawn_count(mesh) > steps[i].triangles) {
         ++i;
     }
-    const int count = steps[i].counts[is_large];
+    const int count = steps[i].counts[(side >= SMALL_SIDE) + (side >= LARGE_SIDE)];
     return mesh->point_radius > 0 && count < 36 ? 36 : count; /* points are rough, too */
 }
 
@@ -107,6 +112,7 @@ const uint16_t *burnish_occlusion_depths(const burnish_occlusion *occlusion, int
 static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_mesh_view *mesh,
                                 int count, int size, burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = map_texels(size);
+    burnish_mesh_view coarse = *mesh;
     occlusion->mesh = 0;
     occlusion->depths =
         burnish_reserve_discard(memory, occlusion->depths, &occlusion->capacity,
@@ -116,10 +122,14 @@ static burnish_status draw_maps(burnish_occlusion *occlusion, const burnish_mesh
     for (int i = 0; i < count / 2; ++i) {
         views[i] = burnish_occlusion_view(2 * i, count, size);
     }
+    if (status == BURNISH_STATUS_OK && mesh->point_radius == 0) {
+        status = burnish_clusters_make(&occlusion->clusters, mesh, CLUSTER / views->texels,
+                                       occlusion->drawer.transparent, memory, &coarse);
+    }
     if (status == BURNISH_STATUS_OK) {
         const burnish_map_pairs pairs = {views, count / 2, occlusion->depths, texels,
                                          find_blockers};
-        status = burnish_map_pairs_draw(&occlusion->drawer, mesh, &pairs, tasks, memory);
+        status = burnish_map_pairs_draw(&occlusion->drawer, &coarse, &pairs, tasks, memory);
     }
     if (status == BURNISH_STATUS_OK) {
         occlusion->mesh = mesh->serial;
@@ -135,7 +145,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup) {
     const int count = options->count == BURNISH_OCCLUSION_AUTO
-                          ? choose_count(mesh, options->side >= LARGE_SIDE)
+                          ? choose_count(mesh, options->side)
                           : options->count + options->count % 2;
     const int size = options->side < SMALL_SIDE ? BURNISH_OCCLUSION_SMALL : BURNISH_OCCLUSION_LARGE;
     double texels = 1, plane = 0;
@@ -180,6 +190,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
 
 void burnish_occlusion_destroy(burnish_occlusion *occlusion, const burnish_context *context) {
     burnish_map_drawer_destroy(&occlusion->drawer, context);
+    burnish_clusters_destroy(&occlusion->clusters, context);
     burnish_release(context, occlusion->depths);
     memset(occlusion, 0, sizeof *occlusion);
 }

@@ -6,6 +6,7 @@
 
 #include "burnish/mesh.h"
 #include "burnish/render.h"
+#include "render/light/clusters.h"
 #include "render/light/depth_map.h"
 
 enum { BURNISH_OCCLUDED_MAX = 256 /* points that are looked up at once */ };
@@ -47,6 +48,7 @@ typedef struct burnish_occlusion {
     uint16_t *depths; /* and each map's blockers after it */
     size_t capacity;
     burnish_map_drawer drawer;
+    burnish_clusters clusters;
 } burnish_occlusion;
 
 /* What map i of `count`, an even number, shows: i + 1 is against i where i is even. */
