@@ -36,11 +36,11 @@ _Static_assert((int)BURNISH_SRGB_BUCKETS == SRGB_BUCKETS && SRGB_BUCKET_SHIFT ==
 
 void burnish_srgb_encoder_make(burnish_srgb_encoder *encoder) {
     for (int i = 0; i < SRGB_BUCKETS; ++i) {
-        uint32_t bits, first = SRGB_FIRST_BITS + ((uint32_t)i << SRGB_BUCKET_SHIFT);
-        memcpy(&bits, &next_threshold[bucket_code[i]], sizeof bits);
-        uint32_t threshold = bits - first; /* beyond a bucket without a threshold */
-        threshold = threshold < 1u << SRGB_BUCKET_SHIFT ? threshold : 1u << SRGB_BUCKET_SHIFT;
-        encoder->entries[i] = (int32_t)((uint32_t)bucket_code[i] << 17 | threshold);
+        const uint32_t end = SRGB_FIRST_BITS + (((uint32_t)i + 1) << SRGB_BUCKET_SHIFT);
+        uint32_t level;
+        memcpy(&level, &next_threshold[bucket_code[i]], sizeof level);
+        encoder->entries[i] =
+            (int32_t)(((bucket_code[i] + 1u) << SRGB_BUCKET_SHIFT) - (level < end ? level : end));
     }
 }
 

@@ -14,9 +14,10 @@ extern const float burnish_srgb_to_linear[256];
  * 0, above 1 give 255. */
 uint8_t burnish_linear_to_srgb(float linear);
 
-/* The same look-up for vectors: one table entry decides. With the float's bits b, clamped to
- * [BURNISH_SRGB_FIRST_BITS, BURNISH_SRGB_LAST_BITS] as above, and d = b - FIRST_BITS, the entry of
- * bucket d >> 16 is code << 17 | threshold, and the result code + ((d & 0xffff) >= threshold). */
+/* The same look-up for vectors: one table entry decides. With b, the bits of the float clamped to
+ * [BURNISH_SRGB_FIRST_BITS, BURNISH_SRGB_LAST_BITS] as above, (entry + b) >> 16 is the code, where
+ * the entry of bucket (b - FIRST_BITS) >> 16 is (its first code + 1 << 16) - the bits of the
+ * decision level in it, or of its end. */
 enum { BURNISH_SRGB_BUCKETS = 1664 };
 #define BURNISH_SRGB_FIRST_BITS 0x39000000
 #define BURNISH_SRGB_LAST_BITS 0x3f7fffff

@@ -48,6 +48,17 @@ typedef struct burnish_code_batch {
     uint32_t alpha, background; /* bits of the shown ones; the code of the others */
 } burnish_code_batch;
 
+/* A direction of normals and its code (codes_simd.h), kept from one batch of a tile to the next.
+ * All zero before the first. */
+typedef struct burnish_code_direction {
+    const struct burnish_kernels_shader *shader; /* whose code it is */
+    int state, axis;                             /* axis: the largest component, taken as 1 */
+    float others[2];                             /* of the two axes after it, in turn */
+    float limit;                                 /* of what others are off; 0: none points there */
+    float inverse;                               /* of the largest component */
+    int32_t code;
+} burnish_code_direction;
+
 typedef struct burnish_render_ops {
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
@@ -173,7 +184,7 @@ typedef struct burnish_render_ops {
     void (*shade_codes[BURNISH_CODE_BODIES])(const struct burnish_kernels_shader *shader,
                                              const struct burnish_srgb_encoder *encoder,
                                              const burnish_code_batch *batch, size_t count,
-                                             uint32_t *codes);
+                                             burnish_code_direction *known, uint32_t *codes);
 
     /* count groups of four pixels, each `stride` pixels after the last, to 12 bytes per group, one
      * after another: red, green, blue. The highest byte of a pixel must be 0. May write up to four

@@ -13,6 +13,9 @@ typedef struct shade_kernel {
     int channels;               /* 3; 1: all have the first one's constants */
 } shade_kernel;
 
+/* Vectors that are shaded side by side: alone, each would wait for its own results. */
+enum { SHADE_WAYS = 2 };
+
 /* Where colours go, by the kernel's output. */
 typedef struct shade_colors {
     uint8_t *rgba;
@@ -64,6 +67,13 @@ BURNISH_INLINE void shade_add_specular(shade_kernel kernel, const burnish_light_
 BURNISH_INLINE void shade_add_family(shade_kernel kernel, const burnish_kernels_shader *shader,
                                      const burnish_light_constants *light, vm lit, vf u,
                                      shade_sums *sums) {
+    if (kernel.channels == 1) { /* too little to skip */
+        u = vf_min(vf_max(u, vf_set(0.0f)), vf_set(1.0f));
+        u = vf_and_mask(lit, u);
+        shade_add_specular(kernel, light, lobe_squares(u, kernel.body, shader->lobe.squarings),
+                           sums);
+        return;
+    }
     vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
     if (vm_any(shines)) {
         u = vf_and_mask(shines, vf_min(u, vf_set(1.0f)));
@@ -244,38 +254,52 @@ BURNISH_INLINE void shade_lessen_first(const burnish_kernels_shader *shader, int
     }
 }
 
-/* One vector of points: the colours, in [0, 255] for RGBA8, not yet clamped. */
-BURNISH_INLINE void shade_points(shade_kernel kernel, const burnish_kernels_shader *shader,
-                                 const burnish_kernels_points *points, size_t i, vf color[3]) {
-    shade_vectors at;
-    shade_sums sums;
-    shade_load(kernel.geometry, shader, points, i, &at);
-    for (int k = 0; k < kernel.channels; ++k) {
-        sums.diffuse[k] = vf_set(shader->ambient[kernel.output][k]);
-        sums.specular[k] = vf_set(0.0f);
+/* `ways` vectors of points from i on: the colours, in [0, 255] for RGBA8, not yet clamped. */
+BURNISH_INLINE void shade_points(shade_kernel kernel, int ways,
+                                 const burnish_kernels_shader *shader,
+                                 const burnish_kernels_points *points, size_t i, vf (*color)[3]) {
+    shade_vectors at[SHADE_WAYS];
+    shade_sums sums[SHADE_WAYS];
+    for (int j = 0; j < ways; ++j) {
+        shade_load(kernel.geometry, shader, points, i + (size_t)j * LANES, &at[j]);
+        for (int k = 0; k < kernel.channels; ++k) {
+            sums[j].diffuse[k] = vf_set(shader->ambient[kernel.output][k]);
+            sums[j].specular[k] = vf_set(0.0f);
+        }
     }
-    at.squared_n = shade_dot(at.normal, at.normal);
-    at.inverse_n = vector_inverse_sqrt(at.squared_n);
-    if (kernel.geometry == BURNISH_SHADE_GENERAL) {
-        shade_view(shader, &at);
+    for (int j = 0; j < ways; ++j) {
+        at[j].squared_n = shade_dot(at[j].normal, at[j].normal);
+    }
+    for (int j = 0; j < ways; ++j) {
+        at[j].inverse_n = vector_inverse_sqrt(at[j].squared_n);
+        if (kernel.geometry == BURNISH_SHADE_GENERAL) {
+            shade_view(shader, &at[j]);
+        }
     }
     for (int l = 0; l < shader->light_count; ++l) {
-        if (kernel.geometry == BURNISH_SHADE_GENERAL) {
-            shade_general_light(kernel, shader, &shader->lights[l], &at, &sums);
-        } else {
-            shade_distant_light(kernel, shader, &shader->lights[l], &at, &sums);
-        }
-        if (l == 0 && points->first_light) {
-            shade_lessen_first(shader, kernel.output, vf_load(points->first_light + i), &sums);
+        for (int j = 0; j < ways; ++j) {
+            if (kernel.geometry == BURNISH_SHADE_GENERAL) {
+                shade_general_light(kernel, shader, &shader->lights[l], &at[j], &sums[j]);
+            } else {
+                shade_distant_light(kernel, shader, &shader->lights[l], &at[j], &sums[j]);
+            }
+            if (l == 0 && points->first_light) {
+                const vf lit = vf_load(points->first_light + i + (size_t)j * LANES);
+                shade_lessen_first(shader, kernel.output, lit, &sums[j]);
+            }
         }
     }
-    for (int k = 0; k < kernel.channels; ++k) {
-        if (points->diffuse[0]) {
-            sums.diffuse[k] = vf_mul(sums.diffuse[k], vf_load(points->diffuse[k] + i));
-        }
-        color[k] = vf_add(sums.diffuse[k], sums.specular[k]);
-        if (kernel.output == BURNISH_SHADE_FLOAT) { /* a NaN has other bits on other processors */
-            color[k] = vf_max(color[k], vf_set(0.0f));
+    for (int j = 0; j < ways; ++j) {
+        for (int k = 0; k < kernel.channels; ++k) {
+            vf diffuse = sums[j].diffuse[k];
+            if (points->diffuse[0]) {
+                diffuse = vf_mul(diffuse, vf_load(points->diffuse[k] + i + (size_t)j * LANES));
+            }
+            color[j][k] = vf_add(diffuse, sums[j].specular[k]);
+            if (kernel.output == BURNISH_SHADE_FLOAT) {
+                /* a NaN has other bits on other processors */
+                color[j][k] = vf_max(color[j][k], vf_set(0.0f));
+            }
         }
     }
 }
@@ -322,37 +346,54 @@ BURNISH_INLINE void shade_rest(shade_kernel kernel, const burnish_kernels_shader
             *to[k] = block[k];
         }
     }
-    vf color[3];
-    shade_points(kernel, shader, &padded, 0, color);
+    vf color[1][3];
+    shade_points(kernel, 1, shader, &padded, 0, color);
     if (kernel.output == BURNISH_SHADE_RGBA8) {
-        vi_store_le_bytes(bytes, shade_pack(color));
+        vi_store_le_bytes(bytes, shade_pack(color[0]));
         memcpy(colors.rgba + 4 * first, bytes, 4 * count);
         return;
     }
     for (int k = 0; k < 3; ++k) {
-        vf_store(block[k], color[k]);
+        vf_store(block[k], color[0][k]);
         memcpy(colors.rgb[k] + first, block[k], count * sizeof(float));
+    }
+}
+
+/* Shades `ways` vectors from i on, or repeats the last colour. */
+BURNISH_INLINE void shade_some(shade_kernel kernel, int ways,
+                               const burnish_kernels_shader *restrict shader,
+                               const burnish_kernels_points *restrict points, size_t i,
+                               vf (*color)[3], shade_colors colors) {
+    int repeats = i > 0 && kernel.geometry == BURNISH_SHADE_DISTANT && !points->diffuse[0] &&
+                  !points->first_light;
+    for (int j = 0; j < ways && repeats; ++j) {
+        repeats = shade_repeats(points->normal, i + (size_t)j * LANES);
+    }
+    if (!repeats) {
+        shade_points(kernel, ways, shader, points, i, color);
+    }
+    for (int j = 0; j < ways; ++j) {
+        vf *const of = repeats ? color[ways - 1] : color[j];
+        if (kernel.output == BURNISH_SHADE_RGBA8) {
+            vi_store_le_bytes(colors.rgba + 4 * (i + (size_t)j * LANES), shade_pack(of));
+        }
+        for (int k = 0; k < 3 && kernel.output == BURNISH_SHADE_FLOAT; ++k) {
+            vf_store(colors.rgb[k] + i + (size_t)j * LANES, of[k]);
+        }
     }
 }
 
 BURNISH_INLINE void shade_array(shade_kernel kernel, const burnish_kernels_shader *restrict shader,
                                 const burnish_kernels_points *restrict points, size_t count,
                                 shade_colors colors) {
-    const int only_normals =
-        kernel.geometry == BURNISH_SHADE_DISTANT && !points->diffuse[0] && !points->first_light;
+    enum { PAIR = SHADE_WAYS * LANES };
     size_t i = 0;
-    vf color[3] = {vf_set(0.0f), vf_set(0.0f), vf_set(0.0f)};
+    vf color[SHADE_WAYS][3];
+    for (; i + PAIR <= count; i += PAIR) {
+        shade_some(kernel, SHADE_WAYS, shader, points, i, color, colors);
+    }
     for (; i + LANES <= count; i += LANES) {
-        if (i == 0 || !only_normals || !shade_repeats(points->normal, i)) {
-            shade_points(kernel, shader, points, i, color);
-        }
-        if (kernel.output == BURNISH_SHADE_RGBA8) {
-            vi_store_le_bytes(colors.rgba + 4 * i, shade_pack(color));
-        } else {
-            for (int k = 0; k < 3; ++k) {
-                vf_store(colors.rgb[k] + i, color[k]);
-            }
-        }
+        shade_some(kernel, 1, shader, points, i, color + SHADE_WAYS - 1, colors);
     }
     if (i < count) {
         shade_rest(kernel, shader, points, i, count - i, colors);

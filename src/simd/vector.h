@@ -30,6 +30,8 @@
  *   vi_compress          stores the lanes that bits select one after another; returns how many; may
  *                        write a vector's memory
  *
+ *   vi_shuffle_bytes     with AVX2 and AVX-512: byte order[i] of 16 bytes, 0 where that is negative
+ *
  *   vi_add, vi_sub, vi_and, vi_or, vi_xor; vi_mul: the low 32 bits
  *   vi_shl, vi_shr, vi_sar  shifts by a constant: left, right, right with the sign
  *   vi_max, vi_min, vi_equal, vi_greater, vi_not_negative  of signed numbers

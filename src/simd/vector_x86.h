@@ -81,6 +81,9 @@ static inline vi vi_max(vi a, vi b) {
 static inline vi vi_min(vi a, vi b) {
     return MM(min_epi32)(a, b);
 }
+static inline vi vi_shuffle_bytes(vi x, vi order) {
+    return MM(shuffle_epi8)(x, order);
+}
 static inline void vector_transpose(vf a[4]) {
     vf t0 = MM(unpacklo_ps)(a[0], a[1]), t1 = MM(unpackhi_ps)(a[0], a[1]);
     vf t2 = MM(unpacklo_ps)(a[2], a[3]), t3 = MM(unpackhi_ps)(a[2], a[3]);

@@ -72,6 +72,7 @@ static void test_all(void) {
         const burnish_render_ops *ops =
             burnish_kernels_for(isa) ? burnish_render_ops_for(isa) : NULL;
         uint32_t codes[COUNT], expected[COUNT];
+        burnish_code_direction known = {0};
         make_normals(&state);
         fold(&state, lights, &shader);
         if (!ops) {
@@ -80,7 +81,7 @@ static void test_all(void) {
         kernels->shade[shader.lobe.body][BURNISH_SHADE_DISTANT][BURNISH_SHADE_FLOAT](
             &shader, &points, COUNT, NULL, rgb);
         ops->encode_pixels(&encoder, COUNT, shaded, NULL, 0, 0, expected);
-        ops->shade_codes[shader.lobe.body](&shader, &encoder, &batch, COUNT, codes);
+        ops->shade_codes[shader.lobe.body](&shader, &encoder, &batch, COUNT, &known, codes);
         for (int i = 0; i < COUNT; ++i) {
             const int is_shown = depths[i] > BURNISH_FARTHEST;
             wrong[isa] += codes[i] != (is_shown ? expected[i] | alpha : background);

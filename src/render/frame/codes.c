@@ -46,7 +46,7 @@ static void shade_run(const burnish_surface *surface, const burnish_output *outp
     const burnish_kernels_shader *shader =
         &shading->shaders[surface->triangle_materials ? materials[0] : 0];
     output->ops->shade_codes[shader->lobe.body](shader, output->encoder, &batch, count,
-                                                codes + run.first);
+                                                &scratch->known, codes + run.first);
 }
 
 void burnish_codes_shade_row(const burnish_surface *surface, const burnish_output *output,

@@ -4,9 +4,9 @@
  * interpolated times 1/w, and rounding gives it other directions. Normals that point the way of an
  * earlier one get its code at once, where the least and the greatest cosines that they can have
  * lead to that code:
- *   sine of the angle: at most sqrt(3) (2^-18 + 2^-23), by the test's limit and its rounding
+ *   sine of the angle: at most sqrt(2) (2^-17 + 2^-22), by the test's limit and its rounding
  *   rounding of the direction and of all cosines: less than 2^-20
- * which together is little more than half of CODE_MARGIN. From the cosines on, all operations are
+ * which together is less than 0.8 of CODE_MARGIN. From the cosines on, all operations are
  * monotonic with their rounding: sums, products with numbers >= 0, and the code of a float. So
  * every cosine in between has the same code. */
 #ifndef BURNISH_RENDER_FRAME_CODES_SIMD_H
@@ -19,34 +19,65 @@
 /* Bounds of a cosine with a vector: so far from it, times the sum of the vector's magnitudes. */
 #define CODE_MARGIN 0x1p-16f
 #define CODE_LIMIT 0x1p-18f
+/* Lengths of normals whose directions are compared. */
+#define CODE_LEAST 0x1p-20f
+#define CODE_MOST 0x1p20f
 
-/* What is known of a direction. */
 enum {
-    CODE_UNKNOWN, /* nothing yet */
+    CODE_NONE,    /* no direction is known */
+    CODE_UNKNOWN, /* it is, but its code is not */
     CODE_SPLIT,   /* the bounds have several codes */
     CODE_ONE      /* all normals that point there have its code */
 };
 
-typedef struct code_of_direction {
-    int state;
-    float direction[3]; /* of any length; 0: no normal points there */
-    int32_t code;
-} code_of_direction;
+static const uint8_t AXES[5] = {0, 1, 2, 0, 1};
 
-/* Whether the normals of the lanes `shown` point that way. */
-BURNISH_INLINE int points_there(const code_of_direction *known, const vf n[3], vm shown) {
-    const vf d[3] = {vf_set(known->direction[0]), vf_set(known->direction[1]),
-                     vf_set(known->direction[2])};
-    const vf limit = vf_mul(shade_dot(n, d), vf_set(CODE_LIMIT));
-    for (int k = 0; k < 3; ++k) { /* most others fail at once */
-        const int a = k == 2 ? 0 : k + 1, b = k == 0 ? 2 : k - 1;
-        const vf cross = vf_sub(vf_mul(n[a], d[b]), vf_mul(n[b], d[a]));
-        const vf size = vf_from_bits(vi_and(vf_bits(cross), vi_set(INT32_MAX)));
-        if (vm_any(vm_and_not(shown, vf_greater(limit, size)))) {
+/* Whether the shown normals of `ways` vectors from i on point that way. */
+BURNISH_INLINE int points_there(const burnish_code_direction *known, int ways,
+                                const float *const normal[3], size_t i, const vm *shown) {
+    const float *largest = normal[known->axis] + i;
+    const vf limit = vf_set(known->limit), inverse = vf_set(known->inverse);
+    vm off = vf_greater(limit, limit);
+    for (int k = 0; k < 2; ++k) { /* most others fail at once */
+        const float *other = normal[AXES[known->axis + 1 + k]] + i;
+        for (int j = 0; j < ways; ++j) {
+            const vf part = vf_mul(vf_load(largest + j * LANES), vf_set(known->others[k]));
+            const vf rest = vf_sub(vf_load(other + j * LANES), part);
+            const vf size = vf_from_bits(vi_and(vf_bits(rest), vi_set(INT32_MAX)));
+            off = vm_or(off, vm_and_not(shown[j], vf_greater(limit, size)));
+        }
+        if (vm_any(off)) {
             return 0;
         }
     }
-    return 1;
+    for (int j = 0; j < ways; ++j) {
+        const vf scale = vf_mul(vf_load(largest + j * LANES), inverse);
+        off = vm_or(off, vm_and_not(shown[j], vf_greater(scale, vf_set(0.5f))));
+    }
+    return !vm_any(off);
+}
+
+/* After a vector that points elsewhere, of which normal i is one: the next one is not compared, but
+ * a direction to compare with, because on a curved surface nothing is gained. */
+BURNISH_INLINE void next_direction(burnish_code_direction *known, const float *const normal[3],
+                                   size_t i) {
+    if (known->state != CODE_NONE) {
+        known->state = CODE_NONE;
+        return;
+    }
+    /* the largest of three by their comparisons, without branches that are guessed wrong */
+    static const uint8_t largest[8] = {0, 1, 0, 1, 0, 0, 2, 2};
+    const float size[3] = {__builtin_fabsf(normal[0][i]), __builtin_fabsf(normal[1][i]),
+                           __builtin_fabsf(normal[2][i])};
+    known->state = CODE_UNKNOWN;
+    known->axis =
+        largest[(size[1] > size[0]) | (size[2] > size[0]) << 1 | (size[2] > size[1]) << 2];
+    const float most = size[known->axis];
+    known->inverse = 1.0f / normal[known->axis][i];
+    known->limit = most > CODE_LEAST && most < CODE_MOST ? most * CODE_LIMIT : 0.0f;
+    for (int k = 0; k < 2; ++k) {
+        known->others[k] = normal[AXES[known->axis + 1 + k]][i] * known->inverse;
+    }
 }
 
 /* Bounds of the cosine of a unit vector with another vector; side: -1 for the least, 1 for the
@@ -78,20 +109,23 @@ static int is_grey(const burnish_kernels_shader *shader) {
 BURNISH_INLINE vi encode_channels(const burnish_srgb_encoder *encoder, int channels,
                                   const vf light[3]) {
     if (channels == 1) {
-        const vi code = encode_vector(encoder, light[0]);
-        return vi_or(vi_or(code, vi_shl(code, 8)), vi_shl(code, 16));
+        return join_grey(encode_vector(encoder, light[0]));
     }
     return encode_light(encoder, light);
 }
 
 /* Finds the code of a direction, if it has one. */
-BURNISH_INLINE void find_code(int body, int channels, const burnish_kernels_shader *shader,
-                              const burnish_srgb_encoder *encoder, code_of_direction *known) {
-    const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
+BURNISH_INLINE void find_code(shade_kernel kernel, const burnish_kernels_shader *shader,
+                              const burnish_srgb_encoder *encoder, burnish_code_direction *known) {
+    const int channels = kernel.channels;
     const vf side = vf_sub(vf_from_int(vi_and(vi_ramp(2), vi_set(2))), vf_set(1.0f));
-    const float *d = known->direction;
-    const float length = __builtin_sqrtf((d[0] * d[0] + d[1] * d[1]) + d[2] * d[2]);
-    const float unit[3] = {d[0] / length, d[1] / length, d[2] / length};
+    const float *d = known->others;
+    const float length = __builtin_sqrtf((1.0f + d[0] * d[0]) + d[1] * d[1]);
+    const float most = (known->inverse < 0 ? -1.0f : 1.0f) / length;
+    float unit[3];
+    unit[known->axis] = most;
+    unit[AXES[known->axis + 1]] = d[0] * most;
+    unit[AXES[known->axis + 2]] = d[1] * most;
     shade_sums sums;
     vf light[3];
     int32_t codes[LANES];
@@ -112,46 +146,79 @@ BURNISH_INLINE void find_code(int body, int channels, const burnish_kernels_shad
     known->state = codes[0] == codes[LANES - 1] ? CODE_ONE : CODE_SPLIT;
 }
 
-BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_shader *shader,
-                                const burnish_srgb_encoder *encoder,
-                                const burnish_code_batch *batch, size_t count, uint32_t *codes) {
-    const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
+/* `ways` vectors of pixels from i on. */
+BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
+                                     const burnish_kernels_shader *shader,
+                                     const burnish_srgb_encoder *encoder,
+                                     const burnish_code_batch *batch, size_t i,
+                                     burnish_code_direction *known, uint32_t *codes) {
     const burnish_kernels_points points = {
         .normal = {batch->normal[0], batch->normal[1], batch->normal[2]}};
     const vi alpha = vi_set((int32_t)batch->alpha), background = vi_set((int32_t)batch->background);
-    code_of_direction known = {CODE_UNKNOWN, {0, 0, 0}, 0};
-    for (size_t i = 0; i < count; i += LANES) {
-        const vm shown = vf_greater(vf_load(batch->depths + i), vf_set(BURNISH_FARTHEST));
-        const unsigned bits = vm_bits(shown);
-        const vf n[3] = {vf_load(points.normal[0] + i), vf_load(points.normal[1] + i),
-                         vf_load(points.normal[2] + i)};
-        vi code = vi_set(known.code);
-        const int is_known = LANES > 1 && bits && points_there(&known, n, shown);
-        if (is_known && known.state == CODE_UNKNOWN) {
-            find_code(body, channels, shader, encoder, &known);
-            code = vi_set(known.code);
-        }
-        if (bits && !(is_known && known.state == CODE_ONE)) {
-            vf light[3];
-            shade_points(kernel, shader, &points, i, light);
-            code = encode_channels(encoder, channels, light);
-            for (int k = 0; k < 3 && !is_known; ++k) {
-                known.direction[k] = batch->normal[k][i + (size_t)__builtin_ctz(bits)];
-                known.state = CODE_UNKNOWN;
-            }
-        }
-        vi_store((int32_t *)codes + i, vi_blend(shown, vi_or(code, alpha), background));
+    vi code[SHADE_WAYS];
+    vm shown[SHADE_WAYS];
+    int any = 0;
+    for (int j = 0; j < ways; ++j) {
+        shown[j] =
+            vf_greater(vf_load(batch->depths + i + (size_t)j * LANES), vf_set(BURNISH_FARTHEST));
+        any |= vm_any(shown[j]);
+        code[j] = background;
     }
+    const int is_known = LANES > 1 && known->state != CODE_NONE &&
+                         points_there(known, ways, points.normal, i, shown);
+    if (any && is_known && known->state == CODE_UNKNOWN) {
+        find_code(kernel, shader, encoder, known);
+    }
+    const int is_one = is_known && known->state == CODE_ONE;
+    if (any && !is_one) {
+        vf light[SHADE_WAYS][3];
+        shade_points(kernel, ways, shader, &points, i, light);
+        for (int j = 0; j < ways; ++j) {
+            code[j] = encode_channels(encoder, kernel.channels, light[j]);
+        }
+        if (!is_known) {
+            const unsigned bits = vm_bits(shown[ways - 1]);
+            next_direction(known, points.normal,
+                           i + (size_t)(ways - 1) * LANES +
+                               (bits ? (size_t)__builtin_ctz(bits) : 0));
+        }
+    }
+    for (int j = 0; j < ways; ++j) {
+        const vi own = is_one ? vi_set(known->code) : code[j];
+        vi_store((int32_t *)codes + i + (size_t)j * LANES,
+                 vi_blend(shown[j], vi_or(own, alpha), background));
+    }
+}
+
+BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_shader *shader,
+                                const burnish_srgb_encoder *encoder,
+                                const burnish_code_batch *batch, size_t count,
+                                burnish_code_direction *last, uint32_t *codes) {
+    enum { PAIR = SHADE_WAYS * LANES };
+    const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
+    burnish_code_direction known = *last; /* which no store can change */
+    size_t i = 0;
+    if (known.shader != shader) {
+        known.shader = shader;
+        known.state = CODE_NONE;
+    }
+    for (; i + PAIR <= count; i += PAIR) {
+        shade_some_codes(kernel, SHADE_WAYS, shader, encoder, batch, i, &known, codes);
+    }
+    for (; i < count; i += LANES) {
+        shade_some_codes(kernel, 1, shader, encoder, batch, i, &known, codes);
+    }
+    *last = known;
 }
 
 #define CODE_FUNCTION(name, body)                                                                  \
     static void codes_##name(const burnish_kernels_shader *shader,                                 \
                              const burnish_srgb_encoder *encoder, const burnish_code_batch *batch, \
-                             size_t count, uint32_t *codes) {                                      \
+                             size_t count, burnish_code_direction *last, uint32_t *codes) {        \
         if (is_grey(shader)) {                                                                     \
-            shade_codes(body, 1, shader, encoder, batch, count, codes);                            \
+            shade_codes(body, 1, shader, encoder, batch, count, last, codes);                      \
         } else {                                                                                   \
-            shade_codes(body, 3, shader, encoder, batch, count, codes);                            \
+            shade_codes(body, 3, shader, encoder, batch, count, last, codes);                      \
         }                                                                                          \
     }
 CODE_FUNCTION(none, BURNISH_LOBE_BODY_NONE)

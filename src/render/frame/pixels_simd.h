@@ -91,17 +91,30 @@ static void scatter_material(int32_t material, const int32_t *materials, int siz
 
 /* ---- Linear light to sRGB codes, equal to burnish_linear_to_srgb ---- */
 
+/* The code is in the third byte of a lane; the lower ones hold anything. */
 BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) {
-    const vi first = vi_set(BURNISH_SRGB_FIRST_BITS);
+    enum { BUCKET = BURNISH_SRGB_FIRST_BITS >> 16 };
+    /* indices count from float 0 */
+    const int32_t *entries =
+        (const int32_t *)((uintptr_t)encoder->entries - BUCKET * sizeof *encoder->entries);
     /* the order of the first clamp's operands sends NaN to the lowest bucket */
-    vf x = vf_max(linear, vf_from_bits(first));
+    vf x = vf_max(linear, vf_from_bits(vi_set(BURNISH_SRGB_FIRST_BITS)));
     x = vf_min(x, vf_from_bits(vi_set(BURNISH_SRGB_LAST_BITS)));
-    vi offset = vi_sub(vf_bits(x), first);
-    vi entry = vi_gather(encoder->entries, vi_shr(offset, 16));
-    /* threshold - 1 - low is negative where the float has reached the threshold */
-    vi low = vi_shr(vi_shl(offset, 16), 16), threshold = vi_shr(vi_shl(entry, 15), 15);
-    vi reached = vi_shr(vi_sub(vi_sub(threshold, vi_set(1)), low), 31);
-    return vi_add(vi_shr(entry, 17), reached);
+    return vi_add(vi_gather(entries, vi_shr(vf_bits(x), 16)), vf_bits(x));
+}
+
+/* What encode_vector gives for red, green and blue as pixels. */
+BURNISH_INLINE vi join_channels(vi red, vi green, vi blue) {
+    return vi_or(vi_or(vi_shr(red, 16), vi_and(vi_shr(green, 8), vi_set(0xff00))),
+                 vi_and(blue, vi_set(0xff0000)));
+}
+BURNISH_INLINE vi join_grey(vi grey) {
+#if defined(VECTOR_HAS_PERMUTE)
+    const vi of_16_bytes = vi_and(vi_ramp(0x04040404), vi_set(0x0c0c0c0c));
+    return vi_shuffle_bytes(grey, vi_or(vi_set((int32_t)0xff020202u), of_16_bytes));
+#else
+    return join_channels(grey, grey, grey);
+#endif
 }
 
 /* Whether three vectors have the bits of three others. */
@@ -118,11 +131,9 @@ BURNISH_INLINE vi encode_light(const burnish_srgb_encoder *encoder, const vf lig
     const vf grey[3] = {light[0], light[0], light[0]};
     const vi red = encode_vector(encoder, light[0]);
     if (is_same(light, grey)) {
-        return vi_or(vi_or(red, vi_shl(red, 8)), vi_shl(red, 16));
+        return join_grey(red);
     }
-    const vi green = encode_vector(encoder, light[1]);
-    const vi blue = encode_vector(encoder, light[2]);
-    return vi_or(vi_or(red, vi_shl(green, 8)), vi_shl(blue, 16));
+    return join_channels(red, encode_vector(encoder, light[1]), encode_vector(encoder, light[2]));
 }
 
 static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,

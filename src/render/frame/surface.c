@@ -271,6 +271,7 @@ void burnish_surface_begin_tile(const burnish_surface *surface, const burnish_ti
     const burnish_near_field field = {shading->area, shading->kernels,
                                       shading->ops,  &shading->rays,
                                       surface->view, surface->triangle_materials};
+    scratch->known.shader = NULL;
     if (shading->area && shading->area->near_lights.count > 0) {
         burnish_near_cells_make(&scratch->cells, &field, tile, &scratch->near);
     }

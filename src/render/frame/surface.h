@@ -98,6 +98,7 @@ typedef struct burnish_fragment_scratch {
     burnish_near_scratch near;
     burnish_near_cells cells;         /* of the tile */
     float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */
+    burnish_code_direction known;     /* of the tile */
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are
@@ -111,7 +112,7 @@ typedef struct burnish_row_light {
 /* The planes that shading needs of a tile. */
 int burnish_surface_planes(const burnish_surface *surface);
 
-/* Prepares the near lights of a tile that has been rasterised, before anything of it is shaded. */
+/* Prepares a tile that has been rasterised, before anything of it is shaded: near lights. */
 void burnish_surface_begin_tile(const burnish_surface *surface, const burnish_tile *tile,
                                 burnish_fragment_scratch *scratch);
 
