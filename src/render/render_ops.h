@@ -41,13 +41,6 @@ typedef struct burnish_batch_streams {
     float *to[BURNISH_BATCH_STREAMS];
 } burnish_batch_streams;
 
-/* Pixels that become codes: normals of any length, which are shown where their depth is that of a
- * triangle. */
-typedef struct burnish_code_batch {
-    const float *normal[3], *depths;
-    uint32_t alpha, background; /* bits of the shown ones; the code of the others */
-} burnish_code_batch;
-
 /* A direction of normals and its code (codes_simd.h), kept from one batch of a tile to the next.
  * All zero before the first. */
 typedef struct burnish_code_direction {
@@ -58,6 +51,14 @@ typedef struct burnish_code_direction {
     float inverse;                               /* of the largest component */
     int32_t code;
 } burnish_code_direction;
+
+/* Pixels that become codes: normals of any length, which are shown where their depth is that of a
+ * triangle. */
+typedef struct burnish_code_batch {
+    const float *normal[3], *depths;
+    uint32_t alpha, background; /* bits of the shown ones; the code of the others */
+    burnish_code_direction *known;
+} burnish_code_batch;
 
 typedef struct burnish_render_ops {
     /* out = in scaled to unit length; out may be in. */
@@ -184,11 +185,10 @@ typedef struct burnish_render_ops {
     void (*shade_codes[BURNISH_CODE_BODIES])(const struct burnish_kernels_shader *shader,
                                              const struct burnish_srgb_encoder *encoder,
                                              const burnish_code_batch *batch, size_t count,
-                                             burnish_code_direction *known, uint32_t *codes);
+                                             uint32_t *codes);
 
     /* count groups of four pixels, each `stride` pixels after the last, to 12 bytes per group, one
-     * after another: red, green, blue. The highest byte of a pixel must be 0. May write up to four
-     * bytes past the last. */
+     * after another: red, green, blue. The highest byte of a pixel must be 0. */
     void (*pack_groups)(size_t count, const uint32_t *pixels, size_t stride, uint8_t *to);
 } burnish_render_ops;
 

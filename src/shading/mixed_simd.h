@@ -9,6 +9,7 @@
 /* The materials of a vector of points, and the points of each. */
 typedef struct mixed_materials {
     int count;
+    int is_alike; /* 1: they have one lobe and specular colour; known where it is compiled */
     const burnish_kernels_shader *shaders[LANES];
     vm lanes[LANES];
 } mixed_materials;
@@ -43,8 +44,11 @@ BURNISH_INLINE void mixed_load_light(const mixed_materials *mixed, int l, mixed_
     for (int j = 0; j < mixed->count; ++j) {
         const burnish_light_constants *of = &mixed->shaders[j]->lights[l];
         for (int k = 0; k < 3; ++k) {
-            light->half[k] = mixed_put(mixed, j, of->half[k], light->half[k]);
             light->diffuse[k] = mixed_put(mixed, j, of->diffuse[output][k], light->diffuse[k]);
+            if (mixed->is_alike && j > 0) {
+                continue;
+            }
+            light->half[k] = mixed_put(mixed, j, of->half[k], light->half[k]);
             light->specular[k] = mixed_put(mixed, j, of->specular[output][k], light->specular[k]);
         }
     }
@@ -73,20 +77,23 @@ BURNISH_INLINE void mixed_add(int body, const mixed_materials *mixed, int l, con
     }
 }
 
-BURNISH_INLINE void mixed_array(int body, const burnish_kernels_shader *shaders,
+BURNISH_INLINE void mixed_array(int body, int is_alike, const burnish_kernels_shader *shaders,
                                 const int32_t *materials, const burnish_kernels_points *points,
                                 size_t count, float *const rgb[3]) {
     for (size_t i = 0; i < count; i += LANES) {
         mixed_materials mixed;
         shade_sums sums;
         vf offset = vf_set(0.0f), normal[3];
+        mixed.is_alike = is_alike;
         mixed_find(shaders, materials + i, &mixed);
         for (int k = 0; k < 3; ++k) {
             normal[k] = vf_load(points->normal[k] + i);
             sums.specular[k] = vf_set(0.0f);
         }
         for (int j = 0; j < mixed.count; ++j) {
-            offset = mixed_put(&mixed, j, mixed.shaders[j]->offset, offset);
+            if (!is_alike || j == 0) {
+                offset = mixed_put(&mixed, j, mixed.shaders[j]->offset, offset);
+            }
             for (int k = 0; k < 3; ++k) {
                 const float ambient = mixed.shaders[j]->ambient[BURNISH_SHADE_FLOAT][k];
                 sums.diffuse[k] = mixed_put(&mixed, j, ambient, sums.diffuse[k]);
@@ -105,14 +112,16 @@ BURNISH_INLINE void mixed_array(int body, const burnish_kernels_shader *shaders,
     }
 }
 
-static void mixed_square(const burnish_kernels_shader *shaders, const int32_t *materials,
-                         const burnish_kernels_points *points, size_t count, float *const rgb[3]) {
-    mixed_array(BURNISH_LOBE_BODY_SQUARE, shaders, materials, points, count, rgb);
-}
-
-static void mixed_squares(const burnish_kernels_shader *shaders, const int32_t *materials,
-                          const burnish_kernels_points *points, size_t count, float *const rgb[3]) {
-    mixed_array(BURNISH_LOBE_BODY_SQUARES, shaders, materials, points, count, rgb);
-}
+#define MIXED_FUNCTION(name, body, is_alike)                                                       \
+    static void mixed_##name(const burnish_kernels_shader *shaders, const int32_t *materials,      \
+                             const burnish_kernels_points *points, size_t count,                   \
+                             float *const rgb[3]) {                                                \
+        mixed_array(body, is_alike, shaders, materials, points, count, rgb);                       \
+    }
+MIXED_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE, 0)
+MIXED_FUNCTION(squares, BURNISH_LOBE_BODY_SQUARES, 0)
+MIXED_FUNCTION(square_alike, BURNISH_LOBE_BODY_SQUARE, 1)
+MIXED_FUNCTION(squares_alike, BURNISH_LOBE_BODY_SQUARES, 1)
+#undef MIXED_FUNCTION
 
 #endif

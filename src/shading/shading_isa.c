@@ -63,8 +63,8 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                    [BURNISH_LOBE_BODY_SCHLICK] = each_schlick,
                    [BURNISH_LOBE_BODY_GAUSSIAN] = each_gaussian,
                    [BURNISH_LOBE_BODY_GX] = each_gx},
-    .shade_mixed =
-        {[BURNISH_LOBE_BODY_SQUARE] = mixed_square, [BURNISH_LOBE_BODY_SQUARES] = mixed_squares},
+    .shade_mixed = {[BURNISH_LOBE_BODY_SQUARE] = {mixed_square, mixed_square_alike},
+                    [BURNISH_LOBE_BODY_SQUARES] = {mixed_squares, mixed_squares_alike}},
     .add_environment = add_environment,
     .reflect_points = reflect_points,
     .polygon_light = polygon_light,

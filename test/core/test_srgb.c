@@ -187,7 +187,7 @@ static void test_packing(void) {
             uint32_t pixel = pixels[4 + i / 12 * 16 + i / 3 % 4];
             wrong += bytes[i] != (pixel >> 8 * (i % 3) & 255);
         }
-        for (int i = 52; i < 3 * COUNT + 4; ++i) {
+        for (int i = 48; i < 3 * COUNT + 4; ++i) {
             wrong += bytes[i] != 0xa5;
         }
         CHECK(wrong == 0, "%s: %d pixels or bytes differ", burnish_isa_name((burnish_isa)isa),

@@ -55,8 +55,9 @@ static void fold(uint64_t *state, burnish_light_constants *lights, burnish_kerne
 
 static void test_all(void) {
     const uint32_t alpha = 0xff000000u, background = 0x123456u;
+    burnish_code_direction known = {0};
     const burnish_code_batch batch = {
-        {normals[0], normals[1], normals[2]}, depths, alpha, background};
+        {normals[0], normals[1], normals[2]}, depths, alpha, background, &known};
     const burnish_kernels_points points = {.normal = {normals[0], normals[1], normals[2]}};
     float *const rgb[3] = {light[0], light[1], light[2]};
     const float *const shaded[3] = {light[0], light[1], light[2]};
@@ -72,7 +73,7 @@ static void test_all(void) {
         const burnish_render_ops *ops =
             burnish_kernels_for(isa) ? burnish_render_ops_for(isa) : NULL;
         uint32_t codes[COUNT], expected[COUNT];
-        burnish_code_direction known = {0};
+        known.shader = NULL;
         make_normals(&state);
         fold(&state, lights, &shader);
         if (!ops) {
@@ -81,7 +82,7 @@ static void test_all(void) {
         kernels->shade[shader.lobe.body][BURNISH_SHADE_DISTANT][BURNISH_SHADE_FLOAT](
             &shader, &points, COUNT, NULL, rgb);
         ops->encode_pixels(&encoder, COUNT, shaded, NULL, 0, 0, expected);
-        ops->shade_codes[shader.lobe.body](&shader, &encoder, &batch, COUNT, &known, codes);
+        ops->shade_codes[shader.lobe.body](&shader, &encoder, &batch, COUNT, codes);
         for (int i = 0; i < COUNT; ++i) {
             const int is_shown = depths[i] > BURNISH_FARTHEST;
             wrong[isa] += codes[i] != (is_shown ? expected[i] | alpha : background);

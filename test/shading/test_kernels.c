@@ -145,7 +145,7 @@ static void check_normalize_of_isa(const burnish_kernels *kernels, uint64_t *sta
 /* Points of several materials at once have the bits of their own material's kernel. */
 static void check_mixed_of_isa(const burnish_kernels *kernels, uint64_t *state) {
     enum { COUNT = 64, MATERIALS = 5, LIGHTS = 2 };
-    const int order = test_random32(state) & 1 ? 2 : 8;
+    const int order = test_random32(state) & 1 ? 2 : 8, is_alike = test_random32(state) & 1;
     burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
     burnish_light_constants lights[MATERIALS][LIGHTS];
     burnish_kernels_shader shaders[MATERIALS];
@@ -160,10 +160,11 @@ static void check_mixed_of_isa(const burnish_kernels *kernels, uint64_t *state) 
     lighting.lobe.order = order;
     for (int m = 0; m < MATERIALS; ++m) {
         burnish_material material = lighting.material;
-        material.exponent = (float)(1 << (m + 4));
+        material.exponent = is_alike ? 32 : (float)(1 << (m + 4));
         for (int k = 0; k < 3; ++k) {
             material.diffuse[k] = test_uniform_float(state, 0, 1);
             material.specular[k] = m == 0 ? 0 : test_uniform_float(state, 0, 1);
+            material.specular[k] = is_alike ? 0.25f * (float)k : material.specular[k];
         }
         CHECK1(burnish_shader_fold(&lighting, &material, &lighting.lobe, lights[m], &shaders[m],
                                    NULL) == BURNISH_STATUS_OK);
@@ -174,8 +175,8 @@ static void check_mixed_of_isa(const burnish_kernels *kernels, uint64_t *state) 
             normal[k][i] = test_uniform_float(state, -1, 1);
         }
     }
-    kernels->shade_mixed[order > 2 ? BURNISH_LOBE_BODY_SQUARES : BURNISH_LOBE_BODY_SQUARE](
-        shaders, materials, &points, COUNT, rgb);
+    kernels->shade_mixed[order > 2 ? BURNISH_LOBE_BODY_SQUARES : BURNISH_LOBE_BODY_SQUARE]
+                        [is_alike](shaders, materials, &points, COUNT, rgb);
     for (int m = 0; m < MATERIALS; ++m) {
         kernels->shade[shaders[m].lobe.body][BURNISH_SHADE_DISTANT][BURNISH_SHADE_FLOAT](
             &shaders[m], &points, COUNT, NULL, (float *const[3]){own[0], own[1], own[2]});

@@ -28,7 +28,8 @@ static void shade_run(const burnish_surface *surface, const burnish_output *outp
                                                  planes[BURNISH_PLANE_Z] + start},
                                       .depths = tile->buffer.depths + start,
                                       .alpha = output->alpha,
-                                      .background = output->background_code};
+                                      .background = output->background_code,
+                                      .known = &scratch->known};
     int32_t *materials = scratch->material + run.first;
     if (surface->triangle_materials &&
         !burnish_find_materials(surface, tile, run, &row->pixels, materials)) {
@@ -37,8 +38,8 @@ static void shade_run(const burnish_surface *surface, const burnish_output *outp
         const float *const light[3] = {rgb[0], rgb[1], rgb[2]};
         const burnish_kernels_points points = {
             .normal = {batch.normal[0], batch.normal[1], batch.normal[2]}};
-        shading->kernels->shade_mixed[shading->mixed_body](shading->shaders, materials, &points,
-                                                           count, rgb);
+        shading->kernels->shade_mixed[shading->mixed_body][shading->is_alike](
+            shading->shaders, materials, &points, count, rgb);
         output->ops->encode_pixels(output->encoder, count, light, row->pixels.simple + run.first,
                                    output->alpha, output->background_code, codes + run.first);
         return;
@@ -46,7 +47,7 @@ static void shade_run(const burnish_surface *surface, const burnish_output *outp
     const burnish_kernels_shader *shader =
         &shading->shaders[surface->triangle_materials ? materials[0] : 0];
     output->ops->shade_codes[shader->lobe.body](shader, output->encoder, &batch, count,
-                                                &scratch->known, codes + run.first);
+                                                codes + run.first);
 }
 
 void burnish_codes_shade_row(const burnish_surface *surface, const burnish_output *output,

@@ -150,8 +150,8 @@ BURNISH_INLINE void find_code(shade_kernel kernel, const burnish_kernels_shader 
 BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
                                      const burnish_kernels_shader *shader,
                                      const burnish_srgb_encoder *encoder,
-                                     const burnish_code_batch *batch, size_t i,
-                                     burnish_code_direction *known, uint32_t *codes) {
+                                     const burnish_code_batch *batch, size_t i, uint32_t *codes) {
+    burnish_code_direction *known = batch->known;
     const burnish_kernels_points points = {
         .normal = {batch->normal[0], batch->normal[1], batch->normal[2]}};
     const vi alpha = vi_set((int32_t)batch->alpha), background = vi_set((int32_t)batch->background);
@@ -192,33 +192,34 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
 
 BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_shader *shader,
                                 const burnish_srgb_encoder *encoder,
-                                const burnish_code_batch *batch, size_t count,
-                                burnish_code_direction *last, uint32_t *codes) {
+                                const burnish_code_batch *given, size_t count, uint32_t *codes) {
     enum { PAIR = SHADE_WAYS * LANES };
     const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
-    burnish_code_direction known = *last; /* which no store can change */
+    burnish_code_direction known = *given->known; /* which no store can change */
+    burnish_code_batch batch = *given;
     size_t i = 0;
+    batch.known = &known;
     if (known.shader != shader) {
         known.shader = shader;
         known.state = CODE_NONE;
     }
     for (; i + PAIR <= count; i += PAIR) {
-        shade_some_codes(kernel, SHADE_WAYS, shader, encoder, batch, i, &known, codes);
+        shade_some_codes(kernel, SHADE_WAYS, shader, encoder, &batch, i, codes);
     }
     for (; i < count; i += LANES) {
-        shade_some_codes(kernel, 1, shader, encoder, batch, i, &known, codes);
+        shade_some_codes(kernel, 1, shader, encoder, &batch, i, codes);
     }
-    *last = known;
+    *given->known = known;
 }
 
 #define CODE_FUNCTION(name, body)                                                                  \
     static void codes_##name(const burnish_kernels_shader *shader,                                 \
                              const burnish_srgb_encoder *encoder, const burnish_code_batch *batch, \
-                             size_t count, burnish_code_direction *last, uint32_t *codes) {        \
+                             size_t count, uint32_t *codes) {                                      \
         if (is_grey(shader)) {                                                                     \
-            shade_codes(body, 1, shader, encoder, batch, count, last, codes);                      \
+            shade_codes(body, 1, shader, encoder, batch, count, codes);                            \
         } else {                                                                                   \
-            shade_codes(body, 3, shader, encoder, batch, count, last, codes);                      \
+            shade_codes(body, 3, shader, encoder, batch, count, codes);                            \
         }                                                                                          \
     }
 CODE_FUNCTION(none, BURNISH_LOBE_BODY_NONE)

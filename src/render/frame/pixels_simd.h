@@ -161,8 +161,13 @@ static void encode_pixels(const burnish_srgb_encoder *encoder, size_t count,
 }
 
 static void pack_groups(size_t count, const uint32_t *pixels, size_t stride, uint8_t *to) {
-    for (size_t i = 0; i < count; ++i) {
+    uint8_t last[16]; /* bytes after the others are written again by the next group */
+    for (size_t i = 0; i + 1 < count; ++i) {
         pack_pixels(to + 12 * i, pixels + stride * i);
+    }
+    if (count > 0) {
+        pack_pixels(last, pixels + stride * (count - 1));
+        memcpy(to + 12 * (count - 1), last, 12);
     }
 }
 

@@ -255,8 +255,8 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         }
     } else if (shading->mixed_body != BURNISH_LOBE_BODY_NONE && !shading->area &&
                !shading->texturing && !points.first_light) {
-        shading->kernels->shade_mixed[shading->mixed_body](shading->shaders, batch->material,
-                                                           &points, (size_t)batch->count, rgb);
+        shading->kernels->shade_mixed[shading->mixed_body][shading->is_alike](
+            shading->shaders, batch->material, &points, (size_t)batch->count, rgb);
     } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
     }

@@ -201,22 +201,15 @@ static void store_codes(const burnish_output *output, const uint32_t *codes, int
     }
 }
 
-/* The same as three bytes per pixel. A group may be written past its end: the next one overwrites
- * that. The last groups are written to `bytes` first, because the next tile's pixels must not
- * change. */
+/* The same as three bytes per pixel. */
 static void pack_codes(const burnish_output *output, const uint32_t *codes, int width,
                        uint8_t *out) {
-    enum { LAST = 2 /* groups */ };
-    const int size = BURNISH_BLOCK_SIZE, groups = (width + size - 1) / size;
-    const int direct = groups > LAST ? groups - LAST : 0;
-    uint8_t bytes[3 * BURNISH_BLOCK_SIZE * LAST + 4];
-    output->ops->pack_groups((size_t)direct, codes, BURNISH_BLOCK_PIXELS, out);
-    output->ops->pack_groups((size_t)(groups - direct), codes + direct * BURNISH_BLOCK_PIXELS,
-                             BURNISH_BLOCK_PIXELS, bytes);
-    if (width == BURNISH_TILE_SIZE) { /* a number that the compiler knows */
-        memcpy(out + 3 * direct * size, bytes, 3 * BURNISH_BLOCK_SIZE * LAST);
-    } else {
-        memcpy(out + 3 * direct * size, bytes, 3 * (size_t)(width - direct * size));
+    const int whole = width / BURNISH_BLOCK_SIZE, rest = width % BURNISH_BLOCK_SIZE;
+    output->ops->pack_groups((size_t)whole, codes, BURNISH_BLOCK_PIXELS, out);
+    if (rest) {
+        uint8_t bytes[3 * BURNISH_BLOCK_SIZE];
+        output->ops->pack_groups(1, codes + whole * BURNISH_BLOCK_PIXELS, 0, bytes);
+        memcpy(out + 3 * whole * BURNISH_BLOCK_SIZE, bytes, 3 * (size_t)rest);
     }
 }
 

@@ -352,11 +352,27 @@ static burnish_lobe_body mixed_body(const burnish_kernels_shader *shaders, size_
     return squarings > 1 ? BURNISH_LOBE_BODY_SQUARES : BURNISH_LOBE_BODY_SQUARE;
 }
 
+/* Whether all materials have the lobe and the specular colours of the first one. */
+static int are_alike(const burnish_kernels_shader *shaders, size_t count) {
+    int different = 0;
+    for (size_t i = 1; i < count; ++i) {
+        different |= shaders[i].offset != shaders->offset;
+        for (int l = 0; l < shaders->light_count; ++l) {
+            const burnish_light_constants *own = &shaders[i].lights[l],
+                                          *first = &shaders->lights[l];
+            different |= memcmp(own->half, first->half, sizeof own->half) != 0 ||
+                         memcmp(own->specular, first->specular, sizeof own->specular) != 0;
+        }
+    }
+    return !different;
+}
+
 static void make_shading(const burnish_kernels_lighting *lighting,
                          const burnish_render_options *options, const burnish_shaders *shaders,
                          size_t material_count, burnish_shading *shading) {
     shading->shaders = shaders->items;
     shading->mixed_body = mixed_body(shaders->items, material_count);
+    shading->is_alike = are_alike(shaders->items, material_count);
     shading->needs_position = lighting->local_viewer || options->occlusion != 0 || options->shadow;
     for (int i = 0; i < lighting->light_count; ++i) {
         shading->needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
