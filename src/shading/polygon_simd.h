@@ -289,6 +289,9 @@ BURNISH_INLINE void polygon_add_front(const burnish_polygon_lobe *lobe, const po
     const vf from = vf_blend(starts, vf_max(low, vf_min(arc->from.s, high)), low);
     const vf to = vf_blend(ends, vf_max(low, vf_min(arc->to.s, high)), high);
     const vm lit = vm_and(reaches, vf_greater(to, from));
+    if (!vm_any(lit)) {
+        return;
+    }
     const vf smooth = vf_mul(zeta, polygon_integral(lobe, 0, arc, from, to));
     share->smooth = polygon_add_where(lit, arc, share->smooth, smooth);
     const vm partly = vm_and_not(lit, share->is_whole);
