@@ -352,7 +352,8 @@ static burnish_lobe_body mixed_body(const burnish_kernels_shader *shaders, size_
     return squarings > 1 ? BURNISH_LOBE_BODY_SQUARES : BURNISH_LOBE_BODY_SQUARE;
 }
 
-/* Whether all materials have the lobe and the specular colours of the first one. */
+/* Whether all materials have the lobe and the specular colours of the first one; they have equally
+ * many lights. */
 static int are_alike(const burnish_kernels_shader *shaders, size_t count) {
     int different = 0;
     for (size_t i = 1; i < count; ++i) {
@@ -372,7 +373,8 @@ static void make_shading(const burnish_kernels_lighting *lighting,
                          size_t material_count, burnish_shading *shading) {
     shading->shaders = shaders->items;
     shading->mixed_body = mixed_body(shaders->items, material_count);
-    shading->is_alike = are_alike(shaders->items, material_count);
+    shading->is_alike =
+        shading->mixed_body != BURNISH_LOBE_BODY_NONE && are_alike(shaders->items, material_count);
     shading->needs_position = lighting->local_viewer || options->occlusion != 0 || options->shadow;
     for (int i = 0; i < lighting->light_count; ++i) {
         shading->needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
