@@ -12,7 +12,8 @@ enum {
     BLOCK = 256, /* vertices whose cells are found before they are looked up */
     PROBES = 8,
     LEAST_SLOTS = 1024,
-    MOST_SLOTS = 1 << 19
+    MOST_SLOTS = 1 << 19,
+    COUNTED_FROM = 1 << 18 /* triangles: larger meshes get no room for those that are lost */
 };
 
 /* The cells of vertices. */
@@ -44,7 +45,7 @@ static uint64_t *find_slot(uint64_t *slots, size_t mask, uint32_t cell) {
     return &slots[first & mask];
 }
 
-/* Finds the cluster of each vertex and its position; returns how many there are. */
+/* Finds the cluster of each vertex, numbered by first use; returns how many there are. */
 static uint32_t cluster_vertices(burnish_clusters *clusters, const burnish_mesh_view *mesh,
                                  float scale, size_t slot_count) {
     float origin[3];
@@ -53,14 +54,11 @@ static uint32_t cluster_vertices(burnish_clusters *clusters, const burnish_mesh_
     for (size_t first = 0; first < mesh->vertex_count; first += BLOCK) {
         const size_t rest = mesh->vertex_count - first;
         const int some = rest < BLOCK ? (int)rest : BLOCK;
-        const float *positions = mesh->positions + 3 * first;
-        find_cells(positions, some, origin, scale, cells);
+        find_cells(mesh->positions + 3 * first, some, origin, scale, cells);
         for (int i = 0; i < some; ++i) {
             uint64_t *slot = find_slot(clusters->slots, slot_count - 1, cells[i]);
             if (!*slot || *slot >> 32 != cells[i] + 1) {
-                *slot = (uint64_t)(cells[i] + 1) << 32 | count;
-                memcpy(clusters->positions + 3 * (size_t)count++, positions + 3 * i,
-                       3 * sizeof *positions);
+                *slot = (uint64_t)(cells[i] + 1) << 32 | count++;
             }
             clusters->cluster[first + (size_t)i] = (uint32_t)*slot;
         }
@@ -68,14 +66,27 @@ static uint32_t cluster_vertices(burnish_clusters *clusters, const burnish_mesh_
     return count;
 }
 
-/* Writes the triangles that are left; returns how many there are. */
-static size_t cluster_triangles(burnish_clusters *clusters, const burnish_mesh_view *mesh,
-                                const uint16_t *transparent) {
+/* A cluster is where its first vertex is. */
+static void place_clusters(burnish_clusters *clusters, const burnish_mesh_view *mesh,
+                           uint32_t count) {
+    uint32_t next = 0;
+    for (size_t i = 0; next < count; ++i) {
+        if (clusters->cluster[i] == next) {
+            memcpy(clusters->positions + 3 * (size_t)next++, mesh->positions + 3 * i,
+                   3 * sizeof *mesh->positions);
+        }
+    }
+}
+
+/* Writes the triangles that are left, or only counts them if `indices` is NULL. */
+static size_t cluster_triangles(const uint32_t *cluster, const burnish_mesh_view *mesh,
+                                const uint16_t *transparent, uint32_t *indices) {
     size_t left = 0;
+    uint32_t counted[3];
     for (size_t i = 0; i < mesh->triangle_count; ++i) {
-        uint32_t *to = clusters->indices + 3 * left;
+        uint32_t *to = indices ? indices + 3 * left : counted;
         for (size_t k = 0; k < 3; ++k) {
-            to[k] = clusters->cluster[mesh->indices[3 * i + k]];
+            to[k] = cluster[mesh->indices[3 * i + k]];
         }
         const int is_left = (to[0] != to[1]) & (to[1] != to[2]) & (to[2] != to[0]);
         left += (size_t)is_left & ~(size_t)(transparent ? transparent[i / BURNISH_BATCH_SIZE] >>
@@ -92,12 +103,6 @@ burnish_status burnish_clusters_make(burnish_clusters *clusters, const burnish_m
     while (slot_count < MOST_SLOTS && slot_count < 2 * mesh->vertex_count) {
         slot_count *= 2;
     }
-    clusters->positions = burnish_reserve_discard(
-        memory, clusters->positions, &clusters->position_capacity, mesh->vertex_count,
-        3 * sizeof *clusters->positions, "positions of clusters");
-    clusters->indices = burnish_reserve_discard(
-        memory, clusters->indices, &clusters->index_capacity, mesh->triangle_count,
-        3 * sizeof *clusters->indices, "triangles of clusters");
     clusters->cluster =
         burnish_reserve_discard(memory, clusters->cluster, &clusters->cluster_capacity,
                                 mesh->vertex_count, sizeof *clusters->cluster, "clusters");
@@ -108,13 +113,28 @@ burnish_status burnish_clusters_make(burnish_clusters *clusters, const burnish_m
         return memory->status;
     }
     memset(clusters->slots, 0, slot_count * sizeof *clusters->slots);
-    *coarse = *mesh;
-    coarse->positions = clusters->positions;
-    coarse->indices = clusters->indices;
-    coarse->vertex_count =
+    const uint32_t count =
         cluster_vertices(clusters, mesh, (float)(burnish_space_scale(mesh) / cell), slot_count);
-    coarse->triangle_count = cluster_triangles(clusters, mesh, transparent);
-    return BURNISH_STATUS_OK;
+    const size_t most = mesh->triangle_count <= COUNTED_FROM
+                            ? mesh->triangle_count
+                            : cluster_triangles(clusters->cluster, mesh, transparent, NULL) +
+                                  1; /* and one to drop */
+    clusters->positions =
+        burnish_reserve_discard(memory, clusters->positions, &clusters->position_capacity, count,
+                                3 * sizeof *clusters->positions, "positions of clusters");
+    clusters->indices =
+        burnish_reserve_discard(memory, clusters->indices, &clusters->index_capacity, most,
+                                3 * sizeof *clusters->indices, "triangles of clusters");
+    if (memory->status == BURNISH_STATUS_OK) {
+        place_clusters(clusters, mesh, count);
+        *coarse = *mesh;
+        coarse->positions = clusters->positions;
+        coarse->indices = clusters->indices;
+        coarse->vertex_count = count;
+        coarse->triangle_count =
+            cluster_triangles(clusters->cluster, mesh, transparent, clusters->indices);
+    }
+    return memory->status;
 }
 
 void burnish_clusters_destroy(burnish_clusters *clusters, const burnish_context *context) {
