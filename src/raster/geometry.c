@@ -135,25 +135,29 @@ static uint64_t triangle_cells(const burnish_geometry *geometry, const uint32_t 
     return (uint64_t)(touched < box ? touched : box);
 }
 
-/* What the large triangles of a batch add to geometry->cells. */
+/* What the large triangles of a batch add to geometry->cells. Only visible ones have bounds. */
 static uint64_t batch_cells(const burnish_geometry *geometry, size_t number,
                             const uint32_t *indices, unsigned transparent) {
+    static const uint32_t bits[BURNISH_BATCH_SIZE] = {
+        1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+        1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
     const burnish_triangle_batch *batch = &geometry->batches[number];
-    const burnish_batch_header *header = &geometry->headers[number];
+    const uint32_t visible =
+        geometry->headers[number].visible[0] | geometry->headers[number].visible[1];
     unsigned large = 0;
     uint32_t any = 0;
     uint64_t cells = 0;
     for (unsigned i = 0; i < BURNISH_BATCH_SIZE; ++i) { /* mostly none is large */
-        any |= batch->last[i] - batch->first[i];
+        any |= (batch->last[i] - batch->first[i]) & (visible & bits[i] ? UINT32_MAX : 0);
     }
-    if (!(header->visible[0] | header->visible[1]) || !(any & 0xfffefffeu)) {
+    if (!(any & 0xfffefffeu)) {
         return 0;
     }
     for (unsigned i = 0; i < BURNISH_BATCH_SIZE;
          ++i) { /* x and y at once: last is not before first */
         large |= (unsigned)(((batch->last[i] - batch->first[i]) & 0xfffefffeu) != 0) << i;
     }
-    for (large &= header->visible[0] | header->visible[1]; large; large &= large - 1) {
+    for (large &= visible; large; large &= large - 1) {
         const unsigned i = (unsigned)__builtin_ctz(large);
         cells +=
             triangle_cells(geometry, indices + 3 * (size_t)i, batch->first[i], batch->last[i]) *
