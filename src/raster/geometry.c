@@ -147,6 +147,9 @@ static uint64_t batch_cells(const burnish_geometry *geometry, size_t number,
     unsigned large = 0;
     uint32_t any = 0;
     uint64_t cells = 0;
+    if (!visible) {
+        return 0;
+    }
     for (unsigned i = 0; i < BURNISH_BATCH_SIZE; ++i) { /* mostly none is large */
         any |= (batch->last[i] - batch->first[i]) & (visible & bits[i] ? UINT32_MAX : 0);
     }
