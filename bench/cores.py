@@ -2,7 +2,7 @@
 """Whole processes and batches by number of threads, as a table: medians of wall-clock time.
 
 Usage: cores.py BURNISH FOLDER [ROUNDS]
-  FOLDER  for a torus of a million triangles, copies of it in small and pictures; emptied before and removed after"""
+  FOLDER  for a torus of a million triangles, copies of a small one, and pictures; emptied before and removed after"""
 import os
 import shutil
 import subprocess
@@ -15,8 +15,7 @@ SIZES = ("256x256", "1920x1080", "3840x2160")
 BUNNY = "/usr/share/glmark2/models/bunny.obj"
 burnish, folder = sys.argv[1:3]
 rounds = int(sys.argv[3]) if len(sys.argv) > 3 else 11
-cores = os.cpu_count()
-threads = [1 << i for i in range(cores.bit_length()) if 1 << i < cores] + [cores]
+threads = measure.thread_counts()
 
 
 def seconds(*words):

@@ -49,6 +49,12 @@ def median(values):
     return quantile(values, 0.5)
 
 
+def thread_counts():
+    """1, 2, 4 ... and as many as there are processors."""
+    cores = os.cpu_count()
+    return [1 << i for i in range(cores.bit_length()) if 1 << i < cores] + [cores]
+
+
 def on_one_core():
     """Binds this process to its last core: the first ones get most interrupts."""
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})

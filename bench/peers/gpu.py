@@ -17,8 +17,7 @@ SCENES = ("bunny", "bunny16", "texture", "lights-16", "rods", "spheres", "gear",
 ROUNDS, FRAMES = 7, 3
 ANY = "--any" in sys.argv
 programs, *inputs = [word for word in sys.argv[1:] if word != "--any"]
-cores = os.cpu_count()
-threads = [1 << i for i in range(cores.bit_length()) if 1 << i < cores] + [cores]
+threads = measure.thread_counts()
 
 
 def time_input(contestants, samples, source):
@@ -27,7 +26,7 @@ def time_input(contestants, samples, source):
         reply = contestant.request(f"open 1920 1080 {samples} {source}")
         if not reply.startswith("ready"):
             sys.exit(f"bench-gpu: {reply}")
-    if not ANY and "LP_NUM_THREADS" in reply and "llvmpipe" in reply:
+    if not ANY and "llvmpipe (" in reply:
         sys.exit("bench-gpu: OpenGL draws on the processor (llvmpipe): no GPU is at hand")
     lanes = [(contestant, "scene") for contestant in contestants] + [(contestants[-1], "scene-read")]
     times = [[] for _ in lanes]
@@ -47,7 +46,7 @@ for source in inputs or SCENES:
         rows.append(f"| {os.path.basename(source)} | {samples} | " + " | ".join(f"{value:.2f}" for value in row) + " |")
 for contestant in contestants:
     contestant.stop()
-print(f"Measured on: {name}; {cores} cores.\n")
+print(f"Measured on: {name}; {threads[-1]} cores.\n")
 print("| scene | samples | burnish, 1 thread | " + " | ".join(map(str, threads[1:])) + " | GPU | and read back |")
 print("| --- |" + " ---: |" * (len(threads) + 3))
 print("\n".join(rows))

@@ -12,8 +12,7 @@ enum {
     BLOCK = 256, /* vertices whose cells are found before they are looked up */
     PROBES = 8,
     LEAST_SLOTS = 1024,
-    MOST_SLOTS = 1 << 19,
-    COUNTED_FROM = 1 << 18 /* triangles: larger meshes get no room for those that are lost */
+    MOST_SLOTS = 1 << 19
 };
 
 /* The cells of vertices. */
@@ -78,7 +77,8 @@ static void place_clusters(burnish_clusters *clusters, const burnish_mesh_view *
     }
 }
 
-/* Writes the triangles that are left, or only counts them if `indices` is NULL. */
+/* Writes the triangles that are left, and one more at most, or only counts them if `indices` is
+ * NULL. */
 static size_t cluster_triangles(const uint32_t *cluster, const burnish_mesh_view *mesh,
                                 const uint16_t *transparent, uint32_t *indices) {
     size_t left = 0;
@@ -115,15 +115,12 @@ burnish_status burnish_clusters_make(burnish_clusters *clusters, const burnish_m
     memset(clusters->slots, 0, slot_count * sizeof *clusters->slots);
     const uint32_t count =
         cluster_vertices(clusters, mesh, (float)(burnish_space_scale(mesh) / cell), slot_count);
-    const size_t most = mesh->triangle_count <= COUNTED_FROM
-                            ? mesh->triangle_count
-                            : cluster_triangles(clusters->cluster, mesh, transparent, NULL) +
-                                  1; /* and one to drop */
+    const size_t left = cluster_triangles(clusters->cluster, mesh, transparent, NULL);
     clusters->positions =
         burnish_reserve_discard(memory, clusters->positions, &clusters->position_capacity, count,
                                 3 * sizeof *clusters->positions, "positions of clusters");
     clusters->indices =
-        burnish_reserve_discard(memory, clusters->indices, &clusters->index_capacity, most,
+        burnish_reserve_discard(memory, clusters->indices, &clusters->index_capacity, left + 1,
                                 3 * sizeof *clusters->indices, "triangles of clusters");
     if (memory->status == BURNISH_STATUS_OK) {
         place_clusters(clusters, mesh, count);
@@ -131,8 +128,8 @@ burnish_status burnish_clusters_make(burnish_clusters *clusters, const burnish_m
         coarse->positions = clusters->positions;
         coarse->indices = clusters->indices;
         coarse->vertex_count = count;
-        coarse->triangle_count =
-            cluster_triangles(clusters->cluster, mesh, transparent, clusters->indices);
+        coarse->triangle_count = left;
+        cluster_triangles(clusters->cluster, mesh, transparent, clusters->indices);
     }
     return memory->status;
 }
