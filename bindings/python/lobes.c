@@ -1,5 +1,4 @@
-/* Lobes: their values, which are the same as in pictures, and facts of theory.h and `burnish lobe`.
- * */
+/* Lobes: their values, with the bits of pictures, and facts of theory.h and `burnish lobe`. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

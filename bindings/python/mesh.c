@@ -309,8 +309,7 @@ PyObject *mesh_check(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-/* Adds a command's flags: which of the two commands has them, the placeholder of the value, help.
- * */
+/* Adds a command's flags: which of the two commands has each, its value's placeholder, its help. */
 static int add_flags(PyObject *names, const cli_command *command, const cli_command *other,
                      int is_loading) {
     for (size_t i = 0; cli_flag_at(command, i); ++i) {

@@ -43,8 +43,7 @@ int open_load(session *s, const char *name, const void *bytes, size_t size,
                         module_error()) == BURNISH_STATUS_OK;
 }
 
-/* Draws the session's mesh. Returns 1, or 0 after an error, and can be called again after either.
- * */
+/* Draws the session's mesh. Returns 1, or 0 after an error; can be called again after either. */
 int open_draw(session *s, const session_option *options, size_t count) {
     return session_draw(s, (session_options){options, count, SESSION_CAMEL_CASE}, module_error()) ==
            BURNISH_STATUS_OK;

@@ -97,8 +97,7 @@ void *threads_add(void) {
     return stack ? (void *)(((uintptr_t)stack + STACK_SIZE) & ~(uintptr_t)15) : NULL;
 }
 
-/* ---- Memory: the linker replaces wasi-libc's allocator, which is not thread-safe, by these ----
- * */
+/* ---- Memory: the linker replaces wasi-libc's allocator, which is not thread-safe, by these ---- */
 
 static atomic_int lock;
 

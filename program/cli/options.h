@@ -1,5 +1,4 @@
-/* The description of a command's flags, which the parser, the help screen and the man page share.
- * */
+/* Describes a command's flags for the parser, the help screen and the man page. */
 #ifndef TOOL_CLI_OPTIONS_H
 #define TOOL_CLI_OPTIONS_H
 

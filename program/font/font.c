@@ -190,8 +190,7 @@ static void find_runs(font *from, line *made) {
     }
 }
 
-/* Rule L2: from the highest level to the lowest odd one, runs at that level or above are reversed.
- * */
+/* Rule L2: from the highest level to the lowest odd one, reverses runs at that level or above. */
 static void reorder_runs(line *made) {
     for (int level = FRIBIDI_BIDI_MAX_EXPLICIT_LEVEL + 1; level > 0; --level) {
         for (int i = 0; i < made->run_count; ++i) {

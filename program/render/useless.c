@@ -53,8 +53,7 @@ static int is_parallel(const render_settings *settings) {
     return settings->camera.own || !is_perspective(settings);
 }
 
-/* Flags that do not affect an SVG. --ambient, --color and --material change the colours of areas.
- * */
+/* Flags that do not affect an SVG. --ambient, --color and --material change areas' colours. */
 static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
     static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
                                   "viewer,samples,quality,outline-contrast";

@@ -75,8 +75,7 @@ static void write_flag_name(const char *name, char flag[CLI_NAME_MAX + 1]) {
     flag[length] = 0;
 }
 
-/* Changes "--camera-position" into "camera_position" or "cameraPosition", in place. "--help" stays.
- * */
+/* Changes "--camera-position" to "camera_position" or "cameraPosition" in place; not "--help". */
 static void rename_flags(char *text, session_naming naming) {
     char *to = text;
     for (const char *from = text, *start = text; *from;) {

@@ -7,8 +7,7 @@
 #include "render/scene/environment.h"
 #include "render/settings/settings.h"
 
-/* The quality of a picture: of still pictures, and of moving ones, depending on the available time.
- * */
+/* The quality of still pictures, and of moving ones, depending on the available time. */
 typedef enum view_quality {
     VIEW_STILL,
     VIEW_PLAIN,  /* without ambient occlusion */
@@ -73,8 +72,7 @@ burnish_status view_scene_draw(view_scene *scene, const burnish_lobe_spec *lobe,
                                view_quality quality, const burnish_pixels *pixels,
                                burnish_error *error);
 
-/* Prints the command that draws the same picture, without the flags of this program's command line.
- * */
+/* Prints the command that draws the same picture, without this command line's flags. */
 void view_scene_print(const view_scene *scene, const burnish_lobe_spec *lobe);
 
 #endif

@@ -100,8 +100,7 @@ static int bin_triangle(const burnish_bins *bins, burnish_bin_slice *slice,
     return 1;
 }
 
-/* Appends triangles of a batch that touch a single tile. Returns 0 if the slice is out of chunks.
- * */
+/* Appends triangles of a batch that touch one tile. Returns 0 if the slice is out of chunks. */
 static inline int bin_to_tile(const burnish_bins *bins, burnish_bin_slice *slice, size_t batch,
                               const burnish_batch_header *header, uint32_t tile, unsigned mask) {
     const int column = (int)BURNISH_PACKED_X(tile), row = (int)BURNISH_PACKED_Y(tile);

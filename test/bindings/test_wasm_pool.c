@@ -1,6 +1,5 @@
 /* bindings/wasm/threads.c, the pool of modules with threads, on threads of this system: every
- * thread number once, and work that runs work. Futexes replace the instructions that wait and wake.
- * */
+ * thread number once, and work that runs work. Futexes replace the wait and wake instructions. */
 #include <linux/futex.h>
 #include <pthread.h>
 #include <sys/syscall.h>

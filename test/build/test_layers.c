@@ -113,8 +113,8 @@ static const struct layer {
     {"bindings/python", "cli lobe burnish"},
 };
 
-/* Templates are included by templates and by the meeting; the contenders take the
- * kernels' too, and core has one of its own. */
+/* Templates are included by templates and by ..._isa.c; bench takes those of the kernels, and
+ * core has one of its own. */
 static int may_include_templates(const char *path) {
     return strstr(path, "_simd.h") || strstr(path, "_isa.c") || strstr(path, "/src/core/") ||
            strstr(path, "/bench/");

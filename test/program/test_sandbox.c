@@ -238,8 +238,7 @@ static void draw(void) {
 
 /* ---- Processes ---- */
 
-/* The end of a process that locks itself in and then makes a call. Its standard input is a socket.
- * */
+/* How a process ends that locks itself in and then makes a call. Its stdin is a socket. */
 static int state_of(void (*action)(void), int pretends) {
     int state = -1;
     fflush(NULL);

@@ -6,8 +6,7 @@ static int in(unsigned byte, unsigned low, unsigned high) {
     return byte >= low && byte <= high;
 }
 
-/* Length of the well-formed sequence at the beginning of the bytes, 0 for none: the table's rows.
- * */
+/* Length of the well-formed sequence that begins the bytes, 0 for none: the table's rows. */
 static size_t table_length(const unsigned char *b, size_t n) {
     static const unsigned char rows[8][4] = {{0xC2, 0xDF, 0x80, 0xBF}, {0xE0, 0xE0, 0xA0, 0xBF},
                                              {0xE1, 0xEC, 0x80, 0xBF}, {0xED, 0xED, 0x80, 0x9F},

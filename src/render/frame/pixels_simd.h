@@ -1,5 +1,4 @@
-/* Pixels before and after shading: positions from depths, batches of several materials, and codes.
- * */
+/* Pixels before and after shading: positions from depths, batches of several materials, codes. */
 #ifndef BURNISH_RENDER_FRAME_PIXELS_SIMD_H
 #define BURNISH_RENDER_FRAME_PIXELS_SIMD_H
 

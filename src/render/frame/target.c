@@ -114,8 +114,7 @@ static inline float pick(int32_t simple, float a, float b) {
 }
 
 /* Resolves a row with several samples in place: simple pixels stay, complex ones get the mean of
- * their sums. The background's code comes back from its linear value where nothing covers a pixel.
- * */
+ * their sums. Pixels that nothing covers get the background's code back from its linear value. */
 static void resolve_row(const burnish_output *output, const burnish_tile_sums *sums, int number,
                         burnish_row_light *row) {
     const int base = number * BURNISH_BLOCK_ROW_PIXELS, samples = output->samples;

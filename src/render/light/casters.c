@@ -191,8 +191,7 @@ static double area_of(const corner corners[3]) {
            0.5;
 }
 
-/* Whether a partly opaque piece casts a full shadow. Error diffusion makes the total area correct.
- * */
+/* Whether a partly opaque piece casts a full shadow. Error diffusion keeps the total area. */
 static int takes_turn(cutter *cut, const corner corners[3], double share) {
     const double area = area_of(corners);
     cut->carry += share * area;
