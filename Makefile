@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 PRESET ?= release
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
-GROUPS ?= build test demo
+GROUPS ?= build test
 DEPS = @./scripts/install-deps
 JOB_NAMES := $(shell ./scripts/job --list)
 
@@ -29,8 +29,8 @@ build: ## build the program: build/release/burnish
 	$(call build,$(PRESET),burnish_cli)
 
 .PHONY: demo
-demo: ## render the teapot with four lobes and a scanned object, and print where they are
-	$(DEPS) build demo
+demo: ## render two teapots, and print where they are
+	$(DEPS) build
 	$(call build,$(PRESET),burnish_cli)
 	@./scripts/demo build/$(PRESET)/burnish out/demo
 

@@ -36,7 +36,7 @@ def fill(folder, name, *exceptions):
 
 
 COMMANDS = [check, fill, lobes.theory, lobes.figures, measurements.performance, measurements.frames, measurements.scale, measurements.shaders,
-            files.formats, files.importers, files.gallery, machine_code.firmware, machine_code.operations, rtl.rtl, ports.rtl_ports,
+            files.importers, files.gallery, machine_code.firmware, machine_code.operations, rtl.rtl, ports.rtl_ports,
             drawings.rtl_area, drawings.rtl_wave, latency.rtl_latency]
 
 

@@ -1,4 +1,4 @@
-"""Tables and pictures of files: docs/formats.md, importers.md, gallery.md."""
+"""Tables and pictures of files: docs/importers.md, gallery.md."""
 import glob
 import html
 import json
@@ -8,33 +8,6 @@ import shutil
 import subprocess
 
 from page import ROOT, fill, run, table
-
-
-def formats(burnish, page, *folders):
-    """BURNISH PAGE FOLDER...: fills docs/formats.md with what `burnish info` prints for every glTF file of the folders"""
-    if not folders:
-        return print("formats: skipped, no files; FORMATS_FILES='FOLDER...' names checkouts with glTF files, such as glTF-Sample-Assets")
-    rows, counts = [], {"whole": 0, "warned": 0, "refused": 0}
-    for folder in folders:
-        names = [name for name in glob.glob("**", root_dir=folder, recursive=True, include_hidden=True) if re.search(r"\.(gltf|glb)$", name, re.I)]
-        for name in sorted(names):
-            file = os.path.join(folder, name)
-            done = subprocess.run([burnish, "info", file, "--json"], capture_output=True, text=True)
-            missing = "; ".join(short_message(line, file) for line in done.stderr.splitlines())
-            triangles = re.search(r'"triangles":\s*(\d+)', done.stdout)[1] if done.returncode == 0 else "refused"
-            counts["refused" if done.returncode else "warned" if missing else "whole"] += 1
-            rows.append([f"{os.path.basename(folder)}/{name}", triangles, missing or "."])
-    lines = table("file|triangles|missing, or why it is refused", rows)
-    lines[1] = "| --- | ---: | --- |"
-    summary = table("files|drawn whole|with a warning|refused", [[len(rows), *counts.values()]], left=0)
-    fill(page, {"files": lines, "counts": summary}, ("missing",))
-
-
-def short_message(line, file):
-    """A message without the program, the file and the location in it."""
-    line = re.sub(r"^burnish: (warning: )?", "", line)
-    line = line[len(file):] if line.startswith(file) else line
-    return re.sub(r"[|<>]", "", re.sub(r"^:(\d+:)? (byte \d+: )?", "", line))
 
 
 # ---- Importers ----
@@ -93,7 +66,7 @@ SHAPES = [(name, name, "") for name in (":teapot", ":sphere", ":torus", ":knot")
     ("concave polygon", ASSIMP + "OBJ/concave_polygon.obj", ""),
     ("cube", ASSIMP + "PLY/cube.ply", ""),
 ]
-SHOWN = "bunny bracket gear hinge impeller plate heatsink knob cat name".split()
+SHOWN = "bracket gear hinge impeller plate heatsink knob name".split()
 PARTS = os.path.join(ROOT, "docs", "gallery", "parts")
 README = [  # its images of parts; helmet.jpg is a public asset (FlightHelmet.gltf of Khronos' samples, CC0)
     ("metal.jpg", "impeller", ["--material=metal", "--color=#c8763a", "--ground", "-s", "480x360"]),

@@ -34,7 +34,7 @@ fi
 echo "shell: $(wc -l <scripts) scripts looked through"
 
 # A make target fails before it builds anything if its folder is missing.
-for call in "bench-peers MESHES" "bench-peers PARTS" "bench-load FILES" "formats FORMATS_FILES"; do
+for call in "bench-peers MESHES" "bench-peers PARTS" "bench-load FILES"; do
     name=${call#* }
     # shellcheck disable=SC2086
     if timeout 60 make -s -C "$source" $call="$PWD/none" >made 2>&1; then

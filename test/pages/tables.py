@@ -13,7 +13,6 @@ SOURCE = os.path.abspath(sys.argv.pop(1))
 sys.path[:0] = [os.path.join(SOURCE, folder) for folder in ("scripts/tables", "docs/site")]
 
 import drawings
-import files
 import headers
 import machine_code
 import measurements
@@ -85,10 +84,6 @@ class Tables(unittest.TestCase):
         self.assertEqual(lines[4], "| least | | | | 2.58 | – | – | – | – |")
         lines = measurements.parts("256,256 240 8 12 2048 1 1024 /p/a b.stl\n", temporary("a b.stl\tgithub.com/o/r\tcommit\tp.stl\n"))
         self.assertEqual(lines[2:], ["| o/r: p.stl, 256x256 | 240 | 8.0 | 30.0 | 12.0 | 20.0 | 2.0 | 1.0 | 2.0 |", "| geometric mean of 1, 256x256 | | | 30.0 | | 20.0 | | | 2.0 |"])
-
-    def test_messages(self):
-        self.assertEqual(files.short_message("burnish: warning: a.glb: byte 12: no <mesh>", "a.glb"), "no mesh")
-        self.assertEqual(files.short_message("burnish: a.glb:3: it ends", "a.glb"), "it ends")
 
     def test_instructions(self):
         listing = "00000010 <count_w>:\n  10:\tmul.w r0, r1\n  14:\tadds\tr0, r1\n  18:\tbx\tlr\n00000020 <main>:\n  20:\tnop\n"
