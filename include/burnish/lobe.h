@@ -7,7 +7,8 @@
  *
  * where c is the cosine of the lobe angle (R.V for Phong, N.H for Blinn). The order m costs log2(m)
  * squarings and sets the quality; zeta follows from the exponent n by a fit, which sets the shape.
- * The lobe is 1 at c = 1 and exactly 0 from the cutoff cosine 1 - 1/zeta downward.
+ * The lobe is 1 at c = 1 and 0 below the cutoff cosine 1 - 1/zeta. Rounding of 1 - c can leave up
+ * to 4e-15 within 3e-8 below it if zeta < 2; from lambda = 1 - c it is exactly 0.
  *
  * How to use it.
  *   1. Copy this file; it includes nothing. Compile with -ffp-contract=off if exact bits matter.
