@@ -61,8 +61,8 @@ typedef enum burnish_counts {
     BURNISH_COUNTS_AREA /* ALL and hidden_share */
 } burnish_counts;
 
-/* The most directions of ambient occlusion, and the automatic number: from 72 for up to 8,192
- * triangles down to 18 for more than a million. */
+/* The most directions of ambient occlusion, and the automatic number: from 72 (48 in small images)
+ * for up to 8,192 triangles down to 18 for more than a million, 36 for points. */
 #define BURNISH_OCCLUSION_MAX 256
 #define BURNISH_OCCLUSION_AUTO (-1)
 
@@ -100,7 +100,7 @@ enum {
 #define BURNISH_OVERDRAW_DEFAULT 1000
 
 /* Options for drawing. Start from burnish_render_options_default(). The lights are in the struct,
- * not behind a pointer, so a copy is complete; the price is 4.5 kB. Only context, kernels and
+ * not behind a pointer, so a copy is complete; the price is 4.3 kB. Only context, kernels and
  * environment are pointers. */
 typedef struct burnish_render_options {
     uint32_t cookie;                /* set by burnish_render_options_default() */
@@ -160,7 +160,7 @@ typedef struct burnish_render_options {
                             each depth map of shadows (256 x 256). It limits the time: beyond it,
                             drawing fails with LIMIT. A visible or hidden triangle counts if its
                             bounds exceed 16 pixels, by the 8 x 8 pixel cells of its bounds or, if
-                            fewer, of its area and outline; transparent triangles count 16 times */
+                            fewer, of its area and outline; transparent triangles count 28 times */
     burnish_counts counts; /* for the report; does not affect the pixels */
 } burnish_render_options;
 

@@ -115,7 +115,7 @@ cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 #define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
     .name = "max-triangles", .value = "N", .help = "refuse larger meshes",                         \
-    .default_text = "1431655764", .low = 1, .high = 1431655764, .default_label = "1.43e9",         \
+    .default_text = "1431655764", .low = 1, .high = 1431655764, .default_label = "5 per byte",     \
     .manual =                                                                                      \
         "Refuses meshes with more triangles (exit code 5). By default the limit is 5 vertices "    \
         "and triangles together for each byte of _INPUT_ and the files that it refers to, and "    \
