@@ -260,7 +260,7 @@ static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
 }
 
 /* The cosine below which the lobe is 0: 1 - 1/zeta. It is rounded to float, so the lobe at this
- * cosine itself can be above 0 by a rounding error.
+ * cosine itself can be above 0 by a rounding error, and down to 3e-8 below it if zeta < 2.
  * Returns a value below -1 if the lobe never reaches 0 (zeta < 1/2); 1 for the dark lobe. */
 static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
     return lobe.order >= 2 ? 1.0f - 1.0f / lobe.zeta : 1.0f;

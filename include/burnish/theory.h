@@ -129,8 +129,8 @@ BURNISH_THEORY_API double burnish_theory_value_at_angle(const burnish_theory_mod
 BURNISH_THEORY_API void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
                                                    double derivatives[3]);
 
-/* Radius of curvature of the curve over the angle, the paper's R(x): (1 + S'^2)^(3/2) / abs(S'')
- * with the derivatives above. Both axes have the same unit (1 radian, 1 of the value). A small
+/* Radius of curvature of the curve over the angle, (1 + S'^2)^(3/2) / abs(S'') with the derivatives
+ * above. Both axes have the same unit (1 radian, 1 of the value). A small
  * radius is a sharp bend. It is 1/(m zeta) at the peak of the family, 1/n at the peak of cos^n.
  * Infinity if S'' is 0: at an inflection, beyond the zero, between the nodes of a table.
  *   angle  [0, pi] */
@@ -240,7 +240,7 @@ BURNISH_THEORY_API void burnish_theory_sample_direction(const burnish_theory_mod
 
 /* 2 pi times the integral over c in [-1, 1] of max(0, 1 + zeta (c - 1))^order P_degree(c), P being
  * Legendre's polynomial. A function convolved with the lobe has its spherical harmonics of that
- * degree multiplied by it. Rounding errors: 2e-14 of degree 0 up to degree 30, 1e-13 above.
+ * degree multiplied by it. Exact but for rounding, 2e-14 of degree 0.
  *   order   >= 1
  *   zeta    > 0
  *   degree  >= 0; order + degree: at most 127

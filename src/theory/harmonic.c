@@ -14,11 +14,11 @@ double burnish_theory_zonal(int order, double zeta, int degree) {
     double half = fmin(1, 0.5 / zeta),
            sum = 0; /* of the range of c in which the lobe is positive */
     for (int i = 0; i < rule.terms; ++i) {
-        double lambda = half * (1 - rule.nodes[i]), c = 1 - lambda, before = 0, legendre = 1;
+        /* Legendre's recurrence for the steps between degrees, in lambda: 1 - lambda would round. */
+        double lambda = half * (1 - rule.nodes[i]), legendre = 1, step = 0;
         for (int j = 0; j < degree; ++j) {
-            double next = ((2 * j + 1) * c * legendre - j * before) / (j + 1);
-            before = legendre;
-            legendre = next;
+            step = (j * step - (2 * j + 1) * lambda * legendre) / (j + 1);
+            legendre += step;
         }
         sum += rule.weights[i] * half * pow(1 - zeta * lambda, order) * legendre;
     }

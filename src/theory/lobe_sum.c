@@ -74,6 +74,7 @@ void burnish_lobe_sum_evaluate(const burnish_lobe_sum_row *row, int count, doubl
 void burnish_lobe_sum_prepare(burnish_theory_distribution distribution, double alpha,
                               burnish_lobe_sum_grid *grid) {
     double all = whole(distribution, alpha), before = 0, start = log(1e-3 * alpha * alpha);
+    grid->peak = shape(distribution, alpha, 0) / all;
     for (int i = 0; i < grid->count; ++i) {
         double end = exp(start * (1 - (i + 1.0) / grid->count));
         grid->lambda[i] = 0.5 * (before + end);
@@ -94,5 +95,5 @@ void burnish_lobe_sum_measure(const burnish_lobe_sum_grid *grid, const burnish_t
         error->moved += 0.5 * fabs(difference);
         error->cap = fmax(error->cap, fabs(inside));
     }
-    error->peak = burnish_theory_lobe_sum_value(sum, 0) / grid->value[0];
+    error->peak = burnish_theory_lobe_sum_value(sum, 0) / grid->peak;
 }

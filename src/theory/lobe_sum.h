@@ -12,11 +12,11 @@ typedef struct burnish_lobe_sum_row {
     double terms[2 * BURNISH_THEORY_LOBE_SUM_MAX - 1][BURNISH_LOBE_SUM_TERMS];
 } burnish_lobe_sum_row;
 
-/* Where 1 - c is sampled, its steps, and the target's values there. */
+/* Where 1 - c is sampled, its steps, and the target's values there and at 0. */
 typedef struct burnish_lobe_sum_grid {
     int count; /* [1, BURNISH_LOBE_SUM_POINTS] */
     double lambda[BURNISH_LOBE_SUM_POINTS], step[BURNISH_LOBE_SUM_POINTS];
-    double value[BURNISH_LOBE_SUM_POINTS];
+    double value[BURNISH_LOBE_SUM_POINTS], peak;
 } burnish_lobe_sum_grid;
 
 /* The sum of a row at an alpha: slopes and weights within their limits. */
