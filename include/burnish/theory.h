@@ -341,7 +341,7 @@ BURNISH_THEORY_API double burnish_theory_lobe_sum_value(const burnish_theory_lob
 BURNISH_THEORY_API double burnish_theory_rough_value(burnish_theory_distribution distribution,
                                                      double alpha, double lambda);
 
-/* How far a sum is from it, to 1e-4; peak to 1e-3. */
+/* How far a sum is from it, to 1e-4. */
 typedef struct burnish_theory_lobe_sum_error {
     double moved; /* energy in the wrong direction, half the integral of abs(sum - lobe) */
     double cap;   /* largest error of the energy inside a cap around c = 1 */

@@ -33,8 +33,7 @@ const cli_command lobe_claims_command = {
               "statement holds, holds in part (a note lists for which numbers), or does not hold. "
               "The paper approximates BRDFs by cosine-quadratic functions; its "
               "references date it after 2005, and no bibliographic record of it was found. "
-              "Statements from elsewhere name their source. The paper's W is *taylor:2*, its W1 "
-              "*energy:2*, its W with the index 0.5 *shift7*. *make bench* measures speeds and "
+              "Statements from elsewhere name their source. *make bench* measures speeds and "
               "*make operations* counts operations in machine code.\n"
               "A verdict is a result, not a failure: the exit code stays 0.",
     .operands_max = 1,

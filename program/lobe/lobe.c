@@ -9,6 +9,7 @@ static const cli_command *const parts[] = {
 
 static const cli_example examples[] = {
     {"burnish lobe table --lobes=energy:2,schlick --exponents=10,100", "two lobes side by side"},
+    {"burnish lobe table --lobes=taylor,energy,level0.5,shift7", "the paper's W, W_1, W_Q, W_0.5"},
     {"burnish lobe claims core-w", "a claim of the paper"},
     {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest sufficient lobe"},
     {"burnish lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "a memory for Verilog"},
@@ -18,16 +19,20 @@ static const cli_example examples[] = {
 };
 
 static const cli_term lobe_terms[] = {
-    {"*energy*", "zeta = (n + 1) / (m + 1): the same integral over solid angle as cos^n."},
-    {"*taylor*", "zeta = n / m: the same value and slope at the centre."},
-    {"*level*_Q_", "equals cos^n where that is _Q_, between 0 and 1, as in *level0.5:2*."},
+    {"*energy*", "zeta = (n + 1) / (m + 1): the same integral over solid angle as cos^n. "
+                 "*energy:2* is the paper's W_1."},
+    {"*taylor*",
+     "zeta = n / m: the same value and slope at the centre. *taylor:2* is the paper's W."},
+    {"*level*_Q_",
+     "equals cos^n where that is _Q_, between 0 and 1, as in *level0.5:2*: the paper's W_Q."},
     {"*projected*", "the same cosine-weighted integral as cos^n."},
     {"*minimax*", "the least maximum error against cos^n."},
     {"*leastsquares*", "the least integral of the squared error over the cosine."},
     {"*affine*", "like minimax with a peak a little below 1: an error lower by a sixth for the "
                  "same cost."},
     {"*zeta*_Z_", "that slope for every exponent, as in *zeta6.645:2*."},
-    {"*shift7*, *shift3*", "zeta = 7n/16 and 3n/8, order 2, for integer hardware."},
+    {"*shift7*, *shift3*", "zeta = 7n/16 and 3n/8, order 2, for integer hardware. "
+                           "*shift7* is the paper's W_0.5."},
     {"*power*, *schlick*, *gaussian*, *gx*, *lyon*:_ORDER_",
      "for comparison: c^n, c / (n - n c + c), exp(-(n + 0.775) (1 - c)), "
      "c^2 / (n/2 + (1 - n/2) c^2), and the taylor fit taken from the chord of vectors that "

@@ -83,24 +83,6 @@ def boundary(burnish):
     return grid("the cosine where", sorted(cells, key=lambda cell: cell[1]), "%.5f", "n = %s")
 
 
-def meant(burnish):
-    """The claim that does not hold, and what was probably meant."""
-    names = {
-        "7n/16": "`shift7`, down to level .45",
-        "level(.5)": "exact `level0.5`, down to level .45",
-        "to inflection": "`shift7`, down to the inflection",
-        "best Q": "the best Q, down to level .45",
-    }
-    cells, bounds = [], {}
-    for case, measured, bound in claims(burnish, "w05-small", "w05-large"):
-        name, found, n = case.partition(" n=")
-        if found:
-            cells.append((f"n = {n}", names[name], measured))
-            bounds[n] = bound
-    cells += [(f"n = {n}", "stated for `shift7`, down to level .45", bound) for n, bound in bounds.items()]
-    return grid("largest absolute error", cells, "%.4f")
-
-
 def lyon(burnish):
     """What vectors of other lengths lose of a highlight, unchanged and after three terms of Lyon's series."""
     cells, loss = [], {}
@@ -119,19 +101,6 @@ def lyon(burnish):
         }
         cells += [(f"{words[0]} degrees", name, value) for name, value in values.items()]
     return grid("normals apart", cells, "%s")
-
-
-def level(burnish):
-    """The best Q of W_Q."""
-    norms = {"max": "largest error", "cosine rms": "mean square over the cosine", "angle rms": "mean square over the angle"}
-    ranges = {"90 degrees": "all angles", "inflection": "down to the inflection"}
-    cells = []
-    for case, measured, _ in claims(burnish, "level-best"):
-        name, found, n = case.partition(" n=")
-        if found:
-            norm, _, end = name.partition(" to ")
-            cells.append((f"{norms[norm]}, n = {n}", ranges.get(end, f"down to {end}"), measured))
-    return grid("best Q", sorted(cells, key=lambda cell: cell[0].replace(",", ";")), "%.3f")
 
 
 def operations(page):
@@ -185,8 +154,5 @@ TABLES = {
     "choose": choose,
     "energy": energy,
     "boundary": boundary,
-    "claims": lambda burnish: run(burnish, "lobe", "claims", "--format=markdown").splitlines(),
-    "meant": meant,
     "lyon": lyon,
-    "level": level,
 }

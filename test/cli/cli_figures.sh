@@ -234,8 +234,6 @@ says power 10 radius:36.86989765 0.49 2
 says power 100 radius:11.47834095 0.58 2
 says power 1000 radius:3.62430750 1.57 2
 says shift7 1000 max-relative 1.9 1 inflection
-says energy:2 100 above 0.089 3
-says energy:2 100 below 0.057 3
 
 # Every command of the page and of the help screens and the man page.
 {
