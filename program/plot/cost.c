@@ -1,5 +1,4 @@
-/* The figure `cost`: a row per lobe, cheapest first, and the Pareto front.
- */
+/* The figure `cost`: a row per lobe, cheapest first, and the Pareto front. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -59,7 +58,7 @@ static void add_point(plot_series *series, double x, double y) {
 static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
                               burnish_error *error) {
     plot_series *front = &chart->series[0], *series = plot_add_series(chart, error);
-    char cost[64];
+    char cost[64], name[PLOT_TEXT_SIZE - 64 - 3];
     if (!series) {
         return error->status;
     }
@@ -67,7 +66,8 @@ static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
         c->model.lobe.kind == BURNISH_LOBE_FAMILY || c->model.lobe.kind == BURNISH_LOBE_LYON;
     lobe_cost_text(&c->cost, cost, sizeof cost);
     snprintf(series->name, sizeof series->name, "%s", c->word);
-    snprintf(series->text, sizeof series->text, "%s   %s", cost, c->word);
+    plot_name_lobe(&c->model, name, sizeof name);
+    snprintf(series->text, sizeof series->text, "%s   %s", cost, name);
     series->ink = PLOT_INK_LOBE + !family;
     series->dash = !(c->error > 0) ? COST_EXACT : family ? COST_FAMILY : COST_OTHER;
     add_point(series, row, c->error > 0 ? c->error : NAN);

@@ -17,6 +17,7 @@ static plot_metric lobe_value, power_error, core_error, extreme_error, extreme_e
 
 static const plot_figure figures[] = {
     {.name = "error",
+     .panel = "2",
      .script = "error",
      .title = "Absolute error of W against the angle",
      .exponents = "3,10,30,100,300,1000",
@@ -26,6 +27,7 @@ static const plot_figure figures[] = {
      .is_narrow = 1,
      .has_paper_names = 1},
     {.name = "curves",
+     .panel = "3",
      .script = "curves",
      .title = "The power, W and Schlick's function against the angle",
      .exponents = "100",
@@ -34,6 +36,7 @@ static const plot_figure figures[] = {
      .measure = lobe_value,
      .has_paper_names = 1},
     {.name = "core",
+     .panel = "4",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "core",
      .title = "Largest relative error from the peak to the inflection against the exponent",
@@ -43,6 +46,7 @@ static const plot_figure figures[] = {
      .measure = core_error,
      .has_paper_names = 1},
     {.name = "ratio",
+     .panel = "5",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "ratio",
      .title = "Ratio R of the angles at which power and lobe fall to 2^-q against the exponent",
@@ -53,6 +57,7 @@ static const plot_figure figures[] = {
      .measure = burnish_theory_width_ratio,
      .has_paper_names = 1},
     {.name = "w1",
+     .panel = "6a",
      .script = "curves",
      .title = "W1 and the power against the angle",
      .exponents = "10",
@@ -61,6 +66,7 @@ static const plot_figure figures[] = {
      .measure = lobe_value,
      .has_paper_names = 1},
     {.name = "w1-extreme",
+     .panel = "6b",
      .axis = PLOT_AXIS_EXPONENTS,
      .script = "w1-extreme",
      .title = "Extreme relative error of W1 against the exponent",
@@ -71,6 +77,7 @@ static const plot_figure figures[] = {
      .points = extreme_error_searched,
      .has_paper_names = 1},
     {.name = "object",
+     .panel = "7",
      .axis = PLOT_AXIS_NONE,
      .title = "An object shaded with the power, W1 and Schlick's function, and the differences",
      .exponents = "40",
@@ -82,11 +89,12 @@ static const plot_figure figures[] = {
      .script = "cost",
      .title = "Largest absolute error of every lobe against what it costs",
      .exponents = "64",
-     .lobes = "taylor:2,energy:2,minimax:2,affine:2,energy:4,minimax:4,affine:4,minimax:8,affine:8,"
+     .lobes = "taylor:2,energy:2,shift7,minimax:2,affine:2,energy:4,minimax:4,affine:4,minimax:8,"
+              "affine:8,"
               "minimax:16,affine:16,minimax:32,affine:32,nv2x,power,schlick,gx,gaussian,"
               "kuijk-blake,table256,table256:linear",
      .width = 960,
-     .height = 690,
+     .height = 712,
      .y_column = "maximum_error",
      .fill = plot_fill_cost},
     {.name = "energy",
@@ -168,7 +176,7 @@ plot_series *plot_add_series(plot_chart *chart, burnish_error *error) {
 }
 
 /* The lobe's label in a figure; the paper's name if it has one. */
-static void lobe_text(const burnish_theory_model *model, char *text, size_t size) {
+void plot_name_lobe(const burnish_theory_model *model, char *text, size_t size) {
     char word[LOBE_NAME];
     burnish_lobe_spec_name(&model->lobe, word, sizeof word);
     if (strcmp(word, "taylor:2") == 0) {
@@ -306,7 +314,7 @@ static void dress(const plot_figure *figure, const plot_request *request, const 
     const int is_bits = c->list == &request->bits;
     const int several = c->list && (is_bits || c->list->count > 1);
     char text[64];
-    lobe_text(model, text, sizeof text);
+    plot_name_lobe(model, text, sizeof text);
     snprintf(series->name, sizeof series->name, "%s", c->lobe);
     if (c->list) {
         snprintf(series->name, sizeof series->name, "%s %c=%.10g", c->lobe, c->letter,

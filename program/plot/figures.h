@@ -82,6 +82,7 @@ typedef enum plot_axis {
  */
 typedef struct plot_figure {
     const char *name, *title;
+    const char *panel;  /* its number in the paper; NULL: not in it */
     const char *script; /* figures/SCRIPT.gp; NULL: a picture, see plot_object */
     plot_axis axis;
     const char *exponents, *lobes, *bits;
@@ -101,6 +102,9 @@ typedef struct plot_figure {
  * Errors: ARGUMENT for a lobe that does not exist for an exponent, or too many curves. */
 burnish_status plot_fill(const plot_figure *figure, const plot_request *request, plot_chart *chart,
                          burnish_error *error);
+
+/* The paper's name of a lobe, else burnish's, as gnuplot's enhanced text. */
+void plot_name_lobe(const burnish_theory_model *model, char *text, size_t size);
 
 /* The model of a lobe of --lobes. Errors: ARGUMENT. */
 burnish_status plot_make_model(const char *word, double exponent, burnish_theory_model *model,

@@ -89,9 +89,9 @@ void plot_write_script(const plot_chart *chart, const plot_figure *figure, int i
     fprintf(file,
             "# %s. Made by burnish lobe plot %s; gnuplot 5.4 writes the drawing to standard "
             "output.\nid = \"%s\"\nformat = \"%s\"\nwidth = %d.0\nheight = %d.0\n"
-            "condition = \"%s\"\nlines = %zu\n",
+            "panel = \"%s\"\ncondition = \"%s\"\nlines = %zu\n",
             chart->title, chart->name, id, is_png ? "png" : "svg", chart->width, chart->height,
-            chart->condition, chart->series_count);
+            figure->panel ? figure->panel : "", chart->condition, chart->series_count);
     write_integers("color", chart, offsetof(plot_series, ink), file);
     write_integers("dash", chart, offsetof(plot_series, dash), file);
     for (size_t i = 0; i < chart->series_count; ++i) {

@@ -106,10 +106,8 @@ static burnish_status draw_legend(gallery *g, double exponent, burnish_error *er
 }
 
 static void name_lobe(const char *word, char *name) {
-    static const char *const names[][2] = {{"power", "power"},
-                                           {"energy:2", "W1 (energy:2)"},
-                                           {"taylor:2", "W (taylor:2)"},
-                                           {"schlick", "Schlick"}};
+    static const char *const names[][2] = {
+        {"power", "cos^n"}, {"energy:2", "W_1"}, {"taylor:2", "W"}, {"schlick", "Schlick"}};
     snprintf(name, NAME_SIZE, "%s", word);
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
         if (strcmp(word, names[i][0]) == 0) {

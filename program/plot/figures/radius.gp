@@ -1,4 +1,4 @@
-y_title = "radius of curvature of the curve over the angle, in radians" . condition
+y_title = "radius of curvature, in radians" . condition
 x_title = "lobe angle {/:Italic γ} in degrees"
 x_log = 1
 y_log = 1

@@ -1,4 +1,4 @@
-y_title = "value relative to GGX at its peak; dashed: three lobes, dotted: one"
+y_title = "value, of the peak of GGX (dashed: 3 lobes, dotted: 1)"
 x_title = "angle from the mirror direction in degrees"
 names = "key"
 low = 0

@@ -1,5 +1,6 @@
 # What all figures share. Before it stand the numbers (burnish lobe plot NAME --format=gp shows them
 # all) and the figure's own settings:
+#   panel            its number in the paper, or ""
 #   y_title x_title  texts           names    "end": at the lines' ends, "key", "inside"; "rows"
 #   x_log y_log      1: logarithmic           guide    a line to read against; guide_text above it
 #   low high         of y, in place of those of the data         drawing  in place of the lines
@@ -66,7 +67,7 @@ do for [axis = 1:2] {
             do for [digit = 1:9] {
                 at = digit * 10.0**power
                 level = digit == 1 || (!long && (digit == 2 || digit == 5)) ? 0 : 1
-                label = level ? "" : sprintf("%.6g", at)
+                label = level ? "" : axis == 2 && low < 1e-4 ? sprintf("10^{%d}", power) : sprintf("%.6g", at)
                 if (axis == 1 && at > 0.999 * x_low && at < 1.001 * x_high) { set xtics add (label at level) }
                 if (axis == 2 && level == 0 && at > 0.999 * low && at < 1.001 * high) { set ytics add (label at level) }
             }
@@ -91,9 +92,9 @@ do for [axis = 1:2] {
 # Margins and frame: a line below, faint lines across.
 longest = 0
 do for [i = 1:lines] { longest = larger(longest, letters[i]) }
-set lmargin at screen (names eq "rows" ? 34 + 7.6 * longest : 66.0) / width
+set lmargin at screen (names eq "rows" ? 34 + 7.6 * longest : 82.0) / width
 set bmargin at screen 66.0 / height
-set tmargin at screen 1 - 48.0 / height
+set tmargin at screen 1 - (names eq "rows" ? 48.0 : 34.0) / height
 set rmargin at screen 1 - (names eq "end" ? 42 + 8 * longest : names eq "key" ? 76 + 8 * longest : 26.0) / width
 set border 1 linecolor rgb ink(2) linewidth 1
 set tics nomirror out scale 0.6,0.3 textcolor rgb ink(1)
@@ -101,7 +102,9 @@ if (names eq "rows") { set grid xtics linecolor rgb ink(3) linewidth 1 linetype 
 if (names ne "rows") { set grid ytics linecolor rgb ink(3) linewidth 1 linetype 1 }
 set ytics scale 0
 set xlabel x_title offset 0, 0.4 textcolor rgb ink(1)
-set label y_title at screen 22.0 / width, screen 1 - 24.0 / height textcolor rgb ink(1)
+if (names eq "rows") { set label y_title at screen 22.0 / width, screen 1 - 24.0 / height textcolor rgb ink(1) }
+if (names ne "rows") { set label y_title at screen 18.0 / width, graph 0.5 center rotate textcolor rgb ink(1) }
+if (panel ne "") { set label "{/:Bold " . panel . "}" at screen 22.0 / width, screen 1 - 20.0 / height textcolor rgb ink(1) }
 if (exists("guide")) {
     set arrow from graph 0, first guide to graph 1, first guide nohead linewidth 1 dashtype (4,4) linecolor rgb ink(2) back
     set label guide_text at graph 0.99, first guide right offset 0, 0.6 textcolor rgb ink(1)
@@ -115,7 +118,7 @@ if (names eq "inside") { set key at graph 1, 0.03 right bottom }
 # neighbours that are nearer move apart by half of what is missing, again and again. (A label's text
 # begins with "" . because gnuplot takes text[i] for a number.)
 share(y) = y_log ? log(larger(y, low) / low) / log(1.0 * high / low) : (y - low) / (high - low)
-gap = 17.0 / (height - 114)
+gap = 17.0 / (height - 100)
 array order[lines]
 array height_of[lines]
 if (names eq "end") {
@@ -139,7 +142,7 @@ if (names eq "end") {
     }
     do for [i = 1:lines] {
         set label "" . text[i] at graph 1, graph height_of[i] left offset 2.6, 0 textcolor rgb ink(color[i])
-        set arrow from graph 1, first larger(end_y[i], low) to graph 1 + 14.0 / (width - 108 - 8 * longest), graph height_of[i] nohead linewidth 0.7 linecolor rgb ink(color[i])
+        set arrow from graph 1, first larger(end_y[i], low) to graph 1 + 14.0 / (width - 124 - 8 * longest), graph height_of[i] nohead linewidth 0.7 linecolor rgb ink(color[i])
     }
 }
 
