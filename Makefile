@@ -10,7 +10,7 @@ JOB_NAMES := $(shell ./scripts/job --list)
 # $(call build,PRESET,TARGET,CMAKE_OPTIONS) and $(call test,PRESET,CTEST_OPTIONS); ONLY=NAME or ONLY=NAME:CASE runs one test.
 build = @cmake --preset $1 $3 >/dev/null && cmake --build --preset $1 -j $(JOBS) --target $2
 only = $(if $(ONLY),-V -R '^$(firstword $(subst :, ,$(ONLY)))$$',$1)
-test = @BURNISH_TEST_ONLY='$(word 2,$(subst :, ,$(ONLY)))' ctest --preset $1 --no-tests=error -j $(JOBS) $(call only,$2)
+test = @BURNISH_TEST_ONLY='$(word 2,$(subst :, ,$(ONLY)))' ./scripts/ctest $1 -j $(JOBS) $(call only,$2)
 
 .PHONY: help
 help: ## list the targets

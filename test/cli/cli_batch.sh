@@ -103,6 +103,8 @@ drawn '' --size=32
 if "$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null; then
     printf 'newmtl r\nKd 0 1 0\n' >in/sub/m.mtl
     drawn 'out/sub/m.png ' --size=32
+else
+    skip "a library that changed, no sandbox here reports what was read"
 fi
 rm -f s.png
 echo 'v 5 0 0' >>in/a.obj

@@ -24,7 +24,7 @@ offers() {
     offered=$(bash ask.bash "$@" | tr '\n' ' ' | sed 's/ $//')
     check "bash offers '$offered' for $*, not '$wanted'" [ "$offered" = "$wanted" ]
 }
-if command -v bash >/dev/null; then
+if has "completion of bash" bash; then
     check "bash: syntax" bash -n burnish.bash
     touch part.stl
     offers "render" burnish ren
@@ -44,11 +44,11 @@ if command -v bash >/dev/null; then
     offers "--exponents=" burnish lobe table --exp
     offers "markdown" burnish lobe table --format ma
 fi
-if command -v zsh >/dev/null; then
+if has "syntax of zsh" zsh; then
     check "zsh: $(zsh -n burnish.zsh 2>&1)" zsh -n burnish.zsh
     check "zsh: no topics" grep -q -- "--help=-.*picture files camera light report all" burnish.zsh
 fi
-if command -v fish >/dev/null; then
+if has "completion of fish" fish; then
     check "fish: $(fish --no-execute burnish.fish 2>&1)" fish --no-execute burnish.fish
     check "fish offers no render" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish ren\"' 2>&1 | grep -q render"
     check "fish offers no --camera-position" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish render x --camera-pos\"' 2>&1 | grep -q camera-position"

@@ -33,7 +33,9 @@ rm -f moving.obj
 check "a file that shrinks: exit codes$codes" [ -z "$(echo "$codes" | tr -d ' 034')" ]
 
 # Signals in the middle, for a new file and an old one: as the signal would have ended it.
-if env --default-signal=INT true 2>/dev/null; then
+if ! env --default-signal=INT true 2>/dev/null; then
+    skip "signals, env has no --default-signal"
+else
     echo old >old.png
     for name in INT TERM HUP; do
         for file in new.png old.png; do
@@ -67,7 +69,7 @@ if unshare -r -m true 2>/dev/null && unshare -r -m sh -c 'mkdir m && mount -t tm
     check "a bind mount: $(cat "$out")" [ "$(cat "$out")" = other ]
     rm -f a.png b.png
 else
-    echo "cli_faults: SKIPPED: full disk and bind mount, which take the right to mount"
+    skip "full disk and bind mount, no right to mount"
 fi
 rmdir m 2>/dev/null
 nothing_left "faults"

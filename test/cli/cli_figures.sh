@@ -182,7 +182,7 @@ if [ "$has_gnuplot" = 1 ]; then
         check "$file: no end" sh -c "tail -n 2 '$file' | grep -q '</svg>'"
         check "$file: no forms for light and dark pages" grep -q 'prefers-color-scheme:dark' "$file"
         check "$file: a number that is none" sh -c "! grep -qi '[^a-z]nan[^a-z]' '$file'"
-        command -v xmllint >/dev/null && check "$file: not well-formed" xmllint --noout "$file"
+        check "$file: not well-formed" python3 -c 'import sys, xml.dom.minidom as dom; dom.parse(sys.argv[1])' "$file"
     done
     run lobe plot energy -o -
     check "standard output" cmp "$out" one/energy.svg
@@ -251,4 +251,4 @@ done <"$out.commands"
 rm -f "$out.commands" ./*
 
 finish || exit 1
-[ "$has_gnuplot" = 1 ] || { echo "gnuplot is missing: drawings skipped"; exit 77; }
+[ "$has_gnuplot" = 1 ] || { echo "drawings, no gnuplot"; exit 77; }

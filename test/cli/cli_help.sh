@@ -132,10 +132,10 @@ check "the manual has the C interface's words" sh -c '! grep -q initialised burn
 for exit_code in 0 1 2 3 4 5 6 7 8; do
     check "the man page lacks exit code $exit_code" grep -q "^.B $exit_code\$" burnish.1
 done
-if command -v mandoc >/dev/null; then
+if has "check of the man page by mandoc" mandoc; then
     check "mandoc: $(mandoc -T lint -W warning burnish.1)" mandoc -T lint -W warning burnish.1
 fi
-if command -v groff >/dev/null && command -v man >/dev/null; then
+if has "check of the man page by man" groff man; then
     warnings=$(LC_ALL=C MANROFFSEQ='' man --warnings -E UTF-8 -l burnish.1 2>&1 >/dev/null)
     check "man: $warnings" [ -z "$warnings" ]
 fi

@@ -4,7 +4,6 @@
 # Usage: cli_hostile.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
-command -v python3 >/dev/null || exit 77
 
 # What is refused takes this much at most, what is drawn as much as its textures and triangles. A sanitizer's program
 # has no bounded address space.

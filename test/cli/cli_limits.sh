@@ -37,41 +37,37 @@ check "a stream beyond the limit: $?" grep -q 'standard input: larger than the l
 check "a stream that begins with comments" grep -q '1 triangle' "$out"
 rm -f long.obj file.txt
 
-if command -v python3 >/dev/null; then
-    too_much() { # FILE WHERE FLAGS...
-        file=$1 where=$2
-        shift 2
-        gives 5 render "$file" --up=format --threads=1 -o h.png "$@"
-        check "$file $*: $(cat "$err")" grep -qx "burnish: the triangles cover $where [0-9]* times, which takes long; the limit is [0-9]*: raise max-overdraw, or leave out what is hidden" "$err"
-        check "$file $*: no picture" [ ! -e h.png ]
+too_much() { # FILE WHERE FLAGS...
+    file=$1 where=$2
+    shift 2
+    gives 5 render "$file" --up=format --threads=1 -o h.png "$@"
+    check "$file $*: $(cat "$err")" grep -qx "burnish: the triangles cover $where [0-9]* times, which takes long; the limit is [0-9]*: raise max-overdraw, or leave out what is hidden" "$err"
+    check "$file $*: no picture" [ ! -e h.png ]
+}
+PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" . sheets-4000.stl sheets-20000.stl sheets-500.stl \
+    same-120000.obj transparent-500.ply >/dev/null
+too_much sheets-4000.stl "the picture" --views=top --occlusion=none
+too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front
+too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow --max-overdraw=250
+too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground
+too_much same-120000.obj "the picture" --views=front --look=drawing
+too_much transparent-500.ply "the picture" --views=front --occlusion=none
+too_much sheets-500.stl "the picture" --views=top --occlusion=none --max-overdraw=10
+gives 0 render sheets-500.stl --up=format --views=top --size=640 --samples=1 --occlusion=none --max-overdraw=1e6 --json -o h.png  # a higher limit
+# 500 sheets of half the object's square, 0.9 of the picture's side each: a little more for cells at their edges
+check "overdraw: $(json overdraw)" awk "BEGIN { exit !($(json overdraw) >= 202 && $(json overdraw) < 320) }"
+# A bundle of long thin triangles, as tubes in a tube have: at any size, also with the sky's depth maps.
+awk 'BEGIN {
+    for (i = 0; i < 4000; ++i) {
+        a = i * 2.399963; c = cos(a); s = sin(a); z = i / 4000
+        printf "v %.4f %.4f %.4f\nv %.4f %.4f %.4f\nv %.4f %.4f %.4f\n", -c, -s, z, c, s, z, c + .004, s + .004, z + .002
     }
-    PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" . sheets-4000.stl sheets-20000.stl sheets-500.stl \
-        same-120000.obj transparent-500.ply >/dev/null
-    too_much sheets-4000.stl "the picture" --views=top --occlusion=none
-    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front
-    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow --max-overdraw=250
-    too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground
-    too_much same-120000.obj "the picture" --views=front --look=drawing
-    too_much transparent-500.ply "the picture" --views=front --occlusion=none
-    too_much sheets-500.stl "the picture" --views=top --occlusion=none --max-overdraw=10
-    gives 0 render sheets-500.stl --up=format --views=top --size=640 --samples=1 --occlusion=none --max-overdraw=1e6 --json -o h.png  # a higher limit
-    # 500 sheets of half the object's square, 0.9 of the picture's side each: a little more for cells at their edges
-    check "overdraw: $(json overdraw)" awk "BEGIN { exit !($(json overdraw) >= 202 && $(json overdraw) < 320) }"
-    # A bundle of long thin triangles, as tubes in a tube have: at any size, also with the sky's depth maps.
-    awk 'BEGIN {
-        for (i = 0; i < 4000; ++i) {
-            a = i * 2.399963; c = cos(a); s = sin(a); z = i / 4000
-            printf "v %.4f %.4f %.4f\nv %.4f %.4f %.4f\nv %.4f %.4f %.4f\n", -c, -s, z, c, s, z, c + .004, s + .004, z + .002
-        }
-        for (i = 0; i < 4000; ++i) print "f", 3 * i + 1, 3 * i + 2, 3 * i + 3
-    }' >bundle.obj
-    for size in 64 256 768; do
-        gives 0 render bundle.obj --size=$size --max-overdraw=120 -o h.png
-    done
-    rm -f ./*.stl ./*.obj ./*.ply h.png
-else
-    echo "cli_limits: SKIPPED: hostile files, since python3 is missing"
-fi
+    for (i = 0; i < 4000; ++i) print "f", 3 * i + 1, 3 * i + 2, 3 * i + 3
+}' >bundle.obj
+for size in 64 256 768; do
+    gives 0 render bundle.obj --size=$size --max-overdraw=120 -o h.png
+done
+rm -f ./*.stl ./*.obj ./*.ply h.png
 expect 2 'burnish: --max-overdraw: "0.5" is not a number from 1 to 1000000000' render :sphere --max-overdraw=0.5
 nothing_left "limits"
 finish

@@ -33,9 +33,7 @@ done
 check "instruction sets differ: $(cat sums)" [ "$(sort -u sums | wc -l)" = 1 ]
 
 if ! "$burnish" render :sphere --size=8 -o x.exr 2>/dev/null; then
-    echo "cli_planes: SKIPPED: values, since this build writes no EXR"
-elif ! command -v python3 >/dev/null; then
-    echo "cli_planes: SKIPPED: values, since python3 is missing"
+    skip "values, this build writes no EXR"
 else
     check "$(PYTHONDONTWRITEBYTECODE=1 python3 "$here/planes.py" "$burnish" 2>&1 | tail -1)" \
         env PYTHONDONTWRITEBYTECODE=1 python3 "$here/planes.py" "$burnish"

@@ -18,7 +18,7 @@ limits() {
 expect 2 'burnish: --max-seconds: "-1" is not a number from 0 to 1000000' render :sphere --max-seconds=-1
 expect 2 'burnish: --max-memory: "x" is not a number of bytes, such as 500M or 2G (K, M, G: powers of 1024)' render :sphere --max-memory=x
 if ! "$burnish" render :sphere --max-memory=1G --size=8 --threads=1 -o s.png 2>/dev/null; then
-    echo "cli_sandbox: SKIPPED: limits of memory, which this build's sanitizer can't bear"
+    skip "limits of memory, this build's sanitizer needs more"
     rm -f sheets.obj endless.obj
     finish
     exit
@@ -29,6 +29,7 @@ limits
 if ! "$burnish" render :sphere --size=8 --sandbox -o s.png 2>"$err"; then
     expect 2 'burnish: --sandbox: this program was built without libseccomp; install libseccomp-dev and build again, or use --no-sandbox' \
         render :sphere --sandbox -o s.png
+    skip "everything in the sandbox, built without libseccomp"
     rm -f sheets.obj endless.obj
     finish
     exit
@@ -130,7 +131,7 @@ full() { # ARGUMENTS...
 }
 full --version
 if [ $code = 77 ]; then
-    echo "cli_sandbox: SKIPPED: this kernel has no Landlock"
+    skip "a wall that can't be built, this kernel has no Landlock"
 else
     full render :sphere --size=16 --sandbox -o s.png
     check "render: $code, $(cat "$err")" [ "$code $(cat "$err")" = \

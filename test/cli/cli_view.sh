@@ -17,6 +17,7 @@ run help --man
 check "the manual has the keys" grep -q 'exponent.*down' "$out"
 if ! "$burnish" view :sphere --resolution=64,64 --do=quit 2>"$err"; then
     expect 2 'burnish: view: this program was built without SDL2; install libsdl2-dev and build again, or use burnish render' view :sphere
+    skip "everything in a window, built without SDL2"
     finish
     exit
 fi

@@ -48,6 +48,18 @@ gives() {
     esac
 }
 
+# skip PART, REASON: says that a part of the test is not run; scripts/ctest lists these lines at the end.
+skip() { printf '%s: SKIPPED: %s\n' "$(basename "$0" .sh)" "$*"; }
+
+# has PART TOOL...: whether the tools of a part are installed; says so if not.
+has() {
+    part=$1
+    shift
+    for tool in "$@"; do
+        command -v "$tool" >/dev/null || { skip "$part, no $tool" && return 1; }
+    done
+}
+
 # png_size FILE: width and height in the header of a PNG file.
 png_size() { python3 -c 'import struct, sys; s, *size = struct.unpack(">12s4xII", open(sys.argv[1], "rb").read(24)); print(*size if s[:8] == b"\x89PNG\r\n\x1a\n" else "")' "$1"; }
 
@@ -72,6 +84,9 @@ await() {
 computes() {
     [ "$(awk '{ print $14 + $15 }' "/proc/$1/stat")" -ge 10 ]
 }
+
+# children PID: the processes that it has started.
+children() { grep -ls "^PPid:[[:space:]]*$1\$" /proc/[0-9]*/status | cut -d/ -f3; }
 
 # ended PID: the process has exited, even if no process has waited for it yet.
 ended() {

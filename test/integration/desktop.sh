@@ -48,7 +48,7 @@ thumbnail() { # FILE
     code=$?
 }
 if ! bwrap --ro-bind /usr /usr --symlink /usr/lib /lib --symlink /usr/lib64 /lib64 --unshare-all --proc /proc --dev /dev /usr/bin/true; then
-    echo "desktop: SKIPPED: bubblewrap, which this system does not allow"
+    skip "thumbnails in bubblewrap, this system does not allow it"
     finish
     exit
 fi

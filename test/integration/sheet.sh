@@ -1,7 +1,6 @@
 #!/bin/sh
 # The contact sheet of the firmware's frames, which `make mcu` writes.
 # usage: sheet.sh PROGRAM SCRATCH
-command -v python3 >/dev/null || { echo "sheet: python3 is missing"; exit 77; }
 . "$(dirname "$0")/../cli/lib.sh"
 
 # frames COUNT: that many grey pictures of 64 by 64 pixels

@@ -207,13 +207,13 @@ int main(int count, char **arguments) {
     RUN(test_jpeg());
     RUN(test_jpeg_density());
 #else
-    printf("picture: SKIPPED: JPEG, since libjpeg is missing\n");
+    printf("picture: SKIPPED: JPEG, no libjpeg\n");
 #endif
 #if BURNISH_HAS_WEBP
     RUN(test_webp());
     RUN(test_large_webp());
 #else
-    printf("picture: SKIPPED: WebP, since libwebp is missing\n");
+    printf("picture: SKIPPED: WebP, no libwebp\n");
 #endif
     return test_end("picture");
 }

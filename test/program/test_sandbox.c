@@ -341,7 +341,7 @@ static void test_without_seccomp(void) {
         {{"connect", connect_tcp}, 0, 4, EACCES}, {{"bind", bind_tcp}, 0, 4, EACCES},
         {{"kill", end_parent}, 0, 6, EPERM},      {{"walls", ask_walls}, 0, 0, 0}};
     if (version < 1) {
-        printf("sandbox: SKIPPED: Landlock alone: this kernel has none\n");
+        printf("sandbox: SKIPPED: Landlock alone, this kernel has none\n");
     }
     faults.skips_seccomp = faults.pretends_seccomp = 1;
     for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {

@@ -102,10 +102,10 @@ if command -v node >/dev/null && command -v npm >/dev/null; then
         VK_ICD_FILENAMES=/usr/lib/chromium/vk_swiftshader_icd.json \
             node "$here/wgsl_values.mjs" "$dawn" "$shaders/burnish.wgsl" "$source/test/data/lobes.csv" "$source/test/data/area.csv" || failed=$((failed + 1))
     else
-        echo "shaders: WGSL is not checked: npm can't get webgpu"
+        echo "shaders: SKIPPED: WGSL, npm can't get webgpu"
     fi
 else
-    echo "shaders: WGSL is not checked: node or npm is missing"
+    echo "shaders: SKIPPED: WGSL, no node or npm"
 fi
 echo "shaders: $failed failed"
 [ "$failed" -eq 0 ]
