@@ -7,8 +7,9 @@ GROUPS ?= build test
 DEPS = @./scripts/install-deps
 JOB_NAMES := $(shell ./scripts/job --list)
 
+# Without a terminal, on which ninja rewrites one line, a build prints what fails and nothing else.
 # $(call build,PRESET,TARGET,CMAKE_OPTIONS) and $(call test,PRESET,CTEST_OPTIONS); ONLY=NAME or ONLY=NAME:CASE runs one test.
-build = @cmake --preset $1 $3 >/dev/null && cmake --build --preset $1 -j $(JOBS) --target $2
+build = @echo "building build/$1 ($2)"; cmake --preset $1 $3 >/dev/null && cmake --build --preset $1 -j $(JOBS) --target $2 -- $$([ -t 1 ] || echo --quiet)
 only = $(if $(ONLY),-V -R '^$(firstword $(subst :, ,$(ONLY)))$$',$1)
 test = @BURNISH_TEST_ONLY='$(word 2,$(subst :, ,$(ONLY)))' ./scripts/ctest $1 -j $(JOBS) $(call only,$2)
 
@@ -33,6 +34,8 @@ demo: ## render two teapots, and print where they are
 	$(DEPS) build
 	$(call build,$(PRESET),burnish_cli)
 	@./scripts/demo build/$(PRESET)/burnish out/demo
+	@echo "the program:                 build/$(PRESET)/burnish"
+	@echo "try it:                      build/$(PRESET)/burnish :teapot out/teapot.png"
 
 .PHONY: install
 install: ## install program, libraries, headers and man page (DESTDIR, PREFIX), building nothing else
