@@ -42,6 +42,8 @@ install: ## install program, libraries, headers and man page (DESTDIR, PREFIX), 
 	$(DEPS) build
 	$(call build,$(PRESET),burnish_installed)
 	@cmake --install build/$(PRESET) $(if $(PREFIX),--prefix $(PREFIX))
+	@# the loader finds a library of /usr/local in its cache only
+	@if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" -eq 0 ] && command -v ldconfig >/dev/null; then ldconfig; fi
 
 .PHONY: test
 test: ## build and run the tests that need no special tools; ONLY=NAME or ONLY=NAME:CASE for one of them
