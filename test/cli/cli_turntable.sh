@@ -85,7 +85,7 @@ for sandbox in $sandboxes; do
     fake 'for file; do :; done; cat >"/proc/self${file#/dev}"; kill -9 $$'
     video 7 render :knot $few --turntable=kept.mp4 $sandbox
     fake 'for file; do :; done; cat >"/proc/self${file#/dev}"'
-    [ $bounded = 0 ] || video 6 render :knot --size=512 --max-memory=1K --turntable=kept.mp4 $sandbox
+    [ $bounded = 0 ] || video 6 render :knot --size=8000 --threads=1 --max-memory=100M --turntable=kept.mp4 $sandbox
     same "$sandbox: a video that could not be made replaces another" "$(cat kept.mp4)" mine
     fake 'for file; do :; done; echo "$*" >arguments; cat >"/proc/self${file#/dev}"'
 done
