@@ -1,5 +1,6 @@
 /* Colours by values: maps at their published values, ranges, and what vertices get. */
 #include "burnish/mesh.h"
+#include "burnish/render.h"
 #include "gltf_input.h"
 #include "mesh_arrays.h"
 #include "reader_input.h"
@@ -57,6 +58,44 @@ static void test_points(void) {
            BURNISH_STATUS_FORMAT);
     CHECK_TEXT(error.text, "a.ply:3: no other vertex property \"cold\" to colour by; the vertices "
                            "have x, y, z, heat");
+}
+
+/* A TGA of one pixel. */
+static burnish_status give_pixel(void *user_data, const char *name, uint64_t max_bytes,
+                                 const void **bytes, size_t *size, burnish_error *error) {
+    static const uint8_t pixel[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 0, 1, 2, 3};
+    (void)user_data, (void)name, (void)max_bytes, (void)error;
+    *bytes = pixel;
+    *size = sizeof pixel;
+    return BURNISH_STATUS_OK;
+}
+
+/* The texture of a file has no triangles to lie on, with and without values to colour by. */
+static void test_textured_points(void) {
+    static const char text[] = "ply\nformat ascii 1.0\ncomment TextureFile t.tga\n"
+                               "element vertex 3\nproperty float x\nproperty float y\n"
+                               "property float z\nproperty float u\nproperty float v\n"
+                               "property float heat\nend_header\n"
+                               "0 0 0 0 0 1\n0 1 0 0 1 2\n1 1 0 1 1 3\n";
+    for (int choice = 0; choice < 4; ++choice) {
+        burnish_load_options options = burnish_load_options_default();
+        burnish_render_options drawing = burnish_render_options_default();
+        burnish_framing framing = burnish_framing_default();
+        burnish_image image = {0};
+        burnish_error error;
+        options.scalar_property = choice & 1 ? "heat" : NULL;
+        options.keep_texture_coordinates = choice >> 1;
+        options.referenced_files = (burnish_file_loader){give_pixel, NULL, NULL};
+        burnish_mesh *mesh = load_bytes(text, strlen(text), "a.ply", &options);
+        CHECK1(burnish_mesh_get_texture_count(mesh) == 0 &&
+               burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 0);
+        CHECK1(!burnish_mesh_get_view(mesh)->texture_coordinates == (choice < 3));
+        CHECK_OK(burnish_camera_frame(mesh, &framing, &drawing.camera, &error), error);
+        drawing.width = drawing.height = 16;
+        CHECK_OK(burnish_render(mesh, &drawing, &image, NULL, &error), error);
+        burnish_image_destroy(&image);
+        burnish_mesh_destroy(mesh);
+    }
 }
 
 /* A mesh gets the map as its texture: u is in the middle of texel 255 (value - low) / size. */
@@ -118,6 +157,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_maps());
     RUN(test_points());
+    RUN(test_textured_points());
     RUN(test_triangles());
     RUN(test_gltf());
     return test_end("coloring");

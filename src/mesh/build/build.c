@@ -1,5 +1,7 @@
 /* Turns mesh data into a mesh, step by step: weld, orient and drop; order; generate normals and
  * number vertices; tangents; materials and textures. */
+#include <assert.h>
+
 #include "core/clock.h"
 
 #include "mesh/build/build.h"
@@ -177,6 +179,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
         burnish_mesh_destroy(b.mesh);
         return status;
     }
+    assert(b.triangle_count > 0 || b.mesh->texture_count == 0); /* as the renderer expects */
     describe_mesh(&b);
     take_warnings(&b);
     b.mesh->info.read_seconds = start - data->start;

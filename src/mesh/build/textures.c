@@ -43,7 +43,9 @@ void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_optio
                                "it is drawn without textures",
                                burnish_show_name(b->name).text);
     }
-    if (options->ignore_textures || data->streams[BURNISH_TEXCOORD].count == 0) {
+    /* Images lie on triangles; the coordinates of points are values to colour by. */
+    if (options->ignore_textures || data->streams[BURNISH_TEXCOORD].count == 0 ||
+        data->point_count > 0) {
         drop_uses(data);
         any = 0;
     }
