@@ -108,7 +108,9 @@ BURNISH_API burnish_status burnish_environment_create_named(const burnish_contex
                                                             burnish_error *error);
 
 /* Creates an environment from bytes: Radiance HDR or, if the build has OpenEXR, EXR with channels
- * R, G and B or with Y, in the first part of the file. The exposure of an HDR file is undone.
+ * R, G and B, or Y alone or with RY and BY, in the first part of the file that has these. The
+ * exposure of an HDR file is undone. A file may unpack to 256 bytes per byte, a small one to 256
+ * MiB.
  *   name  for messages; NULL: "environment"
  * Errors: FORMAT, LIMIT, MEMORY; ARGUMENT (NULL, or EXR without OpenEXR). */
 BURNISH_API burnish_status burnish_environment_decode(const burnish_context *context,

@@ -240,13 +240,18 @@ static void test_arguments(void) {
     CHECK1(!environment);
     CHECK1(burnish_environment_decode(NULL, NULL, 1, NULL, &environment, &error) ==
            BURNISH_STATUS_ARGUMENT);
-    static const char *const files[] = {"#?RGBE\n\n-Y 16384 +X 16384\n",
-                                        "#?RGBE\n\n-Y 8192 +X 8192\n"};
-    for (int i = 0; i < 2; ++i) {
-        CHECK1(burnish_environment_decode(NULL, files[i], strlen(files[i]), NULL, &environment,
-                                          &error) ==
-               (i ? BURNISH_STATUS_FORMAT : BURNISH_STATUS_LIMIT));
-        CHECK1(strstr(error.text, i ? "8192 pixels in 24 bytes" : "up to 134217728 pixels"));
+    static const struct {
+        const char *file;
+        burnish_status status;
+        const char *part;
+    } files[] = {{"#?RGBE\n\n-Y 16384 +X 16384\n", BURNISH_STATUS_LIMIT, "up to 134217728 pixels"},
+                 {"#?RGBE\n\n-Y 8192 +X 8193\n", BURNISH_STATUS_LIMIT,
+                  "8193 x 8192 pixels of 4 bytes in a file of 24"},
+                 {"#?RGBE\n\n-Y 8192 +X 8192\n", BURNISH_STATUS_FORMAT, "scan line 1 of 8192"}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        CHECK1(burnish_environment_decode(NULL, files[i].file, strlen(files[i].file), NULL,
+                                          &environment, &error) == files[i].status);
+        CHECK(strstr(error.text, files[i].part), "%s", error.text);
     }
     CHECK1(burnish_environment_create_named(NULL, "moon", &environment, &error) ==
            BURNISH_STATUS_ARGUMENT);

@@ -57,10 +57,11 @@ burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t widt
 /* ---- Images of floats ---- */
 
 /* Receives an image of linear colours.
- *   begin  its size, checked, before its pixels; an error ends decoding
+ *   begin  its size, checked, and the bytes that a pixel takes when the file is unpacked, before
+ *          its pixels; an error ends decoding
  *   add    each pixel once, in the order of the file */
 typedef struct burnish_float_sink {
-    burnish_status (*begin)(void *context, uint64_t width, uint64_t height);
+    burnish_status (*begin)(void *context, uint64_t width, uint64_t height, uint64_t pixel_bytes);
     void (*add)(void *context, int x, int y, const float rgb[3]);
     void *context;
 } burnish_float_sink;

@@ -212,7 +212,7 @@ burnish_status burnish_decode_hdr(const burnish_encoded *from, burnish_memory *m
         status = burnish_decode_check(from, width, height, memory);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = sink->begin(sink->context, width, height);
+        status = sink->begin(sink->context, width, height, 4);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
