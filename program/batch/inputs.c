@@ -92,7 +92,7 @@ static burnish_status add_folder(batch *b, const char *folder, size_t tree, int 
     const int count = scandir(folder, &entries, is_shown, by_bytes);
     burnish_status status = BURNISH_STATUS_OK;
     if (count < 0) {
-        return cli_fail(error, BURNISH_STATUS_READ, "%.300s: can't be read: %s", folder,
+        return cli_fail(error, cli_errno_status(errno), "%.300s: can't be read: %s", folder,
                         strerror(errno));
     }
     for (int i = 0; i < count; ++i) {
@@ -155,7 +155,7 @@ static char *read_list(const char *path, size_t *size, burnish_error *error) {
     size_t capacity = 0, used = 0, count = 1;
     char *text = NULL;
     if (!file) {
-        cli_fail(error, BURNISH_STATUS_READ, "--files-from: %.300s: can't be opened: %s", path,
+        cli_fail(error, cli_errno_status(errno), "--files-from: %.300s: can't be opened: %s", path,
                  strerror(errno));
         return NULL;
     }

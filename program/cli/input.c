@@ -128,7 +128,7 @@ static burnish_status read_stream(const char *path, FILE *file, uint64_t max_byt
                             (unsigned long long)max_bytes);
         }
         if (ferror(file)) {
-            return cli_fail(error, BURNISH_STATUS_READ, "%.200s: can't be read: %s", path,
+            return cli_fail(error, cli_errno_status(errno), "%.200s: can't be read: %s", path,
                             strerror(errno));
         }
         if (count == 0) {
@@ -144,7 +144,7 @@ burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, uint8_t **by
     *bytes = NULL;
     *size = 0;
     if (!file) {
-        return cli_fail(error, BURNISH_STATUS_READ, "%.200s: can't be opened: %s", path,
+        return cli_fail(error, cli_errno_status(errno), "%.200s: can't be opened: %s", path,
                         strerror(errno));
     }
     const burnish_status status =

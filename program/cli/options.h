@@ -2,6 +2,7 @@
 #ifndef TOOL_CLI_OPTIONS_H
 #define TOOL_CLI_OPTIONS_H
 
+#include <errno.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -148,6 +149,11 @@ cli_command_name cli_full_name(const cli_command *command);
 /* Writes one line, control characters replaced, and returns status. */
 __attribute__((format(printf, 3, 4))) burnish_status
 cli_fail(burnish_error *error, burnish_status status, const char *format, ...);
+
+/* What an errno of a file that can't be opened or read is: fopen, too, needs memory. */
+static inline burnish_status cli_errno_status(int code) {
+    return code == ENOMEM ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_READ;
+}
 
 /* Replaces control characters by '?', to keep a message on one line. */
 void cli_clean(char *text);

@@ -34,7 +34,7 @@ burnish_status folder_fail(const char *name, int code, burnish_error *error) {
     return code == EXDEV || code == ELOOP
                ? cli_fail(error, BURNISH_STATUS_READ, "%s: leads out of the folder of the file",
                           shown.text)
-               : cli_fail(error, BURNISH_STATUS_READ, "%s: can't be opened: %s", shown.text,
+               : cli_fail(error, cli_errno_status(code), "%s: can't be opened: %s", shown.text,
                           strerror(code));
 }
 
@@ -51,7 +51,7 @@ static burnish_status fail_size(const char *name, uint64_t max_bytes, burnish_er
 }
 
 static burnish_status fail_read(const char *name, int code, burnish_error *error) {
-    return cli_fail(error, BURNISH_STATUS_READ, "%s: can't be read: %s",
+    return cli_fail(error, cli_errno_status(code), "%s: can't be read: %s",
                     burnish_show_name(name).text, strerror(code));
 }
 

@@ -19,7 +19,7 @@ static burnish_status open_path(const char *path, int *input, burnish_error *err
     struct stat state;
     *input = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (*input < 0) {
-        return cli_fail(error, BURNISH_STATUS_READ, "%.300s: can't be opened: %s", path,
+        return cli_fail(error, cli_errno_status(errno), "%.300s: can't be opened: %s", path,
                         strerror(errno));
     }
     if (fstat(*input, &state) != 0 || S_ISDIR(state.st_mode)) {
@@ -35,7 +35,7 @@ static burnish_status copy_stream(int from, int to, uint64_t most, burnish_error
     ssize_t size;
     while ((size = read(from, piece, sizeof piece)) != 0) {
         if (size < 0 && errno != EINTR) {
-            return cli_fail(error, BURNISH_STATUS_READ, "standard input: can't be read: %s",
+            return cli_fail(error, cli_errno_status(errno), "standard input: can't be read: %s",
                             strerror(errno));
         }
         total += size > 0 ? (uint64_t)size : 0;

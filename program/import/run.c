@@ -154,7 +154,7 @@ static burnish_status start(run *r, int input, uint64_t memory) {
         if (nothing >= 0) {
             close(nothing);
         }
-        return fail(r, BURNISH_STATUS_READ, strerror(code));
+        return fail(r, cli_errno_status(code), strerror(code));
     }
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
@@ -200,7 +200,7 @@ static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *st
             return size;
         }
         if (errno != EINTR) {
-            *status = fail(r, BURNISH_STATUS_READ, strerror(errno));
+            *status = fail(r, cli_errno_status(errno), strerror(errno));
             return -1;
         }
     }

@@ -47,7 +47,7 @@ static line_result next_line(reader *r, char line[LINE_BYTES]) {
     line[length] = 0;
     r->bytes += length + 1;
     if (ferror(r->file)) {
-        cli_fail(r->error, BURNISH_STATUS_READ, "%.200s: can't be read: %s", r->path,
+        cli_fail(r->error, cli_errno_status(errno), "%.200s: can't be read: %s", r->path,
                  strerror(errno));
         return LINE_FAILED;
     }
@@ -222,7 +222,7 @@ burnish_status lobe_read_samples(const char *path, lobe_unit unit, lobe_samples 
                 .error = error};
     *samples = (lobe_samples){0};
     if (!r.file) {
-        return cli_fail(error, BURNISH_STATUS_READ, "%.200s: can't be opened: %s", path,
+        return cli_fail(error, cli_errno_status(errno), "%.200s: can't be opened: %s", path,
                         strerror(errno));
     }
     burnish_status status = read_all(&r, samples);

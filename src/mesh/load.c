@@ -31,7 +31,8 @@ typedef struct opened_file {
 } opened_file;
 
 static burnish_status fail_errno(opened_file *file, const char *what, int code) {
-    return burnish_fail(file->memory.error, BURNISH_STATUS_READ, "%s: %s: %s",
+    const burnish_status status = code == ENOMEM ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_READ;
+    return burnish_fail(file->memory.error, status, "%s: %s: %s",
                         burnish_show_name(file->name).text, what, burnish_errno_reason(code).text);
 }
 

@@ -479,7 +479,7 @@ static void test_exr_long_header(void) {
     memcpy(bytes + 8 + comment.size + COMMENT, f.bytes + 8, f.size - 8);
     const size_t size = comment.size + COMMENT + f.size;
     CHECK1(decode_bytes(NULL, bytes, size, &d) == BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text, "x: headers of more than 1 MiB; convert it");
+    CHECK_TEXT(error.text, "x: headers of more than 512 KiB; convert it");
 }
 
 /* Every file that ends early is refused, and no byte that is changed is read out of bounds. */

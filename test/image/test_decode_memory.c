@@ -3,6 +3,9 @@
  * that of all libraries. */
 #include "burnish/image.h"
 #include "burnish/mesh.h"
+#include "cli/input.h"
+#include "environment/environment.h"
+#include "picture/exr.h"
 #include "picture/formats.h"
 #include "picture/jpeg.h"
 #include "picture/webp.h"
@@ -27,7 +30,9 @@ static atomic_long left = -1; /* before one fails; negative: none fails */
 static atomic_long live;      /* taken and not given back */
 
 static int fails(void) {
-    return atomic_load(&left) >= 0 && atomic_fetch_sub(&left, 1) == 0;
+    const int is_last = atomic_load(&left) >= 0 && atomic_fetch_sub(&left, 1) == 0;
+    errno = is_last ? ENOMEM : errno;
+    return is_last;
 }
 
 static void *count_one(void *memory) {
@@ -69,6 +74,16 @@ static burnish_status decode(const void *bytes, size_t size, uint64_t *hash, bur
     const burnish_status status = burnish_image_decode(NULL, bytes, size, "picture", &image, error);
     *hash = status == BURNISH_STATUS_OK ? burnish_image_hash(&image) : 0;
     burnish_image_destroy(&image);
+    return status;
+}
+
+static burnish_status decode_environment(const void *bytes, size_t size, uint64_t *hash,
+                                         burnish_error *error) {
+    burnish_environment *environment;
+    const burnish_status status =
+        burnish_environment_decode(NULL, bytes, size, "environment", &environment, error);
+    *hash = status == BURNISH_STATUS_OK ? environment->hash : 0;
+    burnish_environment_destroy(environment);
     return status;
 }
 
@@ -161,9 +176,47 @@ static void test_decoders(void) {
     }
 }
 
+static void test_environments(void) {
+    static const char hdr[] = "#?RADIANCE\n\n-Y 1 +X 2\nabc\201xyz\200";
+    static float values[SIDE * SIDE];
+    picture_file file = {.bytes = (uint8_t *)(uintptr_t)hdr, .size = sizeof hdr - 1};
+    picture_channels channels = {SIDE, SIDE, 4, {{"R", PICTURE_FLOAT, values, sizeof *values}}};
+    burnish_error error;
+    fail_each("HDR", &file, decode_environment);
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        values[i] = (float)i;
+    }
+    for (int k = 1; k < 4; ++k) {
+        channels.items[k] = channels.items[0];
+        channels.items[k].name = k == 1 ? "G" : k == 2 ? "B" : "A";
+    }
+    if (picture_encode_exr(&channels, &file, &error) == BURNISH_STATUS_OK) {
+        fail_each("EXR", &file, decode_environment);
+        picture_release(&file);
+    } else {
+        CHECK(strstr(error.text, "no lib") || strstr(error.text, "OpenEXR"), "%s", error.text);
+    }
+}
+
+/* The stream of a file, and its bytes. */
+static void test_file(void) {
+    burnish_error error;
+    uint8_t *bytes;
+    size_t size;
+    for (int k = 0; k < 2; ++k) {
+        atomic_store(&left, k);
+        const burnish_status status =
+            cli_read_bytes(TEST_DATA_DIR "/cube.obj", 1 << 20, &bytes, &size, &error);
+        CHECK(atomic_exchange(&left, -1) < 0 && status == BURNISH_STATUS_MEMORY, "%d: %s", k,
+              error.text);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_decoders());
+    RUN(test_file());
+    RUN(test_environments());
     return test_end("decode_memory");
 }
 

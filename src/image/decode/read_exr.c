@@ -15,7 +15,7 @@
 #define CHUNK_MAX ((uint64_t)1 << 28)
 
 /* The most bytes of all headers: the library's time grows with the square of their attributes. */
-#define HEADER_MAX ((size_t)1 << 20)
+#define HEADER_MAX ((size_t)1 << 19)
 
 enum { CHANNELS = 3, ZLIB_MEMORY = 1 << 16 };
 
@@ -45,7 +45,7 @@ static burnish_status fail(const exr *e, burnish_status status, const char *what
 
 static burnish_status fail_codec(const exr *e, exr_result_t result) {
     if (e->is_long && !e->is_open) {
-        return fail(e, BURNISH_STATUS_LIMIT, "headers of more than 1 MiB; convert it");
+        return fail(e, BURNISH_STATUS_LIMIT, "headers of more than 512 KiB; convert it");
     }
     if (ran_short || result == EXR_ERR_OUT_OF_MEMORY) {
         return burnish_fail_memory(e->memory->error, e->from->name, e->from->size);
