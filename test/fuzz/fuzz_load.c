@@ -3,10 +3,12 @@
  * otherwise the error must be one line.
  *
  * byte 0:  format, by its letter: the first letter of its name that no earlier format has. A name
- * in the environment variable FUZZ_FORMAT takes precedence byte 1:  options, see load_options() and
- * draw() byte 2:  samples, camera inside the mesh, threads compared; see draw() and
- * compare_threads() rest:    the file. After the first NUL of an OBJ comes its material library,
- * "101". A 3MF that does not begin as a ZIP archive is a model and, after the first NUL, the part
+ * in the environment variable FUZZ_FORMAT takes precedence
+ * byte 1:  options, see load_options() and draw()
+ * byte 2:  samples, camera inside the mesh, threads compared; see draw() and compare_threads()
+ * byte 3:  more options, see load_more() and light()
+ * rest:    the file. After the first NUL of an OBJ comes its material library, "101", which
+ * otherwise is a TGA. A 3MF that does not begin as a ZIP archive is a model and, after the first NUL, the part
  * "b"; they are packed here, since random bytes would not pass the checksums
  *
  * Built by `make fuzz`; test/fuzz/run starts it, test/fuzz/seeds makes its seeds. */
@@ -20,11 +22,14 @@
 
 #include "burnish/mesh.h"
 #include "burnish/render.h"
+#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/thinning.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum {
-    HEAD = 3,
+    HEAD = 4,
+    PREVIEW_POINTS = 20,
     /* The files' folder: "/proc/self/fd/100" finds its library "101" there. */
     MESH_DESCRIPTOR = 100,
     LIBRARY_DESCRIPTOR = 101,
@@ -87,7 +92,15 @@ static void release_echo(void *user_data, const uint8_t *decoded, size_t size) {
     free((void *)(uintptr_t)decoded);
 }
 
-static burnish_load_options load_options(const uint8_t *head) {
+static void load_more(uint8_t choice, size_t size, burnish_load_options *options) {
+    options->scalar_property = choice & 1 ? "_s" : NULL;
+    options->keep_texture_coordinates = choice >> 1 & 1;
+    options->max_memory =
+        choice & 4 ? BURNISH_PIECES_BASE + PREVIEW_POINTS * BURNISH_ROW_BYTES + size : 0;
+    options->normals = choice & 32 ? BURNISH_NORMALS_OWN : BURNISH_NORMALS_AUTO;
+}
+
+static burnish_load_options load_options(const uint8_t *head, size_t size) {
     static const double creases[4] = {BURNISH_CREASE_AUTO, 0, 89.5, 180};
     const char *fixed = getenv("FUZZ_FORMAT");
     burnish_load_options options = burnish_load_options_default();
@@ -99,6 +112,7 @@ static burnish_load_options load_options(const uint8_t *head) {
     options.animation_time = head[2] & 32 ? 0.5 : BURNISH_AT_REST;
     options.threads = 1;
     options.decoder = (burnish_stream_decoder){echo, release_echo, NULL};
+    load_more(head[3], size, &options);
     return options;
 }
 
@@ -191,6 +205,7 @@ static burnish_status load_model(const uint8_t *bytes, size_t size,
 static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
                            const burnish_load_options *options, burnish_mesh **scene,
                            burnish_error *error) {
+    static const uint8_t pixel[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 0, 1, 2, 3};
     const uint8_t *end = memchr(bytes, 0, size);
     if (options->format == BURNISH_FORMAT_3MF && (size < 2 || memcmp(bytes, "PK", 2) != 0)) {
         return load_model(bytes, size, options, scene, error);
@@ -203,8 +218,11 @@ static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
         return burnish_mesh_load_memory(bytes, mesh_size, "fuzz", options, scene, error);
     }
     place_file(MESH_DESCRIPTOR, bytes, mesh_size);
-    place_file(LIBRARY_DESCRIPTOR, mesh_size < size ? end + 1 : end,
-               mesh_size < size ? size - mesh_size - 1 : 0);
+    if (mesh_size < size) {
+        place_file(LIBRARY_DESCRIPTOR, end + 1, size - mesh_size - 1);
+    } else {
+        place_file(LIBRARY_DESCRIPTOR, pixel, sizeof pixel);
+    }
     burnish_status status = burnish_mesh_load(MESH_PATH, options, scene, error);
     close(MESH_DESCRIPTOR);
     close(LIBRARY_DESCRIPTOR);
@@ -251,6 +269,8 @@ static void check_scene(const burnish_mesh *scene) {
     size_t materials = burnish_mesh_get_material_count(scene);
     check_mesh(mesh);
     require(materials >= 1, "no material", NULL);
+    require(mesh->triangle_count > 0 || burnish_mesh_get_texture_count(scene) == 0,
+            "textures of points", NULL);
     for (size_t i = 0; i < materials; ++i) {
         check_material(burnish_mesh_get_material(scene, i));
     }
@@ -287,9 +307,51 @@ static int move_inside(const burnish_mesh_view *mesh, burnish_camera *camera) {
     return apart;
 }
 
+/* A picture of few colours. */
+static const burnish_environment *surroundings(void) {
+    static burnish_environment *made;
+    static const float rgb[3 * 8] = {1, 2, 3, 0, 0, 9, 1, 1, 1, 0, 5, 0, 1, 0, 0, 0.5f, 2};
+    require(made || burnish_environment_create(NULL, 4, 2, rgb, &made, NULL) == BURNISH_STATUS_OK,
+            "environment", NULL);
+    return made;
+}
+
+static void light(uint8_t choice, burnish_render_options *options) {
+    if (choice & 8) {
+        options->area_light_count = 2;
+        options->has_dome = 1;
+        options->dome = (burnish_dome){{1, 1, 2}, {0.5f, 0.5f, 0.5f}, {0.1f, 0, 0}, 0};
+        for (int i = 0; i < 2; ++i) {
+            options->area_lights[i] = (burnish_area_light){.is_distant = i,
+                                                           .follows_camera = !i,
+                                                           .center = {1, 2, 3},
+                                                           .half_u = {1, 0, 0},
+                                                           .half_v = {0, 1, 0},
+                                                           .color = {3, 2, 1}};
+        }
+    }
+    if ((choice & 144) == 144) { /* a quarter of the inputs, as its maps take most time */
+        options->environment = surroundings();
+        options->background_environment = choice >> 3 & 1;
+    }
+}
+
+/* A cloud or a mesh by its values, if it has some, or by height. */
+static void color(burnish_mesh *scene, uint8_t choice) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(scene);
+    burnish_coloring coloring = burnish_coloring_default();
+    burnish_error error = {0};
+    coloring.source = choice & 1 && view->texture_coordinates ? BURNISH_COLOR_BY_PROPERTY
+                      : choice & 8                            ? BURNISH_COLOR_BY_NORMAL
+                                                              : BURNISH_COLOR_BY_HEIGHT;
+    require(!(choice & 64) ||
+                burnish_mesh_color_by(scene, &coloring, NULL, &error) == BURNISH_STATUS_OK,
+            "colours", &error);
+}
+
 /* Every loaded mesh can be framed and drawn, whatever its size and position. Whatever the camera's
  * position, the result is a picture or a one-line error. */
-static void draw(const burnish_mesh *scene, uint8_t choice, uint8_t more) {
+static void draw(const burnish_mesh *scene, uint8_t choice, uint8_t more, uint8_t lights) {
     static const int samples[4] = {1, 4, 8, 16};
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     burnish_error error = {0};
@@ -304,6 +366,7 @@ static void draw(const burnish_mesh *scene, uint8_t choice, uint8_t more) {
     options.threads = more & 16 ? 2 : 1;
     options.samples = samples[(choice >> 5 & 1) ^ (more & 3)];
     options.lobe.kind = choice & 64 ? BURNISH_LOBE_LYON : BURNISH_LOBE_FAMILY;
+    light(lights, &options);
     burnish_status status = burnish_camera_frame(scene, &fit, &options.camera, &error);
     require(status == BURNISH_STATUS_OK, "camera", &error);
     const int inside = more & 4 && move_inside(mesh, &options.camera);
@@ -381,13 +444,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (size < HEAD) {
         return 0;
     }
-    burnish_load_options options = load_options(data);
+    burnish_load_options options = load_options(data, size);
     burnish_mesh *scene = NULL;
     burnish_error error = {0};
     burnish_status status = load(data + HEAD, size - HEAD, data[1] & 8, &options, &scene, &error);
     if (status == BURNISH_STATUS_OK) {
         check_scene(scene);
-        draw(scene, data[1], data[2]);
     } else {
         require(!scene && error.status == status, "status", &error);
         check_line(error.text);
@@ -395,8 +457,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (data[2] & 8) {
         compare_threads(data + HEAD, size - HEAD, data[1] & 8, options, scene, &error);
     }
-    if (data[1] & 8) {
+    if (data[1] & 8 && options.max_memory == 0) { /* which counts bytes in memory twice */
         compare_sources(data + HEAD, size - HEAD, &options, scene, status);
+    }
+    if (scene) {
+        color(scene, data[3]);
+        draw(scene, data[1], data[2], data[3]);
     }
     burnish_mesh_destroy(scene);
     return 0;

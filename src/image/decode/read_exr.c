@@ -35,8 +35,8 @@ typedef struct exr {
     char reason[160];             /* the library's first error message */
 } exr;
 
-/* Of this thread: the library's allocators get no context, and not all of its errors tell that
- * memory is short. */
+/* Of this thread, since the library's allocators get no context. Its own error codes don't tell: some
+ * hide that memory is short, and damaged PXR24 counts as such. */
 static _Thread_local int ran_short;
 
 static burnish_status fail(const exr *e, burnish_status status, const char *what) {
@@ -47,7 +47,7 @@ static burnish_status fail_codec(const exr *e, exr_result_t result) {
     if (e->is_long && !e->is_open) {
         return fail(e, BURNISH_STATUS_LIMIT, "headers of more than 512 KiB; convert it");
     }
-    if (ran_short || result == EXR_ERR_OUT_OF_MEMORY) {
+    if (ran_short) {
         return burnish_fail_memory(e->memory->error, e->from->name, e->from->size);
     }
     return burnish_fail(e->memory->error, BURNISH_STATUS_FORMAT,

@@ -5,7 +5,11 @@
 #include "core/vector.h"
 #include "mesh/read/io/pieces.h"
 
-enum { LEAST_ROWS = 10000 /* of a preview */ };
+/* Of a preview; fuzzing takes fewer. */
+#ifndef BURNISH_PREVIEW_ROWS
+#define BURNISH_PREVIEW_ROWS 10000
+#endif
+enum { LEAST_ROWS = BURNISH_PREVIEW_ROWS };
 
 /* ---- How many ---- */
 
