@@ -270,7 +270,7 @@ static void put_sample(file *f, int type, double value) {
     }
 }
 
-/* The chunk of so many pixels from (x, y) on; *size: of its head. */
+/* The pixels of a box: x, y, width and height. */
 static void put_chunk(file *f, const channel *list, int count, const int box[4], int flags) {
     size_t at;
     if (flags & IS_MULTIPART) {
@@ -376,8 +376,8 @@ static void test_exr_channels(void) {
         list[3].type = types % 3;
         list[5].type = types / 27;
         check_exr(list, 6, 0, SHAPES, expect_colors);
-        check_exr(list, 3 + 2, 0, SHAPES, expect_colors); /* without Z */
-        check_exr(list + 1, 2 + 3, 0, SHAPES, expect_colors);
+        check_exr(list, 5, 0, SHAPES, expect_colors); /* without Z */
+        check_exr(list + 1, 5, 0, SHAPES, expect_colors);
         list[3] = list[4];
         check_exr(list, 4, 0, SHAPES, expect_colors); /* A, B, G, R */
         list[4] = list[5];
