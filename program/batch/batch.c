@@ -42,7 +42,7 @@ static const cli_flag flags[] = {
      .default_text = ".",
      .letter = 'd',
      .common = 1,
-     .takes_file = 1,
+     .file = CLI_FILE_WRITTEN,
      .aliases = "outdir,out-dir,path",
      .manual = "The folder of all pictures, created if missing. Only *--report* and *--sheet* can "
                "write files outside it."},
@@ -61,7 +61,7 @@ static const cli_flag flags[] = {
     {CLI_FLAG("files-from", "FILE",
               "list of inputs, one per line or separated by 0; -: standard input", cli_flag_text,
               files_from),
-     .common = 1, .takes_file = 1, .aliases = "inputs-from,files0-from,from-file",
+     .common = 1, .file = CLI_FILE_READ, .aliases = "inputs-from,files0-from,from-file",
      .manual =
          "Reads names of inputs from _FILE_, or from standard input for *-*: one per line or, if "
          "the list contains a byte 0, each followed by a 0, as *find -print0* prints them."},
@@ -81,19 +81,19 @@ static const cli_flag flags[] = {
                "are then in cm3, or in cubic inches for *in* and *ft*. Files in 3MF and glTF state "
                "their unit."},
     {CLI_FLAG("sheet", "FILE", "write a contact sheet", cli_flag_text, sheet), .common = 1,
-     .takes_file = 1, .aliases = "contact-sheet,montage",
+     .file = CLI_FILE_WRITTEN, .aliases = "contact-sheet,montage",
      .manual =
          "Writes a contact sheet of all pictures, scaled down to at most 16384 pixels per side."},
     {CLI_FLAG("report", "FILE", "report in JSON lines, in the output folder", cli_flag_text,
               report),
-     .default_label = "burnish-batch.jsonl", .common = 1, .takes_file = 1,
+     .default_label = "burnish-batch.jsonl", .common = 1, .file = CLI_FILE_WRITTEN,
      .aliases = "json,log,state",
      .manual = "File name of the report, one JSON object per line; see *REPORT OF A BATCH*. *-* "
                "prints it at the end; the next run then draws everything."},
     {CLI_SWITCH("force", "draw unchanged inputs again", force), .letter = 'f', .common = 1,
      .manual = "Draws all pictures again. By default an input is skipped if its picture exists and "
-               "the report lists it with the same content, the same content of referenced files, "
-               "the same flags and the same version."},
+               "the report lists it with the same content, the same content of files that it or "
+               "a flag names, the same flags and the same version."},
     {CLI_FLAG("shard", "I/N", "draw part I of N, balanced by file size", flag_part, part),
      .common = 1, .aliases = "part,partition,array",
      .manual =
@@ -156,6 +156,7 @@ static const cli_example examples[] = {
 
 static const cli_term report_terms[] = {
     {"*burnish, options*", "in the first line: the version, and the flags that affect pictures"},
+    {"*options_hash*", "in the first line, if such flags name files: XXH64 of their bytes"},
     {"*passed_over*", "in the first line, if not 0: number of files in folders with a mesh "
                       "extension and other content"},
     {"*id*", "hash of the names of input and output, 16 hexadecimal digits"},
@@ -240,44 +241,49 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
 
 #else
 
-/* Whether a flag affects pictures. */
-static int is_about_pictures(const cli_flag *flag) {
-    static const char *const others[] = {
-        "quiet", "isa", "overwrite", "max-triangles", "max-input-bytes", "max-overdraw"};
-    for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) {
-        if (flag == &flags[i]) {
-            return strcmp(flag->name, "size") == 0 || strcmp(flag->name, "resolution") == 0 ||
-                   strcmp(flag->name, "facts") == 0;
-        }
+static int is_one_of(const char *name, const char *const *names) {
+    while (*names && strcmp(name, *names) != 0) {
+        ++names;
     }
-    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
-        if (strcmp(flag->name, others[i]) == 0) {
-            return 0;
-        }
-    }
-    return 1;
+    return *names != NULL;
 }
 
-/* The flags that affect pictures, as one string; release with free. NULL: out of memory. */
-static char *list_options(const cli_call *call) {
-    char *text = NULL;
+/* Whether a flag affects pictures. A lower limit can make a preview or skip a texture; those listed
+ * as others only refuse inputs. */
+static int is_about_pictures(const cli_flag *flag) {
+    static const char *const own[] = {"size", "resolution", "facts", "max-memory", NULL};
+    static const char *const others[] = {"quiet",         "isa",          "overwrite",
+                                         "max-triangles", "max-overdraw", NULL};
+    return flag >= flags && flag < flags + sizeof flags / sizeof *flags
+               ? is_one_of(flag->name, own)
+               : !is_one_of(flag->name, others);
+}
+
+/* Lists the flags that affect pictures, and hashes the files that they name. b->options stays NULL
+ * without memory. */
+static void list_options(batch *b, const cli_call *call) {
     size_t size = 0;
-    FILE *stream = cli_open_memory(&text, &size);
+    FILE *stream = cli_open_memory(&b->options, &size);
     if (!stream) {
-        return NULL;
+        return;
     }
     for (size_t i = 0; i < call->argument_count; ++i) {
         const cli_argument *argument = &call->arguments[i];
-        if (argument->flag && is_about_pictures(argument->flag)) {
-            fprintf(stream, "%s--%s%s%s", ftell(stream) > 0 ? " " : "", argument->flag->name,
-                    argument->text ? "=" : "", argument->text ? argument->text : "");
+        uint64_t hash;
+        if (!argument->flag || !is_about_pictures(argument->flag)) {
+            continue;
+        }
+        fprintf(stream, "%s--%s%s%s", ftell(stream) > 0 ? " " : "", argument->flag->name,
+                argument->text ? "=" : "", argument->text ? argument->text : "");
+        if (argument->flag->file == CLI_FILE_READ &&
+            batch_hash_file(argument->text, &hash, b->options_hash)) { /* not "sky" */
+            b->options_hash = hash;
         }
     }
-    if (cli_close_memory(stream, &text, &size) != 0) {
-        free(text);
-        return NULL;
+    if (cli_close_memory(stream, &b->options, &size) != 0) {
+        free(b->options);
+        b->options = NULL;
     }
-    return text;
 }
 
 static char *choose_report(const batch_settings *settings) {
@@ -440,8 +446,8 @@ static void release(batch *b) {
 burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_error *error) {
     settings->render.job.sandbox = sandbox_is_built() && !settings->no_sandbox;
     batch b = {.settings = settings,
-               .options = list_options(call),
                .report = settings->has_no_report ? NULL : choose_report(settings)};
+    list_options(&b, call);
     batch_hash_drawer(&b);
     burnish_status status =
         b.options && (b.report || settings->has_no_report)

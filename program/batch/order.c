@@ -18,7 +18,7 @@
 enum { TEXT_MAX = 1 << 24 };
 
 typedef struct head {
-    uint64_t drawer; /* hash of version and flags */
+    uint64_t drawer; /* hash of version, flags and files of flags */
     uint64_t id, bytes;
     uint32_t index;
     int32_t view, is_ours;
@@ -80,10 +80,11 @@ int batch_receive_order(const batch *b, int channel, batch_order *order) {
         return 0;
     }
     if (h.drawer != b->drawer || h.view >= (int32_t)b->settings->render.picture.views.count) {
-        fprintf(stderr,
-                "burnish: --runner: burnish %s here is another version, or has other flags, "
-                "than the batch; install the same everywhere\n",
-                burnish_version());
+        fprintf(
+            stderr,
+            "burnish: --runner: burnish %s here is another version, or has other flags or other "
+            "files of flags, than the batch; install the same everywhere\n",
+            burnish_version());
         return 0;
     }
     order->index = h.index;

@@ -253,11 +253,20 @@ static char *print(cJSON *object, int failed) {
     return text;
 }
 
+void batch_add_hash(cJSON *object, const char *key, uint64_t hash, int *failed) {
+    char text[17];
+    snprintf(text, sizeof text, "%016llx", (unsigned long long)hash);
+    cli_json_add(object, key, cJSON_CreateString(text), failed);
+}
+
 char *batch_head_line(const batch *b) {
     int failed = 0;
     cJSON *object = cJSON_CreateObject();
     cli_json_add(object, "burnish", cJSON_CreateString(burnish_version()), &failed);
     cli_json_add(object, "options", cli_json_text(b->options), &failed);
+    if (b->options_hash != 0) {
+        batch_add_hash(object, "options_hash", b->options_hash, &failed);
+    }
     return print(object, failed);
 }
 
@@ -280,11 +289,9 @@ void batch_add_names(const batch_item *item, cJSON *object, int *failed) {
 
 char *batch_failed_line(const batch *b, const batch_item *item, int code, const char *message,
                         double seconds) {
-    char id[17];
     int failed = 0;
     cJSON *object = cJSON_CreateObject();
-    snprintf(id, sizeof id, "%016llx", (unsigned long long)item->id);
-    cli_json_add(object, "id", cJSON_CreateString(id), &failed);
+    batch_add_hash(object, "id", item->id, &failed);
     batch_add_names(item, object, &failed);
     cli_json_add(object, "status", cJSON_CreateString("failed"), &failed);
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);

@@ -22,6 +22,8 @@ burnish_status batch_write_report(const batch *b, burnish_error *error);
 /* The line of an item that failed; release with free. NULL: out of memory. */
 char *batch_failed_line(const batch *b, const batch_item *item, int code, const char *message,
                         double seconds);
+/* Adds a hash as 16 hexadecimal digits. */
+void batch_add_hash(cJSON *object, const char *key, uint64_t hash, int *failed);
 /* Adds the names of input and output, and the bytes of names that are not UTF-8. */
 void batch_add_names(const batch_item *item, cJSON *object, int *failed);
 /* Adds the elapsed time, which differs from run to run, unless --no-seconds is set. */

@@ -89,7 +89,7 @@ static int hash_open_file(int file, uint64_t *hash, uint64_t seed) {
     return size == 0;
 }
 
-static int hash_file(const char *path, uint64_t *hash, uint64_t seed) {
+int batch_hash_file(const char *path, uint64_t *hash, uint64_t seed) {
     const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     if (file < 0) {
         return 0;
@@ -148,7 +148,7 @@ static int has_same_files(const cJSON *line, const char *input) {
             return 0;
         }
         uint64_t next = hash_text(name->valuestring, hash);
-        hash = hash_file(path, &hash, next) ? hash : next + 1;
+        hash = batch_hash_file(path, &hash, next) ? hash : next + 1;
     }
     return !names || is_hash(text_of(line, "files_hash"), hash);
 }
@@ -299,12 +299,6 @@ int batch_make_folders(const char *path) {
     return is_made;
 }
 
-static void add_hash(cJSON *object, const char *key, uint64_t hash, int *failed) {
-    char text[17];
-    snprintf(text, sizeof text, "%016llx", (unsigned long long)hash);
-    cli_json_add(object, key, cJSON_CreateString(text), failed);
-}
-
 static void add_warnings(cJSON *object, facts *f, int *failed) {
     cJSON *array = cJSON_CreateArray();
     for (uint32_t i = 0; i < f->warning_count && i < WARNINGS_MAX; ++i) {
@@ -338,12 +332,12 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     char extension[IMPORT_EXTENSION_SIZE];
     int failed = 0;
     cJSON *object = cJSON_CreateObject();
-    add_hash(object, "id", item->id, &failed);
+    batch_add_hash(object, "id", item->id, &failed);
     batch_add_names(item, object, &failed);
     cli_json_add(object, "status", cJSON_CreateString("done"), &failed);
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
-    add_hash(object, "hash", hash, &failed);
-    add_hash(object, "picture", f->picture, &failed);
+    batch_add_hash(object, "hash", hash, &failed);
+    batch_add_hash(object, "picture", f->picture, &failed);
     cli_json_add(object, "format",
                  cJSON_CreateString(has_format
                                         ? import_format_word(item->input,
@@ -361,7 +355,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     add_warnings(object, f, &failed);
     if (seen->count > 0) {
         cli_json_add(object, "files", cli_json_texts(seen->count, seen->names), &failed);
-        add_hash(object, "files_hash", seen->hash, &failed);
+        batch_add_hash(object, "files_hash", seen->hash, &failed);
     }
     if (seen->are_too_many) { /* too many to check whether they are unchanged */
         cli_json_add(object, "uncertain", cJSON_CreateTrue(), &failed);
@@ -398,7 +392,7 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
     uint64_t hash = 0;
     int code = 0, is_late = 0;
     burnish_status status = BURNISH_STATUS_OK;
-    if (*item->input != ':' && !hash_file(item->input, &hash, 0)) {
+    if (*item->input != ':' && !batch_hash_file(item->input, &hash, 0)) {
         status = cli_fail(&error, BURNISH_STATUS_READ, "%.300s: can't be read: %s", item->input,
                           errno == EINVAL ? "it is no file" : strerror(errno));
     }

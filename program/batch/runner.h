@@ -15,6 +15,9 @@ typedef struct batch_reply {
     int32_t is_kept, failed; /* failed: BATCH_FAILED or BATCH_LATE (the output is stale) */
 } batch_reply;
 
+/* Hashes the bytes of a regular file. Returns 0 on failure, with errno set. */
+int batch_hash_file(const char *path, uint64_t *hash, uint64_t seed);
+
 /* Creates the missing folders of a path. Returns 0 on failure, with errno set. */
 int batch_make_folders(const char *path);
 

@@ -74,9 +74,10 @@ typedef struct batch_past {
 typedef struct batch {
     const batch_settings *settings;
     batch_items list;
-    char *options;   /* the flags that affect pictures, as typed */
-    char *report;    /* the report's path; NULL: none */
-    uint64_t drawer; /* hash of version and options; a runner's must be equal */
+    char *options;         /* the flags that affect pictures, as typed */
+    uint64_t options_hash; /* of the files that these name, in order; 0: none */
+    char *report;          /* the report's path; NULL: none */
+    uint64_t drawer;       /* hash of version, options and their files; a runner's must be equal */
     batch_past past;
     size_t done, kept, failed;
     size_t passed_over; /* files with a mesh extension that are not meshes */

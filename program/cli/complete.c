@@ -65,7 +65,7 @@ static void print_bash_command(const cli_command *command) {
             printf("        --%s) words='", flag->name);
             print_words(flag->words, " ");
             printf("' ;;\n");
-        } else if (flag->takes_file && flag->letter) {
+        } else if (flag->file && flag->letter) {
             printf("        -%c) files=1 ;;\n", flag->letter);
         }
     }
@@ -135,7 +135,7 @@ static void print_zsh_command(const cli_command *command) {
                 print_words(flag->words, " ");
                 printf(")");
             } else {
-                printf(":%s", flag->takes_file ? "_files" : " ");
+                printf(":%s", flag->file ? "_files" : " ");
             }
         }
         printf("' \\\n");
@@ -195,7 +195,7 @@ static void print_fish_command(const cli_command *command) {
             printf(" -s %c", flag->letter);
         }
         if (flag->value && !flag->optional) {
-            printf(flag->takes_file ? " -r -F" : " -x");
+            printf(flag->file ? " -r -F" : " -x");
         }
         if (flag->words) {
             printf(" -a '");

@@ -28,6 +28,9 @@ typedef struct cli_word {
 
 typedef struct cli_flag cli_flag;
 
+/* What a flag's value names: no file, one that is read, one that is written (or a folder). */
+typedef enum cli_file_use { CLI_FILE_NONE, CLI_FILE_READ, CLI_FILE_WRITTEN } cli_file_use;
+
 /* Reads text (NULL for a switch or a missing optional value) into *target. Messages begin with the
  * flag's name. */
 typedef burnish_status cli_handler(const cli_flag *flag, const char *text, void *target,
@@ -52,7 +55,7 @@ struct cli_flag {
     size_t offset;         /* of the target in the command's settings */
     double low, high;      /* range of a number */
     const cli_word *words; /* the valid values */
-    int takes_file;        /* 1: shells complete file names */
+    cli_file_use file; /* shells complete names of files; a batch compares those that it reads */
 };
 
 /* The fields that every row has, the fields of a switch, and the range of a number. The file of a

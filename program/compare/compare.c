@@ -52,7 +52,7 @@ static const cli_flag flags[] = {
      CLI_FLAG("output", "FILE", "before, after and difference side by side", cli_flag_text, output),
      .letter = 'o',
      .common = 1,
-     .takes_file = 1,
+     .file = CLI_FILE_WRITTEN,
      .manual = "Writes both pictures and their difference side by side, with a legend: blue where "
                "_B_ is darker, orange where it is lighter. A frame surrounds all pixels that "
                "differ. Small pictures are enlarged. The file extension chooses the format, as in "

@@ -79,7 +79,7 @@ static const cli_flag flags[] = {
      .default_label = "INPUT's name",
      .letter = 'o',
      .common = 1,
-     .takes_file = 1,
+     .file = CLI_FILE_WRITTEN,
      .aliases = "out",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*. The file extension chooses "
@@ -99,7 +99,7 @@ static const cli_flag flags[] = {
          "if burnish wrote it, or with *--overwrite*."},
     {CLI_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,
               output.folder),
-     .letter = 'd', .common = 1, .takes_file = 1, .aliases = "outdir,out-dir",
+     .letter = 'd', .common = 1, .file = CLI_FILE_WRITTEN, .aliases = "outdir,out-dir",
      .manual = "The folder of the pictures; it is created if it is missing. _INPUT_ can then be a "
                "folder, whose meshes are all drawn."},
     {CLI_SWITCH("recursive", "search folders recursively", job.recursive), .letter = 'r',
@@ -107,7 +107,7 @@ static const cli_flag flags[] = {
                "batch* does."},
     {CLI_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
               job.files_from),
-     .takes_file = 1, .aliases = "inputs-from,files0-from,from-file",
+     .file = CLI_FILE_READ, .aliases = "inputs-from,files0-from,from-file",
      .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
     {CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size, picture.size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_text = "1024,768", .aliases = "res",
@@ -187,7 +187,7 @@ static const cli_flag flags[] = {
      .manual = "Labels below the cells of a sheet, instead of the names of views and lobes: one "
                "per cell, between commas, in UTF-8."},
     {CLI_FLAG("font", "FILE", "font of labels", cli_flag_text, picture.font),
-     .default_label = "burnish's own; the system's beyond ASCII", .takes_file = 1,
+     .default_label = "burnish's own; the system's beyond ASCII", .file = CLI_FILE_READ,
      .manual = "TrueType or OpenType font of all labels. Without this flag ASCII labels use "
                "burnish's own letters, which are the same on every machine; other labels use the "
                "system's sans-serif font, with fallback fonts for missing scripts. Right-to-left "
@@ -220,7 +220,7 @@ static const cli_flag flags[] = {
          "only *coverage* and *color* are averaged. See *PLANES*."},
     {CLI_FLAG("turntable", "FILE", "animation: .gif .png .webp .mp4 .webm .y4m", cli_flag_text,
               output.turntable),
-     .takes_file = 1,
+     .file = CLI_FILE_WRITTEN,
      .manual = "Writes an animation instead of a picture: one turn of the camera to the right, "
                "around the up axis through the focal point. The last frame continues into the "
                "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
@@ -382,7 +382,7 @@ static const cli_flag flags[] = {
                "removes the rig and all lights so far."},
     {CLI_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
               cli_flag_text, shading.environment.name),
-     .default_label = "none", .takes_file = 1, .aliases = "hdri-file",
+     .default_label = "none", .file = CLI_FILE_READ, .aliases = "hdri-file",
      .manual =
          "Light from all directions, which replaces the lights of the look: *sky*, *room*, or an "
          "equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces reflect "
@@ -567,7 +567,7 @@ static const cli_flag flags[] = {
          "exit code 8 and writes no picture. Without this flag a blank picture is a warning."},
     {CLI_FLAG("reference", "FILE", "compare with a PNG; exit code 10 if different", cli_flag_text,
               output.reference),
-     .takes_file = 1, .aliases = "ref",
+     .file = CLI_FILE_READ, .aliases = "ref",
      .manual =
          "Compares the picture, or the sheet, with a PNG of the same size. If they differ, the "
          "picture is still written, one line describes the difference, and the exit code is 10. "
@@ -579,7 +579,7 @@ static const cli_flag flags[] = {
                "reference, is at most _X_, from 0 to 1. Identical pictures always pass."},
     {CLI_FLAG("reference-difference", "FILE", "reference, picture and difference side by side",
               cli_flag_text, output.reference_difference),
-     .takes_file = 1,
+     .file = CLI_FILE_WRITTEN,
      .manual = "If the sizes are the same, writes the reference, the picture and their difference "
                "side by side into _FILE_, as *burnish compare --output* does."},
 };

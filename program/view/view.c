@@ -25,8 +25,8 @@ static const cli_flag flags[] = {
      .aliases = "width,height,res",
      .manual = "Width and height of the window at the start, in pixels."},
     {CLI_FLAG("output", "FILE", "file of the key P (screenshot)", cli_flag_text, output),
-     .default_label = "INPUT's name and a number", .letter = 'o', .common = 1, .takes_file = 1,
-     .aliases = "out,screenshot",
+     .default_label = "INPUT's name and a number", .letter = 'o', .common = 1,
+     .file = CLI_FILE_WRITTEN, .aliases = "out,screenshot",
      .manual =
          "File in which the key P saves the picture, as PNG; it is replaced each time. The default "
          "is _INPUT_'s name with the first unused number, *part-1.png*, in the current folder."},

@@ -113,6 +113,42 @@ drawn 'out/a.obj.png out/sub/a.png ' --size=32
 rm -rf in/sub/new*
 drawn 'out/a.obj.png out/a.off.png out/sub/-x.png out/sub/a.png out/sub/m.png ' --size=33
 rm -rf out marker
+# A file that a flag names: changed bytes count, of the same length and time too; the same bytes with another time do not.
+# hdr BYTE: an environment of two pixels of that grey.
+hdr() {
+    # shellcheck disable=SC2059
+    printf "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\\$1\\$1\\$1\\201\\$1\\$1\\$1\\201" >e.hdr
+    touch -d @1000000000 e.hdr
+}
+hdr 100
+batch in/a.off -d out --size=16 --environment=e.hdr
+drawn_as() {
+    touch -d @1000000000 out/a.png
+    batch in/a.off -d out --size=16 --environment=e.hdr "$@"
+    "$burnish" render in/a.off --size=16 --environment=e.hdr -o one.png
+    check "with --environment=e.hdr: as render draws it" cmp one.png out/a.png
+}
+drawn_as
+check "the same environment: drawn again" [ -z "$(find out -newermt @1000000000 -name a.png)" ]
+cp out/a.png first.png
+hdr 300
+drawn_as
+differs "a changed environment" "$(cksum <first.png)" "$(cksum <out/a.png)"
+check "its hash: $(head -n 1 out/burnish-batch.jsonl)" [ "$(head -n 1 out/burnish-batch.jsonl | grep -cE '"options_hash":"[0-9a-f]{16}"')" = 1 ]
+touch e.hdr
+drawn_as
+check "the same bytes with another time: drawn again" [ -z "$(find out -newermt @1000000000 -name a.png)" ]
+rm -rf out e.hdr one.png first.png
+# So does a limit that makes a preview, or skips a texture.
+if [ -z "$memory" ]; then
+    head -c 20000084 /dev/zero >many.stl
+    printf '\200\032\006' | dd of=many.stl bs=1 seek=80 conv=notrunc 2>/dev/null
+    batch many.stl -d out --size=16 --max-memory=100M
+    check "a preview: $(cat "$err")" grep -q 'a preview' out/burnish-batch.jsonl
+    batch many.stl -d out --size=16
+    check "a preview after a higher --max-memory: kept" [ "$(grep -c 'a preview' out/burnish-batch.jsonl)" = 0 ]
+    rm -rf out many.stl
+fi
 
 # Parts: each input in one of them, as equal in bytes as can be; together they are the whole, and a part that is missing is drawn
 # by the run that writes the report of all. So are those of the examples for arrays of jobs and for queues.
