@@ -24,7 +24,7 @@ int cli_write_all(int descriptor, const void *bytes, size_t size) {
 
 int cli_unnamed_file(void) {
 #ifdef __linux__
-    return memfd_create("burnish", MFD_CLOEXEC);
+    return memfd_create("burnish", MFD_CLOEXEC | MFD_ALLOW_SEALING);
 #else
     FILE *file = tmpfile(); /* its descriptor stays open until the process ends */
     return file ? dup(fileno(file)) : -1;

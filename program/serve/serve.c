@@ -43,8 +43,8 @@ static const cli_flag flags[] = {
     {CLI_FLAG("max-memory", "N", "memory limit per request, such as 500M", cli_flag_bytes,
               render.job.max_memory),
      CLI_RANGE(1, 9e18), .default_text = "2G", .common = 1,
-     .manual = "The reply to a request that needs more memory has code 6. The total is at most "
-               "this times *--jobs*. _N_ may end in *K*, *M* or *G*."},
+     .manual = "The reply to a request that needs more memory, or whose reply is larger, has code "
+               "6. docs/serve.md has the total. _N_ may end in *K*, *M* or *G*."},
     {CLI_SWITCH("no-sandbox", "workers may open files", no_sandbox),
      .manual = "Each request is parsed and drawn in a process of its own that can't open files or "
                "sockets or start programs (docs/security.md). Without libseccomp or support by the "

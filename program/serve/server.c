@@ -16,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -30,6 +31,7 @@
 #include "sandbox/end.h"
 
 enum {
+    START_TRIES = 3, /* that fail in a row end the server */
     BUFFER = 1 << 16,
     PIECE = 4096 /* PIPE_BUF: a pipe that poll reports as writable accepts so many bytes */
 };
@@ -68,6 +70,7 @@ typedef struct server {
     uint8_t head[SERVE_HEAD_BYTES];
     size_t head_size;  /* bytes of it that were read */
     uint64_t requests; /* read so far */
+    int failed_starts; /* since a worker was last ready */
     int has_ended;     /* 1: no more requests */
     burnish_error end; /* the reason, unless its status is OK */
 } server;
@@ -114,8 +117,20 @@ static void keep_descriptors(const server *v, const slot *s, int channel, pid_t 
 #endif
 }
 
+/* Most bytes of a reply: it can't need more memory than the worker has. */
+static uint64_t reply_limit(const server *v) {
+    const uint64_t most = v->settings->render.job.max_memory;
+    return most < UINT32_MAX ? most : UINT32_MAX;
+}
+
+/* Memory files do not count as address space, so a compromised worker could fill the memory of the
+ * machine through its reply. */
 __attribute__((noreturn)) static void become_worker(server *v, slot *s, int channel, pid_t parent) {
+    const struct rlimit most = {(rlim_t)reply_limit(v), (rlim_t)reply_limit(v)};
     keep_descriptors(v, s, channel, parent);
+    if (setrlimit(RLIMIT_FSIZE, &most) != 0) {
+        _exit(burnish_status_exit_code(BURNISH_STATUS_MEMORY));
+    }
     serve_work(v->settings);
 }
 
@@ -196,12 +211,12 @@ static void reply_failure(slot *s, int code, const char *text) {
 }
 
 /* Finishes a request that was read and whose worker has ended or did not receive it. */
-static void finish(slot *s) {
+static void finish(const server *v, slot *s) {
     struct stat state;
     s->state = SLOT_REPLIED;
     s->reply_next = 0;
     if (!s->line && (fstat(s->reply, &state) != 0 || state.st_size <= 0 ||
-                     (uint64_t)state.st_size > UINT32_MAX)) {
+                     (uint64_t)state.st_size > reply_limit(v))) {
         reply_failure(s, burnish_status_exit_code(BURNISH_STATUS_MEMORY),
                       "out of memory for the reply");
     }
@@ -223,18 +238,45 @@ static void describe_end(const server *v, slot *s, int state) {
     }
 }
 
-/* Reports a worker that could not start; its reply file has the reason. */
-static burnish_status fail_start(slot *s, int state, burnish_error *error) {
-    char text[sizeof error->text] = "";
-    const ssize_t size = pread(s->reply, text, sizeof text - 1, 0);
+/* Reads no more requests; those that were read get their replies. The first reason is kept. */
+static void end_server(server *v, const burnish_error *reason) {
+    if (!v->has_ended) {
+        v->has_ended = 1;
+        v->end = *reason;
+    }
+    if (v->filling) {
+        v->filling->state = SLOT_IDLE; /* its request is incomplete */
+        v->filling = NULL;
+    }
+}
+
+/* Starts a worker in place of one that has ended. */
+static void replace_worker(server *v, slot *s) {
+    burnish_error error;
+    close_files(s);
+    s->state = SLOT_EMPTY;
+    if (!v->has_ended && start_worker(v, s, &error) != BURNISH_STATUS_OK) {
+        s->state = SLOT_EMPTY;
+        end_server(v, &error);
+    }
+}
+
+/* Handles a worker that could not start; its reply file has the reason, unless it was killed. */
+static void fail_start(server *v, slot *s, int state) {
     burnish_error line = {BURNISH_STATUS_MEMORY, "serve-stdio: a worker could not start"};
+    char text[sizeof line.text] = "";
     sandbox_describe_end(state, &line);
-    return size > 0 ? cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s", text)
-                    : cli_fail(error, line.status, "%s", line.text);
+    if (pread(s->reply, text, sizeof text - 1, 0) > 0) {
+        cli_fail(&line, BURNISH_STATUS_ARGUMENT, "%s", text);
+    }
+    if (++v->failed_starts == START_TRIES) {
+        end_server(v, &line);
+    }
+    replace_worker(v, s);
 }
 
 /* Handles a worker that became ready, requested an importer or ended. */
-static burnish_status receive(server *v, slot *s, burnish_error *error) {
+static void receive(server *v, slot *s) {
     char byte;
     serve_import_request import;
     const int kind =
@@ -245,26 +287,27 @@ static burnish_status receive(server *v, slot *s, burnish_error *error) {
         kill(s->process, SIGKILL);
     }
     if (kind != SERVE_ENDED) {
-        return BURNISH_STATUS_OK;
+        return;
     }
     if (s->state != SLOT_WORKING && read(s->channel, &byte, 1) == 1) {
-        s->state = s->state == SLOT_STARTING ? SLOT_IDLE : s->state;
-        return BURNISH_STATUS_OK;
+        if (s->state == SLOT_STARTING) {
+            s->state = SLOT_IDLE;
+            v->failed_starts = 0;
+        }
+        return;
     }
     end_importer(s);
     const int state = wait_for(s);
     if (s->state == SLOT_STARTING) {
-        return fail_start(s, state, error);
+        fail_start(v, s, state);
+    } else if (s->state == SLOT_IDLE) { /* it was killed while idle */
+        replace_worker(v, s);
+    } else {
+        describe_end(v, s, state);
     }
-    if (s->state == SLOT_IDLE) { /* it was killed while idle */
-        close_files(s);
-        return start_worker(v, s, error);
-    }
-    describe_end(v, s, state);
     if (s->state == SLOT_WORKING) {
-        finish(s);
+        finish(v, s);
     }
-    return BURNISH_STATUS_OK;
 }
 
 static void put32(uint8_t *to, uint32_t value) {
@@ -330,9 +373,8 @@ static burnish_status write_reply(server *v, burnish_error *error) {
                    ? BURNISH_STATUS_OK
                    : cli_fail(error, BURNISH_STATUS_WRITE, "serve-stdio: %s", strerror(errno));
     }
-    close_files(s);
-    s->state = SLOT_EMPTY;
-    return v->has_ended ? BURNISH_STATUS_OK : start_worker(v, s, error);
+    replace_worker(v, s);
+    return BURNISH_STATUS_OK;
 }
 
 /* ---- Requests ---- */
@@ -347,15 +389,12 @@ static slot *find(const server *v, slot_state state) {
 }
 
 static void end_input(server *v, burnish_status status, const char *what) {
-    v->has_ended = 1;
+    burnish_error line = {BURNISH_STATUS_OK, ""};
     if (status != BURNISH_STATUS_OK) {
-        cli_fail(&v->end, status, "standard input: request %llu: %s",
+        cli_fail(&line, status, "standard input: request %llu: %s",
                  (unsigned long long)v->requests + (v->head_size > 0), what);
     }
-    if (v->filling) {
-        v->filling->state = SLOT_IDLE; /* its request is incomplete */
-        v->filling = NULL;
-    }
+    end_server(v, &line);
 }
 
 /* Handles a complete head. */
@@ -380,6 +419,15 @@ static void begin_request(server *v) {
     }
 }
 
+/* From now on nobody changes the file: the worker that parses it has a descriptor that can write. */
+static void seal(int request) {
+#ifdef F_ADD_SEALS
+    fcntl(request, F_ADD_SEALS, F_SEAL_SEAL | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE);
+#else
+    (void)request;
+#endif
+}
+
 /* Handles a complete request. */
 static void end_request(server *v) {
     slot *s = v->filling;
@@ -388,11 +436,13 @@ static void end_request(server *v) {
     v->head_size = 0;
     ++v->requests;
     s->deadline = seconds > 0 ? cli_seconds_now() + seconds : INFINITY;
-    if (s->line || !cli_write_all(s->channel, &s->size, sizeof s->size)) {
-        finish(s);
-    } else {
-        s->state = SLOT_WORKING;
+    if (s->line) {
+        finish(v, s);
+        return;
     }
+    seal(s->request);
+    cli_write_all(s->channel, &s->size, sizeof s->size); /* poll finds a worker that is gone */
+    s->state = SLOT_WORKING;
 }
 
 static void keep_bytes(server *v, const char *bytes, size_t size) {
@@ -456,10 +506,13 @@ static int look_at_clock(server *v) {
     return next < INT_MAX / 1000 ? (int)(next * 1000) + 1 : -1;
 }
 
+static int may_read(const server *v) {
+    return !v->has_ended && (v->filling || find(v, SLOT_IDLE));
+}
+
 static void choose_descriptors(server *v) {
-    const int may_read = !v->has_ended && (v->filling || find(v, SLOT_IDLE));
     v->writing = v->writing ? v->writing : find(v, SLOT_REPLIED);
-    v->ready[0] = (struct pollfd){may_read ? STDIN_FILENO : -1, POLLIN, 0};
+    v->ready[0] = (struct pollfd){may_read(v) ? STDIN_FILENO : -1, POLLIN, 0};
     v->ready[1] = (struct pollfd){v->writing ? STDOUT_FILENO : -1, POLLOUT, 0};
     for (size_t i = 0; i < v->count; ++i) {
         const slot *s = &v->slots[i];
@@ -474,13 +527,15 @@ static burnish_status turn(server *v, burnish_error *error) {
     if (poll(v->ready, (nfds_t)v->count + 2, wait) <= 0) {
         return status;
     }
-    for (size_t i = 0; i < v->count && status == BURNISH_STATUS_OK; ++i) {
-        status = v->ready[2 + i].revents ? receive(v, &v->slots[i], error) : status;
+    for (size_t i = 0; i < v->count; ++i) {
+        if (v->ready[2 + i].revents) {
+            receive(v, &v->slots[i]);
+        }
     }
-    if (status == BURNISH_STATUS_OK && v->ready[1].revents) {
+    if (v->ready[1].revents) {
         status = write_reply(v, error);
     }
-    if (status == BURNISH_STATUS_OK && v->ready[0].revents) {
+    if (status == BURNISH_STATUS_OK && v->ready[0].revents && may_read(v)) {
         read_input(v);
     }
     return status;
