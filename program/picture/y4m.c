@@ -2,21 +2,57 @@
  * pixels (C420jpeg), limited range, BT.709's matrix on sRGB codes. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "picture/animation.h"
+#include "picture/video.h"
+
+static const char marker[] = "FRAME\n";
+enum { MARKER_SIZE = sizeof marker - 1 };
+
+static size_t chroma_size(int width, int height) {
+    return (size_t)((width + 1) / 2) * (size_t)((height + 1) / 2);
+}
+
+picture_frames picture_expect_frames(int width, int height, int fps, int frames) {
+    picture_frames f = {.frame_size = MARKER_SIZE + (uint64_t)width * (uint64_t)height +
+                                      2 * chroma_size(width, height)};
+    f.head_size = (uint64_t)snprintf(f.head, sizeof f.head,
+                                     "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG "
+                                     "XCOLORRANGE=LIMITED XBURNISH\n",
+                                     width, height, fps);
+    f.total = f.head_size + f.frame_size * (uint64_t)frames;
+    return f;
+}
+
+int picture_check_frames(picture_frames *f, const void *bytes, size_t size) {
+    const char *text = bytes;
+    if (size > f->total - f->next) {
+        return 0;
+    }
+    while (size > 0) {
+        const int is_head = f->next < f->head_size;
+        const uint64_t at = is_head ? f->next : (f->next - f->head_size) % f->frame_size;
+        const uint64_t text_size = is_head ? f->head_size : MARKER_SIZE;
+        const uint64_t left = (at < text_size ? text_size : f->frame_size) - at;
+        const size_t count = left < size ? (size_t)left : size;
+        if (at < text_size && memcmp(text, (is_head ? f->head : marker) + at, count) != 0) {
+            return 0;
+        }
+        f->next += count;
+        text += count;
+        size -= count;
+    }
+    return 1;
+}
 
 static burnish_status begin(picture_animation *animation, burnish_error *error) {
-    char head[120];
     const picture_animation_options *o = &animation->options;
     if (o->channels != 3) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "Y4M has no alpha; write PNG or WebP");
     }
-    const int size =
-        snprintf(head, sizeof head,
-                 "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED "
-                 "XBURNISH\n",
-                 o->width, o->height, o->fps);
-    picture_put(&animation->out, head, (size_t)size);
+    const picture_frames stream = picture_expect_frames(o->width, o->height, o->fps, o->frames);
+    picture_put(&animation->out, stream.head, (size_t)stream.head_size);
     return BURNISH_STATUS_OK;
 }
 
@@ -57,7 +93,7 @@ static void put_chroma(const burnish_image *frame, uint8_t *u, uint8_t *v) {
 static burnish_status add(picture_animation *animation, const burnish_image *frame,
                           burnish_error *error) {
     const size_t count = (size_t)frame->width * (size_t)frame->height;
-    const size_t chroma = (size_t)((frame->width + 1) / 2) * (size_t)((frame->height + 1) / 2);
+    const size_t chroma = chroma_size(frame->width, frame->height);
     uint8_t *planes = malloc(count + 2 * chroma);
     (void)error;
     if (!planes) {
@@ -68,7 +104,7 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
         planes[i] = luma(frame->pixels + 3 * i);
     }
     put_chroma(frame, planes + count, planes + count + chroma);
-    picture_put(&animation->out, "FRAME\n", 6);
+    picture_put(&animation->out, marker, MARKER_SIZE);
     picture_put(&animation->out, planes, count + 2 * chroma);
     free(planes);
     return BURNISH_STATUS_OK;

@@ -378,7 +378,8 @@ static burnish_status begin(const render_settings *settings, int *code, burnish_
                          .outputs = {render_output_path(&settings->output)},
                          .container = picture_container((picture_format)settings->output.format),
                          .max_input_bytes = settings->input.load.max_input_bytes,
-                         .max_memory = settings->job.max_memory};
+                         .max_memory = settings->job.max_memory,
+                         .is_streamed = settings->output.turntable != NULL};
     _Static_assert(2 + RENDER_PLANES_MAX <= SANDBOX_OUTPUTS_MAX, "picture, report and planes");
     *code = -1;
     burnish_status status = cli_limit_memory(settings->job.max_memory, error);
@@ -391,6 +392,10 @@ static burnish_status begin(const render_settings *settings, int *code, burnish_
     if (settings->output.reference) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--sandbox: the reference can not be read in it; omit --reference");
+    }
+    if (plan.container) {
+        plan.frames = picture_expect_frames(settings->picture.size[0], settings->picture.size[1],
+                                            settings->output.fps, settings->output.frames);
     }
     plan.output_count = 1;
     if (settings->output.json) {

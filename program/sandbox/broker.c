@@ -75,7 +75,9 @@ static size_t receive_data(broker *b, const message *head, char *buffer, size_t 
 /* An output that is being written. */
 typedef struct output {
     broker *b;
-    int has_ended; /* 1: the worker has sent all of it */
+    int has_ended;         /* 1: the worker has sent all of it */
+    uint64_t left;         /* bytes that it may still send */
+    picture_frames frames; /* of a video; without, total is 0 */
 } output;
 
 /* Receives bytes of the output; 0 at the end and on errors. */
@@ -86,14 +88,26 @@ static size_t take_data(void *context, char *buffer, size_t size) {
         return 0;
     }
     o->has_ended = head.kind == MESSAGE_END && head.size == 0;
-    return o->has_ended ? 0 : receive_data(o->b, &head, buffer, size);
+    const size_t count = o->has_ended ? 0 : receive_data(o->b, &head, buffer, size);
+    if (count > o->left ||
+        (o->frames.total > 0 && !picture_check_frames(&o->frames, buffer, count))) {
+        end(o->b, BROKER_VIOLATION);
+        return 0;
+    }
+    o->left -= count;
+    return count;
 }
 
 /* The worker does the last step: a report, which may be an output too. */
 static burnish_status let_finish(void *context, burnish_error *error) {
-    broker *b = ((const output *)context)->b;
-    reply(b, MESSAGE_READY, 0, NULL, 0);
-    return serve(b, error);
+    const output *o = context;
+    reply(o->b, MESSAGE_READY, 0, NULL, 0);
+    const burnish_status status = serve(o->b, error);
+    if (status == BURNISH_STATUS_OK && o->frames.next < o->frames.total) {
+        end(o->b, BROKER_VIOLATION);
+        return cli_fail(error, BURNISH_STATUS_WRITE, "the last frame is incomplete");
+    }
+    return status;
 }
 
 static int is_planned(const sandbox_plan *plan, const char *path) {
@@ -108,13 +122,17 @@ static int is_planned(const sandbox_plan *plan, const char *path) {
 static void write_output(broker *b, const char *path) {
     static char unread[MESSAGE_DATA_MAX];
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    output o = {b, 0};
+    const uint64_t most = b->plan->max_memory;
+    output o = {.b = b, .left = most > 0 && !b->plan->is_streamed ? most : UINT64_MAX};
     if (!is_planned(b->plan, path) || b->depth == 2) {
         end(b, BROKER_VIOLATION);
         return;
     }
     b->depth += 1;
     const char *container = strcmp(path, b->plan->outputs[0]) == 0 ? b->plan->container : NULL;
+    if (container) {
+        o.frames = b->plan->frames;
+    }
     burnish_status status =
         container ? picture_write_video(container, path, take_data, &o, let_finish, &error)
                   : burnish_file_write_stream_checked(path, take_data, &o, let_finish, &error);

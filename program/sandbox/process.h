@@ -9,11 +9,13 @@
  *           what it writes
  *
  * The worker holds the input's descriptor, the socket and the standard streams. The broker parses
- * nothing from the input; it checks lengths and names, and that outputs were on the command line. */
+ * nothing from the input; it checks lengths and names, that outputs were on the command line and
+ * are not larger than the worker's memory, and that ffmpeg gets only frames. */
 #ifndef TOOL_SANDBOX_PROCESS_H
 #define TOOL_SANDBOX_PROCESS_H
 
 #include "burnish/mesh.h"
+#include "picture/video.h"
 
 enum { SANDBOX_OUTPUTS_MAX = 32 };
 
@@ -23,8 +25,10 @@ typedef struct sandbox_plan {
     const char *outputs[SANDBOX_OUTPUTS_MAX];
     size_t output_count;
     const char *container;    /* of the video that the first output becomes; NULL: no video */
+    picture_frames frames;    /* of the video */
     uint64_t max_input_bytes; /* of the input and of each file that it names */
     uint64_t max_memory;      /* of the worker; 0: no limit */
+    int is_streamed;          /* 0: outputs are complete in the worker's memory before they come */
     /* Called with each file that the worker requests, open for reading, before it is sent; -1: the
      * file is not available. NULL: no callback. */
     void (*record_file)(void *context, const char *name, int file);

@@ -199,6 +199,91 @@ static void test_failed_output(void) {
     CHECK_TEXT(text, "too??[31mred");
 }
 
+/* An output was complete in the worker's memory, so it can't be larger; a stream can. */
+static void test_large_output(void) {
+    static char bytes[100];
+    script s = {.size = 0};
+    for (int i = 0; i < 3; ++i) {
+        box.plan.max_memory = i == 0 ? sizeof bytes - 1 : sizeof bytes - (size_t)(i == 2);
+        box.plan.is_streamed = i == 2;
+        add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
+        add(&s, MESSAGE_DATA, 0, bytes, sizeof bytes - 1);
+        add(&s, MESSAGE_DATA, 0, bytes, 1);
+        add(&s, MESSAGE_END, 0, NULL, 0);
+        add(&s, MESSAGE_STATUS, BURNISH_STATUS_OK, NULL, 0);
+        CHECK(run(&s) == (i == 0 ? BROKER_VIOLATION : BROKER_GONE), "%d", i);
+        CHECK(is_there(LYING_PICTURE) == (i != 0), "%d", i);
+        lying_remove_outputs();
+    }
+    box.plan.max_memory = 0;
+    box.plan.is_streamed = 0;
+}
+
+/* ffmpeg gets nothing but the frames that the command line asks for. */
+static void test_video(void) {
+    static const char head[] = "YUV4MPEG2 W3 H2 F20:1 Ip A1:1 C420jpeg "
+                               "XYSCSS=420JPEG XCOLORRANGE=LIMITED "
+                               "XBURNISH\n";
+    static const struct {
+        const char *head, *frames[4];
+        broker_state state;
+        int passed; /* pieces that ffmpeg gets */
+    } streams[] = {
+        {head, {"FRAME\nyyyyyyuuvv", "FRAME\nYYYYYYUUVV"}, BROKER_GONE, 3},
+        {head, {"FRAME\nyyy", "yyyuuvvFRA", "ME\nYYYYYYUUVV"}, BROKER_GONE, 4},
+        {"YUV4MPEG2 W4 H2 F20:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED XBURNISH\n",
+         {"FRAME\n"},
+         BROKER_VIOLATION,
+         0},
+        {"RIFF", {NULL}, BROKER_VIOLATION, 0},
+        {head, {"FRAME\nyyyyyyyyuuvv"}, BROKER_VIOLATION, 1}, /* of another size */
+        {head, {"FRAME Ip\n"}, BROKER_VIOLATION, 1},          /* parameters */
+        {head, {"FRAME\nyyyyyyuuvv", "FRAME\nYYYYYYUUVV", "F"}, BROKER_VIOLATION, 3},
+        {head,
+         {"FRAME\nyyyyyyuuvv", "FRAME\nYYYYYY"},
+         BROKER_VIOLATION,
+         3}, /* its end is missing */
+        {head, {NULL}, BROKER_VIOLATION, 1},
+    };
+    char folder[] = "/tmp/burnish-video-XXXXXX", program[64], got[64], *path = getenv("PATH"),
+         old[4096];
+    script s = {.size = 0};
+    snprintf(old, sizeof old, "%s", path ? path : "");
+    CHECK1(mkdtemp(folder) != NULL);
+    snprintf(program, sizeof program, "%s/ffmpeg", folder);
+    snprintf(got, sizeof got, "%s/got", folder);
+    CHECK1(lying_write(program, "#!/bin/sh\nPATH=/usr/bin:/bin\nexec tee \"${0%/*}/got\"\n") &&
+           chmod(program, 0700) == 0);
+    setenv("PATH", folder, 1);
+    box.plan.container = "mp4";
+    box.plan.frames = picture_expect_frames(3, 2, 20, 2);
+    for (size_t i = 0; i < sizeof streams / sizeof *streams; ++i) {
+        char wanted[400] = "", found[400] = "";
+        add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
+        for (int k = 0; k < 5; ++k) {
+            const char *piece = k == 0 ? streams[i].head : streams[i].frames[k - 1];
+            if (piece) {
+                add_text(&s, MESSAGE_DATA, 0, piece);
+                strcat(wanted, k < streams[i].passed ? piece : "");
+            }
+        }
+        add(&s, MESSAGE_END, 0, NULL, 0);
+        add(&s, MESSAGE_STATUS, BURNISH_STATUS_OK, NULL, 0);
+        CHECK(run(&s) == streams[i].state, "stream %zu", i);
+        CHECK(is_there(LYING_PICTURE) == (streams[i].state == BROKER_GONE), "stream %zu", i);
+        FILE *file = fopen(got, "rb");
+        CHECK1(file && fread(found, 1, sizeof found - 1, file) <= sizeof found &&
+               fclose(file) == 0);
+        CHECK_TEXT(found, wanted);
+        lying_remove_outputs();
+        unlink(got);
+    }
+    box.plan.container = NULL;
+    setenv("PATH", old, 1);
+    unlink(program);
+    rmdir(folder);
+}
+
 /* ---- Order and sizes ---- */
 
 static void test_order(void) {
@@ -354,6 +439,8 @@ int main(int count, char **arguments) {
     RUN(test_outputs());
     RUN(test_other_outputs());
     RUN(test_failed_output());
+    RUN(test_large_output());
+    RUN(test_video());
     RUN(test_order());
     RUN(test_sizes());
     RUN(test_import());
