@@ -336,19 +336,21 @@ static burnish_status check(batch *b, burnish_error *error) {
 
 /* Prints the error of a failed input, preceded by its name. */
 static void print_failure(const batch_item *item) {
-    cJSON *line = item->line ? cJSON_Parse(item->line) : NULL, *name = cli_json_text(item->input);
+    cJSON *line = item->line ? cJSON_Parse(item->line) : NULL;
     cJSON *text = cJSON_GetObjectItemCaseSensitive(line, "error");
     char memory[] = "out of memory", *message = cJSON_IsString(text) ? text->valuestring : memory;
-    char *input = cJSON_IsString(name) ? name->valuestring : memory;
+    char *input = strdup(item->input);
     cli_clean(message);
-    cli_clean(input);
-    if (strncmp(message, input, strlen(input)) == 0) {
+    if (input) {
+        cli_clean(input);
+    }
+    if (!input || strncmp(message, input, strlen(input)) == 0) {
         fprintf(stderr, "burnish: %s\n", message);
     } else {
         fprintf(stderr, "burnish: %s: %s\n", input, message);
     }
     cJSON_Delete(line);
-    cJSON_Delete(name);
+    free(input);
 }
 
 static void list_failures(const batch *b) {

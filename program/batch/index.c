@@ -86,10 +86,13 @@ static const char script[] =
     "show();sort();\n"
     "</script>\n";
 
-/* Text of HTML; what is not UTF-8 becomes ?. */
+/* Text of HTML, cleaned: bidirectional controls would reorder names there too. */
 static void put_text(FILE *page, const char *text) {
-    cJSON *item = cli_json_text(text);
-    for (const char *c = cJSON_IsString(item) ? item->valuestring : ""; *c; ++c) {
+    char *clean = strdup(text);
+    if (clean) {
+        cli_clean(clean);
+    }
+    for (const char *c = clean ? clean : ""; *c; ++c) {
         switch (*c) {
         case '&':
             fputs("&amp;", page);
@@ -101,10 +104,10 @@ static void put_text(FILE *page, const char *text) {
             fputs("&quot;", page);
             break;
         default:
-            fputc((unsigned char)*c < 32 ? '?' : *c, page);
+            fputc(*c, page);
         }
     }
-    cJSON_Delete(item);
+    free(clean);
 }
 
 /* A path as a relative reference (RFC 3986). */

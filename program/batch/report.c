@@ -247,12 +247,6 @@ void batch_release_past(batch_past *past) {
 
 /* ---- Writing ---- */
 
-static char *print(cJSON *object, int failed) {
-    char *text = failed ? NULL : cJSON_PrintUnformatted(object);
-    cJSON_Delete(object);
-    return text;
-}
-
 void batch_add_hash(cJSON *object, const char *key, uint64_t hash, int *failed) {
     char text[17];
     snprintf(text, sizeof text, "%016llx", (unsigned long long)hash);
@@ -267,7 +261,7 @@ char *batch_head_line(const batch *b) {
     if (b->options_hash != 0) {
         batch_add_hash(object, "options_hash", b->options_hash, &failed);
     }
-    return print(object, failed);
+    return cli_json_string(object, failed, 0);
 }
 
 void batch_add_seconds(const batch *b, cJSON *object, double seconds, int *failed) {
@@ -298,7 +292,7 @@ char *batch_failed_line(const batch *b, const batch_item *item, int code, const 
     cli_json_add(object, "code", cJSON_CreateNumber(code), &failed);
     cli_json_add(object, "error", cli_json_text(message), &failed);
     batch_add_seconds(b, object, seconds, &failed);
-    return print(object, failed);
+    return cli_json_string(object, failed, 0);
 }
 
 burnish_status batch_write_report(const batch *b, burnish_error *error) {

@@ -361,9 +361,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
         cli_json_add(object, "uncertain", cJSON_CreateTrue(), &failed);
     }
     batch_add_seconds(b, object, seconds, &failed);
-    char *text = failed ? NULL : cJSON_PrintUnformatted(object);
-    cJSON_Delete(object);
-    return text;
+    return cli_json_string(object, failed, 0);
 }
 
 /* The settings of one item. */

@@ -5,12 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/clean_text.h"
+
 void cli_clean(char *text) {
-    for (char *c = text; *c; ++c) {
-        if ((unsigned char)*c < 32 || *c == 127) {
-            *c = '?';
-        }
-    }
+    burnish_clean_text(text);
 }
 
 burnish_status cli_fail(burnish_error *error, burnish_status status, const char *format, ...) {

@@ -149,7 +149,7 @@ typedef struct cli_command_name {
 } cli_command_name;
 cli_command_name cli_full_name(const cli_command *command);
 
-/* Writes one line, control characters replaced, and returns status. */
+/* Writes one line, cleaned, and returns status. */
 __attribute__((format(printf, 3, 4))) burnish_status
 cli_fail(burnish_error *error, burnish_status status, const char *format, ...);
 
@@ -158,7 +158,7 @@ static inline burnish_status cli_errno_status(int code) {
     return code == ENOMEM ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_READ;
 }
 
-/* Replaces control characters by '?', to keep a message on one line. */
+/* Replaces by '?' what is not UTF-8 or controls a terminal (core/clean_text.h), such as ends of lines. */
 void cli_clean(char *text);
 
 /* "burnish: warning: TEXT" on standard error. */

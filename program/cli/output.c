@@ -8,6 +8,7 @@
 #include "burnish/core.h"
 #include "cli/file.h"
 #include "cli/platform.h"
+#include "core/clean_text.h"
 
 const cli_word cli_format_words[] = {
     {"text", CLI_FORMAT_TEXT}, {"csv", CLI_FORMAT_CSV}, {"json", CLI_FORMAT_JSON}, {NULL, 0}};
@@ -250,19 +251,21 @@ static void print_markdown(FILE *stream, const cli_table *table) {
 
 /* ---- Tables for programs ---- */
 
-void cli_csv_text(FILE *stream, const char *text) {
-    if (!strpbrk(text, ",\"\n\r")) {
-        fputs(text, stream);
-        return;
-    }
-    fputc('"', stream);
-    for (; *text; ++text) {
-        if (*text == '"') {
-            fputc('"', stream);
+void cli_print_clean(FILE *stream, const char *text, char doubled) {
+    for (size_t size; *text; text += size > 0 ? size : 1) {
+        size = burnish_printable_size(text);
+        if (size == 0 || *text == doubled) {
+            fputc(size == 0 ? '?' : doubled, stream);
         }
-        fputc(*text, stream);
+        fwrite(text, 1, size, stream);
     }
-    fputc('"', stream);
+}
+
+void cli_csv_text(FILE *stream, const char *text) {
+    const char *quote = strpbrk(text, ",\"") ? "\"" : "";
+    fputs(quote, stream);
+    cli_print_clean(stream, text, '"');
+    fputs(quote, stream);
 }
 
 void cli_csv_real(FILE *stream, double value) {
@@ -323,27 +326,6 @@ cJSON *cli_json_seconds(double value) {
     return cJSON_CreateRaw(text);
 }
 
-/* Length of the UTF-8 sequence at text (RFC 3629: no overlong forms, no surrogates); 0 if it is
- * invalid. */
-static size_t sequence_length(const unsigned char *text) {
-    unsigned char first = text[0];
-    if (first < 0x80) {
-        return 1;
-    }
-    size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    unsigned char low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-    unsigned char high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-    if (first < 0xC2 || first > 0xF4 || text[1] < low || text[1] > high) {
-        return 0;
-    }
-    for (size_t i = 2; i < length; ++i) {
-        if ((text[i] & 0xC0) != 0x80) {
-            return 0;
-        }
-    }
-    return length;
-}
-
 cJSON *cli_json_text(const char *text) {
     if (!text) {
         return cJSON_CreateNull();
@@ -351,7 +333,7 @@ cJSON *cli_json_text(const char *text) {
     char *copy = strdup(text);
     size_t at = 0;
     while (copy && copy[at]) {
-        size_t length = sequence_length((const unsigned char *)copy + at);
+        const size_t length = burnish_character_size(copy + at);
         if (length == 0) {
             copy[at] = '?';
         }
@@ -377,7 +359,7 @@ cJSON *cli_json_bytes(const char *text) {
 int cli_is_utf8(const char *text) {
     size_t length = 1;
     while (*text && length > 0) {
-        length = sequence_length((const unsigned char *)text);
+        length = burnish_character_size(text);
         text += length;
     }
     return length > 0;
@@ -443,14 +425,44 @@ static cJSON *rows_json(const cli_table *table, int *failed) {
     return rows;
 }
 
-burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error) {
-    char *text = failed ? NULL : cJSON_Print(object);
+char *cli_json_string(cJSON *object, int failed, int is_wrapped) {
+    char *text = failed ? NULL : is_wrapped ? cJSON_Print(object) : cJSON_PrintUnformatted(object);
+    size_t count = 0;
     cJSON_Delete(object);
+    for (const char *c = text; c && *c; ++c) {
+        count += burnish_control_code(c) >= 0x7F;
+    }
+    if (!text || count == 0) {
+        return text;
+    }
+    char *escaped = malloc(strlen(text) + 5 * count + 1),
+         *to = escaped; /* "\u009b" for 1 to 3 bytes */
+    for (const char *c = text; escaped && *c;) {
+        const unsigned code = burnish_control_code(c);
+        const size_t known = burnish_character_size(c), size = known > 0 ? known : 1;
+        if (code >= 0x7F) { /* cJSON escapes lower ones, except those between items */
+            to += sprintf(to, "\\u%04x", code);
+        } else {
+            memcpy(to, c, size);
+            to += size;
+        }
+        c += size;
+    }
+    if (escaped) {
+        *to = 0;
+    }
+    free(text);
+    return escaped;
+}
+
+burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, int is_wrapped,
+                              burnish_error *error) {
+    char *text = cli_json_string(object, failed, is_wrapped);
     if (!text) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the JSON output");
     }
     fprintf(stream, "%s\n", text);
-    cJSON_free(text);
+    free(text);
     return BURNISH_STATUS_OK;
 }
 
@@ -465,7 +477,7 @@ static burnish_status print_json(FILE *stream, const cli_document *document, con
     if (document->rows_key) {
         cli_json_add(root, document->rows_key, rows_json(table, &failed), &failed);
     }
-    return cli_json_print(stream, root, failed, error);
+    return cli_json_print(stream, root, failed, 1, error);
 }
 
 burnish_status cli_document_write(const cli_document *document, const cli_table *table,

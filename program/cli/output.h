@@ -72,7 +72,10 @@ typedef struct cli_table {
 /* Aligned, at most CLI_TEXT_WIDTH characters wide; further columns are in further parts. */
 void cli_table_text(FILE *stream, const cli_table *table);
 
-/* Fields of a line of CSV: text, quoted if necessary; a number, empty for NaN. */
+/* Prints text as cli_clean leaves it; each `doubled` twice, 0: none. */
+void cli_print_clean(FILE *stream, const char *text, char doubled);
+
+/* Fields of a line of CSV: text, cleaned, quoted if necessary; a number, empty for NaN. */
 void cli_csv_text(FILE *stream, const char *text);
 void cli_csv_real(FILE *stream, double value);
 
@@ -100,8 +103,14 @@ cJSON *cli_json_floats(size_t size, const float *values);
 cJSON *cli_json_integers(size_t size, const int *values);
 cJSON *cli_json_texts(size_t size, char *const *values);
 
-/* Prints and deletes the object. Errors: MEMORY, also where `failed` is set. */
-burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error);
+/* The object as text, on one line unless is_wrapped, and deletes it. Control characters are escaped,
+ * also those that JSON allows as they are, such as U+009B: a terminal obeys them. Release with free.
+ * NULL: out of memory, also where `failed` is set. */
+char *cli_json_string(cJSON *object, int failed, int is_wrapped);
+
+/* Prints and deletes the object. Errors: MEMORY. */
+burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, int is_wrapped,
+                              burnish_error *error);
 
 /* The row of --json. Its target is the name of the file, "-" for standard output, NULL for no JSON;
  * `section` of the man page lists the keys. */

@@ -253,6 +253,7 @@ static void describe(comparison *c, int i) {
     burnish_lobe_spec_name(&side->cell.lobe, lobe, sizeof lobe);
     snprintf(side->label, sizeof side->label, "%.120s%s%s", base_name(side->input),
              c->lobes ? ", " : "", c->lobes ? lobe : "");
+    cli_clean(side->label);
     snprintf(side->cell.label, sizeof side->cell.label, "%s", "the picture");
 }
 

@@ -311,7 +311,8 @@ void info_print_text(FILE *stream, const info_report *r) {
                          : info->line_count > 0 ? info->line_count
                                                 : info->point_count;
     char extension[IMPORT_EXTENSION_SIZE];
-    fprintf(stream, "%s (%s): %zu %s%s, ", r->input, format_name(r, extension), count,
+    cli_print_clean(stream, r->input, 0);
+    fprintf(stream, " (%s): %zu %s%s, ", format_name(r, extension), count,
             r->facts               ? "triangle"
             : info->line_count > 0 ? "line"
                                    : "point",

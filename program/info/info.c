@@ -163,20 +163,15 @@ typedef struct survey {
 } survey;
 
 static burnish_status print_object(survey *s, cJSON *root, int failed, burnish_error *error) {
-    if (!s->is_many && s->settings->json) {
-        return cli_json_print(s->output.stream, root, failed, error);
+    if (s->settings->json) {
+        return cli_json_print(s->output.stream, root, failed, !s->is_many, error);
     }
-    char *text = failed ? NULL : cJSON_PrintUnformatted(root);
-    if (text && s->settings->json) {
-        fprintf(s->output.stream, "%s\n", text);
-    } else if (text) {
+    if (!failed) {
         info_print_csv_row(s->output.stream, root);
     }
-    const int is_printed = text != NULL;
-    cJSON_free(text);
     cJSON_Delete(root);
-    return is_printed ? BURNISH_STATUS_OK
-                      : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+    return failed ? cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output")
+                  : BURNISH_STATUS_OK;
 }
 
 static burnish_status print(survey *s, const char *input, const burnish_mesh *mesh,
@@ -205,7 +200,6 @@ static burnish_status print(survey *s, const char *input, const burnish_mesh *me
 static burnish_status print_failure(survey *s, const char *input, burnish_error *failure,
                                     burnish_error *error) {
     int failed = 0;
-    cli_clean(failure->text);
     fprintf(stderr, "burnish: %s\n", failure->text);
     ++s->failed;
     if (!s->settings->json && !s->settings->csv) {

@@ -413,8 +413,10 @@ static void confirm(const render_result *result) {
     const char *path = render_output_path(&settings->output);
     if (result->written && !settings->job.quiet && strcmp(path, "-") != 0 &&
         isatty(STDERR_FILENO)) {
-        fprintf(stderr, "burnish: wrote %.300s, %d x %d\n", path, result->picture->width,
-                result->picture->height);
+        burnish_error line;
+        cli_fail(&line, BURNISH_STATUS_OK, "wrote %.300s, %d x %d", path, result->picture->width,
+                 result->picture->height);
+        fprintf(stderr, "burnish: %s\n", line.text);
     }
 }
 

@@ -19,9 +19,7 @@ char *serve_failed_line(int code, const char *message, const char *report) {
     if (report) {
         cli_json_add(object, "report", cJSON_CreateRaw(report), &failed);
     }
-    char *text = failed ? NULL : cJSON_PrintUnformatted(object);
-    cJSON_Delete(object);
-    return text;
+    return cli_json_string(object, failed, 0);
 }
 
 #ifndef _WIN32

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/output.h"
@@ -223,13 +224,23 @@ static void print_camera(const view_scene *scene) {
     }
 }
 
-/* In quotes for a shell. */
+/* In quotes for a shell: $'...' has escapes for what a terminal would obey. */
 static void print_quoted(const char *text) {
-    putchar('\'');
+    char *clean = strdup(text);
+    if (clean) {
+        cli_clean(clean);
+    }
+    const int is_clean = clean && strcmp(clean, text) == 0;
+    printf(is_clean ? "'" : "$'");
     for (; *text; ++text) {
-        fputs(*text == '\'' ? "'\\''" : (char[2]){*text, 0}, stdout);
+        if (!is_clean) {
+            printf("\\%03o", (unsigned)(unsigned char)*text);
+        } else {
+            fputs(*text == '\'' ? "'\\''" : (char[2]){*text, 0}, stdout);
+        }
     }
     putchar('\'');
+    free(clean);
 }
 
 void view_scene_print(const view_scene *scene, const burnish_lobe_spec *lobe) {

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/clean_text.h"
+
 const char *burnish_status_text(burnish_status status) {
     switch (status) {
 #define BURNISH_STATUS_TEXT(name, code, text)                                                      \
@@ -39,36 +41,6 @@ const char *burnish_version(void) {
 
 int burnish_version_number(void) {
     return BURNISH_VERSION_NUMBER;
-}
-
-/* Bytes of the character of UTF-8 at text (RFC 3629: no overlong forms, no surrogates); 0: none. */
-static size_t character_size(const unsigned char *text) {
-    const unsigned first = text[0];
-    const size_t size = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-    const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-    if (size == 1) {
-        return first >= 32 && first != 127;
-    }
-    if (first < 0xC2 || first > 0xF4 || text[1] < low || text[1] > high) {
-        return 0;
-    }
-    for (size_t i = 2; i < size; ++i) {
-        if ((text[i] & 0xC0) != 0x80) {
-            return 0;
-        }
-    }
-    return size;
-}
-
-void burnish_clean_text(char *text) {
-    while (*text) {
-        const size_t size = character_size((const unsigned char *)text);
-        if (size == 0) {
-            *text = '?';
-        }
-        text += size > 0 ? size : 1;
-    }
 }
 
 burnish_status burnish_fail(burnish_error *error, burnish_status status, const char *format, ...) {

@@ -8,9 +8,6 @@
 #include "core/arithmetic.h"
 #include "core/show_name.h"
 
-/* Replaces control characters, and bytes that are not UTF-8, by '?': messages quote inputs. */
-void burnish_clean_text(char *text);
-
 /* Fills *error (may be NULL), cleaned, and returns status, so callers can
  * `return burnish_fail(...)`. */
 __attribute__((format(printf, 3, 4))) burnish_status

@@ -51,7 +51,7 @@ static const struct layer {
     {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
     {"program/batch",
      "cli import picture render render/output render/scene render/settings sandbox burnish"},
-    {"program/cli", "burnish"},
+    {"program/cli", "core/clean_text.h burnish"},
     {"program/compare", "cli import render render/output render/scene picture burnish"},
     {"program/font", "cli burnish"},
     {"program/import", "cli core/beneath.h core/show_name.h burnish"},

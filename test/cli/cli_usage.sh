@@ -66,6 +66,38 @@ expect 0 '' render :sphere --size=16 --isa=scalar -o x.png
 unset BURNISH_ISA
 rm -f x.png
 nothing_left "wrong usage"
+# Names can't control a terminal: ESC [, the same as one character, an override of the writing direction, an isolate. They are
+# replaced in text, tables and pages, and escaped in JSON, which keeps them.
+name=$(printf 'a\033[31m\302\23331m\342\200\256b\342\201\246')
+printf 'mtllib %s.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' "$name" >"$name.obj"
+printf 'v 0 0\n' >"$name-bad.obj"
+# is_harmless FILE...: no such bytes.
+is_harmless() { ! cat "$@" | tr -d '\n\t' | LC_ALL=C grep -aqP '[\x00-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]|\xe2\x81[\xa6-\xa9]'; }
+printf '\302\233' >x.png
+check "the test sees no control character" [ "$(is_harmless x.png || echo seen)" = seen ]
+harmless() {
+    run "$@"
+    check "$1 $code: $(od -c "$err" "$out" | head -n 20)" is_harmless "$err" "$out"
+}
+harmless render "$name.obj" --size=8 -o x.png
+harmless render "$name.obj" --size=8 -o x.png --strict
+harmless render "$name-bad.obj" --size=8 -o x.png
+harmless render "no$name" -o x.png
+harmless render :sphere --environment="$name.obj" -o x.png
+harmless info "$name.obj"
+harmless info "$name.obj" "$name-bad.obj" --csv
+harmless render "$name.obj" --size=8 -o "$name.png"
+harmless compare "$name.png" "$name.png"
+for flags in 'info --json' 'compare --json'; do
+    # shellcheck disable=SC2086
+    harmless $flags "$name.obj" "$name.obj"
+    check "$flags: escaped: $(head -n 20 "$out")" grep -qF '"a\u001b[31m\u009b31m\u202eb\u2066.obj"' "$out"
+done
+harmless batch . -d . --size=8 --index --report=r.jsonl
+check "a page: $(grep h2 index.html | tail -n 2 | od -c | head)" is_harmless index.html r.jsonl
+check "its names" grep -qF '<h2>a?[31m??31m???b???.obj</h2>' index.html
+rm -f "$name"* x.png index.html r.jsonl
+nothing_left "names"
 # Out of memory, for one input or several. Sanitizers need more memory from the start.
 run render :sphere --max-memory=5M -o a.png
 if [ "$code" = 6 ]; then

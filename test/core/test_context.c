@@ -1,6 +1,7 @@
 /* Contexts, and memory that goes through them. */
 #include <stdint.h>
 
+#include "core/clean_text.h"
 #include "core/context.h"
 #include "core/memory.h"
 #include "support.h"
@@ -187,6 +188,49 @@ static void test_reasons(void) {
     CHECK1(burnish_errno_reason(99999).text[0] != 0);
 }
 
+/* Writes a code as UTF-8, and returns its size. */
+static int encode(unsigned code, char text[8]) {
+    const int size = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+    for (int i = size - 1; i >= 0; --i) {
+        const unsigned lead = size == 1 ? 0 : (0xF0U << (4 - size)) & 0xFF;
+        text[i] = (char)(i > 0 ? 0x80 | (code & 0x3F) : lead | code);
+        code >>= i > 0 ? 6 : 0;
+    }
+    text[size] = 0;
+    return size;
+}
+
+/* What messages replace: controls (categories Cc, Zl, Zp) and what Unicode calls Bidi_Control, except
+ * marks; bytes that are not UTF-8. */
+static void test_clean_text(void) {
+    static const char *const invalid[] = {
+        "\x80", "\xC2", "\xC1\x81", "\xE2\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xFF"};
+    int replaced = 0;
+    for (unsigned code = 1; code < 0x110000; ++code) {
+        const int is_control = code < 0x20 || (code >= 0x7F && code <= 0x9F) ||
+                               (code >= 0x2028 && code <= 0x202E) ||
+                               (code >= 0x2066 && code <= 0x2069);
+        const int is_invalid = code >= 0xD800 && code < 0xE000; /* surrogates */
+        char text[8], clean[8];
+        const int size = encode(code, text);
+        memcpy(clean, text, sizeof clean);
+        burnish_clean_text(clean);
+        const int is_kept = strcmp(clean, text) == 0;
+        const int is_gone = (int)strspn(clean, "?") == size;
+        replaced += is_gone && code != '?';
+        if (is_control || is_invalid ? !is_gone : !is_kept) {
+            CHECK(0, "U+%04X", code);
+        }
+    }
+    CHECK(replaced == 31 + 33 + 7 + 4 + 0x800, "%d", replaced);
+    for (size_t i = 0; i < sizeof invalid / sizeof *invalid; ++i) {
+        char text[8];
+        snprintf(text, sizeof text, "%s", invalid[i]);
+        burnish_clean_text(text);
+        CHECK(strspn(text, "?") == strlen(invalid[i]), "%zu: \"%s\"", i, text);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_refusals());
@@ -195,5 +239,6 @@ int main(int count, char **arguments) {
     RUN(test_version());
     RUN(test_statuses());
     RUN(test_reasons());
+    RUN(test_clean_text());
     return test_end("context");
 }
