@@ -133,8 +133,9 @@ const cli_command compare_command = {
     .base = &render_command,
     .base_topics = "camera,light",
     .base_flags = "samples,background-color,no-background,cull-back-faces,views,input-format,"
-                  "normals,crease-angle,tessellation,no-textures,max-triangles,max-texture-pixels,"
-                  "max-input-bytes,max-overdraw,quiet,threads,isa",
+                  "normals,crease-angle,tessellation,animation-time,animation,point-size,strict,"
+                  "no-textures,no-libraries,max-triangles,max-texture-pixels,max-input-bytes,"
+                  "max-overdraw,quiet,threads,isa",
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(compare_settings),

@@ -11,8 +11,8 @@ cli_work render_work;
  * that do not name a file or set a limit. */
 #define RENDER_PICTURE_FLAGS                                                                       \
     "width,height,cull-back-faces,samples,background-color,no-background,views,annotate,columns,"  \
-    "labels,"                                                                                      \
-    "no-labels,quality,dpi,input-format,clip,crease-angle,tessellation,animation-time,animation,"  \
-    "point-size,strict,no-textures,no-libraries,fail-on-blank"
+    "labels,no-labels,quality,dpi,input-format,clip,color-by,color-map,color-range,no-legend,"     \
+    "normals,crease-angle,tessellation,animation-time,animation,point-size,strict,no-textures,"    \
+    "no-libraries,fail-on-blank"
 
 #endif

@@ -67,7 +67,7 @@ printf 'v 0 0\n' >bad.obj
 # Pictures and reports are the same as render's.
 {
     request 7 '{"name": "a.obj", "flags": ["--size=32"], "files": [{"name": "m.mtl", "bytes": 18}]}' a.obj m.mtl
-    request 4294967295 '{"name": ":teapot", "flags": ["--views=front,top", "--color=#fa0", "--no-labels"]}'
+    request 4294967295 '{"name": ":teapot", "flags": ["--views=front,top", "--color-by=height", "--no-labels"]}'
     request 3 '{"flags": ["--output-format=jpeg", "--quality=50"]}' a.obj
     request 0 '{"name": "a.obj", "flags": ["--no-libraries"]}' a.obj
 } >in
@@ -75,7 +75,7 @@ serve -j1 --size=24
 check "exit code $code: $(cat "$err")" [ "$code" = 0 ]
 check "one worker, the order of the requests: $order" [ "$order" = " 7 4294967295 3 0" ]
 "$burnish" render a.obj --size=32 -o 7.png
-"$burnish" render :teapot --views=front,top --color=#fa0 --no-labels --size=24 -o 4294967295.png
+"$burnish" render :teapot --views=front,top --color-by=height --no-labels --size=24 -o 4294967295.png
 "$burnish" render - --quality=50 --size=24 -o 3.jpg <a.obj 2>/dev/null
 "$burnish" render a.obj --no-libraries --size=24 -o 0.png
 for id in 7 4294967295 0; do
@@ -131,6 +131,26 @@ check "blank: the report" grep -q '"report":{"burnish"' 14.line
 failed 15 4 '../../etc/passwd: byte 0: the file is empty'
 check "the last one is drawn" [ -s 16.picture ]
 rm -f ./*.line ./*.picture
+
+# A request has the server's flags of render, except those of its operator, and no others. Without its value, a flag is known or
+# not.
+flag_names() { "$burnish" "$1" --help=all | sed -n 's/^  \(-[a-z],\|   \) --\([a-z-]*\).*/\2/p' | sort; }
+flag_names render >names
+id=0
+while read -r flag; do
+    request $((id += 1)) "{\"name\": \":sphere\", \"flags\": [\"--$flag\"]}"
+done <names >in
+serve -j1 --size=8
+id=0
+while read -r flag; do
+    ! grep -qF "\"error\":\"--$flag: unknown flag" $((id += 1)).line || echo "$flag"
+done <names >unknown
+{
+    flag_names serve-stdio | comm -23 names -
+    printf '%s\n' isa threads no-sandbox max-triangles max-texture-pixels max-input-bytes max-overdraw max-seconds max-memory
+} | sort >expected
+check "flags of a request: $(diff expected unknown | grep '^[<>]' | tr '\n' ' ')" cmp expected unknown
+rm -f ./*.line ./*.picture names unknown expected
 
 # Many at a time: every id once, the same bytes.
 for i in 1 2 3 4 5 6 7 8 9 10 11 12; do
