@@ -186,7 +186,7 @@ typedef struct burnish_load_options {
                             one in so many vertices, as a point without faces, materials and
                             textures; evenly in the order of the file. Files are read in pieces
                             then, but for packed ones, pipes and memory, which count in full. It
-                            fails with LIMIT if 10,000 points need more. An estimate, for pictures
+                            fails with MEMORY if 10,000 points need more. An estimate, for pictures
                             of up to 2048 x 2048 pixels; other formats ignore it */
     uint64_t max_input_bytes;    /* a larger file fails with LIMIT */
     uint64_t max_triangles;      /* more fail with LIMIT. BURNISH_TRIANGLES_MAX: as many as give 5

@@ -326,6 +326,64 @@ static void add_facts(const batch *b, cJSON *object, facts *f, int *failed) {
     }
 }
 
+#ifndef O_PATH
+#define O_PATH O_RDONLY
+#endif
+
+/* Opens a folder of an output, and creates it if it is missing. A link fails with ELOOP. */
+static int open_part(int at, const char *part) {
+    struct stat state;
+    if (mkdirat(at, part, 0777) == 0 || errno == EEXIST) {
+        const int next = openat(at, part, O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+        const int code = errno;
+        if (next >= 0) {
+            return next;
+        }
+        errno = fstatat(at, part, &state, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(state.st_mode)
+                    ? ELOOP
+                    : code;
+    }
+    return -1;
+}
+
+/* Creates the missing folders of an output. --output-dir may be a link, but below it none is
+ * followed: pictures stay there. */
+static burnish_status make_output_folders(const batch *b, const char *output,
+                                          burnish_error *error) {
+    const char *folder = b->settings->output_dir;
+    const size_t length = strcmp(folder, ".") == 0 ? 0 : strlen(folder);
+    char *copy = strdup(output), *part = copy ? copy + length : NULL;
+    int at = -1;
+    if (part) {
+        part += *part == '/';
+        char first = *part;
+        *part = 0;
+        at = length == 0 || batch_make_folders(copy)
+                 ? open(length == 0 ? "." : copy, O_PATH | O_DIRECTORY | O_CLOEXEC)
+                 : -1;
+        *part = first;
+    }
+    for (char *slash; at >= 0 && (slash = strchr(part, '/')) != NULL; part = slash + 1) {
+        *slash = 0;
+        const int next = open_part(at, part), code = errno;
+        close(at);
+        errno = code;
+        at = next;
+    }
+    const int code = errno;
+    free(copy);
+    if (at >= 0) {
+        close(at);
+        return BURNISH_STATUS_OK;
+    }
+    return code == ELOOP ? cli_fail(error, BURNISH_STATUS_WRITE,
+                                    "%.300s: one of its folders is a link, which can lead out of "
+                                    "--output-dir; remove the link",
+                                    output)
+                         : cli_fail(error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s",
+                                    output, strerror(code));
+}
+
 static char *done_line(const batch *b, const batch_item *item, uint64_t hash, facts *f,
                        const files *seen, double seconds) {
     const int has_format = f->format >= 0 && f->format < burnish_format_count();
@@ -403,9 +461,8 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
     settings.job.on_result = record_result;
     settings.job.user_data = r->shared;
     r->shared->is_drawn = 0;
-    if (status == BURNISH_STATUS_OK && !batch_make_folders(item->output)) {
-        status = cli_fail(&error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s",
-                          item->output, strerror(errno));
+    if (status == BURNISH_STATUS_OK) {
+        status = make_output_folders(r->b, item->output, &error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = render_finish(&settings, &error);
@@ -416,13 +473,16 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
     }
     facts result = *r->shared;
     result.message[sizeof result.message - 1] = 0;
+    if (status == BURNISH_STATUS_OK && code == 0 && !result.is_drawn) {
+        code = 1; /* ended by a crash or the sandbox */
+    }
     if (status == BURNISH_STATUS_OK && code != 0) {
         cli_fail(&error, BURNISH_STATUS_FORMAT, "%s",
                  code == CLI_EXIT_BLANK ? "the picture is blank (--fail-on-blank)"
                  : result.message[0]    ? result.message
-                                        : "the program that draws ended");
+                                        : "the program that draws ended without a picture");
     }
-    if (status != BURNISH_STATUS_OK || code != 0 || !result.is_drawn) {
+    if (code != 0) {
         reply->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
     const double seconds = cli_seconds_now() - start;

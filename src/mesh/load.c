@@ -320,8 +320,7 @@ static burnish_status load(const burnish_reader_input *input, burnish_format for
         *again = input->pieces && !burnish_pieces_only(input) &&
                  (status == BURNISH_STATUS_OK
                       ? reader.has_warned
-                      : status != BURNISH_STATUS_MEMORY && status != BURNISH_STATUS_CANCELLED &&
-                            !(status == BURNISH_STATUS_LIMIT && input->options->max_memory > 0));
+                      : status != BURNISH_STATUS_MEMORY && status != BURNISH_STATUS_CANCELLED);
     }
     burnish_release(context, bytes);
     burnish_release(context, owned);

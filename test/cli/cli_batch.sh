@@ -269,6 +269,32 @@ check "a foreign file of a long name: $(cat "$err")" grep -q 'exists and was not
 check "it is replaced" [ "$(cat "out/$part/$part/$part/a.png")" = mine ]
 rm -rf long out
 
+# Links: the output folder can be one, folders below it can not.
+mkdir -p elsewhere real
+ln -s real out
+mkdir -p in/sub
+cp in/a.obj in/sub/b.obj
+batch in/a.obj -d out --size=16
+check "a link as the output folder: $(cat "$err")" [ -s real/a.png ]
+ln -s ../elsewhere real/sub
+batch in/sub/b.obj in/a.obj -d out -o 'sub/x/{model}.png' --size=16
+check "a link below: exit code $code, $(cat "$err")" grep -q '^burnish: in/sub/b.obj: out/sub/x/b.png: one of its folders is a link' "$err"
+check "written elsewhere: $(ls elsewhere)" [ -z "$(ls elsewhere)" ]
+rm real/sub
+batch in/sub/b.obj in/a.obj -d out/ -o 'sub/x/{model}.png' --size=16
+check "the same without it: exit code $code, $(cat "$err")" [ -s real/sub/x/b.png ]
+rm -rf out real elsewhere
+
+# A worker that ends as if all were well, without a picture.
+printf '#include <unistd.h>\nint seccomp_load(void *filter) {\n    (void)filter;\n    _exit(0);\n}\n' >lie.c
+if cc -shared -fPIC -o lie.so lie.c 2>/dev/null && LD_PRELOAD=$PWD/lie.so "$burnish" batch in/a.obj -d out --size=16 $memory 2>"$err"; then
+    echo "skipped: workers are not sandboxed, or libseccomp is part of the program"
+elif [ -f lie.so ]; then
+    check "a worker that lies: $(cat "$err")" grep -qx 'burnish: in/a.obj: the program that draws ended without a picture' "$err"
+    check "its line" grep -q '"code":1,"error":"the program that draws ended without a picture"' out/burnish-batch.jsonl
+fi
+rm -rf lie.c lie.so out
+
 # A signal: finished pictures stay, and the next run continues.
 mkdir many
 for i in 1 2 3 4 5 6 7 8 9; do cp in/a.obj many/$i.obj; done

@@ -274,7 +274,7 @@ static void test_preview(void) {
         options.max_memory = 50000000;
         rewind(file);
         CHECK1(burnish_mesh_load_descriptor(fileno(file), cases[k].name, &options, &mesh, &error) ==
-               BURNISH_STATUS_LIMIT);
+               BURNISH_STATUS_MEMORY);
         const char *message = strstr(error.text, "max-memory:");
         CHECK_TEXT(message ? message : error.text,
                    "max-memory: 50 MB are too few for a preview; give at least 86 MB");

@@ -18,7 +18,7 @@ size_t burnish_reader_head(const burnish_reader *reader) {
 burnish_status burnish_pieces_give_up(burnish_reader *reader) {
     return !burnish_pieces_only(reader->input)
                ? burnish_reader_fail(reader, BURNISH_STATUS_READ, NULL, "to be read whole")
-               : burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, NULL,
+               : burnish_reader_fail(reader, BURNISH_STATUS_MEMORY, NULL,
                                      "a preview can't be read in pieces; repair the file, or raise "
                                      "max-memory to %llu MB",
                                      (unsigned long long)((2 * (uint64_t)reader->input->size +

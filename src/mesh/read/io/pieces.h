@@ -30,7 +30,7 @@ static inline int burnish_pieces_only(const burnish_reader_input *input) {
            (limit < BURNISH_PIECES_BASE || input->size > (limit - BURNISH_PIECES_BASE) / 2);
 }
 
-/* Fails an input in pieces, which must then be read whole; LIMIT if that can't be. */
+/* Fails an input in pieces, which must then be read whole; MEMORY if that can't be. */
 burnish_status burnish_pieces_give_up(burnish_reader *reader);
 
 /* How many of the input's bytes are in memory. */
