@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/clean_text.h"
+#include "core/show_text.h"
 
 void cli_clean(char *text) {
     burnish_clean_text(text);

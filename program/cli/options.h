@@ -158,7 +158,7 @@ static inline burnish_status cli_errno_status(int code) {
     return code == ENOMEM ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_READ;
 }
 
-/* Replaces by '?' what is not UTF-8 or controls a terminal (core/clean_text.h), such as ends of lines. */
+/* Replaces by '?' what is not UTF-8 or controls a terminal (core/show_text.h), such as ends of lines. */
 void cli_clean(char *text);
 
 /* "burnish: warning: TEXT" on standard error. */

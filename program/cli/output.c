@@ -8,7 +8,7 @@
 #include "burnish/core.h"
 #include "cli/file.h"
 #include "cli/platform.h"
-#include "core/clean_text.h"
+#include "core/show_text.h"
 
 const cli_word cli_format_words[] = {
     {"text", CLI_FORMAT_TEXT}, {"csv", CLI_FORMAT_CSV}, {"json", CLI_FORMAT_JSON}, {NULL, 0}};

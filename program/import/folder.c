@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "core/beneath.h"
-#include "core/show_name.h"
+#include "core/show_text.h"
 
 enum { NAME_SIZE = 4096, PIECE_SIZE = 1 << 16 };
 

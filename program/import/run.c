@@ -24,6 +24,7 @@
 
 #include "cli/clock.h"
 #include "cli/limits.h"
+#include "core/close_descriptors.h"
 #include "import/decode.h"
 #include "import/folder.h"
 #include "import/importers.h"
@@ -133,9 +134,7 @@ static void become(const run *r, int input, int output, int nothing, pid_t paren
     if (dup2(input, 0) < 0 || dup2(output, 1) < 0 || dup2(nothing, 2) < 0) {
         _exit(1);
     }
-    for (int i = 3; i < 256; ++i) {
-        close(i);
-    }
+    burnish_close_descriptors(3);
     execv(r->path, arguments);
     _exit(127);
 }

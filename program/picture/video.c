@@ -30,6 +30,7 @@ burnish_status picture_write_video(const char *container, const char *path,
 #include <unistd.h>
 
 #include "cli/write.h"
+#include "core/close_descriptors.h"
 
 enum { PIECE = 1 << 16 };
 
@@ -108,9 +109,7 @@ static void become_ffmpeg(const encoder *e, int frames, const char *file, const 
     if (dup2(input, 0) < 0 || dup2(output, 1) < 0 || dup2(messages, 2) < 0) {
         _exit(1);
     }
-    for (int i = 3; i < 256; ++i) {
-        close(i);
-    }
+    burnish_close_descriptors(3);
     execv(file, (char *const *)(uintptr_t)arguments);
     _exit(127);
 }

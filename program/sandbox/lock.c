@@ -15,6 +15,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "core/close_descriptors.h"
+
 int sandbox_is_built(void) {
     return 1;
 }
@@ -179,23 +181,8 @@ static int forbid_more(int what, rlim_t most) {
     return setrlimit(what, &limit) == 0 ? 0 : errno;
 }
 
-int sandbox_close_descriptors(int first) {
-    enum { DESCRIPTORS_MAX = 1 << 20 }; /* Linux's default limit */
-    struct rlimit limit;
-    if (close_range((unsigned)first, ~0U, 0) == 0) {
-        return 0;
-    }
-    if (getrlimit(RLIMIT_NOFILE, &limit) != 0) { /* before Linux 5.9: one by one */
-        return errno;
-    }
-    for (int i = first; i < DESCRIPTORS_MAX && (rlim_t)i < limit.rlim_max; ++i) {
-        close(i);
-    }
-    return 0;
-}
-
 int sandbox_lock(int descriptors, int pretends, const char **wall) {
-    int code = sandbox_close_descriptors(descriptors);
+    int code = burnish_close_descriptors(descriptors);
     *wall = "descriptors";
     if (code == 0) {
         *wall = "no_new_privs";

@@ -6,9 +6,6 @@
 /* 1: this build has seccomp. */
 int sandbox_is_built(void);
 
-/* Closes all descriptors from `first` on. Returns 0 or an errno. */
-int sandbox_close_descriptors(int first);
-
 /* Sandboxes the calling thread, which must be the only one; later threads inherit it. In this order:
  *   descriptors    those from `descriptors` on are closed
  *   no_new_privs   and not dumpable: no rights from a program's file, no core file, no debugger

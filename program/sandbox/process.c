@@ -17,7 +17,8 @@
 #include <unistd.h>
 
 #include "cli/limits.h"
-#include "core/show_name.h"
+#include "core/close_descriptors.h"
+#include "core/show_text.h"
 #include "import/folder.h"
 #include "sandbox/broker.h"
 #include "sandbox/end.h"
@@ -72,7 +73,7 @@ static void enter_worker(pid_t parent, int channel, int input) {
         (is_open && dup2(held, first + 1) < 0)) {
         _exit(1);
     }
-    sandbox_close_descriptors(first + 1 + is_open);
+    burnish_close_descriptors(first + 1 + is_open);
     sandbox_become_worker(first, is_open ? first + 1 : -1);
 }
 

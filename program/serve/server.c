@@ -27,6 +27,7 @@
 
 #include "cli/clock.h"
 #include "cli/write.h"
+#include "core/close_descriptors.h"
 #include "sandbox/channel.h"
 #include "sandbox/end.h"
 
@@ -88,13 +89,12 @@ static void close_files(slot *s) {
 }
 
 /* In the forked process: keeps three descriptors, numbered as in serve.h, and closes the rest. */
-static void keep_descriptors(const server *v, const slot *s, int channel, pid_t parent) {
+static void keep_descriptors(const slot *s, int channel, pid_t parent) {
     const int first_free = 2 * SERVE_DESCRIPTORS;
     const int held[] = {fcntl(channel, F_DUPFD_CLOEXEC, first_free),
                         fcntl(s->request, F_DUPFD_CLOEXEC, first_free),
                         fcntl(s->reply, F_DUPFD_CLOEXEC, first_free)};
     const int nothing = open("/dev/null", O_RDWR);
-    (void)v; /* used only on other systems */
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
@@ -108,13 +108,7 @@ static void keep_descriptors(const server *v, const slot *s, int channel, pid_t 
     for (int i = 0; i < 3; ++i) {
         dup2(held[i], SERVE_CHANNEL + i);
     }
-#if BURNISH_HAS_SECCOMP /* other C libraries may lack it */
-    close_range(SERVE_DESCRIPTORS, ~0U, 0);
-#else
-    for (int i = SERVE_DESCRIPTORS; i < first_free + 4 * (int)v->count + 8; ++i) {
-        close(i);
-    }
-#endif
+    burnish_close_descriptors(SERVE_DESCRIPTORS);
 }
 
 /* Most bytes of a reply: it can't need more memory than the worker has. */
@@ -127,7 +121,7 @@ static uint64_t reply_limit(const server *v) {
  * machine through its reply. */
 __attribute__((noreturn)) static void become_worker(server *v, slot *s, int channel, pid_t parent) {
     const struct rlimit most = {(rlim_t)reply_limit(v), (rlim_t)reply_limit(v)};
-    keep_descriptors(v, s, channel, parent);
+    keep_descriptors(s, channel, parent);
     if (setrlimit(RLIMIT_FSIZE, &most) != 0) {
         _exit(burnish_status_exit_code(BURNISH_STATUS_MEMORY));
     }
@@ -183,7 +177,7 @@ static void start_importer(server *v, slot *s, const serve_import_request *impor
     }
     s->importer = fork();
     if (s->importer == 0) {
-        keep_descriptors(v, s, s->channel, self);
+        keep_descriptors(s, s->channel, self);
         serve_run_importer(v->settings, import, s->size);
     }
     if (s->importer < 0) {

@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/clean_text.h"
-
 const char *burnish_status_text(burnish_status status) {
     switch (status) {
 #define BURNISH_STATUS_TEXT(name, code, text)                                                      \

@@ -6,7 +6,7 @@
 
 #include "burnish/core.h"
 #include "core/arithmetic.h"
-#include "core/show_name.h"
+#include "core/show_text.h"
 
 /* Fills *error (may be NULL), cleaned, and returns status, so callers can
  * `return burnish_fail(...)`. */

@@ -221,6 +221,7 @@ static void test_large_output(void) {
 
 /* ffmpeg gets nothing but the frames that the command line asks for. */
 static void test_video(void) {
+    enum { OTHER = 300 };
     static const char head[] = "YUV4MPEG2 W3 H2 F20:1 Ip A1:1 C420jpeg "
                                "XYSCSS=420JPEG XCOLORRANGE=LIMITED "
                                "XBURNISH\n";
@@ -252,9 +253,11 @@ static void test_video(void) {
     CHECK1(mkdtemp(folder) != NULL);
     snprintf(program, sizeof program, "%s/ffmpeg", folder);
     snprintf(got, sizeof got, "%s/got", folder);
-    CHECK1(lying_write(program, "#!/bin/sh\nPATH=/usr/bin:/bin\nexec tee \"${0%/*}/got\"\n") &&
+    CHECK1(lying_write(program, "#!/bin/sh\nPATH=/usr/bin:/bin\n[ ! -e /proc/$$/fd/300 ] || exit "
+                                "1\nexec tee \"${0%/*}/got\"\n") &&
            chmod(program, 0700) == 0);
     setenv("PATH", folder, 1);
+    CHECK1(dup2(STDERR_FILENO, OTHER) == OTHER); /* which ffmpeg must not have */
     box.plan.container = "mp4";
     box.plan.frames = picture_expect_frames(3, 2, 20, 2);
     for (size_t i = 0; i < sizeof streams / sizeof *streams; ++i) {
@@ -279,6 +282,7 @@ static void test_video(void) {
         unlink(got);
     }
     box.plan.container = NULL;
+    close(OTHER);
     setenv("PATH", old, 1);
     unlink(program);
     rmdir(folder);

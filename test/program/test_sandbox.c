@@ -39,8 +39,6 @@ int __real_setrlimit64(int what, const struct rlimit *limit);
 int __wrap_setrlimit64(int what, const struct rlimit *limit);
 int __real_prctl(int what, ...);
 int __wrap_prctl(int what, ...);
-int __real_close_range(unsigned first, unsigned last, int flags);
-int __wrap_close_range(unsigned first, unsigned last, int flags);
 
 enum { LANDLOCK_CREATE = 444, LANDLOCK_RESTRICT = 446, LANDLOCK_VERSION = 1 };
 
@@ -70,6 +68,9 @@ long __wrap_syscall(long number, ...) {
     if (number == LANDLOCK_RESTRICT && faults.skips_restrict) {
         return 0;
     }
+    if (number == SYS_close_range && faults.close_range) {
+        return fail(faults.close_range);
+    }
     return number == SYS_statx && faults.pretends_seccomp
                ? fail(EPERM)
                : __real_syscall(number, a[0], a[1], a[2], a[3], a[4]);
@@ -91,10 +92,6 @@ int __wrap_prctl(int what, ...) {
     const unsigned long value = va_arg(arguments, unsigned long);
     va_end(arguments);
     return faults.rights ? fail(faults.rights) : __real_prctl(what, value, 0, 0, 0);
-}
-
-int __wrap_close_range(unsigned first, unsigned last, int flags) {
-    return faults.close_range ? fail(faults.close_range) : __real_close_range(first, last, flags);
 }
 
 /* ---- Hostile calls ---- */

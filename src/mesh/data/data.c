@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/clean_text.h"
 #include "core/context.h"
 #include "mesh/data/data.h"
 #include "mesh/data/material.h"

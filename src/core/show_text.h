@@ -1,9 +1,11 @@
-/* Text that can be printed: messages quote inputs, and a terminal obeys control characters. This is a
+/* Text and names as messages show them: a terminal obeys control characters. This is a
  * header because the program links another copy of the library, and both must print the same. */
-#ifndef BURNISH_CORE_CLEAN_TEXT_H
-#define BURNISH_CORE_CLEAN_TEXT_H
+#ifndef BURNISH_CORE_SHOW_TEXT_H
+#define BURNISH_CORE_SHOW_TEXT_H
 
 #include <stddef.h>
+#include <stdio.h>
+#include <string.h>
 
 /* Bytes of the character of UTF-8 at text (RFC 3629: no overlong forms, no surrogates); 0: none. */
 static inline size_t burnish_character_size(const char *text) {
@@ -62,6 +64,27 @@ static inline void burnish_clean_text(char *text) {
         }
         text += size > 0 ? size : 1;
     }
+}
+
+/* The whole name, or "..." and its end, to keep the message short. */
+typedef struct burnish_shown_name {
+    char text[164];
+} burnish_shown_name;
+
+static inline burnish_shown_name burnish_show_name(const char *name) {
+    burnish_shown_name shown;
+    const char *cut = "";
+    const size_t most = sizeof shown.text - sizeof "...";
+    size_t length = strlen(name);
+    if (length > most) {
+        name += length - most;
+        cut = "...";
+        while (((unsigned char)*name & 0xC0) == 0x80) { /* not from the middle of a character */
+            ++name;
+        }
+    }
+    snprintf(shown.text, sizeof shown.text, "%s%s", cut, name);
+    return shown;
 }
 
 #endif
