@@ -455,9 +455,8 @@ char *cli_json_string(cJSON *object, int failed, int is_wrapped) {
     return escaped;
 }
 
-burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, int is_wrapped,
-                              burnish_error *error) {
-    char *text = cli_json_string(object, failed, is_wrapped);
+burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error) {
+    char *text = cli_json_string(object, failed, 1);
     if (!text) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the JSON output");
     }
@@ -477,7 +476,7 @@ static burnish_status print_json(FILE *stream, const cli_document *document, con
     if (document->rows_key) {
         cli_json_add(root, document->rows_key, rows_json(table, &failed), &failed);
     }
-    return cli_json_print(stream, root, failed, 1, error);
+    return cli_json_print(stream, root, failed, error);
 }
 
 burnish_status cli_document_write(const cli_document *document, const cli_table *table,

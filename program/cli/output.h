@@ -109,8 +109,7 @@ cJSON *cli_json_texts(size_t size, char *const *values);
 char *cli_json_string(cJSON *object, int failed, int is_wrapped);
 
 /* Prints and deletes the object. Errors: MEMORY. */
-burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, int is_wrapped,
-                              burnish_error *error);
+burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_error *error);
 
 /* The row of --json. Its target is the name of the file, "-" for standard output, NULL for no JSON;
  * `section` of the man page lists the keys. */

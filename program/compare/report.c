@@ -120,7 +120,7 @@ static burnish_status print_json(FILE *stream, const comparison *c, burnish_erro
                  c->settings->output ? cli_json_text(c->settings->output) : cJSON_CreateNull(),
                  &failed);
     picture_add_verdict(root, &c->settings->rule, &c->verdict, &failed);
-    return cli_json_print(stream, root, failed, 1, error);
+    return cli_json_print(stream, root, failed, error);
 }
 
 /* ---- Text ---- */

@@ -163,15 +163,20 @@ typedef struct survey {
 } survey;
 
 static burnish_status print_object(survey *s, cJSON *root, int failed, burnish_error *error) {
-    if (s->settings->json) {
-        return cli_json_print(s->output.stream, root, failed, !s->is_many, error);
+    if (!s->is_many && s->settings->json) {
+        return cli_json_print(s->output.stream, root, failed, error);
     }
-    if (!failed) {
+    if (!failed && s->settings->csv) {
         info_print_csv_row(s->output.stream, root);
     }
-    cJSON_Delete(root);
-    return failed ? cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output")
-                  : BURNISH_STATUS_OK;
+    char *text = cli_json_string(root, failed, 0);
+    if (text && s->settings->json) {
+        fprintf(s->output.stream, "%s\n", text);
+    }
+    const int is_printed = text != NULL;
+    free(text);
+    return is_printed ? BURNISH_STATUS_OK
+                      : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
 }
 
 static burnish_status print(survey *s, const char *input, const burnish_mesh *mesh,

@@ -272,7 +272,7 @@ static burnish_status print_json(FILE *stream, const claim_list *list, burnish_e
         cli_json_add(claims, NULL, claim_object(&list->items[i], &failed), &failed);
     }
     cli_json_add(root, "claims", claims, &failed);
-    return cli_json_print(stream, root, failed, 1, error);
+    return cli_json_print(stream, root, failed, error);
 }
 
 static burnish_status print_claims(const claims_settings *settings, const claim_list *list,

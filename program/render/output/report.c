@@ -313,7 +313,7 @@ static burnish_status print_json(FILE *stream, const render_result *result, burn
         add_planes(root, result, &failed);
     }
     add_run(root, result, &failed);
-    return cli_json_print(stream, root, failed, 1, error);
+    return cli_json_print(stream, root, failed, error);
 }
 
 burnish_status render_write_json(const render_result *result, burnish_error *error) {
