@@ -172,6 +172,7 @@ static const cli_term report_terms[] = {
     {"*volume, area, closed, solid, open_edges, shells*",
      "with *--facts*, as *burnish info --json* has them; missing for points and lines"},
     {"*width, height, blank, warnings*", "as *burnish render --json* has them"},
+    {"*preview_memory*", "of a preview: the *--max-memory* for which it was made"},
     {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
     {"*code, error*", "of a failed input: exit code and message of *burnish render*"},
     {"*seconds*", "wall-clock time, the only value that differs between runs"},
@@ -248,12 +249,11 @@ static int is_one_of(const char *name, const char *const *names) {
     return *names != NULL;
 }
 
-/* Whether a flag affects pictures. A lower limit can make a preview or skip a texture; those listed
- * as others only refuse inputs. */
+/* Whether a flag affects pictures. */
 static int is_about_pictures(const cli_flag *flag) {
-    static const char *const own[] = {"size", "resolution", "facts", "max-memory", NULL};
-    static const char *const others[] = {"quiet",         "isa",          "overwrite",
-                                         "max-triangles", "max-overdraw", NULL};
+    static const char *const own[] = {"size", "resolution", "facts", NULL};
+    static const char *const others[] = {
+        "quiet", "isa", "overwrite", "max-triangles", "max-input-bytes", "max-overdraw", NULL};
     return flag >= flags && flag < flags + sizeof flags / sizeof *flags
                ? is_one_of(flag->name, own)
                : !is_one_of(flag->name, others);

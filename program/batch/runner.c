@@ -49,7 +49,7 @@ typedef struct facts {
     double volume, area;
     uint64_t open_edges, shells;
     int32_t is_measured, is_closed, is_solid;
-    int32_t is_drawn, format, width, height, is_blank;
+    int32_t is_drawn, format, width, height, is_blank, is_preview;
     uint32_t warning_count;
     char warnings[WARNINGS_MAX][WARNING_BYTES];
     char message[480];
@@ -153,8 +153,14 @@ static int has_same_files(const cJSON *line, const char *input) {
     return !names || is_hash(text_of(line, "files_hash"), hash);
 }
 
+/* Whether a line's picture is no preview, or one for the same limit. */
+static int fits_memory(const cJSON *line, uint64_t max_memory) {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, "preview_memory");
+    return !item || (cJSON_IsNumber(item) && item->valuedouble == (double)max_memory);
+}
+
 /* Whether the line of an earlier run still applies. */
-static int is_unchanged(const batch_order *order, uint64_t hash) {
+static int is_unchanged(const batch *b, const batch_order *order, uint64_t hash) {
     struct stat state;
     if (!order->past || stat(order->item.output, &state) != 0 || state.st_size == 0) {
         return 0;
@@ -163,6 +169,7 @@ static int is_unchanged(const batch_order *order, uint64_t hash) {
     const int is_same = object && strcmp(text_of(object, "status"), "done") == 0 &&
                         is_hash(text_of(object, "hash"), hash) &&
                         !cJSON_HasObjectItem(object, "uncertain") &&
+                        fits_memory(object, b->settings->render.job.max_memory) &&
                         has_same_files(object, order->item.input);
     cJSON_Delete(object);
     return is_same;
@@ -181,6 +188,7 @@ static void record_result(void *context, const render_result *result) {
     f->width = result->picture->width;
     f->height = result->picture->height;
     f->is_blank = result->blank_cells > 0;
+    f->is_preview = info->thinning > 1;
     float low[3], high[3];
     burnish_mesh_get_bounds(result->mesh, low, high);
     for (int k = 0; k < 3; ++k) {
@@ -411,6 +419,10 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "height", cJSON_CreateNumber(f->height), &failed);
     cli_json_add(object, "blank", cJSON_CreateBool(f->is_blank != 0), &failed);
     add_warnings(object, f, &failed);
+    if (f->is_preview) {
+        const uint64_t most = b->settings->render.job.max_memory;
+        cli_json_add(object, "preview_memory", cli_json_count((size_t)most), &failed);
+    }
     if (seen->count > 0) {
         cli_json_add(object, "files", cli_json_texts(seen->count, seen->names), &failed);
         batch_add_hash(object, "files_hash", seen->hash, &failed);
@@ -453,7 +465,7 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
                           errno == EINVAL ? "it is no file" : strerror(errno));
     }
     *reply = (batch_reply){.index = order->index};
-    if (status == BURNISH_STATUS_OK && is_unchanged(order, hash)) {
+    if (status == BURNISH_STATUS_OK && is_unchanged(r->b, order, hash)) {
         reply->is_kept = 1;
         return strdup(order->past);
     }

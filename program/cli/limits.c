@@ -107,6 +107,16 @@ burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error) {
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--max-memory: %s", strerror(errno));
 }
 
+void cli_lower_limit(int what, uint64_t most) {
+    struct rlimit limits;
+    if (getrlimit(what, &limits) == 0) {
+        const rlim_t highest = most < (uint64_t)RLIM_INFINITY ? (rlim_t)most : RLIM_INFINITY;
+        limits.rlim_max = highest < limits.rlim_max ? highest : limits.rlim_max;
+        limits.rlim_cur = limits.rlim_max < limits.rlim_cur ? limits.rlim_max : limits.rlim_cur;
+        setrlimit(what, &limits);
+    }
+}
+
 void cli_limit_child(long process) {
     atomic_store(&child, process);
 }

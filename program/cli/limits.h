@@ -15,6 +15,10 @@ double cli_seconds_given(void);
  * as if memory were short. 0: no limit. Errors: ARGUMENT. */
 burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error);
 
+/* Lowers a limit of the system (RLIMIT_...) for this process, for good; a lower one stays. Not on
+ * Windows. */
+void cli_lower_limit(int what, uint64_t most);
+
 /* Limits the memory of processes that are started for another process, such as an importer for a
  * worker of a batch, in bytes; 0: no additional limit. */
 void cli_set_child_memory(uint64_t bytes);

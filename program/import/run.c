@@ -100,16 +100,6 @@ int import_is_installed(const import_program *importer) {
 
 /* ---- The process ---- */
 
-static void limit(int what, uint64_t most) {
-    struct rlimit limits;
-    if (getrlimit(what, &limits) == 0) {
-        const rlim_t highest = most < (uint64_t)RLIM_INFINITY ? (rlim_t)most : RLIM_INFINITY;
-        limits.rlim_max = highest < limits.rlim_max ? highest : limits.rlim_max;
-        limits.rlim_cur = limits.rlim_max < limits.rlim_cur ? limits.rlim_max : limits.rlim_cur;
-        setrlimit(what, &limits);
-    }
-}
-
 /* The new process, until it becomes the importer. */
 static void become(const run *r, int input, int output, int nothing, pid_t parent, uint64_t memory,
                    char *const arguments[]) {
@@ -124,9 +114,9 @@ static void become(const run *r, int input, int output, int nothing, pid_t paren
         signal(handled[i], SIG_DFL);
     }
     setpgid(0, 0);
-    limit(RLIMIT_AS, memory);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, (uint64_t)(r->end - cli_seconds_now()) + 1);
+    cli_lower_limit(RLIMIT_AS, memory);
+    cli_lower_limit(RLIMIT_CORE, 0);
+    cli_lower_limit(RLIMIT_CPU, (uint64_t)(r->end - cli_seconds_now()) + 1);
     /* standard streams may be closed, and so these be below 3 */
     input = fcntl(input, F_DUPFD, 10);
     output = fcntl(output, F_DUPFD, 10);

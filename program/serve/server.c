@@ -26,6 +26,7 @@
 #endif
 
 #include "cli/clock.h"
+#include "cli/limits.h"
 #include "cli/write.h"
 #include "core/close_descriptors.h"
 #include "sandbox/channel.h"
@@ -120,11 +121,8 @@ static uint64_t reply_limit(const server *v) {
 /* Memory files do not count as address space, so a compromised worker could fill the memory of the
  * machine through its reply. */
 __attribute__((noreturn)) static void become_worker(server *v, slot *s, int channel, pid_t parent) {
-    const struct rlimit most = {(rlim_t)reply_limit(v), (rlim_t)reply_limit(v)};
     keep_descriptors(s, channel, parent);
-    if (setrlimit(RLIMIT_FSIZE, &most) != 0) {
-        _exit(burnish_status_exit_code(BURNISH_STATUS_MEMORY));
-    }
+    cli_lower_limit(RLIMIT_FSIZE, reply_limit(v));
     serve_work(v->settings);
 }
 

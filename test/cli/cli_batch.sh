@@ -139,14 +139,18 @@ touch e.hdr
 drawn_as
 check "the same bytes with another time: drawn again" [ -z "$(find out -newermt @1000000000 -name a.png)" ]
 rm -rf out e.hdr one.png first.png
-# So does a limit that makes a preview, or skips a texture.
+# A preview is drawn again with another limit of memory; other pictures stay.
 if [ -z "$memory" ]; then
     head -c 20000084 /dev/zero >many.stl
     printf '\200\032\006' | dd of=many.stl bs=1 seek=80 conv=notrunc 2>/dev/null
-    batch many.stl -d out --size=16 --max-memory=100M
+    batch many.stl in/a.off -d out --size=16 --max-memory=100M
+    touch -d @1000000000 out/many.png out/a.png
+    batch many.stl in/a.off -d out --size=16 --max-memory=100M
+    check "the same limit: drawn again" [ -z "$(find out -newermt @1000000000 -name '*.png')" ]
     check "a preview: $(cat "$err")" grep -q 'a preview' out/burnish-batch.jsonl
-    batch many.stl -d out --size=16
-    check "a preview after a higher --max-memory: kept" [ "$(grep -c 'a preview' out/burnish-batch.jsonl)" = 0 ]
+    batch many.stl in/a.off -d out --size=16
+    check "a preview after a higher --max-memory: kept" [ "$(grep -c 'preview' out/burnish-batch.jsonl)" = 0 ]
+    check "another picture after it: drawn again" [ -z "$(find out -newermt @1000000000 -name a.png)" ]
     rm -rf out many.stl
 fi
 
