@@ -42,13 +42,14 @@ static const cli_flag flags[] = {
      .default_text = ".",
      .letter = 'd',
      .common = 1,
-     .file = CLI_FILE_WRITTEN,
+     .file = CLI_FOLDER,
      .aliases = "outdir,out-dir,path",
      .manual = "The folder of all pictures, created if missing. Only *--report* and *--sheet* can "
-               "write files outside it."},
+               "write files outside it; a name without a folder is in it, too."},
     {CLI_FLAG("output", "NAME", "file names: {model} {folder} {extension} {view}", cli_flag_text,
               output),
-     .default_text = "{folder}{model}.png", .letter = 'o', .common = 1, .aliases = "out,template",
+     .default_text = "{folder}{model}.png", .letter = 'o', .common = 1, .file = CLI_WRITES,
+     .aliases = "out,template",
      .manual = "Names of the pictures in the folder. *{model}* is the input's name without its "
                "extension, *{extension}* the extension, *{folder}* its folders below the _INPUT_ "
                "folder, with a slash at the end, *{view}* the view: each of *--views* then has a "
@@ -61,7 +62,7 @@ static const cli_flag flags[] = {
     {CLI_FLAG("files-from", "FILE",
               "list of inputs, one per line or separated by 0; -: standard input", cli_flag_text,
               files_from),
-     .common = 1, .file = CLI_FILE_READ, .aliases = "inputs-from,files0-from,from-file",
+     .common = 1, .file = CLI_READS, .aliases = "inputs-from,files0-from,from-file",
      .manual =
          "Reads names of inputs from _FILE_, or from standard input for *-*: one per line or, if "
          "the list contains a byte 0, each followed by a 0, as *find -print0* prints them."},
@@ -81,12 +82,12 @@ static const cli_flag flags[] = {
                "are then in cm3, or in cubic inches for *in* and *ft*. Files in 3MF and glTF state "
                "their unit."},
     {CLI_FLAG("sheet", "FILE", "write a contact sheet", cli_flag_text, sheet), .common = 1,
-     .file = CLI_FILE_WRITTEN, .aliases = "contact-sheet,montage",
+     .file = CLI_WRITES, .aliases = "contact-sheet,montage",
      .manual =
          "Writes a contact sheet of all pictures, scaled down to at most 16384 pixels per side."},
     {CLI_FLAG("report", "FILE", "report in JSON lines, in the output folder", cli_flag_text,
               report),
-     .default_label = "burnish-batch.jsonl", .common = 1, .file = CLI_FILE_WRITTEN,
+     .default_label = "burnish-batch.jsonl", .common = 1, .file = CLI_REPORTS,
      .aliases = "json,log,state",
      .manual = "File name of the report, one JSON object per line; see *REPORT OF A BATCH*. *-* "
                "prints it at the end; the next run then draws everything."},
@@ -275,7 +276,7 @@ static void list_options(batch *b, const cli_call *call) {
         }
         fprintf(stream, "%s--%s%s%s", ftell(stream) > 0 ? " " : "", argument->flag->name,
                 argument->text ? "=" : "", argument->text ? argument->text : "");
-        if (argument->flag->file == CLI_FILE_READ &&
+        if (argument->flag->file == CLI_READS &&
             batch_hash_file(argument->text, &hash, b->options_hash)) { /* not "sky" */
             b->options_hash = hash;
         }
@@ -304,28 +305,33 @@ static char *choose_report(const batch_settings *settings) {
 }
 
 /* Checks the settings once, before any input. */
-static burnish_status check(batch *b, burnish_error *error) {
-    render_settings settings = b->settings->render;
+static burnish_status check(batch_settings *given, burnish_error *error) {
+    render_settings settings = given->render;
+    picture_format unused;
     settings.input.name = ":sphere";
-    if (*b->settings->output_dir == 0) {
+    if (*given->output_dir == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--output-dir: the name is empty");
     }
-    if (strcmp(b->settings->output, "-") == 0) {
+    if (strcmp(given->output, "-") == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--output: a batch can't write to standard output; leave it out");
     }
-    if (b->settings->part.count > 0 && (b->settings->index || b->settings->sheet)) {
+    if (given->part.count > 0 && (given->index || given->sheet)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--shard: not with --index or --sheet; after all parts, run the same "
                         "command without --shard to write them");
     }
-    settings.output.path = b->settings->output;
+    settings.output.path = given->output;
     settings.picture.views.count =
         strstr(settings.output.path, "{view}") && settings.picture.views.count > 1
             ? 1
             : settings.picture.views.count;
     burnish_status status = render_finish(&settings, error);
-    if (status == BURNISH_STATUS_OK && b->settings->sheet &&
+    given->render.output.format = settings.output.format; /* the name of an input can have dots */
+    if (status == BURNISH_STATUS_OK && given->sheet) {
+        status = picture_choose("sheet", given->sheet, PICTURE_8_BIT, PICTURE_AUTO, &unused, error);
+    }
+    if (status == BURNISH_STATUS_OK && given->sheet &&
         (settings.output.format == PICTURE_EXR || settings.output.format == PICTURE_NPY ||
          picture_is_drawing((picture_format)settings.output.format))) {
         status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -375,9 +381,10 @@ static void print_summary(const batch *b, double seconds) {
     }
 }
 
-static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *error) {
+static burnish_status draw_all(batch *b, batch_settings *settings, const cli_call *call,
+                               burnish_error *error) {
     const double start = cli_seconds_now();
-    burnish_status status = check(b, error);
+    burnish_status status = check(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = batch_collect(b, call, error);
     }
@@ -410,6 +417,7 @@ static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *er
         batch_remove_past_parts(b);
     }
     if (status == BURNISH_STATUS_OK) {
+        batch_warn_inputs(b);
         list_failures(b);
         print_summary(b, cli_seconds_now() - start);
     }
@@ -417,10 +425,10 @@ static burnish_status draw_all(batch *b, const cli_call *call, burnish_error *er
 }
 
 /* Runs as a runner of a batch on another machine. */
-static burnish_status run_orders(batch *b, burnish_error *error) {
+static burnish_status run_orders(batch *b, batch_settings *settings, burnish_error *error) {
     enum { CHANNEL = 3 };
     struct stat state;
-    const burnish_status status = check(b, error);
+    const burnish_status status = check(settings, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -451,10 +459,10 @@ burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_erro
                .report = settings->has_no_report ? NULL : choose_report(settings)};
     list_options(&b, call);
     batch_hash_drawer(&b);
-    burnish_status status =
-        b.options && (b.report || settings->has_no_report)
-            ? (settings->runner ? run_orders(&b, error) : draw_all(&b, call, error))
-            : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    burnish_status status = b.options && (b.report || settings->has_no_report)
+                                ? (settings->runner ? run_orders(&b, settings, error)
+                                                    : draw_all(&b, settings, call, error))
+                                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     const int signal_number = status == BURNISH_STATUS_OK ? b.is_stopped : 0;
     call->exit_code = b.failed > 0 ? CLI_EXIT_SOME_FAILED : 0;
     release(&b);
@@ -465,8 +473,31 @@ burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_erro
     return status;
 }
 
+/* A file of the batch: a name without a folder is in the folder of the pictures. NULL: no file, or
+ * no memory. */
+static char *place_file(const batch_settings *settings, const char *name) {
+    const int is_path = !name || strchr(name, '/') || strcmp(name, "-") == 0;
+    const size_t size = name ? strlen(settings->output_dir) + strlen(name) + 2 : 0;
+    char *path = name ? malloc(size) : NULL;
+    if (path) {
+        snprintf(path, size, "%s%s%s", is_path ? "" : settings->output_dir, is_path ? "" : "/",
+                 name);
+    }
+    return path;
+}
+
 static burnish_status work(void *from, cli_call *call, burnish_error *error) {
-    return batch_draw(from, call, error);
+    batch_settings *settings = from;
+    char *report = place_file(settings, settings->report),
+         *sheet = place_file(settings, settings->sheet);
+    const int is_short = (settings->report && !report) || (settings->sheet && !sheet);
+    settings->report = report;
+    settings->sheet = sheet;
+    const burnish_status status = is_short ? cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory")
+                                           : batch_draw(settings, call, error);
+    free(report);
+    free(sheet);
+    return status;
 }
 
 #endif

@@ -2,6 +2,7 @@
 #include "batch/inputs.h"
 #include "batch/names.h"
 #include "batch/types.h"
+#include "cli/input.h"
 #include "import/importers.h"
 #include "import/recognise.h"
 #include "import/run.h"
@@ -12,7 +13,6 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 static burnish_status fail_memory(burnish_error *error) {
@@ -54,23 +54,7 @@ static file_kind kind_of(const char *name, const char *path) {
     if (importer && import_is_installed(importer)) {
         return import_may_hold_mesh(path) ? FILE_MESH : FILE_PASSED_OVER;
     }
-    const size_t length = strlen(name);
-    for (int i = 0; i < burnish_format_count(); ++i) {
-        const char *extension = burnish_format_get_info((burnish_format)i)->extensions;
-        while (*extension) {
-            const size_t size = strcspn(extension, " ");
-            for (int is_packed = 0; is_packed < 2; ++is_packed) {
-                const size_t tail = size + (is_packed ? 3 : 0);
-                if (size > 0 && length > tail &&
-                    strncasecmp(name + length - tail, extension, size) == 0 &&
-                    (!is_packed || strcasecmp(name + length - 3, ".gz") == 0)) {
-                    return FILE_MESH;
-                }
-            }
-            extension += size + (extension[size] == ' ');
-        }
-    }
-    return FILE_OTHER;
+    return cli_is_own_mesh_name(name) ? FILE_MESH : FILE_OTHER;
 }
 
 static int is_shown(const struct dirent *entry) {
@@ -83,6 +67,14 @@ static int by_bytes(const struct dirent **a, const struct dirent **b) {
 }
 
 enum { DEPTH_MAX = 64 };
+
+/* A folder of earlier pictures is not an input. */
+static int is_output_folder(const batch *b, const struct stat *folder) {
+    struct stat state;
+    const char *name = b->settings->output_dir;
+    return name && stat(name, &state) == 0 && state.st_dev == folder->st_dev &&
+           state.st_ino == folder->st_ino;
+}
 
 /* Adds the meshes of a folder and, with --recursive, of its subfolders, but not of linked folders.
  */
@@ -110,6 +102,8 @@ static burnish_status add_folder(batch *b, const char *folder, size_t tree, int 
                 /* gone meanwhile */
             } else if (S_ISDIR(link.st_mode) && b->settings->recursive && depth < DEPTH_MAX) {
                 status = add_folder(b, path, tree, depth + 1, error);
+            } else if (S_ISDIR(link.st_mode)) {
+                b->skipped += !is_output_folder(b, &link);
             } else if (S_ISREG(state.st_mode)) {
                 const file_kind kind = kind_of(name, path);
                 b->passed_over += kind == FILE_PASSED_OVER;
@@ -142,6 +136,7 @@ static burnish_status add_name(batch *b, const char *name, burnish_error *error)
         if (S_ISDIR(state.st_mode)) {
             size_t tree = strlen(name);
             tree += name[tree - 1] != '/';
+            ++b->folders;
             return add_folder(b, name, tree, 0, error);
         }
         bytes = S_ISREG(state.st_mode) && state.st_size > 0 ? (uint64_t)state.st_size : 0;
@@ -204,6 +199,17 @@ static burnish_status add_list(batch *b, const char *path, burnish_error *error)
     return status;
 }
 
+void batch_warn_inputs(const batch *b) {
+    if (b->skipped > 0 && !b->settings->render.job.quiet) {
+        burnish_error line;
+        cli_fail(&line, BURNISH_STATUS_OK,
+                 "%zu folder%s in INPUT %s skipped; --recursive searches %s", b->skipped,
+                 b->skipped == 1 ? "" : "s", b->skipped == 1 ? "was" : "were",
+                 b->skipped == 1 ? "it" : "them");
+        cli_warn(line.text);
+    }
+}
+
 burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < call->argument_count && status == BURNISH_STATUS_OK; ++i) {
@@ -234,6 +240,10 @@ burnish_status batch_collect(batch *b, const cli_call *call, burnish_error *erro
     (void)b, (void)call;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "several inputs and folders are not supported on this system; give one file");
+}
+
+void batch_warn_inputs(const batch *b) {
+    (void)b;
 }
 
 #endif

@@ -283,7 +283,7 @@ burnish_status batch_write_sheet(const batch *b, burnish_error *error) {
         return BURNISH_STATUS_OK;
     }
     burnish_status status =
-        picture_choose("sheet", b->settings->sheet, PICTURE_STILL, PICTURE_AUTO, &s.format, error);
+        picture_choose("sheet", b->settings->sheet, PICTURE_8_BIT, PICTURE_AUTO, &s.format, error);
     if (status == BURNISH_STATUS_OK) {
         status = lay_out(&s, error);
     }

@@ -81,6 +81,8 @@ typedef struct batch {
     batch_past past;
     size_t done, kept, failed;
     size_t passed_over; /* files with a mesh extension that are not meshes */
+    size_t folders;     /* INPUTs that are folders */
+    size_t skipped;     /* folders in them that were not searched */
     int is_stopped;     /* 1: by a signal */
 } batch;
 

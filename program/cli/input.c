@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #define WORD(name, word, ...)                                                                      \
     , {                                                                                            \
@@ -28,6 +29,36 @@ const char *cli_foreign_extension(int format) {
     return format > CLI_FOREIGN_BEFORE && format < CLI_FOREIGN_COUNT
                ? foreign[format - CLI_FOREIGN_BEFORE - 1]
                : NULL;
+}
+
+/* Whether the name is longer than this extension, and ends with it: ".stl". */
+static int ends_in(const char *name, size_t length, const char *extension, size_t size) {
+    return length > size && strncasecmp(name + length - size, extension, size) == 0;
+}
+
+int cli_is_own_mesh_name(const char *name) {
+    const size_t whole = strlen(name), length = whole - (ends_in(name, whole, ".gz", 3) ? 3 : 0);
+    for (int i = 0; i < burnish_format_count(); ++i) {
+        const char *extension = burnish_format_get_info((burnish_format)i)->extensions;
+        while (*extension) {
+            const size_t size = strcspn(extension, " ");
+            if (ends_in(name, length, extension, size)) {
+                return 1;
+            }
+            extension += size + (extension[size] == ' ');
+        }
+    }
+    return 0;
+}
+
+int cli_is_mesh_name(const char *name) {
+    const char *slash = strrchr(name, '/'), *dot = strrchr(slash ? slash : name, '.');
+    for (size_t i = 0; dot && i < sizeof foreign / sizeof *foreign; ++i) {
+        if (strcasecmp(dot + 1, foreign[i]) == 0) {
+            return 1;
+        }
+    }
+    return cli_is_own_mesh_name(name);
 }
 
 burnish_status cli_refuse_foreign(int format, burnish_error *error) {

@@ -25,6 +25,11 @@ typedef enum cli_foreign {
 /* The file extension of an importer's format, without the dot; NULL for a burnish_format. */
 const char *cli_foreign_extension(int format);
 
+/* Whether a file's name has the extension of a format that burnish reads, also with .gz; and of one
+ * that importers read. */
+int cli_is_own_mesh_name(const char *name);
+int cli_is_mesh_name(const char *name);
+
 /* ARGUMENT for an importer's format, in programs that run no importers; else OK. */
 burnish_status cli_refuse_foreign(int format, burnish_error *error);
 

@@ -1,5 +1,6 @@
 /* The parser of the command line, which reads a command's table of flags. */
 #include "cli/options.h"
+#include "cli/input.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -327,6 +328,11 @@ static burnish_status parse_short(const cli_command *command, const char *argume
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "-%c: write -%c %s or --%s=%s, not -%c=%s",
                         flag->letter, flag->letter, flag->value, flag->name, flag->value,
                         flag->letter, flag->value);
+    }
+    if (argument[2] && cli_is_mesh_name(argument)) { /* a shell's * can list such a file */
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "%.200s: a mesh, or a value of -%c? Write ./%.200s, or --%s=%.200s",
+                        argument, flag->letter, argument, flag->name, argument + 2);
     }
     if (argument[2]) {
         *text = argument + 2;

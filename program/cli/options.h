@@ -26,10 +26,16 @@ typedef struct cli_word {
     int value;
 } cli_word;
 
-typedef struct cli_flag cli_flag;
+/* The file that a flag's value names, if any. Shells complete its name. */
+typedef enum cli_file {
+    CLI_NO_FILE,
+    CLI_FOLDER, /* of outputs */
+    CLI_READS,  /* a batch compares its bytes with those of the last run */
+    CLI_WRITES, /* a picture: the command checks its extension */
+    CLI_REPORTS /* text: not under the name of a mesh */
+} cli_file;
 
-/* What a flag's value names: no file, one that is read, one that is written (or a folder). */
-typedef enum cli_file_use { CLI_FILE_NONE, CLI_FILE_READ, CLI_FILE_WRITTEN } cli_file_use;
+typedef struct cli_flag cli_flag;
 
 /* Reads text (NULL for a switch or a missing optional value) into *target. Messages begin with the
  * flag's name. */
@@ -55,7 +61,7 @@ struct cli_flag {
     size_t offset;         /* of the target in the command's settings */
     double low, high;      /* range of a number */
     const cli_word *words; /* the valid values */
-    cli_file_use file; /* shells complete names of files; a batch compares those that it reads */
+    cli_file file;         /* whether the value names a file */
 };
 
 /* The fields that every row has, the fields of a switch, and the range of a number. The file of a

@@ -118,7 +118,7 @@ burnish_status cli_json_print(FILE *stream, cJSON *object, int failed, burnish_e
     .manual =                                                                                      \
         "Writes one JSON object to _FILE_, or to standard output without *=*_FILE_; see *" section \
         "*.",                                                                                      \
-    .handler = cli_flag_file, .file = CLI_FILE_WRITTEN, .offset = offsetof(type, member)
+    .handler = cli_flag_file, .file = CLI_REPORTS, .offset = offsetof(type, member)
 
 /* A table and the text around it. */
 typedef struct cli_document {

@@ -1,6 +1,8 @@
 /* Running a command. */
 #include "cli/run.h"
 #include "cli/help.h"
+#include "cli/input.h"
+#include "cli/platform.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -107,6 +109,44 @@ static int run_part(const cli_command *whole, int argc, char **argv) {
     return part ? cli_run(part, argc - 1, argv + 1) : cli_exit_code(error.status, &error);
 }
 
+/* The file that an argument names; NULL: none. A value can begin with the name of what it writes. */
+static const char *file_of(const cli_argument *argument, const char **flag) {
+    const cli_flag *from = argument->flag;
+    const char *colon = from && from->value && argument->text && strchr(from->value, ':')
+                            ? strchr(argument->text, ':')
+                            : NULL;
+    *flag = from ? from->name : NULL;
+    return from && from->file == CLI_NO_FILE ? NULL : colon ? colon + 1 : argument->text;
+}
+
+static int is_written(const cli_argument *argument) {
+    return argument->flag && argument->flag->file > CLI_READS;
+}
+
+/* No output replaces a file that the same run reads, and no report a mesh. */
+static burnish_status check_files(const cli_call *call, burnish_error *error) {
+    for (size_t i = 0; i < call->argument_count; ++i) {
+        const char *flag, *other, *path = file_of(&call->arguments[i], &flag);
+        if (!path || !is_written(&call->arguments[i])) {
+            continue;
+        }
+        for (size_t k = 0; k < call->argument_count; ++k) {
+            const char *read = file_of(&call->arguments[k], &other);
+            if (read && !is_written(&call->arguments[k]) && cli_same_file(path, read)) {
+                return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--%s: \"%.200s\" is an input; name another file", flag, path);
+            }
+        }
+        if (call->arguments[i].flag->file == CLI_REPORTS && cli_is_mesh_name(path)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: \"%.200s\" has the extension of a mesh, which this file is not; "
+                            "end the name otherwise",
+                            flag, path);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
 int cli_run(const cli_command *command, int argc, char **argv) {
     burnish_error error;
     cli_call call = {0};
@@ -120,6 +160,9 @@ int cli_run(const cli_command *command, int argc, char **argv) {
                                                                   "out of memory for the settings");
     if (status == BURNISH_STATUS_OK) {
         status = cli_parse(command, argc, argv, settings, &call, &error);
+    }
+    if (status == BURNISH_STATUS_OK && !call.help) {
+        status = check_files(&call, &error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = call.help ? cli_print_help(command, call.topic, &error)

@@ -10,7 +10,6 @@
 #include "cli/main.h"
 #include "cli/memory.h"
 #include "cli/output.h"
-#include "cli/platform.h"
 #include "picture/formats.h"
 #include "picture/panels.h"
 #include "render/check.h"
@@ -52,7 +51,7 @@ static const cli_flag flags[] = {
      CLI_FLAG("output", "FILE", "before, after and difference side by side", cli_flag_text, output),
      .letter = 'o',
      .common = 1,
-     .file = CLI_FILE_WRITTEN,
+     .file = CLI_WRITES,
      .manual = "Writes both pictures and their difference side by side, with a legend: blue where "
                "_B_ is darker, orange where it is lighter. A frame surrounds all pixels that "
                "differ. Small pictures are enlarged. The file extension chooses the format, as in "
@@ -176,41 +175,22 @@ static burnish_status check_operands(const compare_settings *settings, const cli
     return BURNISH_STATUS_OK;
 }
 
-/* The picture and the report can not replace the inputs. */
-static burnish_status check_file(const char *flag, const char *path, const cli_call *call,
-                                 burnish_error *error) {
-    for (size_t i = 0; path && i < call->operand_count; ++i) {
-        if (strcmp(path, "-") != 0 && cli_same_file(path, call->operands[i])) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.200s\" is an input; name another file", flag, path);
-        }
-    }
-    return BURNISH_STATUS_OK;
-}
-
-static burnish_status check_output(compare_settings *settings, const cli_call *call,
-                                   burnish_error *error) {
+static burnish_status check_output(compare_settings *settings, burnish_error *error) {
     picture_format format = PICTURE_PNG;
-    burnish_status status = check_file("json", settings->json, call, error);
-    if (status != BURNISH_STATUS_OK || !settings->output) {
-        return status;
+    if (!settings->output) {
+        return BURNISH_STATUS_OK;
     }
-    status = check_file("output", settings->output, call, error);
-    if (status == BURNISH_STATUS_OK && settings->json &&
-        strcmp(settings->output, settings->json) == 0) {
+    if (settings->json && strcmp(settings->output, settings->json) == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--json: \"%.200s\" is the picture; name another file", settings->json);
     }
-    if (status == BURNISH_STATUS_OK && strcmp(settings->output, "-") == 0 &&
-        isatty(STDOUT_FILENO)) {
+    if (strcmp(settings->output, "-") == 0 && isatty(STDOUT_FILENO)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--output: standard output is a terminal; redirect it, or name a file with "
                         "--output=FILE");
     }
-    if (status == BURNISH_STATUS_OK) {
-        status =
-            picture_choose("output", settings->output, PICTURE_STILL, PICTURE_AUTO, &format, error);
-    }
+    const burnish_status status =
+        picture_choose("output", settings->output, PICTURE_8_BIT, PICTURE_AUTO, &format, error);
     settings->format = format;
     return status;
 }
@@ -285,7 +265,7 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     compare_settings *settings = from;
     burnish_status status = check_operands(settings, call, error);
     if (status == BURNISH_STATUS_OK) {
-        status = check_output(settings, call, error);
+        status = check_output(settings, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = render_check(&settings->render, error);

@@ -24,7 +24,7 @@ static const cli_flag flags[] = {
     {.group = "Options",
      CLI_JSON_FLAG(info_settings, json, "JSON instead of text", "FACTS IN JSON")},
     {CLI_FLAG("csv", "FILE", "a table in CSV instead of text", cli_flag_file, csv), .common = 1,
-     .optional = 1, .file = CLI_FILE_WRITTEN, .aliases = "table",
+     .optional = 1, .file = CLI_WRITES, .aliases = "table",
      .manual =
          "Writes a row for each input to _FILE_, or to standard output without *=*_FILE_. The "
          "columns have the names of the keys in JSON; *size* has three columns. A row of an "
@@ -33,7 +33,7 @@ static const cli_flag flags[] = {
      .manual = "Measures the meshes in all folders below an _INPUT_ that is a folder."},
     {CLI_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
               files_from),
-     .file = CLI_FILE_READ, .aliases = "inputs-from,files0-from,from-file",
+     .file = CLI_READS, .aliases = "inputs-from,files0-from,from-file",
      .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
     {CLI_INPUT_FORMAT_FLAG(info_settings, load)},
     {CLI_TESSELLATION_FLAG(info_settings, load)},

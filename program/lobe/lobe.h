@@ -33,7 +33,7 @@ extern const cli_command lobe_plot_command;
         .group = heading, .name = "output", .letter = 'o', .value = "FILE",                        \
         .help = "output file; - is standard output", .default_text = "-",                          \
         .manual = "File to write, whole or not at all; *-* is standard output.",                   \
-        .handler = cli_flag_text, .offset = offsetof(type, output), .file = CLI_FILE_WRITTEN       \
+        .handler = cli_flag_text, .offset = offsetof(type, output), .file = CLI_REPORTS            \
     }
 
 #endif

@@ -4,6 +4,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "cli/input.h"
+#include "cli/platform.h"
 #include "picture/formats.h"
 #include "picture/jpeg.h"
 #include "picture/video.h"
@@ -18,9 +20,11 @@ typedef struct format_row {
 #define WITH(has, package) ((has) ? NULL : (package))
 
 static const format_row rows[PICTURE_COUNT] = {
-    [PICTURE_PNG] = {"PNG", "png", NULL, PICTURE_STILL | PICTURE_PLANE | PICTURE_ANIMATION, NULL},
-    [PICTURE_JPEG] = {"JPEG", "jpg", "jpeg", PICTURE_STILL, WITH(BURNISH_HAS_JPEG, "libjpeg")},
-    [PICTURE_WEBP] = {"WebP", "webp", NULL, PICTURE_STILL | PICTURE_ANIMATION,
+    [PICTURE_PNG] = {"PNG", "png", NULL,
+                     PICTURE_STILL | PICTURE_8_BIT | PICTURE_PLANE | PICTURE_ANIMATION, NULL},
+    [PICTURE_JPEG] = {"JPEG", "jpg", "jpeg", PICTURE_STILL | PICTURE_8_BIT,
+                      WITH(BURNISH_HAS_JPEG, "libjpeg")},
+    [PICTURE_WEBP] = {"WebP", "webp", NULL, PICTURE_STILL | PICTURE_8_BIT | PICTURE_ANIMATION,
                       WITH(BURNISH_HAS_WEBP, "libwebp")},
     [PICTURE_EXR] = {"EXR", "exr", NULL, PICTURE_STILL | PICTURE_PLANE,
                      WITH(BURNISH_HAS_EXR, "OpenEXR")},
@@ -33,8 +37,7 @@ static const format_row rows[PICTURE_COUNT] = {
     [PICTURE_WEBM] = {"WebM", "webm", NULL, PICTURE_ANIMATION, NULL},
 };
 
-/* Extensions of other picture formats; a PNG with such a name would be misleading. The second list
- * has animations. */
+/* Extensions of other picture formats. The second list has animations. */
 static const char *const foreign[] = {"tif", "tiff", "bmp", "ppm", "pgm",  "pnm", "avif", "ico",
                                       "tga", "hdr",  "jxl", "eps", "heic", "jp2", "qoi"};
 static const char *const moving[] = {"gif", "y4m", "apng", "mp4", "webm",
@@ -86,9 +89,9 @@ static int is_extension(const char *path, const char *const *extensions, size_t 
 
 static burnish_status fail_format(const char *flag, const char *path, int use,
                                   burnish_error *error) {
-    const char *what = use & PICTURE_STILL   ? "pictures are"
-                       : use & PICTURE_PLANE ? "planes are"
-                                             : "turntables are";
+    const char *what = use & (PICTURE_STILL | PICTURE_8_BIT) ? "pictures are"
+                       : use & PICTURE_PLANE                 ? "planes are"
+                                                             : "turntables are";
     char extensions[96];
     if ((use & PICTURE_LINES) && is_extension(path, moving, sizeof moving / sizeof *moving)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -108,35 +111,108 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
                     picture_list_names(use).text, extensions);
 }
 
-/* The format for a path's extension; AUTO: no known extension, COUNT: a format that burnish can't
- * write.
- */
+/* The format for a path's extension; AUTO: no extension, COUNT: one that burnish does not write. */
 static picture_format find_extension(const char *path) {
-    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
     for (int i = 1; dot && i < PICTURE_COUNT; ++i) {
         if (strcasecmp(dot + 1, rows[i].extension) == 0 ||
             (rows[i].other_extension && strcasecmp(dot + 1, rows[i].other_extension) == 0)) {
             return (picture_format)i;
         }
     }
-    return is_extension(path, foreign, sizeof foreign / sizeof *foreign) ||
-                   is_extension(path, moving, sizeof moving / sizeof *moving)
-               ? PICTURE_COUNT
-               : PICTURE_AUTO;
+    return dot && dot > base && dot[1] ? PICTURE_COUNT : PICTURE_AUTO;
+}
+
+int picture_is_written_name(const char *path) {
+    const picture_format format = find_extension(path);
+    return format != PICTURE_AUTO && format != PICTURE_COUNT;
 }
 
 int picture_is_name(const char *path) {
-    return find_extension(path) != PICTURE_AUTO;
+    return picture_is_written_name(path) ||
+           is_extension(path, foreign, sizeof foreign / sizeof *foreign) ||
+           is_extension(path, moving, sizeof moving / sizeof *moving);
 }
 
 int picture_is_animation(const char *path) {
     return is_extension(path, moving, sizeof moving / sizeof *moving);
 }
 
+/* What begins a file, and names burnish as its writer near the beginning or at the end. */
+typedef struct own_mark {
+    const char *magic, *mark;
+    size_t magic_size, mark_size;
+} own_mark;
+
+#define MARK(magic, mark)                                                                          \
+    { magic, mark, sizeof(magic) - 1, sizeof(mark) - 1 }
+
+static int has_bytes(const char *text, size_t size, const char *bytes, size_t count) {
+    for (size_t i = 0; i + count <= size; ++i) {
+        if (memcmp(text + i, bytes, count) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* 1 for a picture, drawing or video that burnish wrote. */
+static int is_own_picture(const char *path) {
+    static const own_mark marks[] = {
+        MARK("\x89PNG", "tEXtSoftware\0burnish"),
+        MARK("\xFF\xD8", "\xFF\xFE\0\x09"
+                         "burnish"),
+        MARK("v/1\x01", "software\0string\0\7\0\0\0burnish"),
+        MARK("GIF89a", "\x21\xFE\x07"
+                       "burnish"),
+        MARK("RIFF", "\0\0burnish"),
+        MARK("<svg xmlns", "<!-- burnish -->"),
+        MARK("%PDF-1.4", "%burnish\n"),
+        MARK("YUV4MPEG2", "XBURNISH\n"),
+        MARK("\0\0\0", "data\0\0\0\1\0\0\0\0burnish"), /* MP4 and WebM: comments */
+        MARK("\x1A\x45\xDF\xA3", "\x44\x87\x87"
+                                 "burnish"),
+    };
+    enum { TAIL = 64 };
+    char bytes[8192 + TAIL];
+    struct stat status;
+    FILE *file = stat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
+    if (!file) {
+        return 0;
+    }
+    size_t size = fread(bytes, 1, sizeof bytes - TAIL, file);
+    if (fseek(file, -TAIL, SEEK_END) == 0) { /* WebP's Exif */
+        size += fread(bytes + size, 1, TAIL, file);
+    }
+    int found = 0;
+    fclose(file);
+    for (size_t i = 0; i < sizeof marks / sizeof *marks && !found; ++i) {
+        const own_mark *m = &marks[i];
+        found = size >= m->magic_size && memcmp(bytes, m->magic, m->magic_size) == 0 &&
+                has_bytes(bytes, size, m->mark, m->mark_size);
+    }
+    return found;
+}
+
+burnish_status picture_check_existing(const char *path, int is_derived, burnish_error *error) {
+    struct stat status;
+    const int is_there = is_derived ? cli_name_exists(path)
+                                    : !picture_is_written_name(path) && stat(path, &status) == 0 &&
+                                          S_ISREG(status.st_mode) && status.st_size > 0;
+    return is_there && !is_own_picture(path)
+               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "%.200s: exists and was not written by burnish; %s", path,
+                          is_derived ? "replace it with --overwrite, or name the picture with "
+                                       "--output=FILE"
+                                     : "delete it, or name another file")
+               : BURNISH_STATUS_OK;
+}
+
 burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
                               picture_format *format, burnish_error *error) {
-    *format = wanted != PICTURE_AUTO ? wanted : find_extension(path);
-    if (*format == PICTURE_AUTO && (use & PICTURE_STILL)) {
+    *format = wanted != PICTURE_AUTO && !cli_is_mesh_name(path) ? wanted : find_extension(path);
+    if (*format == PICTURE_AUTO && (use & (PICTURE_STILL | PICTURE_8_BIT))) {
         *format = PICTURE_PNG;
     } else if (*format == PICTURE_AUTO && use == PICTURE_ANIMATION && strcmp(path, "-") == 0) {
         *format = PICTURE_Y4M;
@@ -150,7 +226,9 @@ burnish_status picture_choose(const char *flag, const char *path, int use, pictu
                         "write a PNG",
                         flag, path, rows[*format].name, rows[*format].library);
     }
-    return picture_container(*format) ? picture_check_video(flag, path, error) : BURNISH_STATUS_OK;
+    return picture_container(*format) ? picture_check_video(flag, path, error)
+           : use == PICTURE_8_BIT     ? picture_check_existing(path, 0, error)
+                                      : BURNISH_STATUS_OK;
 }
 
 void picture_release(picture_file *file) {

@@ -27,7 +27,8 @@ typedef enum picture_use {
     PICTURE_STILL = 1,
     PICTURE_PLANE = 2, /* numbers per pixel */
     PICTURE_LINES = 4,
-    PICTURE_ANIMATION = 8 /* PNG is APNG */
+    PICTURE_ANIMATION = 8, /* PNG is APNG */
+    PICTURE_8_BIT = 16     /* what picture_encode writes */
 } picture_use;
 
 /* 1: lines and areas, written from a burnish_drawing. */
@@ -51,6 +52,9 @@ picture_names picture_list_names(int uses);
  * mesh. */
 int picture_is_name(const char *path);
 
+/* Whether a name has an extension of files that burnish writes. */
+int picture_is_written_name(const char *path);
+
 /* Whether it has an extension of videos and other moving pictures. */
 int picture_is_animation(const char *path);
 
@@ -58,12 +62,18 @@ int picture_is_animation(const char *path);
  *   flag    names the output in messages: "output"
  *   path    of the file; "-" is standard output
  *   use     a sum of picture_use
- *   wanted  a format, or PICTURE_AUTO: by file extension. Still pictures without a known extension
- *           are PNG, animations on standard output Y4M
- * Errors: ARGUMENT for a format that does not serve the use, or that this build lacks, and for a video
- * without ffmpeg. */
+ *   wanted  a format, or PICTURE_AUTO: by file extension. Still pictures without an extension are
+ *           PNG, animations on standard output Y4M
+ * Errors: ARGUMENT for an extension of other files, meshes always included, for a format that does
+ * not serve the use, or that this build lacks, and for a video without ffmpeg. */
 burnish_status picture_choose(const char *flag, const char *path, int use, picture_format wanted,
                               picture_format *format, burnish_error *error);
+
+/* ARGUMENT if a picture would replace a file that may not be one: only pictures of burnish and empty
+ * files are replaced. With is_derived, for names that nobody typed, the extension proves nothing,
+ * since the file can be a texture; otherwise a file with an extension of burnish's formats is
+ * replaced. */
+burnish_status picture_check_existing(const char *path, int is_derived, burnish_error *error);
 
 /* How a still picture is encoded. */
 typedef struct picture_options {

@@ -66,6 +66,7 @@ static const cli_flag plot_flags[] = {
     {.group = "Output",
      CLI_FLAG("output", "FILE", "output file; - is standard output", cli_flag_text, output),
      .letter = 'o',
+     .file = CLI_REPORTS,
      .default_label = "FIGURE.svg, object.png",
      .manual = "File to write, whole or not at all; *-* is standard output, the default for "
                "*--format=csv* and *--format=gp*. Extensions: _.svg_, _.csv_, _.gp_, "

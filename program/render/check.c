@@ -53,7 +53,7 @@ static burnish_status check_turntable(render_settings *settings, burnish_error *
     return BURNISH_STATUS_OK;
 }
 
-/* The default name of the picture: the input's, in the current folder, with the extension of
+/* The default name of the picture: the input's, in the current folder or another, with the extension of
  * --output-format. */
 static burnish_status name_output(render_settings *settings, burnish_error *error) {
     const char *input = settings->input.name;
@@ -63,38 +63,41 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
     if (settings->output.path) {
         return BURNISH_STATUS_OK;
     }
-    if (is_standard(input)) {
+    if (is_standard(input) && !settings->output.place) {
         settings->output.path = "-";
         return BURNISH_STATUS_OK;
     }
     const char *slash = strrchr(input, '/');
-    const char *base = input[0] == ':' ? input + 1 : slash ? slash + 1 : input;
+    const char *base = is_standard(input) ? ""
+                       : input[0] == ':'  ? input + 1
+                       : slash            ? slash + 1
+                                          : input;
     const char *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
     char *name = settings->output.derived;
+    const char *place = settings->output.place ? settings->output.place : "";
+    const char *gap = *place && place[strlen(place) - 1] != '/' ? "/" : "";
     const char *extension = picture_extension(settings->output.format == PICTURE_AUTO
                                                   ? PICTURE_PNG
                                                   : (picture_format)settings->output.format);
-    if (length == 0 || length + strlen(extension) + sizeof "." > sizeof settings->output.derived) {
+    if (length == 0 || strlen(place) + length + strlen(extension) + sizeof "/." >
+                           sizeof settings->output.derived) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "\"%.60s\" has no name for the picture; name it with --output=FILE", input);
     }
-    snprintf(name, sizeof settings->output.derived, "%.*s.%s", (int)length, base, extension);
+    snprintf(name, sizeof settings->output.derived, "%s%s%.*s.%s", place, gap, (int)length, base,
+             extension);
     settings->output.is_derived = 1;
     return BURNISH_STATUS_OK;
 }
 
-/* The report can not replace the input or the picture. */
+/* The report can not replace the picture. */
 static burnish_status check_report(render_settings *settings, burnish_error *error) {
-    const char *others[] = {settings->input.name, render_output_path(&settings->output)};
-    for (int i = 0; i < 2; ++i) {
-        if (is_same_file(settings->output.json, others[i])) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--json: \"%.200s\" is the %s; name another file",
-                            settings->output.json, i == 0 ? "input" : "picture");
-        }
-    }
-    return BURNISH_STATUS_OK;
+    return is_same_file(settings->output.json, render_output_path(&settings->output))
+               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--json: \"%.200s\" is the picture; name another file",
+                          settings->output.json)
+               : BURNISH_STATUS_OK;
 }
 
 /* Planes need separate files and a single picture. */
@@ -111,8 +114,7 @@ static burnish_status check_planes(render_settings *settings, burnish_error *err
         burnish_status status = picture_choose("plane", plane->path, PICTURE_PLANE, PICTURE_AUTO,
                                                &plane->format, error);
         int taken = is_same_file(plane->path, render_output_path(&settings->output)) ||
-                    is_same_file(plane->path, settings->output.json) ||
-                    is_same_file(plane->path, settings->input.name);
+                    is_same_file(plane->path, settings->output.json);
         for (size_t k = 0; k < i; ++k) {
             taken |= is_same_file(plane->path, settings->output.planes.items[k].path);
         }
@@ -211,62 +213,6 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     return BURNISH_STATUS_OK;
 }
 
-/* What begins a file, and names burnish as its writer near the beginning or at the end. */
-typedef struct own_mark {
-    const char *magic, *mark;
-    size_t magic_size, mark_size;
-} own_mark;
-
-#define MARK(magic, mark)                                                                          \
-    { magic, mark, sizeof(magic) - 1, sizeof(mark) - 1 }
-
-static int has_bytes(const char *text, size_t size, const char *bytes, size_t count) {
-    for (size_t i = 0; i + count <= size; ++i) {
-        if (memcmp(text + i, bytes, count) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-/* 1 for a picture, drawing or video that burnish wrote. */
-static int is_own_picture(const char *path) {
-    static const own_mark marks[] = {
-        MARK("\x89PNG", "tEXtSoftware\0burnish"),
-        MARK("\xFF\xD8", "\xFF\xFE\0\x09"
-                         "burnish"),
-        MARK("v/1\x01", "software\0string\0\7\0\0\0burnish"),
-        MARK("GIF89a", "\x21\xFE\x07"
-                       "burnish"),
-        MARK("RIFF", "\0\0burnish"),
-        MARK("<svg xmlns", "<!-- burnish -->"),
-        MARK("%PDF-1.4", "%burnish\n"),
-        MARK("YUV4MPEG2", "XBURNISH\n"),
-        MARK("\0\0\0", "data\0\0\0\1\0\0\0\0burnish"), /* MP4 and WebM: comments */
-        MARK("\x1A\x45\xDF\xA3", "\x44\x87\x87"
-                                 "burnish"),
-    };
-    enum { TAIL = 64 };
-    char bytes[8192 + TAIL];
-    struct stat status;
-    FILE *file = stat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
-    if (!file) {
-        return 0;
-    }
-    size_t size = fread(bytes, 1, sizeof bytes - TAIL, file);
-    if (fseek(file, -TAIL, SEEK_END) == 0) { /* WebP's Exif */
-        size += fread(bytes + size, 1, TAIL, file);
-    }
-    int found = 0;
-    fclose(file);
-    for (size_t i = 0; i < sizeof marks / sizeof *marks && !found; ++i) {
-        const own_mark *m = &marks[i];
-        found = size >= m->magic_size && memcmp(bytes, m->magic, m->magic_size) == 0 &&
-                has_bytes(bytes, size, m->mark, m->mark_size);
-    }
-    return found;
-}
-
 static burnish_status check_output(render_settings *settings, burnish_error *error) {
     if (is_standard(render_output_path(&settings->output))) {
         if (settings->output.json && is_standard(settings->output.json)) {
@@ -286,16 +232,11 @@ static burnish_status check_output(render_settings *settings, burnish_error *err
                         "--output: \"%.200s\" is the input; name another file",
                         render_output_path(&settings->output));
     }
-    /* An existing file with this name can be a texture of the mesh. */
-    if (settings->output.is_derived && !settings->output.overwrite &&
-        cli_name_exists(render_output_path(&settings->output)) &&
-        !is_own_picture(render_output_path(&settings->output))) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "%.200s: exists and was not written by burnish; replace it with "
-                        "--overwrite, or name the picture with --output=FILE",
-                        render_output_path(&settings->output));
-    }
-    return choose_format(settings, error);
+    const burnish_status status = choose_format(settings, error);
+    return status == BURNISH_STATUS_OK && !settings->output.overwrite
+               ? picture_check_existing(render_output_path(&settings->output),
+                                        settings->output.is_derived, error)
+               : status;
 }
 
 /* Only a parallel projection has a scale, and only one flag sets it. */
@@ -476,8 +417,7 @@ static burnish_status check_reference(render_settings *settings, burnish_error *
                         "--output: \"%.200s\" is the reference; name another file",
                         render_output_path(&settings->output));
     }
-    const char *others[] = {settings->input.name, render_output_path(&settings->output), reference,
-                            settings->output.json};
+    const char *others[] = {render_output_path(&settings->output), settings->output.json};
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         if (is_same_file(difference, others[i])) {
             return cli_fail(
@@ -487,7 +427,7 @@ static burnish_status check_reference(render_settings *settings, burnish_error *
         }
     }
     picture_format unused;
-    return difference ? picture_choose("reference-difference", difference, PICTURE_STILL,
+    return difference ? picture_choose("reference-difference", difference, PICTURE_8_BIT,
                                        PICTURE_AUTO, &unused, error)
                       : BURNISH_STATUS_OK;
 }

@@ -79,15 +79,17 @@ static const cli_flag flags[] = {
      .default_label = "INPUT's name",
      .letter = 'o',
      .common = 1,
-     .file = CLI_FILE_WRITTEN,
+     .file = CLI_WRITES,
      .aliases = "out",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*. The file extension chooses "
          "the format: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.pdf*, *.exr* or *.npy*; see "
          "*FORMATS*. "
-         "Other names are PNG, but extensions of formats that burnish can not write are an error, "
+         "A name without an extension is a PNG. Any other extension is an error, such as *.stl*, "
          "and so is a terminal as standard output. The file is complete or does not appear: it is "
-         "written under a temporary name and renamed. An existing _FILE_ is replaced. Without this "
+         "written under a temporary name and renamed. An existing _FILE_ is replaced, but without "
+         "one of these extensions only if burnish wrote it, it is empty, or with *--overwrite*. If "
+         "_FILE_ is a folder, the picture has its default name there. Without this "
          "flag the picture has the name of _INPUT_ with *.png*, in the current folder "
          "(*teapot.png* for *:teapot*), or goes to standard output when _INPUT_ is *-*. A file "
          "that already has this default name is replaced only if burnish wrote it, or with "
@@ -96,10 +98,11 @@ static const cli_flag flags[] = {
          "parts of _INPUT_'s name and by the view, as in *burnish batch*. Several inputs need one "
          "of them, or *--output-dir*.\nInstead of this flag, a second operand can name the picture "
          "or the turntable: *burnish part.stl part.jpg*. An existing picture is then replaced only "
-         "if burnish wrote it, or with *--overwrite*."},
+         "if burnish wrote it, or with *--overwrite*. A last operand that is a folder receives the "
+         "pictures of all others, as with *cp*; *-* is standard output."},
     {CLI_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,
               output.folder),
-     .letter = 'd', .common = 1, .file = CLI_FILE_WRITTEN, .aliases = "outdir,out-dir",
+     .letter = 'd', .common = 1, .file = CLI_FOLDER, .aliases = "outdir,out-dir",
      .manual = "The folder of the pictures; it is created if it is missing. _INPUT_ can then be a "
                "folder, whose meshes are all drawn."},
     {CLI_SWITCH("recursive", "search folders recursively", job.recursive), .letter = 'r',
@@ -107,7 +110,7 @@ static const cli_flag flags[] = {
                "batch* does."},
     {CLI_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
               job.files_from),
-     .file = CLI_FILE_READ, .aliases = "inputs-from,files0-from,from-file",
+     .file = CLI_READS, .aliases = "inputs-from,files0-from,from-file",
      .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
     {CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size, picture.size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_text = "1024,768", .aliases = "res",
@@ -187,7 +190,7 @@ static const cli_flag flags[] = {
      .manual = "Labels below the cells of a sheet, instead of the names of views and lobes: one "
                "per cell, between commas, in UTF-8."},
     {CLI_FLAG("font", "FILE", "font of labels", cli_flag_text, picture.font),
-     .default_label = "burnish's own; the system's beyond ASCII", .file = CLI_FILE_READ,
+     .default_label = "burnish's own; the system's beyond ASCII", .file = CLI_READS,
      .manual = "TrueType or OpenType font of all labels. Without this flag ASCII labels use "
                "burnish's own letters, which are the same on every machine; other labels use the "
                "system's sans-serif font, with fallback fonts for missing scripts. Right-to-left "
@@ -211,6 +214,7 @@ static const cli_flag flags[] = {
                "times *pixels_per_unit* of the report, a drawing in millimetres prints at 1:1."},
     {CLI_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
               render_flag_plane, output.planes),
+     .file = CLI_WRITES,
      .manual =
          "Writes a buffer of numbers for each pixel to its own file, in addition to the picture; "
          "can be repeated. *depth* is the distance from the camera along its axis, *normal* the "
@@ -220,7 +224,7 @@ static const cli_flag flags[] = {
          "only *coverage* and *color* are averaged. See *PLANES*."},
     {CLI_FLAG("turntable", "FILE", "animation: .gif .png .webp .mp4 .webm .y4m", cli_flag_text,
               output.turntable),
-     .file = CLI_FILE_WRITTEN,
+     .file = CLI_WRITES,
      .manual = "Writes an animation instead of a picture: one turn of the camera to the right, "
                "around the up axis through the focal point. The last frame continues into the "
                "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
@@ -244,9 +248,10 @@ static const cli_flag flags[] = {
     {CLI_SWITCH("runner", "draw parts for a process with --runners", job.runner),
      .manual = "Draws the frames or bands that are requested by the socket at descriptor 3, and "
                "writes no file."},
-    {CLI_SWITCH("overwrite", "replace a file with the default name", output.overwrite),
-     .manual = "Replaces any file that has the picture's default name. Without this flag only "
-               "pictures written by burnish are replaced."},
+    {CLI_SWITCH("overwrite", "replace a file that burnish did not write", output.overwrite),
+     .manual = "Replaces any file that has the picture's default name, or the name of *--output* "
+               "without an extension of pictures. Without this flag only pictures written by "
+               "burnish are replaced."},
     {.group = "Camera",
      .topic = "camera",
      CLI_FLAG("up", "AXIS", "up axis", cli_flag_word, camera.up),
@@ -382,7 +387,7 @@ static const cli_flag flags[] = {
                "removes the rig and all lights so far."},
     {CLI_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
               cli_flag_text, shading.environment.name),
-     .default_label = "none", .file = CLI_FILE_READ, .aliases = "hdri-file",
+     .default_label = "none", .file = CLI_READS, .aliases = "hdri-file",
      .manual =
          "Light from all directions, which replaces the lights of the look: *sky*, *room*, or an "
          "equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces reflect "
@@ -567,7 +572,7 @@ static const cli_flag flags[] = {
          "exit code 8 and writes no picture. Without this flag a blank picture is a warning."},
     {CLI_FLAG("reference", "FILE", "compare with a PNG; exit code 10 if different", cli_flag_text,
               output.reference),
-     .file = CLI_FILE_READ, .aliases = "ref",
+     .file = CLI_READS, .aliases = "ref",
      .manual =
          "Compares the picture, or the sheet, with a PNG of the same size. If they differ, the "
          "picture is still written, one line describes the difference, and the exit code is 10. "
@@ -579,7 +584,7 @@ static const cli_flag flags[] = {
                "reference, is at most _X_, from 0 to 1. Identical pictures always pass."},
     {CLI_FLAG("reference-difference", "FILE", "reference, picture and difference side by side",
               cli_flag_text, output.reference_difference),
-     .file = CLI_FILE_WRITTEN,
+     .file = CLI_WRITES,
      .manual = "If the sizes are the same, writes the reference, the picture and their difference "
                "side by side into _FILE_, as *burnish compare --output* does."},
 };

@@ -6,6 +6,7 @@
 
 #include "cli/main.h"
 #include "cli/memory.h"
+#include "picture/formats.h"
 #include "view/actions.h"
 #include "view/window.h"
 
@@ -25,8 +26,8 @@ static const cli_flag flags[] = {
      .aliases = "width,height,res",
      .manual = "Width and height of the window at the start, in pixels."},
     {CLI_FLAG("output", "FILE", "file of the key P (screenshot)", cli_flag_text, output),
-     .default_label = "INPUT's name and a number", .letter = 'o', .common = 1,
-     .file = CLI_FILE_WRITTEN, .aliases = "out,screenshot",
+     .default_label = "INPUT's name and a number", .letter = 'o', .common = 1, .file = CLI_WRITES,
+     .aliases = "out,screenshot",
      .manual =
          "File in which the key P saves the picture, as PNG; it is replaced each time. The default "
          "is _INPUT_'s name with the first unused number, *part-1.png*, in the current folder."},
@@ -124,7 +125,17 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
                             ? "--views: the window starts with one view; use only one"
                             : "--lobe: the window shows at most two lobes; omit some");
     }
-    const burnish_status status = render_check(&settings->render, error);
+    picture_format format = PICTURE_PNG;
+    burnish_status status = render_check(&settings->render, error);
+    if (status == BURNISH_STATUS_OK && settings->output) {
+        status =
+            picture_choose("output", settings->output, PICTURE_8_BIT, PICTURE_AUTO, &format, error);
+    }
+    if (status == BURNISH_STATUS_OK && format != PICTURE_PNG) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--output: \"%.200s\": screenshots are PNG; end the name in .png",
+                          settings->output);
+    }
     cli_prepare_memory();
     return status == BURNISH_STATUS_OK ? view_window(settings, error) : status;
 }

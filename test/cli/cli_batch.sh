@@ -45,7 +45,7 @@ for pair in a.obj:a.obj a.off:a.off sub/a:sub/a.obj sub/-x:sub/-x.obj sub/m:sub/
     rm -f one.png
 done
 check "a strange name" [ -s "$(printf 'out/sub/new\nline \377<&".png')" ]
-check "six pictures, and no temporary" [ "$(find out -type f | wc -l)" = 9 ]
+check "six pictures, the sheet, and no temporary" [ "$(find out -type f | wc -l)" = 10 ]
 check "a line each" [ "$(wc -l <out/burnish-batch.jsonl)" = 9 ]
 check "bytes of a name that is not UTF-8" grep -q '"input_bytes":"in/sub/new%0Aline%20%FF%3C%26%22.obj"' out/burnish-batch.jsonl
 for line in 1 2 4; do
@@ -69,11 +69,11 @@ batch tet.obj in/a.obj -d facts --size=16
 check "without facts all is drawn again" [ "$(grep -c volume facts/burnish-batch.jsonl)" = 0 ]
 rm -r facts tet.obj
 check "the page asks for nothing else" [ "$(grep -cE 'https?:|url\(|@import' out/index.html)" = 0 ]
-check "the sheet is a PNG" [ "$(head -c 4 sheet.png | tail -c 3)" = PNG ]
+check "the sheet is a PNG" [ "$(head -c 4 out/sheet.png | tail -c 3)" = PNG ]
 
 # Labels that are too long lose their middle: parts often differ at the end of their names.
 sheet_of() {
-    cp in/a.obj "$1.obj" && batch "$1.obj" -d labels --size=128 --sheet="$2.png" && rm "$1.obj"
+    cp in/a.obj "$1.obj" && batch "$1.obj" -d labels --size=128 --sheet="./$2.png" && rm "$1.obj"
 }
 sheet_of Mount_for_a_screw_left left
 sheet_of Mount_for_a_screw_rear rear
@@ -87,7 +87,7 @@ lines out/burnish-batch.jsonl >seven
 batch in -r -d out --size=32 -j1 --force
 lines out/burnish-batch.jsonl >one
 check "one worker, the same report" cmp one seven
-rm -f one seven sheet.png
+rm -f one seven out/sheet.png
 
 # Unchanged pictures stay. A changed input, referenced file or flag, or a missing picture, causes a new drawing.
 # drawn WANTED ARGUMENTS...: the pictures that a run writes.
@@ -217,7 +217,33 @@ expect 2 'burnish: --output: "in/a.obj" and another input would both be written 
 expect 2 'burnish: batch: no INPUT; try "burnish batch FOLDER --output-dir=thumbs" or "burnish batch --help"' batch
 mkdir empty
 expect 2 'burnish: no meshes there; --recursive looks into folders below' batch empty
-expect 2 'burnish: --report: "in/a.obj" exists but is not a report of burnish batch; name another file' batch :sphere --report=in/a.obj -d out
+expect 2 'burnish: --report: "in/readme.txt" exists but is not a report of burnish batch; name another file' batch :sphere --report=in/readme.txt -d out
+expect 2 'burnish: --report: "in/a.obj" has the extension of a mesh, which this file is not; end the name otherwise' batch :sphere --report=in/a.obj -d out
+for name in in/a.obj s.exr; do
+    gives 2 batch :sphere --sheet=$name -d sheets
+    check "no sheet $name, and no pictures" [ ! -e sheets ]
+done
+# Folders that are not searched are mentioned once, unless they hold the pictures.
+mkdir -p tree/below
+cp in/a.obj tree
+expect 0 'burnish: warning: 1 folder in INPUT was skipped; --recursive searches it' batch tree -d skipping --size=8
+mkdir tree/another tree/thumbs
+expect 0 'burnish: warning: 2 folders in INPUT were skipped; --recursive searches them' batch tree -d tree/thumbs --size=8
+expect 0 'burnish: warning: 3 folders in INPUT were skipped; --recursive searches them' tree -d skipping -s 8
+expect 0 '' batch tree -d tree/thumbs --size=8 --quiet
+run info tree
+check "info skips folders: $(cat "$err")" grep -q '^burnish: warning: 3 folders' "$err"
+rm -r tree skipping
+# Files of the batch are in its folder, unless they name another one.
+expect 0 '' batch :sphere -d files --size=8 --sheet=s.png --report=r.jsonl
+expect 0 '' batch :sphere -d files --size=8 --sheet=./s.png --report=./r.jsonl
+check "files in the folder" [ -s files/s.png -a -s files/r.jsonl -a -s s.png -a -s r.jsonl ]
+rm -r files s.png r.jsonl
+# The name of an input can have dots.
+cp in/a.obj in/a.v2.obj
+expect 0 '' batch in/a.v2.obj -o '{model}' -d dots --size=8
+check "a template without an extension" [ "$(head -c 4 dots/a.v2 | tail -c 3)" = PNG ]
+rm -r dots in/a.v2.obj
 echo text >out/sphere.png
 batch :sphere -d out --size=8
 check "a file that is no picture of ours stays: $(cat "$err")" [ "$code" = 11 -a "$(cat out/sphere.png)" = text ]

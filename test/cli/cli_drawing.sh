@@ -256,7 +256,77 @@ expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --t
     render :sphere -o a.gif
 expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' \
     render :sphere -o a.mp4
+expect 2 'burnish: render: "a.png" is an image, not a mesh; for several pictures, name a folder with -d' a.png :sphere
 nothing_left "names"
+
+# No output replaces a mesh, an input, or another file that is not a picture.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >part.obj
+for format in stl gltf glb obj off ply 3mf bms stl.gz step FBX; do
+    cp part.obj "keep.$format"
+    for flags in 'part.obj --output=' 'part.obj --output-format=png --output=' 'part.obj --turntable=' 'part.obj --json=' \
+        'part.obj --plane=depth:' 'info part.obj --json=' 'info part.obj --csv=' 'compare :sphere :torus --output=' \
+        'compare :sphere :torus --json=' 'batch part.obj --sheet=' 'batch part.obj --report=' 'lobe table --output=' \
+        'lobe plot --format=svg curves --output='; do
+        # shellcheck disable=SC2086
+        gives 2 ${flags}keep.$format
+    done
+    check "keep.$format stays" cmp part.obj "keep.$format"
+    rm "keep.$format"
+done
+ln part.obj other.obj
+for flags in 'part.obj --json=' 'info part.obj --json=' 'batch part.obj --report=' 'part.obj -o s.png --plane=depth:' \
+    ':sphere --font=part.obj --json=' ':sphere --files-from=part.obj --json='; do
+    # shellcheck disable=SC2086
+    gives 2 ${flags}other.obj
+    check "$flags: $(cat "$err")" grep -q '"other.obj" is an input; name another file' "$err"
+done
+check "no pictures" [ "$(ls)" = "$(printf 'other.obj\npart.obj')" ]
+echo text >note
+for extension in txt '' abc; do
+    mv note* "note${extension:+.$extension}"
+    gives 2 part.obj -o note* -s 8 --output-format=png
+    check "note.$extension stays" [ "$(cat note*)" = text ]
+    [ -z "$extension" ] || gives 2 part.obj -o note* -s 8
+done
+expect 0 '' part.obj -o note.abc -s 8 --output-format=png --overwrite
+expect 0 '' part.obj -o note.abc -s 9 --output-format=png
+same "a picture under another name" "$(png_size note.abc)" "9 9"
+: >note.abc
+expect 0 '' part.obj -o note.abc -s 8 --output-format=png
+rm note.abc other.obj
+expect 2 'burnish: -dash.obj: a mesh, or a value of -d? Write ./-dash.obj, or --output-dir=ash.obj' part.obj -dash.obj
+
+# A folder, as cp takes it.
+mkdir to
+cp part.obj two.obj
+for arguments in 'part.obj to' 'part.obj -o to' 'part.obj -o to/' 'part.obj to/ --json=r.json --plane=depth:to/d.npy'; do
+    # shellcheck disable=SC2086
+    expect 0 '' $arguments -s 8
+    check "$arguments: to/part.png" [ -s to/part.png ]
+    rm to/part.png
+done
+check "one picture, with a report and a plane" [ -s r.json -a -s to/d.npy ]
+rm r.json to/d.npy
+for arguments in 'part.obj two.obj to' 'part.obj two.obj -o to/'; do
+    # shellcheck disable=SC2086
+    expect 0 '' $arguments -s 8
+    check "$arguments: two pictures" [ -s to/part.png -a -s to/two.png ]
+    rm to/*
+done
+echo texture >to/part.png
+gives 11 part.obj two.obj to -s 8
+gives 2 part.obj to -s 8
+same "a texture in the folder stays" "$(cat to/part.png)" texture
+rm -r to
+for arguments in 'part.obj to/' 'part.obj -o to/' 'part.obj two.obj to/' 'part.obj two.obj -o to/'; do
+    # shellcheck disable=SC2086
+    expect 7 'burnish: to/: there is no such folder; create it, or use --output-dir=to/, which creates it' $arguments
+done
+run part.obj - -s 8
+same "a picture on standard output" "$code$(png_size "$out")" "08 8"
+expect 2 'burnish: render: standard output takes one picture; for several, name a folder with -d' part.obj two.obj -
+rm part.obj two.obj
+nothing_left "folders"
 
 # Without a command; an output as the second operand; short flags and sides.
 expect 0 '' :sphere -s 40

@@ -32,7 +32,7 @@ check "part.v2.png in the current folder" is_png part.v2.png 16 16
 "$burnish" render - --size=16 <in/part.v2.stl >piped.png
 same "from pipe to pipe" "$(cksum <piped.png)" "$(cksum <part.v2.png)"
 expect 0 '' render -o dash.png --size=16 -- in/part.v2.stl
-expect 2 'burnish: --output: "in/part.v2.stl" is the input; name another file' render in/part.v2.stl -o in/part.v2.stl
+expect 2 'burnish: --output: "in/part.v2.stl" is an input; name another file' render in/part.v2.stl -o in/part.v2.stl
 check "the input is as it was" sh -c "grep -q endsolid in/part.v2.stl"
 
 # Exit codes, and nothing left behind.
@@ -207,7 +207,7 @@ same "its output" "$(json output)" -
 expect 0 '' render :torus --size=16 --json=report.json -o t.png
 expect 2 'burnish: --json: standard output is used for the picture; name a file with --output=FILE or --json=FILE' render :torus --json -o -
 expect 2 'burnish: --json: "t.png" is the picture; name another file' render :torus --json=t.png -o t.png
-expect 2 'burnish: --json: "in/part.v2.stl" is the input; name another file' render in/part.v2.stl --json=in/part.v2.stl -o t.png
+expect 2 'burnish: --json: "in/part.v2.stl" is an input; name another file' render in/part.v2.stl --json=in/part.v2.stl -o t.png
 expect 2 'burnish: --json: the value is empty: --json=FILE' render :torus --json=
 printf 'mine' >kept.png
 expect 7 "burnish: none/r.json: can't be written: No such file or directory; create the folder first" render :torus --size=16 --json=none/r.json -o kept.png

@@ -226,7 +226,7 @@ static void test_table(void) {
         CHECK(!flag->group == !flag->topic, "--%s: a group has a topic", flag->name);
         const int names_file = flag->value && !strchr(flag->value, ':') &&
                                (strstr(flag->value, "FILE") || strstr(flag->value, "FOLDER"));
-        CHECK(names_file == (flag->file != CLI_FILE_NONE), "--%s: what it names", flag->name);
+        CHECK(names_file == (flag->file != CLI_NO_FILE), "--%s: what it names", flag->name);
         for (size_t k = 0; k < i; ++k) {
             CHECK(strcmp(flag->name, command->flags[k].name) != 0, "--%s twice", flag->name);
             CHECK(!flag->letter || flag->letter != command->flags[k].letter, "-%c twice",

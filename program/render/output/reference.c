@@ -30,7 +30,7 @@ static burnish_status write_difference(const render_result *result,
     const picture_options options = {.threads = settings->job.threads};
     picture_format format;
     burnish_status status =
-        picture_choose("reference-difference", settings->output.reference_difference, PICTURE_STILL,
+        picture_choose("reference-difference", settings->output.reference_difference, PICTURE_8_BIT,
                        PICTURE_AUTO, &format, error);
     return status == BURNISH_STATUS_OK
                ? picture_write_panels(&panels, settings->output.reference_difference, format,

@@ -32,7 +32,8 @@ typedef struct render_planes {
 typedef struct render_output_settings {
     const char *path;   /* NULL: derived from the input's name */
     const char *folder; /* NULL: not given */
-    char derived[512];  /* the derived name; render_output_path */
+    const char *place;  /* existing folder of the derived name; NULL: the current one */
+    char derived[4096]; /* the derived name; render_output_path */
     int is_derived;     /* 1: an existing file is replaced only if burnish wrote it */
     int overwrite;      /* 1: and other files too */
     int format;         /* picture_format; AUTO until render_finish */
