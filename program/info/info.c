@@ -24,7 +24,7 @@ static const cli_flag flags[] = {
     {.group = "Options",
      CLI_JSON_FLAG(info_settings, json, "JSON instead of text", "FACTS IN JSON")},
     {CLI_FLAG("csv", "FILE", "a table in CSV instead of text", cli_flag_file, csv), .common = 1,
-     .optional = 1, .file = CLI_WRITES, .aliases = "table",
+     .optional = 1, .file = CLI_REPORTS, .aliases = "table",
      .manual =
          "Writes a row for each input to _FILE_, or to standard output without *=*_FILE_. The "
          "columns have the names of the keys in JSON; *size* has three columns. A row of an "
@@ -115,8 +115,8 @@ static const cli_term json_terms[] = {
 static const cli_section sections[] = {
     {.heading = "FACTS IN JSON",
      .text =
-         "The output of *burnish info --json* is one object; for several inputs or a folder, one "
-         "per line (JSON lines), and an input that can not be read has the keys *input* and "
+         "The output of *burnish info --json* is one object per line (JSON lines), also for a "
+         "single input. Among several inputs, one that can not be read has the keys *input* and "
          "error. Lengths are in *unit*. Numbers "
          "read back as exactly the computed values, in double precision from single precision "
          "coordinates.",
@@ -158,14 +158,11 @@ typedef struct survey {
     const info_settings *settings;
     burnish_load_options options;
     cli_output output;
-    int is_many; /* JSON lines, and failures do not end the run */
+    int is_many; /* failures do not end the run */
     size_t done, failed;
 } survey;
 
 static burnish_status print_object(survey *s, cJSON *root, int failed, burnish_error *error) {
-    if (!s->is_many && s->settings->json) {
-        return cli_json_print(s->output.stream, root, failed, error);
-    }
     if (!failed && s->settings->csv) {
         info_print_csv_row(s->output.stream, root);
     }
@@ -237,9 +234,13 @@ static burnish_status measure(survey *s, const char *input, burnish_error *error
 
 static burnish_status measure_many(survey *s, const cli_call *call, burnish_error *error) {
     const batch_settings settings = {.files_from = s->settings->files_from,
-                                     .recursive = s->settings->recursive};
+                                     .recursive = s->settings->recursive,
+                                     .render.job.quiet = s->settings->quiet};
     batch b = {.settings = &settings};
     burnish_status status = batch_collect(&b, call, error);
+    if (status == BURNISH_STATUS_OK) {
+        batch_warn_inputs(&b);
+    }
     for (size_t i = 0; i < b.list.count; ++i) {
         if (status == BURNISH_STATUS_OK) {
             status = measure(s, b.list.items[i].input, error);

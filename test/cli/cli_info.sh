@@ -162,10 +162,11 @@ moved() { # X Y Z
 }
 moved 0 0 0 >near.obj
 moved 500000 4100000.5 -300 >far.obj
-run info far.obj --json=far.json
-check "far from the origin: from" [ "$(get min far.json)" = "[500000, 4100000.5, -300]" ]
-check "far from the origin: to" [ "$(get max far.json)" = "[500001, 4100002.5, -297]" ]
-check "far from the origin: volume" [ "$(get volume far.json)" = 1 ]
+run info far.obj --json
+same "far from the origin: from" "$(json min)" 500000,4100000.5,-300
+same "far from the origin: to" "$(json max)" 500001,4100002.5,-297
+same "far from the origin: volume" "$(json volume)" 1
+same "one line for one input" "$(wc -l <"$out")" 1
 for where in near:9,8,7:1.5 far:500009,4100008.5,-293:-298.5; do
     name=${where%%:*} rest=${where#*:}
     run render "$name.obj" --size=64 --camera-position="${rest%:*}" --clip=0,0,1,"${rest#*:}" -o "$name.png" --json="$name.json"
