@@ -25,6 +25,7 @@
 #include "picture/formats.h"
 #include "render/check.h"
 #include "render/flags.h"
+#include "render/useless.h"
 #include "sandbox/lock.h"
 
 static cli_work work;
@@ -199,7 +200,8 @@ const cli_command batch_command = {
         "Each input has its own process, time limit and memory limit. Failed inputs are listed at "
         "the end and do not stop the batch; the exit code is then 11. Pictures whose input and "
         "flags have not changed since the last run are skipped. Control-C stops at once and keeps "
-        "finished pictures.\n"
+        "finished pictures. A flag that needs a property of the input, such as *--animation*, is a "
+        "warning at the end if it had no effect on any picture of this run.\n"
         "The flags of *burnish render* for camera, light, surface and input have the same meaning "
         "here.",
     .operands_max = SIZE_MAX,
@@ -212,6 +214,7 @@ const cli_command batch_command = {
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(batch_settings),
+    .given = offsetof(batch_settings, given),
     .work = work,
 };
 
@@ -304,11 +307,21 @@ static char *choose_report(const batch_settings *settings) {
     return path;
 }
 
+/* The settings of one picture, which can show one of several views. */
+static render_settings first_picture(const batch_settings *given) {
+    render_settings settings = given->render;
+    settings.input.name = ":sphere";
+    settings.output.path = given->output;
+    if (strstr(given->output, "{view}") && settings.picture.views.count > 1) {
+        settings.picture.views.count = 1;
+    }
+    return settings;
+}
+
 /* Checks the settings once, before any input. */
 static burnish_status check(batch_settings *given, burnish_error *error) {
-    render_settings settings = given->render;
+    render_settings settings = first_picture(given);
     picture_format unused;
-    settings.input.name = ":sphere";
     if (*given->output_dir == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--output-dir: the name is empty");
     }
@@ -321,11 +334,6 @@ static burnish_status check(batch_settings *given, burnish_error *error) {
                         "--shard: not with --index or --sheet; after all parts, run the same "
                         "command without --shard to write them");
     }
-    settings.output.path = given->output;
-    settings.picture.views.count =
-        strstr(settings.output.path, "{view}") && settings.picture.views.count > 1
-            ? 1
-            : settings.picture.views.count;
     burnish_status status = render_finish(&settings, error);
     given->render.output.format = settings.output.format; /* the name of an input can have dots */
     if (status == BURNISH_STATUS_OK && given->sheet) {
@@ -381,6 +389,31 @@ static void print_summary(const batch *b, double seconds) {
     }
 }
 
+/* Flags in vain: before drawing about other flags and the list of inputs, then those that had no
+ * effect on any input that was drawn. */
+static burnish_status warn_useless(const batch *b, int is_drawn, burnish_error *error) {
+    const batch_settings *settings = b->settings;
+    const int strict = settings->render.input.load.strict, quiet = settings->render.job.quiet;
+    const cli_need own[] = {
+        {"title,unit", settings->index, "only the page shows it; use --index"},
+        {"recursive", b->folders > 0, "no INPUT is a folder; omit the flag"},
+    };
+    const render_settings picture = first_picture(settings);
+    cli_need needs[RENDER_NEEDS_MAX];
+    const size_t count = is_drawn ? render_list_input_needs(&picture, NULL, needs)
+                                  : render_list_needs(&picture, needs);
+    for (size_t i = 0; is_drawn && i < count; ++i) {
+        needs[i].is_met = !(b->unmet >> i & 1) || b->done == b->kept + b->failed;
+    }
+    burnish_status status = is_drawn
+                                ? BURNISH_STATUS_OK
+                                : cli_check_needs(&batch_command, settings, own,
+                                                  sizeof own / sizeof *own, strict, quiet, error);
+    return status == BURNISH_STATUS_OK ? cli_check_needs(&render_command, &settings->render, needs,
+                                                         count, strict, quiet, error)
+                                       : status;
+}
+
 static burnish_status draw_all(batch *b, batch_settings *settings, const cli_call *call,
                                burnish_error *error) {
     const double start = cli_seconds_now();
@@ -393,6 +426,9 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     }
     if (status == BURNISH_STATUS_OK) {
         status = batch_take_part(b, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = warn_useless(b, 0, error);
     }
     if (status == BURNISH_STATUS_OK && b->report && !batch_make_folders(b->report)) {
         status = cli_fail(error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s", b->report,
@@ -420,6 +456,7 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
         batch_warn_inputs(b);
         list_failures(b);
         print_summary(b, cli_seconds_now() - start);
+        status = warn_useless(b, 1, error);
     }
     return status;
 }
@@ -456,6 +493,7 @@ static void release(batch *b) {
 burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_error *error) {
     settings->render.job.sandbox = sandbox_is_built() && !settings->no_sandbox;
     batch b = {.settings = settings,
+               .unmet = ~0U,
                .report = settings->has_no_report ? NULL : choose_report(settings)};
     list_options(&b, call);
     batch_hash_drawer(&b);

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "batch/batch.h"
+#include "cli/main.h"
 #include "picture/formats.h"
 #include "render/flags.h"
 #include "render/render.h"
@@ -64,7 +65,6 @@ static burnish_status draw_many(const render_settings *settings, cli_call *call,
                            .output = settings->output.path,
                            .output_dir = settings->output.folder,
                            .files_from = settings->job.files_from,
-                           .recursive = settings->job.recursive,
                            .report = settings->output.json,
                            .jobs = settings->job.threads,
                            .force = 1,
@@ -72,6 +72,9 @@ static burnish_status draw_many(const render_settings *settings, cli_call *call,
                            .no_sandbox = is_unlocked(call)};
     char standard[64], *folder = NULL;
     burnish_status status = check(settings, error);
+    if (status == BURNISH_STATUS_OK && settings->job.recursive) {
+        status = cli_set(&batch_command, "recursive", NULL, &many, error); /* as given */
+    }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -172,6 +172,7 @@ static void keep_line(pool *p, uint32_t index, char *line, const batch_reply *re
     p->b->done += 1;
     p->b->kept += item->is_kept != 0;
     p->b->failed += item->has_failed != 0;
+    p->b->unmet &= item->is_kept || item->has_failed ? ~0U : reply->unmet;
     if (p->report && line) {
         fprintf(p->report, "%s\n", line);
         fflush(p->report);

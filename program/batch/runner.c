@@ -50,7 +50,7 @@ typedef struct facts {
     uint64_t open_edges, shells;
     int32_t is_measured, is_closed, is_solid;
     int32_t is_drawn, format, width, height, is_blank, is_preview;
-    uint32_t warning_count;
+    uint32_t warning_count, unmet;
     char warnings[WARNINGS_MAX][WARNING_BYTES];
     char message[480];
 } facts;
@@ -209,6 +209,7 @@ static void record_result(void *context, const render_result *result) {
         snprintf(f->warnings[i], WARNING_BYTES, "%s", result->warnings[i]);
         f->warning_count = (uint32_t)i + 1;
     }
+    f->unmet = result->unmet;
     f->is_drawn = 1;
 }
 
@@ -446,7 +447,7 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
         settings->picture.views.items[0] = settings->picture.views.items[item->view];
         settings->picture.views.count = 1;
     }
-    settings->job.quiet = 1;
+    settings->job.quiet = settings->job.is_one_of_many = 1;
     settings->job.threads = 1;
 }
 
@@ -484,6 +485,7 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
         status = run_worker(r, &settings, &seen, &code, &is_late, &error);
     }
     facts result = *r->shared;
+    reply->unmet = result.unmet;
     result.message[sizeof result.message - 1] = 0;
     if (status == BURNISH_STATUS_OK && code == 0 && !result.is_drawn) {
         code = 1; /* ended by a crash or the sandbox */

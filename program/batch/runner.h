@@ -11,8 +11,8 @@ enum { BATCH_FAILED = 1, BATCH_LATE = 2 };
 
 /* Header of a runner's reply; the line follows. */
 typedef struct batch_reply {
-    uint32_t index, size;
-    int32_t is_kept, failed; /* failed: BATCH_FAILED or BATCH_LATE (the output is stale) */
+    uint32_t index, size, unmet; /* unmet: needs of the input, by number */
+    int32_t is_kept, failed;     /* failed: BATCH_FAILED or BATCH_LATE (the output is stale) */
 } batch_reply;
 
 /* Hashes the bytes of a regular file. Returns 0 on failure, with errno set. */

@@ -35,6 +35,7 @@ typedef struct batch_settings {
     int runners;       /* sockets to runners on other machines, from descriptor 3 on */
     int runner;        /* 1: this process is such a runner */
     int has_no_report; /* 1: no report is written */
+    cli_given given;   /* flags that render does not have */
 } batch_settings;
 
 /* A picture to draw. */
@@ -83,6 +84,7 @@ typedef struct batch {
     size_t passed_over; /* files with a mesh extension that are not meshes */
     size_t folders;     /* INPUTs that are folders */
     size_t skipped;     /* folders in them that were not searched */
+    unsigned unmet;     /* needs of flags that no drawn input meets, by number */
     int is_stopped;     /* 1: by a signal */
 } batch;
 

@@ -98,6 +98,16 @@ burnish_status cli_flag_input_format(const cli_flag *flag, const char *text, voi
                           flag->name, text);
 }
 
+void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]) {
+    const burnish_mesh_info *info = mesh ? burnish_mesh_get_info(mesh) : NULL;
+    needs[0] = (cli_need){"animation,animation-time", info && info->format == BURNISH_FORMAT_GLTF,
+                          "only glTF files have animations; omit the flag"};
+    needs[1] = (cli_need){"tessellation", info && info->format == BURNISH_FORMAT_BUILTIN,
+                          "only built-in objects such as :teapot have patches; omit the flag"};
+    needs[2] = (cli_need){"point-size", info && info->point_count + info->line_count > 0,
+                          "only points and lines have a size, and INPUT has faces; omit the flag"};
+}
+
 burnish_load_options cli_load_options(const cli_input *input) {
     burnish_load_options options = burnish_load_options_default();
     options.format = (burnish_format)input->format;

@@ -72,6 +72,10 @@ extern const char cli_input_format_manual[];
 cli_handler cli_flag_input_format;
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
+/* What the flags below need of the input; without a mesh, as if nothing were met. */
+enum { CLI_INPUT_NEEDS = 3 };
+void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]);
+
 /* The rows; `type` has the cli_input `member`. */
 #define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
     .name = "input-format", .aliases = "format", .value = "NAME", .help = "fbx ... or",            \
@@ -85,9 +89,9 @@ cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
     .offset = offsetof(type, member.tessellation)
 
 #define CLI_STRICT_FLAG(type, member)                                                              \
-    .name = "strict", .help = "treat warnings about INPUT as errors",                              \
+    .name = "strict", .help = "treat warnings about INPUT and flags as errors",                    \
     .manual = "A fault of _INPUT_ that is otherwise repaired or ignored with a warning ends the "  \
-              "run with exit code 4.",                                                             \
+              "run with exit code 4, and a flag without an effect with exit code 2.",              \
     .handler = cli_flag_switch, .offset = offsetof(type, member.strict)
 
 #define CLI_ANIMATION_TIME_FLAG(type, member)                                                      \

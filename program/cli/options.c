@@ -222,6 +222,43 @@ int cli_is_given(const cli_command *command, const void *settings, const char *n
     return bits && (*bits & mask) != 0;
 }
 
+int cli_next_useless(const cli_command *command, const void *settings, const cli_need *needs,
+                     size_t count, size_t *at, burnish_error *line) {
+    size_t index = 0;
+    for (const cli_need *need = needs; need < needs + count; ++need) {
+        for (const char *item, *rest = need->flags; rest; ++index) {
+            char name[CLI_NAME_MAX];
+            item = rest;
+            rest = strchr(rest, ',');
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(item, ",="), item);
+            if (index >= *at && !need->is_met && cli_is_given(command, settings, name)) {
+                *at = index + 1;
+                cli_fail(line, BURNISH_STATUS_ARGUMENT, "--%.*s: no effect: %s",
+                         (int)strcspn(item, ","), item, need->why);
+                return 1;
+            }
+            rest += rest != NULL;
+        }
+    }
+    return 0;
+}
+
+burnish_status cli_check_needs(const cli_command *command, const void *settings,
+                               const cli_need *needs, size_t count, int strict, int quiet,
+                               burnish_error *error) {
+    burnish_error line;
+    for (size_t at = 0; cli_next_useless(command, settings, needs, count, &at, &line);) {
+        if (strict) {
+            *error = line;
+            return line.status;
+        }
+        if (!quiet) {
+            cli_warn(line.text);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status apply(const cli_flag *flag, const char *text, void *settings,
                             burnish_error *error) {
     return flag->handler(flag, text, (char *)settings + flag->offset, error);

@@ -146,6 +146,23 @@ struct cli_command {
 /* Whether a flag of the command was given; settings are the command's, or begin with them. */
 int cli_is_given(const cli_command *command, const void *settings, const char *name);
 
+/* A condition under which flags have an effect. */
+typedef struct cli_need {
+    const char *flags; /* between commas; text after = is only shown: "light=file" */
+    int is_met;
+    const char *why; /* what is missing; what to do about it */
+} cli_need;
+
+/* Writes the warning about flag number *at or a later one that was given although its need is not
+ * met, and moves *at behind it. Returns 0 if there is none. *at begins with 0. */
+int cli_next_useless(const cli_command *command, const void *settings, const cli_need *needs,
+                     size_t count, size_t *at, burnish_error *line);
+
+/* Prints these warnings unless `quiet` is 1. With `strict` the first one is an error: ARGUMENT. */
+burnish_status cli_check_needs(const cli_command *command, const void *settings,
+                               const cli_need *needs, size_t count, int strict, int quiet,
+                               burnish_error *error);
+
 /* The flags of a command, its own first and then its base's; NULL past the last. */
 const cli_flag *cli_flag_at(const cli_command *command, size_t index);
 

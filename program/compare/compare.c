@@ -138,6 +138,7 @@ const cli_command compare_command = {
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(compare_settings),
+    .given = offsetof(compare_settings, given),
     .work = work,
 };
 
@@ -275,6 +276,14 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
         return status == BURNISH_STATUS_OK
                    ? cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the comparison")
                    : status;
+    }
+    const cli_need map = {"map", settings->output != NULL,
+                          "only the picture has panels; use --output=FILE"};
+    status = cli_check_needs(&compare_command, settings, &map, 1,
+                             settings->render.input.load.strict, settings->render.job.quiet, error);
+    if (status != BURNISH_STATUS_OK) {
+        free(c);
+        return status;
     }
     cli_prepare_memory();
     c->settings = settings;

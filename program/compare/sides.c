@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/main.h"
 #include "compare/sides.h"
 #include "import/run.h"
 #include "picture/read_png.h"
@@ -13,6 +14,7 @@
 #include "render/scene/options.h"
 #include "render/scene/origin.h"
 #include "render/scene/up.h"
+#include "render/useless.h"
 
 /* ---- Reading ---- */
 
@@ -50,6 +52,9 @@ static burnish_status take_mesh(compare_side *side, burnish_status loaded, burni
     side->result.mesh = side->owned;
     for (size_t i = 0; i < burnish_mesh_get_warning_count(side->owned); ++i) {
         render_result_warn(&side->result, 1, "%s", burnish_mesh_get_warning(side->owned, i));
+    }
+    if (loaded == BURNISH_STATUS_OK) {
+        render_drop_file_lights(&side->settings, side->owned, &side->options);
     }
     return loaded == BURNISH_STATUS_OK
                ? render_adjust_materials(&side->settings.shading, side->owned, error)
@@ -274,6 +279,43 @@ static void choose_up(comparison *c) {
     }
 }
 
+/* Flags of drawing, if both sides are pictures. */
+static burnish_status warn_undrawn(const render_settings *settings, burnish_error *error) {
+    static const char *const others[] = {"max-input-bytes", "quiet", "strict", "threads", "isa"};
+    burnish_status status = BURNISH_STATUS_OK;
+    const cli_flag *flag;
+    for (size_t i = compare_command.flag_count;
+         status == BURNISH_STATUS_OK && (flag = cli_flag_at(&compare_command, i)) != NULL; ++i) {
+        cli_need need = {flag->name, 0, "pictures are not drawn; name a mesh, or omit the flag"};
+        for (size_t k = 0; k < sizeof others / sizeof *others; ++k) {
+            need.is_met |= strcmp(flag->name, others[k]) == 0;
+        }
+        status = cli_check_needs(&render_command, settings, &need, 1, settings->input.load.strict,
+                                 settings->job.quiet, error);
+    }
+    return status;
+}
+
+/* Flags in vain. Of two meshes, one is enough for an effect. */
+static burnish_status warn_useless(comparison *c, burnish_error *error) {
+    const render_settings *settings = &c->settings->render;
+    compare_side *first = &c->sides[compare_is_mesh(&c->sides[0]) ? 0 : 1];
+    cli_need needs[RENDER_NEEDS_MAX], others[RENDER_NEEDS_MAX];
+    if (!compare_is_mesh(first)) {
+        return warn_undrawn(settings, error);
+    }
+    burnish_status status = render_warn_useless(&first->result, NULL, error);
+    const size_t count = render_list_input_needs(settings, first->result.mesh, needs);
+    if (compare_is_mesh(&c->sides[1])) {
+        render_list_input_needs(settings, c->sides[1].result.mesh, others);
+        for (size_t i = 0; i < count; ++i) {
+            needs[i].is_met |= others[i].is_met;
+        }
+    }
+    return status == BURNISH_STATUS_OK ? render_warn_needs(&first->result, needs, count, error)
+                                       : status;
+}
+
 burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < 2; ++i) {
@@ -290,6 +332,9 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
                 c->sides[0].input);
         }
         c->sides[1].result.mesh = c->sides[0].result.mesh;
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = warn_useless(c, error);
     }
     choose_up(c);
     for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {

@@ -13,6 +13,7 @@ typedef struct compare_settings {
     const char *output;
     int format; /* picture_format of the output */
     const char *json;
+    cli_given given; /* flags of the command line that render does not have */
 } compare_settings;
 
 typedef enum compare_map { COMPARE_CODES, COMPARE_FLIP } compare_map;

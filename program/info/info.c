@@ -14,6 +14,7 @@ typedef struct info_settings {
     const char *json, *csv; /* files; NULL: text on standard output */
     const char *files_from;
     int recursive, threads, quiet;
+    cli_given given;
 } info_settings;
 
 static cli_work work;
@@ -148,6 +149,7 @@ const cli_command info_command = {
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(info_settings),
+    .given = offsetof(info_settings, given),
     .work = work,
 };
 
@@ -160,6 +162,7 @@ typedef struct survey {
     cli_output output;
     int is_many; /* failures do not end the run */
     size_t done, failed;
+    cli_need needs[CLI_INPUT_NEEDS + 1]; /* is_met: by one of the inputs so far */
 } survey;
 
 static burnish_status print_object(survey *s, cJSON *root, int failed, burnish_error *error) {
@@ -221,6 +224,11 @@ static burnish_status measure(survey *s, const char *input, burnish_error *error
         cli_warn(burnish_mesh_get_warning(mesh, i));
     }
     if (status == BURNISH_STATUS_OK) {
+        cli_need needs[CLI_INPUT_NEEDS];
+        cli_list_input_needs(mesh, needs);
+        for (size_t i = 0; i < CLI_INPUT_NEEDS; ++i) {
+            s->needs[i].is_met |= needs[i].is_met;
+        }
         status = print(s, input, mesh, error);
     } else if (s->is_many) {
         status = print_failure(s, input, &failure, error);
@@ -241,6 +249,7 @@ static burnish_status measure_many(survey *s, const cli_call *call, burnish_erro
     if (status == BURNISH_STATUS_OK) {
         batch_warn_inputs(&b);
     }
+    s->needs[CLI_INPUT_NEEDS].is_met = b.folders > 0;
     for (size_t i = 0; i < b.list.count; ++i) {
         if (status == BURNISH_STATUS_OK) {
             status = measure(s, b.list.items[i].input, error);
@@ -268,6 +277,8 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     s.options.measure = 1;
     s.is_many = call->operand_count != 1 || settings->files_from ||
                 (stat(call->operands[0], &state) == 0 && S_ISDIR(state.st_mode));
+    cli_list_input_needs(NULL, s.needs);
+    s.needs[CLI_INPUT_NEEDS] = (cli_need){"recursive", 0, "no INPUT is a folder; omit the flag"};
     burnish_status status = cli_output_begin(&s.output, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -276,6 +287,10 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
         info_print_csv_head(s.output.stream);
     }
     status = s.is_many ? measure_many(&s, call, error) : measure(&s, call->operands[0], error);
+    if (status == BURNISH_STATUS_OK && s.done > s.failed) {
+        status = cli_check_needs(&info_command, settings, s.needs, CLI_INPUT_NEEDS + 1,
+                                 settings->load.strict, settings->quiet, error);
+    }
     status = cli_output_end(&s.output, path ? path : "-", status, error);
     if (status == BURNISH_STATUS_OK && s.failed > 0) {
         fprintf(stderr, "burnish: %zu of %zu failed\n", s.failed, s.done);

@@ -201,8 +201,10 @@ static void keep_existing_lobes(plot_request *request) {
 static burnish_status make_request(const plot_figure *figure, const plot_settings *settings,
                                    plot_request *request, burnish_error *error) {
     if (settings->bits && !figure->bits) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--bits: the figure %s has no thresholds; leave it out", figure->name);
+        burnish_error line;
+        cli_fail(&line, BURNISH_STATUS_OK, "--bits: no effect: the figure %s has no thresholds",
+                 figure->name);
+        cli_warn(line.text);
     }
     if (settings->size[0] > 0 && figure->script &&
         (settings->size[0] < CHART_WIDTH_MIN || settings->size[1] < CHART_HEIGHT_MIN)) {

@@ -201,15 +201,6 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
                         "--fps: a GIF has at most %d frames per second; write PNG, WebP or Y4M",
                         PICTURE_GIF_FPS_MAX);
     }
-    if (settings->output.quality > 0 && format != PICTURE_JPEG && format != PICTURE_WEBP) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--quality: only JPEG and WebP have it; omit the flag");
-    }
-    if (settings->output.dots_per_inch.given &&
-        (settings->output.turntable || (format != PICTURE_PNG && format != PICTURE_JPEG))) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--dpi: only PNG, JPEG, SVG and PDF have it; omit the flag");
-    }
     return BURNISH_STATUS_OK;
 }
 
@@ -291,7 +282,7 @@ static burnish_status check_labels(render_settings *settings, burnish_error *err
                         "--labels: byte %zu, 0x%02x, is not UTF-8; use UTF-8", valid + 1,
                         (unsigned)(unsigned char)settings->picture.labels[valid]);
     }
-    if (!settings->picture.labels || texts == cells) {
+    if (!settings->picture.labels || texts == cells || cells == 1) {
         return BURNISH_STATUS_OK;
     }
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -399,12 +390,10 @@ static burnish_status check_shared_output(render_settings *settings, burnish_err
 static burnish_status check_reference(render_settings *settings, burnish_error *error) {
     const char *reference = settings->output.reference,
                *difference = settings->output.reference_difference;
-    const char *alone = settings->output.reference_threshold.given ? "reference-threshold"
-                        : difference                               ? "reference-difference"
-                                                                   : NULL;
-    if (!reference && alone) {
+    if (!reference && difference) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: there is no reference; name it with --reference=FILE", alone);
+                        "--reference-difference: there is no reference; name it with "
+                        "--reference=FILE");
     }
     if (reference &&
         (settings->output.format == PICTURE_EXR || settings->output.format == PICTURE_NPY)) {
@@ -437,7 +426,7 @@ burnish_status render_finish(render_settings *settings, burnish_error *error) {
     typedef burnish_status check(render_settings * settings, burnish_error * error);
     static check *const checks[] = {render_check,        check_runners,        check_rows,
                                     check_labels,        name_output,          check_output,
-                                    check_shared_output, render_check_useless, check_planes,
+                                    check_shared_output, render_check_drawing, check_planes,
                                     check_reference,     check_report};
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < sizeof checks / sizeof *checks && status == BURNISH_STATUS_OK; ++i) {

@@ -31,6 +31,7 @@
 #include "render/scene/options.h"
 #include "render/scene/origin.h"
 #include "render/scene/up.h"
+#include "render/useless.h"
 #include "sandbox/process.h"
 #include "sandbox/worker.h"
 
@@ -276,7 +277,12 @@ static burnish_status load(render_result *result, render_settings *settings,
     for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh); ++i) {
         render_result_warn(result, 1, "%s", burnish_mesh_get_warning(mesh, i));
     }
+    status = render_warn_useless(result, mesh, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
     const char *warning;
+    render_drop_file_lights(settings, mesh, options);
     render_subtract_origin(&settings->camera, &settings->input.clip, options,
                            burnish_mesh_get_view(mesh)->origin);
     status = render_add_own_lights(&settings->shading.lights, mesh, options, &warning, error);
@@ -320,7 +326,10 @@ static burnish_status render(render_result *result, render_settings *settings,
     burnish_image sheet = {0};
     burnish_renderer *renderer = NULL;
     render_describe_cells(result);
-    burnish_status status = render_open_font(result, error);
+    burnish_status status = render_warn_useless(result, NULL, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = render_open_font(result, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = render_check_sheet(result, error);
     }

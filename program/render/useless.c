@@ -1,33 +1,25 @@
-/* A flag without an effect is an error, so users notice it. */
+/* A flag without an effect is a warning, so users notice it. */
 #include "render/useless.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "cli/main.h"
 #include "picture/formats.h"
+#include "render/output/projection.h"
 #include "render/scene/options.h"
 
 static int is_given(const render_settings *settings, const char *flag) {
     return cli_is_given(&render_command, settings, flag);
 }
 
-/* Flags with a condition. */
-typedef struct need {
-    const char *flags; /* between commas */
-    int is_met;
-    const char *why; /* after "--flag: " */
-} need;
-
 /* The first flag of a list that was given, or NULL. */
 static const char *find_given(const render_settings *settings, const char *flags, char *name,
                               size_t size) {
-    for (size_t length; *flags; flags += length + (flags[length] == ',')) {
-        length = strcspn(flags, ",");
-        if (length < size) {
-            memcpy(name, flags, length);
-            name[length] = 0;
-        }
-        if (length < size && is_given(settings, name)) {
+    for (const char *item = flags; item; item = strchr(item, ',')) {
+        item += *item == ',';
+        snprintf(name, size, "%.*s", (int)strcspn(item, ","), item);
+        if (is_given(settings, name)) {
             return name;
         }
     }
@@ -56,7 +48,7 @@ static int is_parallel(const render_settings *settings) {
 /* Flags that do not affect an SVG. --ambient, --color and --material change areas' colours. */
 static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
     static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
-                                  "viewer,samples,quality,outline-contrast";
+                                  "viewer,samples,outline-contrast";
     char name[32];
     const char *flag =
         settings->shading.occlusion.given && settings->shading.occlusion.directions != 0
@@ -69,35 +61,138 @@ static burnish_status check_svg(const render_settings *settings, burnish_error *
                 : BURNISH_STATUS_OK;
 }
 
-burnish_status render_check_useless(render_settings *settings, burnish_error *error) {
-    const int is_sheet = settings->picture.views.count > 1 || settings->shading.lobes.count > 1;
-    const int is_framed = !settings->camera.own && !settings->camera.position.given;
-    const need needs[] = {
-        {"frames,fps", settings->output.turntable != NULL,
-         "only a turntable has frames; use --turntable=FILE, or omit the flag"},
-        {"columns,labels,no-labels,font", is_sheet,
-         "only a sheet has them; use several --views or lobes, or omit the flag"},
-        {"color-by", settings->shading.look != BURNISH_LOOK_DRAWING,
-         "a drawing has no colours; use another --look, or omit the flag"},
-        {"color-map,color-range,no-legend", settings->input.coloring.by != NULL,
-         "no quantity is shown by colours; use --color-by, or omit the flag"},
-        {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),
-         "no lines are drawn; use --edges, or omit the flag"},
-        {"camera-view-angle", is_perspective(settings),
-         "a parallel projection has no angle; use --camera-orthographic=no, or omit the flag"},
-        {"margin",
-         (is_framed || settings->picture.views.count > 0 || is_parallel(settings)) &&
-             !settings->camera.orthographic_height.given,
-         "the object is not framed, because other flags set the camera; omit the flag"},
-    };
-    for (size_t i = 0; i < sizeof needs / sizeof *needs; ++i) {
-        char name[32];
-        const char *flag =
-            needs[i].is_met ? NULL : find_given(settings, needs[i].flags, name, sizeof name);
-        if (flag) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, needs[i].why);
-        }
+burnish_status render_check_drawing(render_settings *settings, burnish_error *error) {
+    if (settings->input.coloring.by && settings->shading.look == BURNISH_LOOK_DRAWING) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--color-by: a drawing has no colours; use another --look, or omit the flag");
     }
     return picture_is_drawing((picture_format)settings->output.format) ? check_svg(settings, error)
                                                                        : BURNISH_STATUS_OK;
+}
+
+cli_need render_environment_need(const render_settings *settings) {
+    return (cli_need){"environment-strength,environment-turn",
+                      settings->shading.environment.name != NULL,
+                      "there is no environment; use --environment=sky, room or a file"};
+}
+
+/* The needs of flags for what is drawn: sheets, projections, colours and light. */
+static size_t list_scene_needs(const render_settings *settings, cli_need *needs) {
+    const render_camera_settings *camera = &settings->camera;
+    const render_shading_settings *shading = &settings->shading;
+    const int is_sheet = settings->picture.views.count > 1 || shading->lobes.count > 1;
+    const int is_parallel_anyway = camera->orthographic_height.given ||
+                                   settings->picture.views.count > 0 ||
+                                   camera->projection == PROJECTION_PARALLEL;
+    const int is_shaded = shading->look != BURNISH_LOOK_DRAWING;
+    const char *by = settings->input.coloring.by;
+    const cli_need list[] = {
+        {"camera-orthographic-height,zoom,camera-focal-point,columns,labels,no-labels,font",
+         !render_is_projection(settings),
+         "a sheet of aligned views has its own layout; use other --views"},
+        {"columns,labels,no-labels,font", is_sheet,
+         "only a sheet has cells; use several --views or lobes"},
+        {"labels,font", !is_sheet || !settings->picture.no_labels,
+         "--no-labels omits the labels; omit it"},
+        {"same-scale", is_sheet || !is_parallel_anyway,
+         "only a sheet has several scales; use several --views or lobes"},
+        {"same-scale", !is_sheet || !camera->orthographic_height.given,
+         "--camera-orthographic-height already sets the scale; omit it"},
+        {"camera", settings->picture.views.count == 0,
+         "--views already sets the camera; omit one of them"},
+        {"camera-view-angle", is_perspective(settings),
+         "a parallel projection has no angle; use --camera-orthographic=no"},
+        {"viewer", is_perspective(settings),
+         "the viewer of a parallel projection is distant; use --camera-orthographic=no"},
+        {"margin",
+         (!camera->position.given || settings->picture.views.count > 0 || is_parallel(settings)) &&
+             !camera->orthographic_height.given,
+         "other flags set the camera, so the object is not framed; omit one of them"},
+        {"color-map,color-range,no-legend", by != NULL,
+         "values of vertices are not shown; use --color-by"},
+        {"color-map,color-range,no-legend", !by || strcmp(by, "normal") != 0,
+         "the colours of --color-by=normal are directions; use another value"},
+        {"opacity,specular,exponent,equation,viewer,light", is_shaded,
+         "a drawing is not shaded; use another --look"},
+        {"lobe", is_shaded || shading->lobes.count > 1,
+         "a drawing is not shaded; use another --look"},
+        render_environment_need(settings),
+        {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),
+         "no lines are drawn; use --edges"},
+        {"outline-contrast", !settings->picture.background.transparent,
+         "a transparent background has no colour; omit --no-background"},
+    };
+    _Static_assert(sizeof list / sizeof *list + 6 <= RENDER_NEEDS_MAX, "with those of files");
+    memcpy(needs, list, sizeof list);
+    return sizeof list / sizeof *list;
+}
+
+size_t render_list_needs(const render_settings *settings, cli_need needs[RENDER_NEEDS_MAX]) {
+    const render_output_settings *output = &settings->output;
+    const picture_format format = (picture_format)output->format;
+    size_t count = list_scene_needs(settings, needs);
+    needs[count++] =
+        (cli_need){"resolution,size", !is_given(settings, "width") || !is_given(settings, "height"),
+                   "--width and --height replace it; omit one of them"};
+    needs[count++] = (cli_need){"frames,fps", output->turntable != NULL,
+                                "only a turntable has frames; use --turntable=FILE"};
+    needs[count++] = (cli_need){"quality", format == PICTURE_JPEG || format == PICTURE_WEBP,
+                                "only JPEG and WebP have it; use the extension .jpg or .webp"};
+    needs[count++] = (cli_need){
+        "dpi",
+        !output->turntable && (format == PICTURE_PNG || format == PICTURE_JPEG ||
+                               picture_is_drawing(format) || render_is_projection(settings)),
+        "only PNG, JPEG, SVG and PDF state it; use one of their extensions"};
+    needs[count++] = (cli_need){"reference-threshold", output->reference != NULL,
+                                "there is no reference; use --reference=FILE"};
+    return count;
+}
+
+size_t render_list_input_needs(const render_settings *settings, const burnish_mesh *mesh,
+                               cli_need needs[RENDER_NEEDS_MAX]) {
+    size_t count = CLI_INPUT_NEEDS;
+    const int is_free = settings->picture.views.count == 0;
+    const int has_camera = mesh && burnish_mesh_get_camera_count(mesh) > 0;
+    cli_list_input_needs(mesh, needs);
+    needs[count++] = (cli_need){"camera", has_camera || (mesh && !is_free),
+                                "INPUT has no cameras; omit the flag"};
+    needs[count++] = (cli_need){
+        "light=file",
+        mesh && (!settings->shading.lights.of_file || burnish_mesh_get_light_count(mesh)),
+        "INPUT has no lights; omit the flag"};
+    needs[count++] = (cli_need){
+        "camera-direction,azimuth,elevation,camera-position,camera-view-up,camera-view-angle,"
+        "camera-orthographic,camera-orthographic-height,same-scale,margin",
+        mesh && !(settings->camera.own && is_free && has_camera),
+        "the picture has a camera of INPUT; omit --camera"};
+    return count;
+}
+
+burnish_status render_warn_needs(render_result *result, const cli_need *needs, size_t count,
+                                 burnish_error *error) {
+    burnish_error line;
+    for (size_t at = 0;
+         cli_next_useless(&render_command, result->settings, needs, count, &at, &line);) {
+        if (result->settings->input.load.strict) {
+            *error = line;
+            return line.status;
+        }
+        render_result_warn(result, 1, "%s", line.text);
+    }
+    return BURNISH_STATUS_OK;
+}
+
+burnish_status render_warn_useless(render_result *result, const burnish_mesh *mesh,
+                                   burnish_error *error) {
+    cli_need needs[RENDER_NEEDS_MAX];
+    const size_t count = mesh ? render_list_input_needs(result->settings, mesh, needs)
+                              : render_list_needs(result->settings, needs);
+    if (!result->settings->job.is_one_of_many) {
+        return render_warn_needs(result, needs, count, error);
+    }
+    for (size_t i = 0; mesh && i < count; ++i) {
+        result->unmet |= needs[i].is_met ? 0 : 1U << i;
+    }
+    return BURNISH_STATUS_OK;
 }

@@ -16,6 +16,7 @@
 #include "render/scene/options.h"
 #include "render/scene/origin.h"
 #include "render/scene/up.h"
+#include "render/useless.h"
 
 struct session {
     burnish_context *context;
@@ -26,6 +27,7 @@ struct session {
     render_camera_settings stance; /* stands_otherwise and sheet of the mesh */
     render_coloring coloring;      /* of the mesh; has the name itself */
     burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
+    int is_strict;                 /* as the mesh was opened */
     size_t loading_warnings;       /* count; later warnings are about the picture */
     burnish_renderer *renderer;
     render_settings settings;
@@ -265,11 +267,19 @@ static burnish_status keep_materials(session *s, burnish_error *error) {
                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu materials", count);
 }
 
+static burnish_status warn_useless(session *s, burnish_error *error) {
+    const burnish_status status = render_warn_useless(&s->result, NULL, error);
+    return status == BURNISH_STATUS_OK ? render_warn_useless(&s->result, s->mesh, error) : status;
+}
+
 /* Prepares a loaded mesh for drawing. */
 static burnish_status finish(session *s, burnish_status status, burnish_error *error) {
     burnish_render_options no_lights = {.light_count = 0};
     for (size_t i = 0; i < burnish_mesh_get_warning_count(s->mesh); ++i) {
         render_result_warn(&s->result, 1, "%s", burnish_mesh_get_warning(s->mesh, i));
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = warn_useless(s, error);
     }
     if (status == BURNISH_STATUS_OK) {
         render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &no_lights,
@@ -284,6 +294,7 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
         s->coloring.by = s->coloring.by ? strdup(s->coloring.by) : NULL; /* NULL: no legend */
     }
     s->loading_warnings = s->result.warning_count;
+    s->is_strict = s->settings.input.load.strict;
     if (status == BURNISH_STATUS_OK) {
         status = keep_materials(s, error);
     }
@@ -443,7 +454,13 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     s->settings.camera.up = up; /* the mesh's */
     s->settings.camera.stands_otherwise = s->stance.stands_otherwise;
     s->settings.camera.sheet = s->stance.sheet;
+    s->settings.input.load.strict = s->is_strict;
     if (status == BURNISH_STATUS_OK) {
+        status = warn_useless(s, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        burnish_render_options unused;
+        render_drop_file_lights(&s->settings, s->mesh, &unused);
         status = set_materials(s, error);
     }
     return end(s, status == BURNISH_STATUS_OK ? draw(s, error) : status, options.naming, error);

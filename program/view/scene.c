@@ -9,9 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/main.h"
 #include "cli/output.h"
 #include "render/scene/origin.h"
 #include "render/scene/up.h"
+#include "render/useless.h"
 
 static int is_cancelled(void *user_data) {
     const view_scene *scene = user_data;
@@ -58,6 +60,16 @@ static burnish_status cut(const render_clip *clip, burnish_mesh *mesh, burnish_e
     return status;
 }
 
+/* Flags in vain, once. Keys change views, projection and look: what flags need of those can come. */
+static burnish_status warn_useless(const render_settings *settings, const burnish_mesh *mesh,
+                                   burnish_error *error) {
+    cli_need needs[RENDER_NEEDS_MAX];
+    size_t count = render_list_input_needs(settings, mesh, needs);
+    needs[count++] = render_environment_need(settings);
+    return cli_check_needs(&render_command, settings, needs, count, settings->input.load.strict, 0,
+                           error);
+}
+
 burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
     render_settings settings = scene->given;
     burnish_mesh *mesh = NULL;
@@ -73,8 +85,12 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
         scene->high[k] = view->bounds_max[k] + view->origin[k];
         scene->triangles = view->triangle_count;
     }
+    if (status == BURNISH_STATUS_OK && !scene->mesh) {
+        status = warn_useless(&settings, mesh, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         const char *warning;
+        render_drop_file_lights(&settings, mesh, &options);
         render_subtract_origin(&settings.camera, &settings.input.clip, &options, view->origin);
         status = render_add_own_lights(&settings.shading.lights, mesh, &options, &warning, error);
     }

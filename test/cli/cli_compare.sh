@@ -113,7 +113,6 @@ error=$(json error)
 "$burnish" compare teapot.png red.png --json >"$out"
 check "compare has the same error: $(json error), $error" [ "$(json error)" = "$error" ]
 expect 0 '' render :teapot --size=48 --color=red --reference=teapot.png --reference-threshold="$error" -o again.png
-expect 2 'burnish: --reference-threshold: there is no reference; name it with --reference=FILE' render :teapot --reference-threshold=0.1 -o again.png
 expect 2 'burnish: --output: "teapot.png" is an input; name another file' render :teapot --reference=teapot.png -o teapot.png
 expect 2 'burnish: --reference-difference: "again.png" is used for another file; choose another name' render :teapot --reference=teapot.png --reference-difference=again.png -o again.png
 expect 3 "burnish: none.png: can't be opened: No such file or directory" render :teapot --reference=none.png -o again.png

@@ -27,12 +27,12 @@ other labels
 other font
 other no-labels
 same output-format=svg
-refused quality=50
+same quality=50
 drawn dpi=300
 same plane=depth:../d.npy
 other turntable
-refused frames=10
-refused fps=10
+same frames=10
+same fps=10
 other runners
 other runner
 same overwrite
@@ -205,7 +205,7 @@ done
 run render ../block.obj --look=drawing --views=third-angle --annotate=dimensions,axes --dpi=100 -o a.svg
 check "each length once: $(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -c 'aria-label="[0-9.]*"' a.svg)" = 3 ]
 expect 2 'burnish: --views: first-angle is a whole sheet; omit the other views' render :sphere --views=top,first-angle
-expect 2 'burnish: --zoom: a sheet of aligned views has its own layout; omit the flag' render :sphere --views=third-angle --zoom=2
+expect 2 'burnish: --lobe: a sheet of aligned views shows one lobe; omit the others' render :sphere --views=third-angle --lobe=power,schlick
 expect 2 'burnish: --camera-orthographic: aligned views are parallel; omit the flag' render :sphere --views=third-angle --camera-orthographic=no
 expect 2 'burnish: sheet: 100 x 100 pixels; aligned views need 240 to 16384 a side' render :sphere --views=third-angle --size=100
 rm a.svg a.png
@@ -216,31 +216,98 @@ run render :torus --look=drawing --clip=0,0,1,0.1 --annotate=dimensions --thread
 check "threads and instruction sets" cmp a.svg b.svg
 rm a.svg b.svg
 
-# Flags that change nothing.
-useless() {
+# Flags without an effect: a warning, the same picture, and an error with --strict.
+useless() { # FLAG WHY ARGUMENTS...
     flag=$1
     why=$2
     shift 2
-    expect 2 "burnish: --$flag: $why" render :sphere "$@"
+    expect 0 "burnish: warning: --$flag: no effect: $why" render "$@" -s 64 -o with.png
+    gives 2 render "$@" -s 64 -o strict.png --strict
+    check "$flag --strict: $(cat "$err")" grep -qxF "burnish: --$flag: no effect: $why" "$err"
+    for argument; do
+        shift
+        case $argument in
+        "--${flag%%=*}" | "--${flag%%=*}="*) ;;
+        *) set -- "$@" "$argument" ;;
+        esac
+    done
+    expect 0 '' render "$@" -s 64 -o without.png
+    check "$flag: the same picture" cmp with.png without.png
+    rm -f with.png without.png
 }
-frames='only a turntable has frames; use --turntable=FILE, or omit the flag'
-useless frames "$frames" --frames=10 -o a.png
-useless fps "$frames" --fps=10 -o a.png
-sheet='only a sheet has them; use several --views or lobes, or omit the flag'
-useless columns "$sheet" --columns=2 --views=front
-useless no-labels "$sheet" --no-labels
-useless labels "$sheet" --labels=a
-useless font "$sheet" --font=a.ttf
-lines='no lines are drawn; use --edges, or omit the flag'
-useless color-by 'a drawing has no colours; use another --look, or omit the flag' --color-by=height --look=drawing
-useless color-map 'no quantity is shown by colours; use --color-by, or omit the flag' --color-map=grey
-useless edge-color "$lines" --edge-color=red
-useless edge-width "$lines" --edge-width=3 --look=plain --views=front
-useless camera-view-angle 'a parallel projection has no angle; use --camera-orthographic=no, or omit the flag' \
-    --camera-view-angle=40 --views=front
-framed="the object is not framed, because other flags set the camera; omit the flag"
-useless margin "$framed" --margin=0.1 --camera-position=1,2,3
-useless margin "$framed" --margin=0.1 --camera-orthographic-height=3
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >part.obj
+frames='only a turntable has frames; use --turntable=FILE'
+useless frames "$frames" --frames=10 :sphere
+useless fps "$frames" --fps=10 :sphere
+sheet='only a sheet has cells; use several --views or lobes'
+useless columns "$sheet" --columns=2 --views=front :sphere
+useless no-labels "$sheet" --no-labels :sphere
+useless labels "$sheet" --labels=a,b :sphere
+useless font "$sheet" --font=a.ttf :sphere
+useless labels '--no-labels omits the labels; omit it' --labels=a,b --no-labels --views=front,top :sphere
+useless same-scale 'only a sheet has several scales; use several --views or lobes' --same-scale --views=front :sphere
+values='values of vertices are not shown; use --color-by'
+useless color-map "$values" --color-map=grey :sphere
+useless color-range "$values" --color-range=0:1 :sphere
+useless no-legend "$values" --no-legend :sphere
+useless color-map 'the colours of --color-by=normal are directions; use another value' --color-map=grey --color-by=normal :sphere
+lines='no lines are drawn; use --edges'
+useless edge-color "$lines" --edge-color=red :sphere
+useless edge-width "$lines" --edge-width=3 --look=plain --views=front :sphere
+useless camera-view-angle 'a parallel projection has no angle; use --camera-orthographic=no' --camera-view-angle=40 --views=front :sphere
+useless viewer 'the viewer of a parallel projection is distant; use --camera-orthographic=no' --viewer=distant --look=plain --views=top :sphere
+framed='other flags set the camera, so the object is not framed; omit one of them'
+useless margin "$framed" --margin=0.1 --camera-position=1,2,3 :sphere
+useless margin "$framed" --margin=0.1 --camera-orthographic-height=3 :sphere
+environment='there is no environment; use --environment=sky, room or a file'
+useless environment-turn "$environment" --environment-turn=20 :sphere
+useless environment-strength "$environment" --environment-strength=2 :sphere
+useless outline-contrast 'a transparent background has no colour; omit --no-background' --outline-contrast=99 --no-background :sphere
+shaded='a drawing is not shaded; use another --look'
+for flag in opacity=0.5 specular=1 exponent=9 equation=phong viewer=distant light=directional:1,1,1 lobe=power; do
+    useless "${flag%%=*}" "$shaded" --look=drawing "--$flag" :teapot
+done
+useless quality 'only JPEG and WebP have it; use the extension .jpg or .webp' --quality=50 :sphere
+useless reference-threshold 'there is no reference; use --reference=FILE' --reference-threshold=0.1 :sphere
+# What the input decides
+useless camera 'INPUT has no cameras; omit the flag' --camera=0 part.obj
+useless camera '--views already sets the camera; omit one of them' --camera=0 --views=top part.obj
+useless light=file 'INPUT has no lights; omit the flag' --light=file part.obj
+useless animation 'only glTF files have animations; omit the flag' --animation=walk part.obj
+useless animation-time 'only glTF files have animations; omit the flag' --animation-time=3 part.obj
+useless tessellation 'only built-in objects such as :teapot have patches; omit the flag' --tessellation=3 part.obj
+useless point-size 'only points and lines have a size, and INPUT has faces; omit the flag' --point-size=3 part.obj
+expect 0 'burnish: warning: --zoom: no effect: a sheet of aligned views has its own layout; use other --views' \
+    :sphere --views=third-angle --zoom=2 --size=300 -o with.png
+expect 0 '' :sphere --views=third-angle --size=300 -o without.png
+check "zoom: the same sheet" cmp with.png without.png
+expect 0 'burnish: warning: --recursive: no effect: no INPUT is a folder; omit the flag' part.obj -r -s 8
+run part.obj --columns=2 --point-size=3 -s 8 --json -q
+same "warnings in JSON" "$(json warnings | grep -o noeffect | wc -l)$(cat "$err")" 2
+# Of several inputs one is enough; otherwise there is one line.
+expect 0 '' part.obj :sphere --tessellation=3 -d several -s 8
+expect 0 'burnish: warning: --point-size: no effect: only points and lines have a size, and INPUT has faces; omit the flag' \
+    batch part.obj :sphere --point-size=3 -d several -s 8
+gives 2 batch part.obj :sphere --point-size=4 --strict -d several -s 8
+gives 0 compare part.obj :sphere --tessellation=3 --size=8 --threshold=1
+check "one side is enough: $(cat "$err")" [ ! -s "$err" ]
+gives 0 compare part.obj part.obj --tessellation=3 --size=8
+check "no side: $(cat "$err")" [ "$(grep -c '^burnish: warning: --tessellation: no effect' "$err")" = 1 ]
+gives 0 compare with.png with.png --azimuth=30
+check "pictures: $(cat "$err")" grep -qx 'burnish: warning: --azimuth: no effect: pictures are not drawn; name a mesh, or omit the flag' "$err"
+gives 0 compare with.png with.png --map=flip
+check "no picture: $(cat "$err")" grep -qx 'burnish: warning: --map: no effect: only the picture has panels; use --output=FILE' "$err"
+for flags in -r '--animation=a' '--tessellation=3'; do
+    gives 0 info part.obj $flags
+    check "info $flags: $(cat "$err")" grep -q -- "^burnish: warning: -.*: no effect: " "$err"
+    gives 2 info part.obj $flags --strict
+done
+gives 0 batch part.obj --title=a -d several -s 8
+check "title: $(cat "$err")" grep -qx 'burnish: warning: --title: no effect: only the page shows it; use --index' "$err"
+gives 0 lobe plot curves --bits=8 --format=csv -o -
+check "bits: $(cat "$err")" grep -q '^burnish: warning: --bits: no effect: ' "$err"
+rm -r several with.png without.png part.obj part.png
+expect 2 'burnish: --color-by: a drawing has no colours; use another --look, or omit the flag' :sphere --color-by=height --look=drawing
 nothing_left "useless flags"
 for flags in '--edge-color=red --views=front' '--edge-width=2 --edges' '--margin=0.1 --camera-orthographic' \
     '--views=front --camera-orthographic=no --camera-view-angle=40' '--columns=1 --views=front,top'; do

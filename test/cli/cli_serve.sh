@@ -69,7 +69,7 @@ printf 'v 0 0\n' >bad.obj
     request 7 '{"name": "a.obj", "flags": ["--size=32"], "files": [{"name": "m.mtl", "bytes": 18}]}' a.obj m.mtl
     request 4294967295 '{"name": ":teapot", "flags": ["--views=front,top", "--color-by=height", "--no-labels"]}'
     request 3 '{"flags": ["--output-format=jpeg", "--quality=50"]}' a.obj
-    request 0 '{"name": "a.obj", "flags": ["--no-libraries"]}' a.obj
+    request 0 '{"name": "a.obj", "flags": ["--no-libraries", "--animation=walk", "--columns=2"]}' a.obj
 } >in
 serve -j1 --size=24
 check "exit code $code: $(cat "$err")" [ "$code" = 0 ]
@@ -88,6 +88,7 @@ for id in 7 4294967295 3 0; do
     check "request $id: $(cat $id.line)" grep -q '^{"code":0,"report":{"burnish":' $id.line
 done
 check "a warning: $(cat 3.line)" grep -q '"warnings":\["mesh:1: material library \\"m.mtl\\" was not read (m.mtl: is not one of the files' 3.line
+check "flags in vain: $(cat 0.line)" grep -q '"warnings":\["--columns: no effect: only a sheet [^"]*","--animation: no effect: [^"]*"\]' 0.line
 rm -f ./*.line ./*.picture ./*.png ./*.jpg
 
 # What fails ends nothing.

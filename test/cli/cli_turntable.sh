@@ -15,8 +15,6 @@ expect 2 'burnish: --views: a turntable shows only one view and one lobe; omit t
 expect 2 'burnish: --plane: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --plane=depth:d.npy
 expect 2 'burnish: --annotate: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --annotate=box
 expect 2 'burnish: --no-background: .y4m has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
-expect 2 'burnish: --dpi: only PNG, JPEG, SVG and PDF have it; omit the flag' render :sphere --turntable=t.png --dpi=100
-expect 2 'burnish: --quality: only JPEG and WebP have it; omit the flag' render :sphere --turntable=t.gif --quality=50
 expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' render :sphere -o t.gif
 expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
 expect 2 'burnish: --runner: not available with --sandbox; omit one of them' render :sphere --turntable=t.gif --runner --sandbox

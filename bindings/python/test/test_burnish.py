@@ -141,6 +141,18 @@ class Pictures(unittest.TestCase):
         lonely = burnish.render(bytearray(files["textured.obj"]), name="textured.obj", size=64)
         self.assertIn("textured.mtl", lonely.warnings[0])
 
+    def test_options_in_vain(self):
+        mesh = burnish.load(DATA / "cube.obj", animation_time=3)
+        why = "animation_time: no effect: only glTF files have animations; omit the flag"
+        self.assertEqual(mesh.warnings, (why,))
+        self.assertEqual(mesh.render(size=8, camera="0", light="file").warnings, (
+            why, "camera: no effect: INPUT has no cameras; omit the flag", "light=file: no effect: INPUT has no lights; omit the flag"))
+        self.assertEqual(mesh.render(size=8, edge_color="red").warnings, (why, "edge_color: no effect: no lines are drawn; use edges"))
+        self.assertEqual(mesh.render(size=8, light="file").hash, mesh.render(size=8).hash)
+        strict = burnish.load(DATA / "cube.obj", strict=True)
+        with self.assertRaisesRegex(burnish.Error, "edge_color: no effect"):
+            strict.render(edge_color="red")
+
     @unittest.skipUnless(numpy, "no NumPy")
     def test_numpy_values(self):
         """Vectors and numbers of NumPy are values of options."""

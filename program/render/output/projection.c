@@ -9,31 +9,24 @@
 enum { SHEET_WIDTH = 1684, SHEET_HEIGHT = 1190 };
 
 burnish_status render_check_projection(render_settings *settings, burnish_error *error) {
-    static const char *const fixed[] = {"camera-orthographic-height",
-                                        "zoom",
-                                        "camera-focal-point",
-                                        "margin",
-                                        "columns",
-                                        "labels",
-                                        "no-labels",
-                                        "font",
-                                        "lobe"};
     static const char *const sizes[] = {"resolution", "size", "width", "height"};
     int has_size = 0;
     if (!render_is_projection(settings)) {
         return BURNISH_STATUS_OK;
     }
-    for (size_t i = 0; i < sizeof fixed / sizeof *fixed; ++i) {
-        if (cli_is_given(&render_command, settings, fixed[i])) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: a sheet of aligned views has its own layout; omit the flag",
-                            fixed[i]);
-        }
+    if (settings->shading.lobes.count > 1) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--lobe: a sheet of aligned views shows one lobe; omit the others");
     }
     if (settings->camera.projection == PROJECTION_PERSPECTIVE) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--camera-orthographic: aligned views are parallel; omit the flag");
     }
+    settings->camera.orthographic_height.given = 0;
+    settings->camera.zoom.value = 1;
+    settings->camera.focal_point.given = 0;
+    settings->picture.columns = settings->picture.no_labels = 0;
+    settings->picture.labels = settings->picture.font = NULL;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
         has_size |= cli_is_given(&render_command, settings, sizes[i]);
     }

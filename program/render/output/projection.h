@@ -10,7 +10,8 @@ static inline int render_is_projection(const render_settings *settings) {
            settings->picture.views.count == BURNISH_SHEET_VIEWS;
 }
 
-/* Refuses flags that the sheet leaves no choice, and finds its size. */
+/* Drops flags that the sheet leaves no choice, and finds its size. Errors: ARGUMENT for several
+ * lobes, or a perspective. */
 burnish_status render_check_projection(render_settings *settings, burnish_error *error);
 
 /* Lays out the sheet of a loaded mesh, and gives cells their sizes and cameras. */

@@ -54,6 +54,7 @@ typedef struct render_result {
         burnish_image image;     /* empty without --reference */
         picture_verdict verdict; /* with 0 pixels if the sizes differ */
     } reference;
+    unsigned unmet;  /* needs of the input, by number, of a picture of a batch */
     char **warnings; /* warning_count lines, owned */
     size_t warning_count;
 } render_result;

@@ -379,10 +379,6 @@ static burnish_status own_camera(const burnish_mesh *mesh, const render_settings
             return BURNISH_STATUS_OK;
         }
     }
-    if (count == 0) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--camera: the input has no cameras; omit the flag");
-    }
     return cli_fail(
         error, BURNISH_STATUS_ARGUMENT,
         "--camera: \"%s\" is not one of the input's %zu; use a name, or a number from 0 to %zu",
@@ -400,9 +396,10 @@ burnish_status render_camera(const burnish_mesh *mesh, const render_settings *se
                           fit_options(settings, view, room), room};
     *camera = (burnish_camera){.view_angle = settings->camera.view_angle.value};
     burnish_status status =
-        settings->camera.own && view == VIEW_FREE ? own_camera(mesh, settings, camera, error)
-        : settings->camera.position.given         ? explicit_camera(from, camera, error)
-                                                  : framed_camera(from, view, camera, error);
+        settings->camera.own && view == VIEW_FREE && burnish_mesh_get_camera_count(mesh) > 0
+            ? own_camera(mesh, settings, camera, error)
+        : settings->camera.position.given ? explicit_camera(from, camera, error)
+                                          : framed_camera(from, view, camera, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

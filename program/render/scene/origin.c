@@ -1,4 +1,5 @@
 #include "render/scene/origin.h"
+#include "render/scene/options.h"
 
 static void subtract(double position[3], const double origin[3]) {
     for (int k = 0; k < 3; ++k) {
@@ -37,6 +38,16 @@ void render_subtract_origin(render_camera_settings *camera, render_clip *clip,
     }
 }
 
+void render_drop_file_lights(render_settings *settings, const burnish_mesh *mesh,
+                             burnish_render_options *options) {
+    render_lights *lights = &settings->shading.lights;
+    if (lights->of_file && burnish_mesh_get_light_count(mesh) == 0) {
+        lights->of_file = 0;
+        lights->given = lights->count + lights->area_count > 0;
+        *options = render_make_options(settings);
+    }
+}
+
 burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,
                                      burnish_render_options *options, const char **warning,
                                      burnish_error *error) {
@@ -44,10 +55,6 @@ burnish_status render_add_own_lights(const render_lights *lights, const burnish_
     *warning = NULL;
     if (!lights->of_file) {
         return BURNISH_STATUS_OK;
-    }
-    if (count == 0) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--light=file: the input has no lights; omit the flag");
     }
     if (count > (size_t)(BURNISH_LIGHT_MAX - options->light_count)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -8,9 +8,13 @@
 void render_subtract_origin(render_camera_settings *camera, render_clip *clip,
                             burnish_render_options *options, const double origin[3]);
 
+/* Forgets --light=file if the mesh has no lights: the options get the look's, unless the command line
+ * has other lights. Call it before the materials are adjusted. */
+void render_drop_file_lights(render_settings *settings, const burnish_mesh *mesh,
+                             burnish_render_options *options);
+
 /* Adds the mesh's own lights to the options' if `lights` asks for them, in coordinates of the mesh.
- * *warning: what is drawn differently from the file, or NULL. Errors: ARGUMENT, a mesh without
- * lights, or too many. */
+ * *warning: what is drawn differently from the file, or NULL. Errors: ARGUMENT, too many lights. */
 burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,
                                      burnish_render_options *options, const char **warning,
                                      burnish_error *error);

@@ -18,6 +18,7 @@ typedef struct render_job_settings {
     cli_real max_overdraw, max_seconds;
     uint64_t max_memory; /* 0: no limit */
     int timing, quiet;
+    int is_one_of_many; /* 1: a batch warns about flags itself */
 
     /* Receives the result once the picture is drawn, before the file is in place; NULL: none. */
     void (*on_result)(void *user_data, const struct render_result *result);
