@@ -51,6 +51,11 @@ static void print_quoted(const char *text, const char *escaped) {
     }
 }
 
+/* Whether the value is several of the flag's words, between commas. */
+static int takes_list(const cli_flag *flag) {
+    return flag->value && strcmp(flag->value, "LIST") == 0;
+}
+
 /* ---- bash ---- */
 
 static void print_bash_command(const cli_command *command) {
@@ -62,11 +67,10 @@ static void print_bash_command(const cli_command *command) {
     printf("--help'\n        case $previous in\n");
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
         if (flag->words) {
-            printf("        --%s) words='", flag->name);
+            printf("        --%s) %s%swords='", flag->name,
+                   flag->optional ? "[[ $joined ]] && " : "", takes_list(flag) ? "list=1 " : "");
             print_words(flag->words, " ");
             printf("' ;;\n");
-        } else if (flag->file && flag->letter) {
-            printf("        -%c) files=1 ;;\n", flag->letter);
         }
     }
     if (cli_topic_at(command, 0)) {
@@ -77,11 +81,33 @@ static void print_bash_command(const cli_command *command) {
     printf("        esac ;;\n");
 }
 
+/* The words after a command with parts, and after help. */
+static void print_bash_parts(void) {
+    for (size_t i = 0; cli_commands[i]; ++i) {
+        const cli_command *whole = cli_commands[i];
+        if (whole->parts) {
+            printf("    if [[ $command == %s ]]; then\n"
+                   "        ((COMP_CWORD == 2)) && words='",
+                   whole->name);
+            print_names(whole->parts);
+            printf(" --help'\n        command+=\" ${COMP_WORDS[2]}\"\n    fi\n"
+                   "    [[ $command == help && $previous == %s ]] && words='",
+                   whole->name);
+            print_names(whole->parts);
+            printf("'\n");
+        }
+    }
+}
+
+/* File names are left to readline, which knows how to quote them. */
 static void print_bash(void) {
     printf("# bash completion of burnish; made by burnish help --completion=bash\n"
            "_burnish() {\n"
            "    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
-           "    local command=${COMP_WORDS[1]} flags='' words='' files='' joined=''\n"
+           "    local command=${COMP_WORDS[1]} flags='' words='' list='' prefix='' joined=''\n"
+           "    local commands='");
+    print_names(cli_commands);
+    printf("'\n"
            "    COMPREPLY=()\n"
            "    # bash takes = for a word of its own\n"
            "    if [[ $current == = ]]; then\n"
@@ -89,33 +115,30 @@ static void print_bash(void) {
            "    elif [[ $previous == = ]]; then\n"
            "        previous=${COMP_WORDS[COMP_CWORD-2]} joined=1\n"
            "    fi\n"
-           "    if ((COMP_CWORD == 1)); then\n        COMPREPLY=($(compgen -W '");
-    print_names(cli_commands);
-    printf(" --help --version' -- \"$current\"))\n        return\n    fi\n");
-    for (size_t i = 0; cli_commands[i]; ++i) {
-        const cli_command *whole = cli_commands[i];
-        if (whole->parts) {
-            printf("    if [[ $command == %s ]]; then\n"
-                   "        if ((COMP_CWORD == 2)); then\n            COMPREPLY=($(compgen -W '",
-                   whole->name);
-            print_names(whole->parts);
-            printf(" --help' -- \"$current\"))\n            return\n        fi\n"
-                   "        command+=\" ${COMP_WORDS[2]}\"\n    fi\n");
-        }
-    }
+           "    if ((COMP_CWORD == 1)) && [[ $current != -* ]]; then\n"
+           "        COMPREPLY=($(compgen -W \"$commands\" -- \"$current\"))\n"
+           "        if [[ ${COMPREPLY[*]} ]]; then\n"
+           "            mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -f -- \"$current\")\n"
+           "            compopt -o filenames\n"
+           "        fi\n"
+           "        return\n    fi\n"
+           "    [[ \" $commands \" == *\" $command \"* ]] || command=render\n"
+           "    [[ $command == help && $previous == help ]] && words=$commands\n");
+    print_bash_parts();
     printf("    case $command in\n");
     visit(cli_commands, print_bash_command);
     printf("    esac\n"
-           "    if [[ $words ]]; then\n"
-           "        COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
-           "    elif [[ $current == -* && ! $files ]]; then\n"
+           "    ((COMP_CWORD == 1)) && flags+=' --version'\n"
+           "    if [[ $current == -* && ! $joined ]]; then\n"
            "        COMPREPLY=($(compgen -W \"$flags\" -- \"$current\"))\n"
            "        [[ ${COMPREPLY[0]} == *= ]] && compopt -o nospace\n"
-           "    else\n"
-           "        COMPREPLY=($(compgen -f -- \"$current\"))\n"
-           "        compopt -o filenames\n"
+           "    elif [[ $words ]]; then\n"
+           "        [[ $list && $current == *,* ]] && prefix=${current%%,*},\n"
+           "        COMPREPLY=($(compgen -P \"$prefix\" -W \"$words\" -- \"${current##*,}\"))\n"
+           "        [[ $list ]] && compopt -o nospace\n"
+           "        compopt +o default\n"
            "    fi\n"
-           "}\ncomplete -F _burnish burnish\n");
+           "}\ncomplete -o default -F _burnish burnish\n");
 }
 
 /* ---- zsh ---- */
@@ -131,9 +154,9 @@ static void print_zsh_command(const cli_command *command) {
             printf(flag->optional ? "::" : ":");
             print_quoted(flag->value, "[]:\\");
             if (flag->words) {
-                printf(":(");
+                printf(takes_list(flag) ? ":_values -s , word " : ":(");
                 print_words(flag->words, " ");
-                printf(")");
+                printf(takes_list(flag) ? "" : ")");
             } else {
                 printf(":%s", flag->file ? "_files" : " ");
             }
@@ -147,39 +170,62 @@ static void print_zsh_command(const cli_command *command) {
     } else {
         printf("            '--help[this screen]'");
     }
-    printf(" '*:file:_files' ;;\n");
+    if (command == &cli_help_command) {
+        printf(" '*:command:(");
+        print_names(cli_commands);
+        for (size_t i = 0; cli_commands[i]; ++i) {
+            if (cli_commands[i]->parts) {
+                printf(" ");
+                print_names(cli_commands[i]->parts);
+            }
+        }
+        printf(")' ;;\n");
+    } else {
+        printf(" '*:file:_files' ;;\n");
+    }
 }
 
 static void print_zsh(void) {
     printf("#compdef burnish\n# zsh completion of burnish; made by burnish help --completion=zsh\n"
-           "_burnish() {\n    local command=$words[2]\n"
-           "    if ((CURRENT == 2)); then\n        compadd -- ");
+           "_burnish() {\n    local command=$words[2]\n    local -a commands=(");
     print_names(cli_commands);
-    printf(" --help --version\n        return\n    fi\n");
+    printf(")\n    if ((CURRENT == 2)) && [[ $command != -* ]]; then\n"
+           "        compadd -a commands\n        _files\n        return\n    fi\n"
+           "    if ((CURRENT == 2)); then\n        compadd -- --version\n    fi\n"
+           "    if ((! $commands[(Ie)$command])); then\n        command=render\n"
+           "    else\n        shift words\n        ((CURRENT--))\n    fi\n");
     for (size_t i = 0; cli_commands[i]; ++i) {
         const cli_command *whole = cli_commands[i];
         if (whole->parts) {
             printf("    if [[ $command == %s ]]; then\n"
-                   "        if ((CURRENT == 3)); then\n            compadd -- ",
+                   "        if ((CURRENT == 2)); then\n            compadd -- ",
                    whole->name);
             print_names(whole->parts);
             printf(" --help\n            return\n        fi\n"
-                   "        command+=\" $words[3]\"\n        shift words\n"
+                   "        command+=\" $words[2]\"\n        shift words\n"
                    "        ((CURRENT--))\n    fi\n");
         }
     }
-    printf("    shift words\n    ((CURRENT--))\n    case $command in\n");
+    printf("    case $command in\n");
     visit(cli_commands, print_zsh_command);
     printf("    esac\n}\n_burnish \"$@\"\n");
 }
 
 /* ---- fish ---- */
 
-/* The condition under which a flag of the command is offered. */
+/* The condition under which a flag of the command is offered: render is implied. */
 static void print_fish_condition(const cli_command *command) {
     const char *space = strchr(command->name, ' ');
-    printf("complete -c burnish -n '__fish_seen_subcommand_from %.*s",
-           space ? (int)(space - command->name) : (int)strlen(command->name), command->name);
+    printf("complete -c burnish -n '");
+    if (command == &render_command) {
+        printf("not __fish_seen_subcommand_from");
+        for (size_t i = 0; cli_commands[i]; ++i) {
+            printf(cli_commands[i] == command ? "" : " %s", cli_commands[i]->name);
+        }
+    } else {
+        printf("__fish_seen_subcommand_from %.*s",
+               space ? (int)(space - command->name) : (int)strlen(command->name), command->name);
+    }
     if (space) {
         printf("; and __fish_seen_subcommand_from %s", space + 1);
     }
@@ -198,9 +244,9 @@ static void print_fish_command(const cli_command *command) {
             printf(flag->file ? " -r -F" : " -x");
         }
         if (flag->words) {
-            printf(" -a '");
+            printf(takes_list(flag) ? " -a '(__fish_append , " : " -a '");
             print_words(flag->words, " ");
-            printf("'");
+            printf(takes_list(flag) ? ")'" : "'");
         }
         printf(" -d '");
         for (const char *c = flag->help; *c; ++c) {
@@ -222,7 +268,7 @@ static void print_fish(void) {
     printf("# fish completion of burnish; made by burnish help --completion=fish\n");
     for (size_t i = 0; cli_commands[i]; ++i) {
         const cli_command *whole = cli_commands[i];
-        printf("complete -c burnish -n __fish_use_subcommand -f -a %s\n", whole->name);
+        printf("complete -c burnish -n __fish_use_subcommand -a %s\n", whole->name);
         if (whole->parts) {
             printf("complete -c burnish -n '__fish_seen_subcommand_from %s; and not "
                    "__fish_seen_subcommand_from ",
@@ -233,6 +279,9 @@ static void print_fish(void) {
             printf("'\n");
         }
     }
+    printf("complete -c burnish -n '__fish_seen_subcommand_from help' -f -a '");
+    print_names(cli_commands);
+    printf("'\n");
     visit(cli_commands, print_fish_command);
 }
 
