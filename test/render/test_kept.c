@@ -148,11 +148,38 @@ static burnish_mesh *make_quads(void) {
     return create_mesh(&arrays, NULL);
 }
 
+/* Points, with alpha or without colours, up to more than the other meshes have vertices. */
+static burnish_mesh *make_cloud(void) {
+    enum { MOST = 600 };
+    struct {
+        float position[3];
+        uint32_t color;
+    } points[MOST];
+    char file[512 + sizeof points];
+    const int count = 20 + below(MOST - 20);
+    const int size = snprintf(file, sizeof file,
+                              "ply\nformat binary_little_endian 1.0\nelement vertex %d\n"
+                              "property float x\nproperty float y\nproperty float z\n%s"
+                              "end_header\n",
+                              count,
+                              chance(50) ? "property uchar red\nproperty uchar green\n"
+                                           "property uchar blue\nproperty uchar alpha\n"
+                                         : "property int id\n");
+    for (int i = 0; i < count; ++i) {
+        points[i].color = test_random32(&state);
+        for (int k = 0; k < 3; ++k) {
+            points[i].position[k] = (float)uniform(-1, 1);
+        }
+    }
+    memcpy(file + size, points, (size_t)count * sizeof *points);
+    return load_bytes(file, (size_t)size + (size_t)count * sizeof *points, NULL, NULL);
+}
+
 static burnish_mesh *make_mesh(void) {
     static const char *const names[] = {":knot", ":torus", ":sphere"};
     burnish_load_options load = burnish_load_options_default();
     if (chance(75)) {
-        return make_quads();
+        return chance(75) ? make_quads() : make_cloud();
     }
     load.tessellation = 3;
     load.measure = 1; /* cuts are filled */

@@ -397,7 +397,8 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         }
         memset(worker->bounds, 0, sizeof worker->bounds);
         worker->tile.attributes[0] = surface->attributes->normals;
-        worker->tile.attributes[1] = surface->attributes->colors;
+        worker->tile.attributes[1] =
+            surface->attributes->has_colors ? surface->attributes->colors : NULL;
     }
     return status;
 }
