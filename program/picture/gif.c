@@ -12,8 +12,8 @@
 
 enum {
     NOTHING = 255, /* the index that shows what was there before, or nothing */
-    CODES = 1 << 24,
-    MIX = 16, /* pixels that mix colours of the palette to another one */
+    MIX = 16,      /* pixels that mix colours of the palette to another one */
+    MIX_BITS = 15, /* mixes that are kept: 640 KiB */
     LZW_CLEAR = 256,
     LZW_END = 257,
     LZW_MAX = 4095,
@@ -32,12 +32,16 @@ typedef struct lzw {
     uint16_t codes[LZW_SLOTS];
 } lzw;
 
+typedef struct color_mix {
+    uint32_t key;         /* 1 + the colour; 0: free */
+    uint8_t indices[MIX]; /* the darkest first */
+} color_mix;
+
 typedef struct gif_state {
     uint8_t *indices, *before; /* of this frame and of the one before */
     int is_transparent;
     lzw coder;
-    picture_bytes mixes;     /* MIX indices each */
-    uint32_t numbers[CODES]; /* of a colour's mix, from 1; 0: not chosen yet */
+    color_mix mixes[1 << MIX_BITS]; /* by a hash of their colours; a new one replaces another */
 } gif_state;
 
 /* ---- LZW ---- */
@@ -167,21 +171,20 @@ static void choose_mix(const picture_palette *palette, const uint8_t color[3], u
     }
 }
 
-/* The mix of a colour; chosen once. NULL without memory. */
+/* The mix of a colour. */
 static const uint8_t *find_mix(gif_state *state, const picture_palette *palette,
                                const uint8_t color[3]) {
-    uint32_t *number = &state->numbers[color[0] << 16 | color[1] << 8 | color[2]];
-    if (*number == 0) {
-        uint8_t mix[MIX];
-        choose_mix(palette, color, mix);
-        picture_put(&state->mixes, mix, MIX);
-        *number = (uint32_t)(state->mixes.size / MIX);
+    const uint32_t key = 1 + ((uint32_t)color[0] << 16 | (uint32_t)color[1] << 8 | color[2]);
+    color_mix *mix = &state->mixes[key * 2654435761U >> (32 - MIX_BITS)];
+    if (mix->key != key) {
+        mix->key = key;
+        choose_mix(palette, color, mix->indices);
     }
-    return state->mixes.failed ? NULL : state->mixes.data + (size_t)(*number - 1) * MIX;
+    return mix->indices;
 }
 
-/* Returns 0 without memory. */
-static int map_frame(gif_state *state, const picture_palette *palette, const burnish_image *frame) {
+static void map_frame(gif_state *state, const picture_palette *palette,
+                      const burnish_image *frame) {
     const size_t channels = (size_t)frame->channels, width = (size_t)frame->width;
     const uint8_t *pixel = frame->pixels;
     for (int y = 0; y < frame->height; ++y) {
@@ -191,16 +194,12 @@ static int map_frame(gif_state *state, const picture_palette *palette, const bur
             const size_t run = picture_run(pixel, width - x, channels), end = x + run;
             const uint8_t *mix = find_mix(state, palette, pixel);
             const int is_seen = channels == 3 || pixel[3] >= 128;
-            if (!mix) {
-                return 0;
-            }
             for (; x < end; ++x) {
                 row[x] = is_seen ? mix[rank[x & 3]] : NOTHING;
             }
             pixel += run * channels;
         }
     }
-    return 1;
 }
 
 /* Indices that are those of the frame before become NOTHING. [*left, *right] grows by the others.
@@ -291,10 +290,7 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
                      picture_time(animation, animation->index, 100);
     int box[4] = {0, 0, frame->width, frame->height};
     (void)error;
-    if (!map_frame(state, animation->options.palette, frame)) {
-        out->failed = 1;
-        return BURNISH_STATUS_OK;
-    }
+    map_frame(state, animation->options.palette, frame);
     if (!state->is_transparent) {
         drop_unchanged(state, frame->width, frame->height, box);
     }
@@ -323,7 +319,6 @@ static void destroy(void *from) {
     gif_state *state = from;
     free(state->indices);
     free(state->before);
-    free(state->mixes.data);
     free(state);
 }
 

@@ -11,11 +11,9 @@ enum {
     ROUNDS = 6 /* of k-means; after them next to nothing moves */
 };
 
-/* Pages of codes without a colour are neither read nor cleared: most of 64 MB. */
 enum { CODES_PER_PAGE = 256 };
 struct picture_histogram {
-    uint8_t has_colors[CODES / CODES_PER_PAGE];
-    uint32_t counts[CODES];
+    uint32_t *pages[CODES / CODES_PER_PAGE]; /* counts; NULL: none of its colours occurs */
 };
 
 /* A colour that occurs. */
@@ -35,24 +33,38 @@ picture_histogram *picture_histogram_create(void) {
 }
 
 void picture_histogram_destroy(picture_histogram *histogram) {
+    for (size_t i = 0; histogram && i < CODES / CODES_PER_PAGE; ++i) {
+        free(histogram->pages[i]);
+    }
     free(histogram);
 }
 
-void picture_histogram_add(picture_histogram *histogram, const burnish_image *image) {
+/* The counter of a colour; NULL without memory. */
+static uint32_t *find_counter(picture_histogram *histogram, const uint8_t color[3]) {
+    uint32_t **counts = &histogram->pages[color[0] << 8 | color[1]];
+    if (!*counts) {
+        *counts = calloc(CODES_PER_PAGE, sizeof **counts);
+    }
+    return *counts ? *counts + color[2] : NULL;
+}
+
+int picture_histogram_add(picture_histogram *histogram, const burnish_image *image) {
     const size_t channels = (size_t)image->channels;
     const uint8_t *pixel = image->pixels;
     size_t left = (size_t)image->width * (size_t)image->height;
     while (left > 0) {
         const size_t run = picture_run(pixel, left, channels);
-        const uint32_t code = (uint32_t)(pixel[0] << 16 | pixel[1] << 8 | pixel[2]);
         if (channels == 3 || pixel[3] >= 128) {
-            uint32_t *counter = &histogram->counts[code];
+            uint32_t *counter = find_counter(histogram, pixel);
+            if (!counter) {
+                return 0;
+            }
             *counter = run > UINT32_MAX - *counter ? UINT32_MAX : *counter + (uint32_t)run;
-            histogram->has_colors[code / CODES_PER_PAGE] = 1;
         }
         pixel += run * channels;
         left -= run;
     }
+    return 1;
 }
 
 /* Square root, rounded down: a large flat part shall not take all colours from a small one. */
@@ -67,18 +79,19 @@ static uint32_t root(uint32_t value) {
 
 static entry *list_entries(const picture_histogram *histogram, size_t *count) {
     size_t most = 1;
-    for (size_t page = 0; page < CODES / CODES_PER_PAGE; ++page) {
-        most += histogram->has_colors[page] ? CODES_PER_PAGE : 0;
+    for (size_t i = 0; i < CODES / CODES_PER_PAGE; ++i) {
+        most += histogram->pages[i] ? CODES_PER_PAGE : 0;
     }
     entry *entries = malloc(most * sizeof *entries);
     *count = 0;
     for (uint32_t code = 0; code < CODES && entries; ++code) {
-        if (!histogram->has_colors[code / CODES_PER_PAGE]) {
+        const uint32_t *counts = histogram->pages[code / CODES_PER_PAGE];
+        if (!counts) {
             code += CODES_PER_PAGE - 1;
-        } else if (histogram->counts[code] > 0) {
+        } else if (counts[code % CODES_PER_PAGE] > 0) {
             entries[(*count)++] =
                 (entry){{(uint8_t)(code >> 16), (uint8_t)(code >> 8), (uint8_t)code},
-                        root(histogram->counts[code])};
+                        root(counts[code % CODES_PER_PAGE])};
         }
     }
     return entries;

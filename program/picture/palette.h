@@ -25,15 +25,15 @@ static inline size_t picture_run(const uint8_t *pixel, size_t count, size_t chan
     return run;
 }
 
-/* How often each of the 2^24 colours occurs: 64 MiB, of which only what occurs is touched. */
+/* How often each colour occurs: 512 KiB, and 1 KiB for each pair of red and green that occurs. */
 typedef struct picture_histogram picture_histogram;
 
 /* NULL without memory. */
 picture_histogram *picture_histogram_create(void);
 void picture_histogram_destroy(picture_histogram *histogram); /* NULL is allowed */
 
-/* Counts an image's pixels, but for those whose alpha is below 128. */
-void picture_histogram_add(picture_histogram *histogram, const burnish_image *image);
+/* Counts an image's pixels, but for those whose alpha is below 128. Returns 0 without memory. */
+int picture_histogram_add(picture_histogram *histogram, const burnish_image *image);
 
 /* The colours themselves where they are few enough; else the ones that are nearest to all, and
  * `ground` exactly, so that it stays one flat colour. Integers only: the same on every machine.

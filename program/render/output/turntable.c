@@ -351,14 +351,14 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
                          ? malloc(SAMPLED * size)
                          : NULL;
     picture_histogram *histogram = picture_histogram_create();
-    burnish_status status = histogram ? BURNISH_STATUS_OK
-                                      : cli_fail(error, BURNISH_STATUS_MEMORY,
-                                                 "out of memory: the palette; write APNG or WebP");
+    burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < sampled && status == BURNISH_STATUS_OK; ++i) {
         s->kept[i] = (int)((long)i * count / sampled);
         status = draw_frame(s, s->kept[i], error);
-        if (status == BURNISH_STATUS_OK) {
-            picture_histogram_add(histogram, image);
+        if (status == BURNISH_STATUS_OK &&
+            !(histogram && picture_histogram_add(histogram, image))) {
+            status = cli_fail(error, BURNISH_STATUS_MEMORY,
+                              "out of memory: the palette; write APNG or WebP");
         }
         if (status == BURNISH_STATUS_OK && s->kept_pixels) {
             memcpy(s->kept_pixels + (size_t)i * size, image->pixels, size);
