@@ -1,4 +1,4 @@
-/* Little-endian numbers at any address. */
+/* Little-endian numbers at any address, and text. */
 #ifndef BURNISH_CORE_BYTES_H
 #define BURNISH_CORE_BYTES_H
 
@@ -29,6 +29,16 @@ static inline void burnish_store32(uint8_t *p, uint32_t value) {
     p[1] = (uint8_t)(value >> 8);
     p[2] = (uint8_t)(value >> 16);
     p[3] = (uint8_t)(value >> 24);
+}
+
+/* Whether bytes are text: without control characters but white space and DEL, which some names
+ * have. */
+static inline int burnish_are_text(const uint8_t *bytes, size_t size) {
+    int are_text = 1;
+    for (size_t i = 0; i < size; ++i) {
+        are_text &= bytes[i] >= ' ' || (bytes[i] >= '\t' && bytes[i] <= '\r');
+    }
+    return are_text;
 }
 
 #endif

@@ -55,15 +55,6 @@ static int has_extension(const char *name, const char *extensions) {
     return 0;
 }
 
-/* Whether bytes are text: without control characters. */
-static int is_all_text(const uint8_t *bytes, size_t size) {
-    int is_text = 1;
-    for (size_t i = 0; i < size; ++i) {
-        is_text &= bytes[i] >= ' ' || (bytes[i] >= '\t' && bytes[i] <= '\r');
-    }
-    return is_text;
-}
-
 /* AUTO: none. */
 static burnish_format format_of_name(const char *name) {
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0 && name; --i) {
@@ -82,7 +73,7 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
     /* text or an archive that starts like another format, not like the named one */
     if (named != BURNISH_FORMAT_AUTO && !formats[named].reader->recognise(bytes, size) &&
         (burnish_reader_3mf.recognise(bytes, size) ||
-         is_all_text(bytes, size < LOOKED_AT ? size : LOOKED_AT))) {
+         burnish_are_text(bytes, size < LOOKED_AT ? size : LOOKED_AT))) {
         name = NULL;
     }
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0; --i) {
@@ -113,7 +104,7 @@ static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
             any |= bits << 1; /* without the sign */
         }
     }
-    return any && !is_all_text(bytes, size);
+    return any && !burnish_are_text(bytes, size);
 }
 
 /* Wrapped text, or an archive. In UTF-16, more than half of a mesh's characters are ASCII. */

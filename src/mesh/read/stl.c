@@ -557,18 +557,6 @@ static int starts_as_text(const uint8_t *bytes, size_t size) {
     return burnish_lexer_word(&lexer, &word) && burnish_token_is_caseless(word, "solid");
 }
 
-/* Text has no control characters; a binary file has zeros in the upper bytes of its count at the
- * latest. */
-static int has_no_controls(const uint8_t *bytes, size_t size) {
-    for (size_t i = 0; i < size && i < LOOKED_AT; ++i) {
-        uint8_t c = bytes[i];
-        if ((c < 32 && !(c >= '\t' && c <= '\r')) || c == 127) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* A size that matches the count is not an accident, whatever the file is called. */
 static int recognise(const uint8_t *bytes, size_t size) {
     return burnish_is_binary_stl(bytes, size) ? 1 + (size > HEADER_SIZE)
@@ -579,8 +567,8 @@ static burnish_status read_input(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     burnish_status status;
     const size_t head = burnish_reader_head(reader);
-    const int is_text =
-        !burnish_is_binary_stl(input->bytes, input->size) && has_no_controls(input->bytes, head);
+    const int is_text = !burnish_is_binary_stl(input->bytes, input->size) &&
+                        burnish_are_text(input->bytes, head < LOOKED_AT ? head : LOOKED_AT);
     if (is_text && starts_as_text(input->bytes, head)) {
         status = read_text(reader);
     } else if (is_text && input->size >= HEADER_SIZE) {

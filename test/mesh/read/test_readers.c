@@ -20,6 +20,13 @@ static void test_stl(void) {
     CHECK1(position_is(&s, 2, 0, 1.5f, -20) && position_is(&s, 5, 3, 1, 0));
     CHECK1(triangle_is(&s, 1, 3, 4, 5));
     burnish_mesh_data_destroy(&s);
+    /* a name is any text, also with DEL */
+    read_good_text(BURNISH_FORMAT_STL,
+                   "solid a\x7F\xE9\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                   "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid",
+                   &s);
+    CHECK1(s.triangle_count == 1);
+    burnish_mesh_data_destroy(&s);
 }
 
 static void test_binary_stl(void) {
