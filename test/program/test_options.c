@@ -184,8 +184,9 @@ static void test_colors(void) {
     parsed p = parse("x|--no-background|--background-color=#123456");
     CHECK(!p.settings.picture.background.transparent && p.settings.picture.background.given,
           "the later counts");
-    CHECK1(parse("x|--background-color=#123456|--no-background")
-               .settings.picture.background.transparent);
+    p = parse("x|--background-color=#123456|--no-background");
+    CHECK(p.settings.picture.background.transparent && !p.settings.picture.background.given,
+          "the later counts");
     CHECK1(parse("x|--background-color=none").settings.picture.background.transparent);
 }
 

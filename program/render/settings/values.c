@@ -59,8 +59,7 @@ burnish_status render_flag_no_background(const cli_flag *flag, const char *text,
                                          burnish_error *error) {
     render_background *background = target;
     (void)flag, (void)text, (void)error;
-    background->transparent = 1;
-    background->environment = 0;
+    *background = (render_background){.transparent = 1};
     return BURNISH_STATUS_OK;
 }
 
