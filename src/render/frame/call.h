@@ -15,7 +15,7 @@
 typedef struct burnish_picture_key {
     uint64_t version; /* burnish_transparency.version; 0: no picture */
     burnish_camera camera;
-    burnish_raster_view view;
+    burnish_raster_view view; /* with size and samples */
     int ignore_colors, cull_back_faces;
     burnish_edge_flags edges;
     float edge_width, edge_opacity;

@@ -28,9 +28,11 @@ static long vertex_at(const burnish_mesh_view *view, float x, float y) {
 static int color_is_at(const burnish_mesh *mesh, float x, float y, unsigned rgba) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const long i = vertex_at(view, x, y);
+    if (i < 0 || !view->colors) {
+        return 0;
+    }
     const uint8_t *c = view->colors + 4 * i;
-    return i >= 0 && view->colors &&
-           ((unsigned)c[0] << 24 | (unsigned)c[1] << 16 | (unsigned)c[2] << 8 | c[3]) == rgba;
+    return ((unsigned)c[0] << 24 | (unsigned)c[1] << 16 | (unsigned)c[2] << 8 | c[3]) == rgba;
 }
 
 #define SQUARE "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
