@@ -35,7 +35,7 @@ BURNISH_API burnish_status burnish_drawing_create(const burnish_context *context
 /* Encodes a drawing as SVG, with the same bytes on every machine. It contains only paths, whose
  * coordinates are pixels with two decimals. Letters are paths with an aria-label, so the file needs
  * no font.
- *   title          UTF-8; NULL: no title
+ *   title          UTF-8; what is not becomes '?'; NULL: no title
  *   background     sRGB; NULL: transparent
  *   dots_per_inch  [1, 1e6]: the size is in millimetres, 25.4 pixels / dots_per_inch; 0: the size
  *                  is in pixels

@@ -630,6 +630,14 @@ static void test_arguments(void) {
     text = svg_of(drawing, 0);
     CHECK1(strstr(text, "width=\"1000\" height=\"700\""));
     burnish_release(NULL, text);
+    CHECK_OK(burnish_drawing_encode_svg(drawing,
+                                        "\xC3\xA9<&\">\n\x7F\xEF\xBF\xBD\xEF\xBF\xBE"
+                                        "\xEF\xBF\xBF\xFF\xED\xA0\x80\xF0\x9F\x91",
+                                        NULL, 0, &text, &size, &error),
+             error);
+    CHECK1(strstr(text, "<title>\xC3\xA9&lt;&amp;&quot;&gt; ?\xEF\xBF\xBD?????????"
+                        "</title>"));
+    burnish_release(NULL, text);
     burnish_drawing_destroy(drawing);
     burnish_drawing_destroy(NULL);
 }

@@ -110,16 +110,13 @@ static burnish_status encode_drawing(const render_result *result, const burnish_
     const render_settings *settings = result->settings;
     const burnish_render_options *options = result->options;
     const char *slash = strrchr(settings->input.name, '/');
-    char title[256], *text = NULL;
-    snprintf(title, sizeof title, "%s", slash ? slash + 1 : settings->input.name);
-    for (char *c = title; *c; ++c) {
-        *c = (signed char)*c < 0 ? '?' : *c; /* names can contain bytes that are not UTF-8 */
-    }
+    char *text = NULL;
     const burnish_status status =
         (settings->output.format == PICTURE_PDF ? burnish_drawing_encode_pdf
                                                 : burnish_drawing_encode_svg)(
-            drawing, title, options->transparent ? NULL : options->background,
-            settings->output.dots_per_inch.value, &text, &file->size, error);
+            drawing, slash ? slash + 1 : settings->input.name,
+            options->transparent ? NULL : options->background, settings->output.dots_per_inch.value,
+            &text, &file->size, error);
     file->bytes = (uint8_t *)text;
     file->release = release_text;
     return status;

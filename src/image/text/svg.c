@@ -13,20 +13,35 @@ typedef struct svg {
     int32_t x, y;  /* that point, hundredths */
 } svg;
 
-/* Replaces XML's special characters, and characters that XML does not allow. */
+/* What replaces a character of `size` bytes (0: not UTF-8) that XML would read or not allow; NULL:
+ * nothing. */
+static const char *replacement(const char *text, size_t size) {
+    switch (*text) {
+    case '&':
+        return "&amp;";
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '"':
+        return "&quot;";
+    default:
+        break;
+    }
+    if (*text > 0 && *text < ' ') {
+        return " ";
+    }
+    const int is_noncharacter =
+        size == 3 && (memcmp(text, "\xEF\xBF\xBE", 3) == 0 || memcmp(text, "\xEF\xBF\xBF", 3) == 0);
+    return size == 0 || is_noncharacter ? "?" : NULL;
+}
+
 static void put_escaped(svg *w, const char *text) {
-    for (; *text; ++text) {
-        const unsigned char c = (unsigned char)*text;
-        const char *escaped = c == '&'   ? "&amp;"
-                              : c == '<' ? "&lt;"
-                              : c == '>' ? "&gt;"
-                              : c == '"' ? "&quot;"
-                                         : NULL;
-        if (escaped) {
-            burnish_put_text(&w->out, escaped);
-        } else {
-            burnish_put(&w->out, c < ' ' || c == 127 ? " " : text, 1);
-        }
+    while (*text) {
+        const size_t size = burnish_printable_size(text);
+        const char *replaced = replacement(text, size);
+        burnish_put(&w->out, replaced ? replaced : text, replaced ? strlen(replaced) : size);
+        text += size > 0 ? size : 1;
     }
 }
 
