@@ -15,7 +15,11 @@ void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a,
         {(float)a.x, (float)a.y, (float)b.x, (float)b.y, (float)(width / 2)}, layer};
 }
 
+/* The nearest whole number. From 2^52 on all are whole; a camera within the object sees as far. */
 static double whole(double value) {
+    if (!(value > -0x1p52 && value < 0x1p52)) {
+        return value;
+    }
     return value < 0 ? -(double)(int64_t)(0.5 - value) : (double)(int64_t)(value + 0.5);
 }
 

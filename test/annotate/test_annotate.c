@@ -319,6 +319,10 @@ static void test_extremes(void) {
                 CHECK1(isfinite(made.list.lines[k].stroke.x0) &&
                        isfinite(made.list.lines[k].stroke.y1));
             }
+            const burnish_point far_away = {1e39, -1e39}; /* the end of an edge next to the eye */
+            const burnish_annotation_label label =
+                burnish_annotation_label_at(&made.view, "1", far_away, BURNISH_LAYER_LINES);
+            CHECK1(label.x > 0.9e39 && label.baseline < -0.9e39);
             drop(&made);
         }
         burnish_annotate_options annotations = burnish_annotate_options_default();
