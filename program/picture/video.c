@@ -28,6 +28,9 @@ burnish_status picture_write_video(const char *container, const char *path,
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include "cli/write.h"
 #include "core/close_descriptors.h"
@@ -67,7 +70,8 @@ typedef struct encoder {
 
 /* The new process, until it becomes ffmpeg. A width or height that is odd loses a row of pixels,
  * since chroma has half the resolution. */
-static void become_ffmpeg(const encoder *e, int frames, const char *file, const char *container) {
+static void become_ffmpeg(const encoder *e, int frames, pid_t parent, const char *file,
+                          const char *container) {
     const char *const arguments[] = {"ffmpeg",
                                      "-nostdin",
                                      "-loglevel",
@@ -101,6 +105,12 @@ static void become_ffmpeg(const encoder *e, int frames, const char *file, const 
                                      "-y",
                                      "/dev/fd/1",
                                      NULL};
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    if (getppid() != parent) {
+        _exit(1);
+    }
     signal(SIGPIPE, SIG_DFL);
     signal(SIGXFSZ, SIG_DFL);
     /* standard streams may be closed, and so these be below 3 */
@@ -116,6 +126,7 @@ static void become_ffmpeg(const encoder *e, int frames, const char *file, const 
 
 static int start(encoder *e, const char *container) {
     char file[4096];
+    const pid_t self = getpid();
     int ends[2] = {-1, -1};
     *e = (encoder){-1, -1, cli_unnamed_file(), cli_unnamed_file()};
     if (e->video < 0 || e->messages < 0 || !find_ffmpeg(file) || pipe(ends) != 0) {
@@ -124,14 +135,14 @@ static int start(encoder *e, const char *container) {
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     e->process = fork();
     if (e->process == 0) {
-        become_ffmpeg(e, ends[0], file, container);
+        become_ffmpeg(e, ends[0], self, file, container);
     }
     close(ends[0]);
     e->frames = ends[1];
     return e->process > 0;
 }
 
-/* Closes the pipe and waits. Returns 1 if ffmpeg has succeeded. */
+/* Closes the pipe and waits. Returns 1 if ffmpeg has succeeded and written something. */
 static int finish(encoder *e) {
     int state = -1;
     if (e->frames >= 0) {
@@ -139,7 +150,7 @@ static int finish(encoder *e) {
     }
     while (e->process > 0 && waitpid(e->process, &state, 0) < 0 && errno == EINTR) {
     }
-    return WIFEXITED(state) && WEXITSTATUS(state) == 0;
+    return WIFEXITED(state) && WEXITSTATUS(state) == 0 && lseek(e->video, 0, SEEK_END) > 0;
 }
 
 /* The first line of ffmpeg's messages. */

@@ -196,6 +196,12 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
                         "--no-background: .%s has no alpha; write PNG or WebP",
                         picture_extension(format));
     }
+    if (picture_container(format) &&
+        (settings->picture.size[0] < 2 || settings->picture.size[1] < 2)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--resolution: a .%s has at least 2 x 2 pixels; write PNG, WebP or GIF",
+                        picture_extension(format));
+    }
     if (format == PICTURE_GIF && settings->output.fps > PICTURE_GIF_FPS_MAX) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--fps: a GIF has at most %d frames per second; write PNG, WebP or Y4M",

@@ -57,6 +57,15 @@ stream_refused 4 'byte 0: not a mesh stream: its first 8 bytes are wrong, or it 
 importer "head -c 200 '$bin/all.bms'"
 stream_refused 4 'byte 16: the stream states 400 bytes and needs at least 384 for its counts, but has 200; it is truncated or damaged'
 
+# An importer has its three streams, and no descriptor that burnish was given.
+if command -v python3 >/dev/null; then
+    importer "[ -e /proc/\$\$/fd/300 ] && echo 300 >'$bin/held'; cat '$bin/all.bms'"
+    check "with descriptor 300" python3 -c 'import os, sys
+os.dup2(1, 300)
+os.execv(sys.argv[1], sys.argv[1:])' "$burnish" info a.fbx
+    check "an importer has descriptors of others" [ ! -e "$bin/held" ]
+fi
+
 # Some files are known by their first bytes: the importer is not started, and need not be there.
 lfs='version https://git-lfs.github.com/spec/v1
 oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393

@@ -15,6 +15,7 @@ expect 2 'burnish: --views: a turntable shows only one view and one lobe; omit t
 expect 2 'burnish: --plane: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --plane=depth:d.npy
 expect 2 'burnish: --annotate: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --annotate=box
 expect 2 'burnish: --no-background: .y4m has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
+expect 2 'burnish: --resolution: a .mp4 has at least 2 x 2 pixels; write PNG, WebP or GIF' render :sphere --turntable=t.mp4 --resolution=1,8
 expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' render :sphere -o t.gif
 expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
 expect 2 'burnish: --runner: not available with --sandbox; omit one of them' render :sphere --turntable=t.gif --runner --sandbox
@@ -48,6 +49,11 @@ check "the report is JSON" valid_json
 run render :sphere $few --turntable=t.gif --frames=5 --json
 check "the hash is not that of the first frame" [ "$(json hash)" = "$first" ]
 
+# The tables of a GIF take little more room than those of an APNG.
+if "$burnish" render :sphere $few --threads=1 --max-memory=70M --turntable=t.png 2>/dev/null; then # not with the sanitizers
+    gives 0 render :sphere $few --threads=1 --max-memory=70M --turntable=t.gif
+fi
+
 # The same bytes with every instruction set and number of threads, without compression by a library.
 for isa in $(instruction_sets); do
     for threads in 1 2 7; do
@@ -57,6 +63,15 @@ for isa in $(instruction_sets); do
     done
 done
 check "turntables differ: $(cat sums)" [ "$(sort -u sums | wc -l)" = 1 ]
+
+# ends PROCESS: within 10 seconds.
+ends() {
+    tries=0
+    while ! ended "$1" && [ $tries -lt 100 ]; do
+        tries=$((tries + 1)) && sleep 0.1
+    done
+    [ $tries -lt 100 ]
+}
 
 # Videos: ffmpeg gets the bytes of a Y4M. One that succeeds copies them; others fail early, late, or are missing. Its output is /dev/fd/1,
 # which minimal containers lack: there it is what /dev/fd is a link to.
@@ -80,6 +95,18 @@ for sandbox in $sandboxes; do
     fake 'echo "no such encoder" >&2; exit 1'
     video 7 render :knot $few --turntable=kept.mp4 $sandbox
     same "$sandbox: ffmpeg's error" "$(cat "$err")" "burnish: kept.mp4: ffmpeg failed: no such encoder; no file was written"
+    fake 'cat >/dev/null'
+    video 7 render :knot $few --turntable=kept.mp4 $sandbox
+    fake 'echo $$ >process; exec sleep 1000'
+    video 5 render :knot --size=512 --frames=30 --max-seconds=1 --turntable=kept.mp4 $sandbox
+    check "$sandbox: ffmpeg runs on after burnish" ends "$(cat process)"
+    if command -v python3 >/dev/null; then # shells name ten descriptors
+        fake 'for file; do :; done; [ -e /proc/$$/fd/300 ] && echo 300 >held; cat >"/proc/self${file#/dev}"'
+        check "with descriptor 300" python3 -c 'import os, sys
+os.dup2(1, 300)
+os.execve(sys.argv[1], sys.argv[1:], {"PATH": os.getcwd() + "/bin:/usr/bin:/bin"})' "$burnish" render :knot $few --turntable=v.mp4 $sandbox
+        check "$sandbox: ffmpeg has descriptors of others" [ ! -e held ]
+    fi
     fake 'for file; do :; done; cat >"/proc/self${file#/dev}"; kill -9 $$'
     video 7 render :knot $few --turntable=kept.mp4 $sandbox
     fake 'for file; do :; done; cat >"/proc/self${file#/dev}"'
