@@ -16,9 +16,10 @@
 
 /* ---- Files ---- */
 
+/* Opening another file than a regular one may wait for ever. */
 static stamp stamp_of(const char *path) {
     struct stat info;
-    if (!path || path[0] == ':' || stat(path, &info) != 0) {
+    if (!path || path[0] == ':' || stat(path, &info) != 0 || !S_ISREG(info.st_mode)) {
         return (stamp){.size = -1};
     }
     return (stamp){info.st_size, info.st_mtim.tv_sec, info.st_mtim.tv_nsec, (long long)info.st_ino};

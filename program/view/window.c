@@ -329,6 +329,10 @@ static burnish_status open_window(viewer *v, burnish_error *error) {
     v->sdl.SDL_SetHint(SDL_HINT_APP_NAME, "burnish");
     v->sdl.SDL_SetHint("SDL_VIDEO_X11_WMCLASS", "burnish");
     v->sdl.SDL_SetHint("SDL_VIDEO_WAYLAND_WMCLASS", "burnish");
+#ifndef _WIN32
+    setenv("DBUS_SESSION_BUS_ADDRESS",
+           "disabled:", 0); /* SDL would start a bus, which outlives it */
+#endif
     const int failed = v->sdl.SDL_Init(SDL_INIT_VIDEO) != 0;
     if (failed || is_invisible(v)) {
         return cli_fail(error, BURNISH_STATUS_READ,

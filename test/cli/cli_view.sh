@@ -26,6 +26,13 @@ SDL_VIDEODRIVER=none run view :sphere --do=quit
 check "no display: exit code $code" [ "$code" = 3 ]
 check "no display: one line: $(cat "$err")" grep -q '^burnish: view: no window can be opened: .*; use burnish render without a display$' "$err"
 
+# SDL starts no other program.
+mkdir bin && printf '#!/bin/sh\ntouch "%s/started"\n' "$PWD" >bin/dbus-launch && chmod +x bin/dbus-launch
+check "a window without a bus" env -u DBUS_SESSION_BUS_ADDRESS DISPLAY=:0 PATH="$PWD/bin:$PATH" \
+    "$burnish" view :sphere --resolution=64,64 --do=quit
+check "a bus was started" [ ! -e started ]
+rm -rf bin started
+
 # same_picture ACTIONS INPUT FLAGS...: key P saves the picture that the command printed by key C writes.
 same_picture() {
     actions=$1

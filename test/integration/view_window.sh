@@ -103,7 +103,11 @@ printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nver
 draw one part.stl
 open part.stl
 becomes "a file" "$shots/one.png"
-sed 's/vertex 0 1 0/vertex 0 2 1/' part.stl >next.stl && mv next.stl part.stl
+cp part.stl old.stl
+mkfifo next.stl && mv next.stl part.stl # nobody writes to it
+sleep 1
+sed 's/vertex 0 1 0/vertex 0 2 1/' old.stl >next.stl && mv next.stl part.stl
+rm -f old.stl
 draw two part.stl
 becomes "the file has changed" "$shots/two.png"
 check "which is no other picture" sh -c "! '$burnish' compare '$shots/one.png' '$shots/two.png'"
