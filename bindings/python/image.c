@@ -69,6 +69,18 @@ static PyObject *take_planes(const module_state *state, session *s, const burnis
     return planes;
 }
 
+static void set_image(image_object *self, burnish_image image, uint64_t covered_pixels) {
+    self->image = image;
+    self->covered_pixels = covered_pixels;
+    self->layout = (array_layout){
+        .items = image.pixels,
+        .format = "B",
+        .item_size = 1,
+        .dimensions = 3,
+        .shape = {image.height, image.width, image.channels},
+    };
+}
+
 PyObject *image_take(const module_state *state, session *s) {
     image_object *self = module_allocate(state->image_type);
     if (!self) {
@@ -76,15 +88,7 @@ PyObject *image_take(const module_state *state, session *s) {
     }
     const burnish_camera camera = session_camera(s);
     self->hash = session_hash(s);
-    self->covered_pixels = session_report(s)->covered_pixels;
-    self->image = session_take_image(s);
-    self->layout = (array_layout){
-        .items = self->image.pixels,
-        .format = "B",
-        .item_size = 1,
-        .dimensions = 3,
-        .shape = {self->image.height, self->image.width, self->image.channels},
-    };
+    set_image(self, session_take_image(s), session_report(s)->covered_pixels);
     self->camera = describe_camera(&camera);
     self->planes = take_planes(state, s, &self->image);
     self->warnings = image_warnings(s);
@@ -92,6 +96,39 @@ PyObject *image_take(const module_state *state, session *s) {
         Py_DECREF(self);
         return NULL;
     }
+    return (PyObject *)self;
+}
+
+PyObject *image_restore(PyObject *module, PyObject *arguments) {
+    const module_state *state = PyModule_GetState(module);
+    Py_buffer pixels;
+    int height, width, channels;
+    unsigned long long covered_pixels;
+    PyObject *camera, *planes, *warnings;
+    burnish_image image;
+    burnish_error error = {0};
+    if (!PyArg_ParseTuple(arguments, "y*(iii)KO!O!O!", &pixels, &height, &width, &channels,
+                          &covered_pixels, &PyDict_Type, &camera, &PyDict_Type, &planes,
+                          &PyTuple_Type, &warnings)) {
+        return NULL;
+    }
+    image_object *self = NULL;
+    if (burnish_image_create(NULL, &image, width, height, channels, &error) != BURNISH_STATUS_OK) {
+        module_fail(state, &error);
+    } else if (pixels.len != (Py_ssize_t)height * width * channels) {
+        PyErr_SetString(PyExc_ValueError, "the number of bytes is not that of the pixels");
+        burnish_image_destroy(&image);
+    } else if ((self = module_allocate(state->image_type)) == NULL) {
+        burnish_image_destroy(&image);
+    } else {
+        memcpy(image.pixels, pixels.buf, (size_t)pixels.len);
+        set_image(self, image, covered_pixels);
+        self->hash = burnish_image_hash(&image);
+        self->camera = Py_NewRef(camera);
+        self->planes = Py_NewRef(planes);
+        self->warnings = Py_NewRef(warnings);
+    }
+    PyBuffer_Release(&pixels);
     return (PyObject *)self;
 }
 

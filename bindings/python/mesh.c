@@ -1,5 +1,6 @@
 /* burnish.Mesh: a loaded mesh, which can be drawn many times. */
 #include <stdatomic.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cli/options.h"
@@ -82,12 +83,13 @@ static session_options options_of(const option_list *list) {
     return (session_options){list->items, list->count, SESSION_UNDERSCORES};
 }
 
-/* Reads a value: True, a text, or a tuple of floats, which go to *next. */
+/* Reads a value: a bool, a text, or a tuple of floats, which go to *next. */
 static int read_value(PyObject *value, session_option *option, double **next) {
     if (PyUnicode_Check(value)) {
         return PyArg_Parse(value, "s", &option->text);
     }
-    if (value == Py_True) {
+    if (PyBool_Check(value)) {
+        option->is_off = value == Py_False;
         return 1;
     }
     option->numbers = *next;
@@ -228,6 +230,26 @@ static void release_inputs(build_inputs *in) {
     array_release(&in->uv);
 }
 
+/* A wrong value in an array raises what the library's errors about arrays do. */
+static void convert_error(const module_state *state) {
+    PyObject *class, *value, *trace;
+    burnish_error error = {.status = BURNISH_STATUS_ARGUMENT};
+    if (!PyErr_ExceptionMatches(PyExc_ValueError)) {
+        return;
+    }
+    PyErr_Fetch(&class, &value, &trace);
+    PyObject *line = PyObject_Str(value);
+    const char *text = line ? PyUnicode_AsUTF8AndSize(line, NULL) : NULL;
+    if (text) {
+        snprintf(error.text, sizeof error.text, "%s", text);
+        module_fail(state, &error);
+    }
+    Py_XDECREF(line);
+    Py_XDECREF(class);
+    Py_XDECREF(value);
+    Py_XDECREF(trace);
+}
+
 PyObject *mesh_build(PyObject *module, PyObject *arguments) {
     const module_state *state = PyModule_GetState(module);
     burnish_mesh_description d = burnish_mesh_description_default();
@@ -247,6 +269,7 @@ PyObject *mesh_build(PyObject *module, PyObject *arguments) {
         !array_read_floats(normals, "normals", 3, &in.normals) ||
         !array_read_colors(colors, "colors", &in.colors) ||
         !array_read_floats(uv, "uv", 2, &in.uv)) {
+        convert_error(state);
         release_inputs(&in);
         release_options(&options);
         Py_XDECREF((PyObject *)self);
@@ -309,33 +332,33 @@ PyObject *mesh_check(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-/* Adds a command's flags: which of the two commands has each, its value's placeholder, its help. */
-static int add_flags(PyObject *names, const cli_command *command, const cli_command *other,
-                     int is_loading) {
-    for (size_t i = 0; cli_flag_at(command, i); ++i) {
-        const cli_flag *flag = cli_flag_at(command, i);
-        int is_both = 0;
-        for (size_t k = 0; cli_flag_at(other, k); ++k) {
-            is_both |= strcmp(cli_flag_at(other, k)->name, flag->name) == 0;
+/* (of loading, of drawing, the placeholder of the value, help, other names, words) */
+static PyObject *describe_flag(const cli_flag *flag, unsigned stages) {
+    PyObject *words = PyList_New(0);
+    for (const cli_word *word = flag->words; words && word && word->name; ++word) {
+        PyObject *name = PyUnicode_FromString(word->name);
+        if (!name || PyList_Append(words, name) != 0) {
+            Py_CLEAR(words);
         }
-        PyObject *row =
-            Py_BuildValue("(NNzz)", PyBool_FromLong(is_loading || is_both),
-                          PyBool_FromLong(!is_loading || is_both), flag->value, flag->help);
-        const int done = row && PyDict_SetItemString(names, flag->name, row) == 0;
-        Py_XDECREF(row);
-        if (!done) {
-            return 0;
-        }
+        Py_XDECREF(name);
     }
-    return 1;
+    return words ? Py_BuildValue("(NNzzzN)", PyBool_FromLong(stages & SESSION_LOADS),
+                                 PyBool_FromLong(stages & SESSION_DRAWS), flag->value, flag->help,
+                                 flag->also, words)
+                 : NULL;
 }
 
 PyObject *mesh_flags(PyObject *module, PyObject *unused) {
     (void)module, (void)unused;
     PyObject *names = PyDict_New();
-    if (names && !(add_flags(names, &session_draw_command, &session_open_command, 0) &&
-                   add_flags(names, &session_open_command, &session_draw_command, 1))) {
-        Py_CLEAR(names);
+    const cli_flag *flag;
+    unsigned stages;
+    for (size_t i = 0; names && (flag = session_flag_at(i, &stages)) != NULL; ++i) {
+        PyObject *row = describe_flag(flag, stages);
+        if (!row || PyDict_SetItemString(names, flag->name, row) != 0) {
+            Py_CLEAR(names);
+        }
+        Py_XDECREF(row);
     }
     return names;
 }

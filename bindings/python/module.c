@@ -24,10 +24,13 @@ void module_free(PyObject *object) {
     Py_DECREF(type);
 }
 
-/* Files that can't be read or written also raise what open() raises. */
+/* Files that can't be read or written also raise what open() raises, and arguments ValueError. */
 static PyObject *class_of(const module_state *state, const burnish_error *error) {
     const int is_file =
         error->status == BURNISH_STATUS_READ || error->status == BURNISH_STATUS_WRITE;
+    if (error->status == BURNISH_STATUS_ARGUMENT) {
+        return state->argument_error;
+    }
     return !is_file                                ? state->error
            : strstr(error->text, strerror(ENOENT)) ? state->missing_file_error
                                                    : state->file_error;
@@ -91,6 +94,9 @@ static int execute(PyObject *module) {
     module_state *state = PyModule_GetState(module);
     state->error = PyErr_NewExceptionWithDoc(
         "burnish.Error", "A one-line error; status is a word such as 'FORMAT'.", NULL, NULL);
+    state->argument_error =
+        derive("burnish.ArgumentError", "An option or an array has a wrong value.", state->error,
+               PyExc_ValueError);
     state->file_error = derive("burnish.FileError", "A file can't be read or written.",
                                state->error, PyExc_OSError);
     state->missing_file_error = derive("burnish.MissingFileError", "A file does not exist.",
@@ -99,7 +105,8 @@ static int execute(PyObject *module) {
     state->image_type = image_create_type(module);
     state->mesh_type = mesh_create_type(module);
     const int done =
-        add(module, "Error", state->error) && add(module, "FileError", state->file_error) &&
+        add(module, "Error", state->error) && add(module, "ArgumentError", state->argument_error) &&
+        add(module, "FileError", state->file_error) &&
         add(module, "MissingFileError", state->missing_file_error) &&
         add(module, "Array", state->array_type) && add(module, "Image", state->image_type) &&
         add(module, "Mesh", state->mesh_type) &&
@@ -111,6 +118,7 @@ static int execute(PyObject *module) {
 static int traverse(PyObject *module, visitproc visit, void *arg) {
     const module_state *state = PyModule_GetState(module);
     Py_VISIT(state->error);
+    Py_VISIT(state->argument_error);
     Py_VISIT(state->file_error);
     Py_VISIT(state->missing_file_error);
     Py_VISIT(state->array_type);
@@ -122,6 +130,7 @@ static int traverse(PyObject *module, visitproc visit, void *arg) {
 static int clear(PyObject *module) {
     module_state *state = PyModule_GetState(module);
     Py_CLEAR(state->error);
+    Py_CLEAR(state->argument_error);
     Py_CLEAR(state->file_error);
     Py_CLEAR(state->missing_file_error);
     Py_CLEAR(state->array_type);
@@ -142,7 +151,10 @@ static PyMethodDef functions[] = {
     {"build", mesh_build, METH_VARARGS,
      "build(cls, name, vertices, faces, normals, colors, uv, up, options)"},
     {"check", mesh_check, METH_VARARGS, "check(options)"},
-    {"flags", mesh_flags, METH_NOARGS, "flags() -> {name: (of loading, of drawing, value, help)}"},
+    {"flags", mesh_flags, METH_NOARGS,
+     "flags() -> {name: (of loading, of drawing, value, help, other names, words)}"},
+    {"image", image_restore, METH_VARARGS,
+     "image(pixels, shape, covered_pixels, camera, planes, warnings)"},
     {"lobe_values", lobe_values, METH_VARARGS, "lobe_values(lobe, exponent, cosines)"},
     {"lobe_exact", lobe_exact, METH_VARARGS, "lobe_exact(lobe, exponent, angles)"},
     {"lobe_row", lobe_row, METH_VARARGS, "lobe_row(lobe, exponent, metrics)"},

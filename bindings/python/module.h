@@ -11,8 +11,9 @@
 #include "session.h"
 
 typedef struct module_state {
-    PyObject *error;                               /* burnish.Error */
-    PyObject *file_error, *missing_file_error;     /* derived from it */
+    PyObject *error;          /* burnish.Error */
+    PyObject *argument_error; /* these are derived from it */
+    PyObject *file_error, *missing_file_error;
     PyObject *array_type, *image_type, *mesh_type; /* heap types */
     burnish_context *context;                      /* cancels calls when Python has a signal */
 } module_state;
@@ -77,6 +78,10 @@ void array_release(array_input *input);
 
 /* Creates an Image from the session's picture and its facts. */
 PyObject *image_take(const module_state *state, session *s);
+
+/* Creates an Image from a copy of its pixels and its other properties: image(pixels, (height, width,
+ * channels), covered_pixels, camera, planes, warnings). */
+PyObject *image_restore(PyObject *module, PyObject *arguments);
 
 /* The warnings of a session as a tuple of texts. */
 PyObject *image_warnings(const session *s);

@@ -4,6 +4,7 @@ BURNISH_BUILD names a build folder of the sources to build it in; without it the
 BURNISH_CMAKE has more options for CMake, and BURNISH_URL is the address of the repository.
 """
 
+import ast
 import os
 import re
 import shutil
@@ -13,6 +14,7 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
 from setuptools.command.sdist import sdist
 
 try:
@@ -47,6 +49,54 @@ class Build(build_ext):
         shutil.copyfile(folder / "bindings/python/_burnish.abi3.so", target)
 
 
+class Modules(build_py):
+    def run(self):
+        super().run()
+        stub = Path(self.build_lib, "burnish/__init__.pyi")
+        stub.write_text(ast.unparse(Stub().visit(ast.parse((HERE / "burnish/__init__.py").read_text()))))
+
+
+class Stub(ast.NodeTransformer):
+    """__init__.py as a stub whose functions name each option, for type checkers that do not know Unpack."""
+
+    def __init__(self):
+        tree = ast.parse((HERE / "burnish/_options.py").read_text())
+        self.classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+        self.types = [node.targets[0].id for node in tree.body if isinstance(node, ast.Assign)][1:]  # not __all__
+
+    def fields(self, name):
+        node = self.classes.get(name)
+        inherited = [field for base in node.bases for field in self.fields(base.id)] if node else []
+        return inherited + [field for field in (node.body if node else []) if isinstance(field, ast.AnnAssign)]
+
+    def visit_FunctionDef(self, node):
+        arguments = node.args
+        given = {argument.arg for argument in arguments.args + arguments.kwonlyargs}
+        for field in self.fields(arguments.kwarg.annotation.slice.id) if arguments.kwarg else []:
+            if field.target.id not in given:
+                kind = ast.BinOp(field.annotation, ast.BitOr(), ast.Constant(None))
+                arguments.kwonlyargs.append(ast.arg(field.target.id, kind))
+                arguments.kw_defaults.append(ast.Constant(...))
+        arguments.kwarg = None
+        node.body = node.body[:1] if ast.get_docstring(node) else [ast.Expr(ast.Constant(...))]
+        return None if re.match("_[^_]", node.name) else node
+
+    def visit_Import(self, node):
+        return node if node.names[0].name == "os" else None
+
+    def visit_ImportFrom(self, node):
+        more = {"typing": ["Literal", "Union"], "_options": self.types}.get(node.module, [])
+        names = [alias.name for alias in node.names if alias.name != "Unpack"]
+        node.names = [ast.alias(name) for name in dict.fromkeys(names + more)]
+        return node
+
+    def visit_Assign(self, node):
+        return node if node.targets[0].id in ("__all__", "Scene", "__slots__") else None
+
+    def visit_Expr(self, node):
+        return node if isinstance(node.value, ast.Constant) else None
+
+
 class Sources(sdist):
     """Puts what CMake reads into the folder sources."""
 
@@ -77,6 +127,6 @@ setup(
     version=version(),
     project_urls={"Source": URL} if URL else {},
     ext_modules=[Extension("burnish._burnish", sources=[], py_limited_api=True)],
-    cmdclass={"build_ext": Build, "bdist_wheel": Wheel, "sdist": Sources},
+    cmdclass={"build_ext": Build, "build_py": Modules, "bdist_wheel": Wheel, "sdist": Sources},
     options={"build": {"build_base": str(BASE / "base")}, "egg_info": {"egg_base": str(BASE)}},
 )

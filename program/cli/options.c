@@ -135,7 +135,7 @@ const cli_flag *cli_flag_at(const cli_command *command, size_t index) {
     return NULL;
 }
 
-static const cli_flag *find_flag(const cli_command *command, const char *name, size_t length) {
+const cli_flag *cli_find_flag(const cli_command *command, const char *name, size_t length) {
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
         if ((strlen(flag->name) == length && memcmp(flag->name, name, length) == 0) ||
@@ -161,7 +161,7 @@ static const cli_flag *flag_of_argument(const cli_command *command, const char *
     if (strncmp(argument, "--", 2) != 0 || !argument[2]) {
         return NULL;
     }
-    return find_flag(command, argument + 2, strcspn(argument + 2, "="));
+    return cli_find_flag(command, argument + 2, strcspn(argument + 2, "="));
 }
 
 static const char *flag_name_at(const void *list, size_t index) {
@@ -216,7 +216,7 @@ static uint64_t *given_bit(const cli_command *command, const cli_flag *flag, con
 }
 
 int cli_is_given(const cli_command *command, const void *settings, const char *name) {
-    const cli_flag *flag = find_flag(command, name, strlen(name));
+    const cli_flag *flag = cli_find_flag(command, name, strlen(name));
     uint64_t mask = 0;
     const uint64_t *bits = flag ? given_bit(command, flag, settings, &mask) : NULL;
     return bits && (*bits & mask) != 0;
@@ -445,7 +445,7 @@ burnish_status cli_parse(const cli_command *command, int argc, char **argv, void
 
 burnish_status cli_set(const cli_command *command, const char *name, const char *text,
                        void *settings, burnish_error *error) {
-    const cli_flag *flag = find_flag(command, name, strlen(name));
+    const cli_flag *flag = cli_find_flag(command, name, strlen(name));
     if (!flag) {
         char argument[CLI_NAME_MAX + 3];
         snprintf(argument, sizeof argument, "--%s", name);

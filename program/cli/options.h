@@ -57,6 +57,8 @@ struct cli_flag {
     const char *manual;        /* text of the man page */
     const char *also;          /* other accepted names, between commas; NULL: none */
     const char *aliases;       /* names in other programs, between commas: only for hints */
+    const char *off;           /* value that turns it off; NULL: none */
+    int repeats;               /* 1: repeated values add up; otherwise the last one counts */
     cli_handler *handler;
     size_t offset;         /* of the target in the command's settings */
     double low, high;      /* range of a number */
@@ -165,6 +167,9 @@ burnish_status cli_check_needs(const cli_command *command, const void *settings,
 
 /* The flags of a command, its own first and then its base's; NULL past the last. */
 const cli_flag *cli_flag_at(const cli_command *command, size_t index);
+
+/* The flag of a command with this name, or with it among its other names; NULL: none. */
+const cli_flag *cli_find_flag(const cli_command *command, const char *name, size_t length);
 
 /* "burnish lobe table" */
 typedef struct cli_command_name {

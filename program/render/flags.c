@@ -47,6 +47,7 @@ static const cli_word annotation_words[] = {{"axes", BURNISH_ANNOTATION_AXES},
                                             {"dimensions", BURNISH_ANNOTATION_DIMENSIONS},
                                             {"scale", BURNISH_ANNOTATION_SCALE},
                                             {"grid", BURNISH_ANNOTATION_GRID},
+                                            {"none", 0},
                                             {NULL, 0}};
 static const cli_word color_map_words[] = {{"viridis", BURNISH_COLOR_MAP_VIRIDIS},
                                            {"coolwarm", BURNISH_COLOR_MAP_COOLWARM},
@@ -149,6 +150,7 @@ static const cli_flag flags[] = {
     {CLI_FLAG("background-color", "COLOR", "#rgb, #rrggbb, r,g,b or a name", render_flag_background,
               picture.background),
      .default_label = "the look's", .common = 1, .also = "background", .aliases = "bg-color,bg",
+     .off = "none",
      .manual = "Colour of the background, see *COLOURS*, *none*, or *environment*: the environment "
                "of *--environment*, with its strength and turn. Parallel projections show it as a "
                "perspective of *--camera-view-angle* does. If *--no-background* is given too, the "
@@ -171,15 +173,16 @@ static const cli_flag flags[] = {
          "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
          "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
     {CLI_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
-     .words = annotation_words,
+     .words = annotation_words, .off = "none",
      .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",
      .manual =
          "Draws lines and numbers around the object, a list with commas: *axes*, the directions of "
          "X, Y and Z in a corner; *box*, the edges of the bounding box, dashed behind the object; "
          "*dimensions*, the lengths of the bounding box with arrows; *scale*, a bar of 1, 2 or 5 "
          "times a power of 10 (parallel projections only; in perspective it is omitted with a "
-         "warning); *grid*, lines on the ground with such a spacing, and the spacing. Numbers are "
-         "in the units of the input, rounded to four digits. Framing leaves room for annotations; "
+         "warning); *grid*, lines on the ground with such a spacing, and the spacing; *none*. "
+         "Numbers are in the units of the input, rounded to four digits. Framing leaves room for "
+         "annotations; "
          "one that does not fit is omitted with a warning."},
     {CLI_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),
      CLI_RANGE(1, 256), .default_label = "near a square",
@@ -215,6 +218,7 @@ static const cli_flag flags[] = {
     {CLI_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
               render_flag_plane, output.planes),
      .file = CLI_WRITES,
+     .repeats = 1,
      .manual =
          "Writes a buffer of numbers for each pixel to its own file, in addition to the picture; "
          "can be repeated. *depth* is the distance from the camera along its axis, *normal* the "
@@ -313,6 +317,7 @@ static const cli_flag flags[] = {
     {CLI_FLAG("camera-orthographic", "no", "parallel projection; no: perspective",
               render_flag_projection, camera.projection),
      .default_label = "for --views", .common = 1, .optional = 1, .aliases = "ortho,parallel",
+     .off = "no",
      .manual =
          "Parallel projection, which is the default for standard views; *no* draws all views in "
          "perspective. With *--camera-position* the object still fills the height of the picture."},
@@ -380,7 +385,7 @@ static const cli_flag flags[] = {
                "infinitely far away along the camera's axis."},
     {CLI_FLAG("light", "SPEC", "KIND:X,Y,Z[:...], file; repeatable", render_flag_light,
               shading.lights),
-     .default_label = "the look's",
+     .default_label = "the look's", .off = "none", .repeats = 1,
      .manual = "A light that replaces the lights of the look; see *LIGHTS*. "
                "Can be repeated: up to 64 lights and 8 area lights. *file* adds the lights of the "
                "input. *none* "
@@ -406,7 +411,7 @@ static const cli_flag flags[] = {
     {CLI_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
               shading.occlusion),
      CLI_RANGE(1, BURNISH_OCCLUSION_MAX), .default_label = "the look's",
-     .aliases = "ambient-occlusion,ao",
+     .aliases = "ambient-occlusion,ao", .off = "none",
      .manual = "Ambient occlusion darkens creases, holes and undersides. _N_ is the number of "
                "directions from which light arrives, or *none*; odd numbers are rounded up. More "
                "directions are smoother and slower."},
@@ -424,7 +429,7 @@ static const cli_flag flags[] = {
          "itself, and on the ground of *--ground*. In the look *studio*, or if all lights are area "
          "lights, the strongest area light does, as if all of its light came from its centre."},
     {CLI_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges), .common = 1,
-     .optional = 1, .words = edge_words, .aliases = "outline,outlines,feature-edges",
+     .optional = 1, .words = edge_words, .off = "none", .aliases = "outline,outlines,feature-edges",
      .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "
                "edges; *boundaries* of open surfaces; borders between *materials*; or *none*. "
                "Without _LIST_ all of them; without the flag the look decides. Lines at a step in "
@@ -460,7 +465,7 @@ static const cli_flag flags[] = {
      CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
     {CLI_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
               render_flag_clip, input.clip),
-     .aliases = "clipping,clip-plane,cut,section",
+     .aliases = "clipping,clip-plane,cut,section", .repeats = 1,
      .manual = "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
                "the coordinates of the input. *--clip=0,0,1,5* removes everything above z = 5. Can "
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "

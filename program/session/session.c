@@ -29,6 +29,7 @@ struct session {
     burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
     int is_strict;                 /* as the mesh was opened */
     size_t loading_warnings;       /* count; later warnings are about the picture */
+    size_t final_warnings;         /* count; in later ones flags have dashes */
     burnish_renderer *renderer;
     render_settings settings;
     render_result result;
@@ -42,7 +43,7 @@ struct session {
 /* ---- Options ---- */
 
 /* Options of loading a mesh, and of drawing a picture of it. */
-const cli_command session_open_command = {
+static const cli_command open_command = {
     .name = "open",
     .base = &render_command,
     .base_flags = "input-format,clip,color-by,color-map,color-range,normals,crease-angle,"
@@ -51,16 +52,17 @@ const cli_command session_open_command = {
                   "max-input-bytes,up,threads",
     .settings_size = sizeof(render_settings),
 };
-const cli_command session_draw_command = {
+static const cli_command draw_command = {
     .name = "render",
     .base = &render_command,
     .base_topics = "light",
-    .base_flags = "resolution,size,cull-back-faces,samples,background-color,no-background,views,"
-                  "no-legend,"
-                  "annotate,camera-direction,azimuth,elevation,camera,"
-                  "camera-position,camera-focal-point,camera-view-up,camera-view-angle,"
-                  "zoom,camera-orthographic,camera-orthographic-height,margin,"
-                  "max-overdraw,isa,threads",
+    .base_flags =
+        "resolution,size,width,height,cull-back-faces,samples,background-color,no-background,views,"
+        "no-legend,"
+        "annotate,camera-direction,azimuth,elevation,camera,"
+        "camera-position,camera-focal-point,camera-view-up,camera-view-angle,"
+        "zoom,camera-orthographic,camera-orthographic-height,margin,"
+        "max-overdraw,isa,threads",
     .settings_size = sizeof(render_settings),
 };
 
@@ -77,64 +79,151 @@ static void write_flag_name(const char *name, char flag[CLI_NAME_MAX + 1]) {
     flag[length] = 0;
 }
 
-/* Changes "--camera-position" to "camera_position" or "cameraPosition" in place; not "--help". */
-static void rename_flags(char *text, session_naming naming) {
-    char *to = text;
-    for (const char *from = text, *start = text; *from;) {
-        if (strncmp(from, "--", 2) == 0 && islower((unsigned char)from[2]) &&
-            (from == start || !isalnum((unsigned char)from[-1])) &&
-            strncmp(from, "--help", 6) != 0) {
-            for (from += 2; isalnum((unsigned char)*from) || *from == '-'; ++from) {
-                if (*from != '-') {
-                    *to++ = *from;
-                } else if (naming == SESSION_UNDERSCORES) {
-                    *to++ = '_';
-                } else if (from[1]) {
-                    *to++ = (char)toupper((unsigned char)*++from);
-                }
-            }
-        } else {
-            *to++ = *from++;
+const cli_flag *session_flag_at(size_t index, unsigned *stages) {
+    const cli_flag *flag;
+    for (size_t i = 0; (flag = cli_flag_at(&render_command, i)) != NULL; ++i) {
+        const size_t length = strlen(flag->name);
+        *stages = (cli_find_flag(&open_command, flag->name, length) ? SESSION_LOADS : 0) |
+                  (cli_find_flag(&draw_command, flag->name, length) ? SESSION_DRAWS : 0);
+        if (*stages && index-- == 0) {
+            break;
         }
+    }
+    return flag;
+}
+
+/* ---- Messages ---- */
+
+static int is_in_name(char c) {
+    return isalnum((unsigned char)c) || (c && strchr("_/\\", c));
+}
+
+/* The length of the flag that text begins with, such as "--size"; 0: none, as for "--size.stl" and
+ * the end of "dir/--size". */
+static size_t measure_flag(const char *text, char before) {
+    const size_t length = 2 + strspn(text + 2, "abcdefghijklmnopqrstuvwxyz0123456789-");
+    const char *end = text + length;
+    const int is_part = is_in_name(before) || (before && strchr("-.", before)) ||
+                        is_in_name(*end) || (*end == '.' && is_in_name(end[1]));
+    return !is_part && cli_find_flag(&render_command, text + 2, length - 2) ? length : 0;
+}
+
+/* Copies the flag's name without dashes, as the caller spells it. Returns the end of the copy. */
+static char *copy_flag(const char *flag, size_t length, session_naming naming, char *to) {
+    for (size_t i = 2; i < length; ++i) {
+        if (flag[i] != '-') {
+            *to++ = flag[i];
+        } else if (naming == SESSION_UNDERSCORES) {
+            *to++ = '_';
+        } else {
+            *to++ = (char)toupper((unsigned char)flag[++i]);
+        }
+    }
+    return to;
+}
+
+/* Changes "--camera-position" into "camera_position" or "cameraPosition", in place, but not within
+ * the input's name and quoted values. */
+static void rename_flags(char *text, const char *name, session_naming naming) {
+    const size_t name_length = name ? strlen(name) : 0;
+    char *to = text, before = 0;
+    int is_quoted = 0;
+    if (naming == SESSION_FLAGS) {
+        return;
+    }
+    for (const char *from = text; *from;) {
+        const int is_name = name_length > 0 && strncmp(from, name, name_length) == 0;
+        const size_t length =
+            is_name || is_quoted || strncmp(from, "--", 2) != 0 ? 0 : measure_flag(from, before);
+        const size_t copied = length > 0 ? length : is_name ? name_length : 1;
+        before = from[copied - 1];
+        is_quoted ^= copied == 1 && before == '"';
+        if (length > 0) {
+            to = copy_flag(from, length, naming, to);
+        } else {
+            memmove(to, from, copied);
+            to += copied;
+        }
+        from += copied;
     }
     *to = 0;
 }
 
-/* Writes numbers with commas between them, as the value of a flag. Returns the end. */
-static char *write_numbers(const session_option *option, char *text) {
+/* ---- Values ---- */
+
+/* The options that are one value: a list has an item for each of its texts and vectors. */
+static size_t count_items(session_options options, size_t first, const cli_flag *flag) {
+    size_t end = first + 1;
+    while (flag && !flag->repeats && end < options.count &&
+           strcmp(options.items[end].name, options.items[first].name) == 0) {
+        ++end;
+    }
+    return end - first;
+}
+
+/* Writes options as the value of one flag, with commas between them. Returns the end. */
+static char *write_values(const session_option *options, size_t count, char *text) {
     *text = 0;
-    for (size_t i = 0; i < option->count; ++i) {
-        const double value = option->numbers[i];
+    for (size_t i = 0; i < count; ++i) {
+        const session_option *option = &options[i];
         text += i > 0 ? sprintf(text, ",") : 0;
-        if (value == floor(value) && fabs(value) < 1e18) { /* counts can not have exponents */
-            text += sprintf(text, "%.0f", value);
-        } else {
-            text += strlen(cli_shortest(value, text));
+        text += option->text ? sprintf(text, "%s", option->text) : 0;
+        for (size_t k = 0; k < option->count; ++k) {
+            const double value = option->numbers[k];
+            text += k > 0 ? sprintf(text, ",") : 0;
+            if (value == floor(value) && fabs(value) < 1e18) { /* counts can not have exponents */
+                text += sprintf(text, "%.0f", value);
+            } else {
+                text += strlen(cli_shortest(value, text));
+            }
         }
     }
     return text;
 }
 
+/* Memory for the texts of all options. */
+static char *allocate_texts(session_options options) {
+    size_t size = 1;
+    for (size_t i = 0; i < options.count; ++i) {
+        const session_option *option = &options.items[i];
+        size += option->count * (CLI_REAL_SIZE + 1) + (option->text ? strlen(option->text) : 0) + 2;
+    }
+    return malloc(size);
+}
+
+/* Sets what is false or an empty list: nothing if the flag is a switch or adds up. */
+static burnish_status switch_off(const cli_command *command, const cli_flag *flag,
+                                 render_settings *settings, burnish_error *error) {
+    if (flag->off) {
+        return cli_set(command, flag->name, flag->off, settings, error);
+    }
+    return flag->value && !flag->repeats
+               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--%s: it can't be switched off; omit it, or give %s", flag->name,
+                          flag->value)
+               : BURNISH_STATUS_OK;
+}
+
 /* Sets options of a command. Settings point to *texts; free it when they are no longer used. */
 static burnish_status set_options(const cli_command *command, session_options options,
                                   render_settings *settings, char **texts, burnish_error *error) {
-    size_t size = 0;
-    for (size_t i = 0; i < options.count; ++i) {
-        size += options.items[i].count * CLI_REAL_SIZE + 1;
-    }
-    char *next = *texts = malloc(size + 1);
+    char *next = *texts = allocate_texts(options);
     burnish_status status = next ? cli_defaults(command, settings, error)
                                  : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
-    for (size_t i = 0; i < options.count && status == BURNISH_STATUS_OK; ++i) {
+    for (size_t i = 0, count; i < options.count && status == BURNISH_STATUS_OK; i += count) {
         const session_option *option = &options.items[i];
-        const char *text = option->text;
-        char flag[CLI_NAME_MAX + 1];
-        write_flag_name(option->name, flag);
-        if (option->numbers) {
-            text = next;
-            next = write_numbers(option, next) + 1;
+        char name[CLI_NAME_MAX + 1];
+        write_flag_name(option->name, name);
+        const cli_flag *flag = cli_find_flag(command, name, strlen(name));
+        count = count_items(options, i, flag);
+        if (flag && option->is_off) {
+            status = switch_off(command, flag, settings, error);
+            continue;
         }
-        status = cli_set(command, flag, text, settings, error);
+        const int has_value = option->text || option->numbers;
+        const char *text = has_value ? next : NULL;
+        next = write_values(option, count, next) + 1;
+        status = cli_set(command, name, text, settings, error);
     }
     return status;
 }
@@ -143,7 +232,7 @@ static burnish_status set_options(const cli_command *command, session_options op
 static burnish_status set_drawing(session_options options, render_settings *settings, char **texts,
                                   burnish_error *error) {
     memset(settings, 0, sizeof *settings);
-    burnish_status status = set_options(&session_draw_command, options, settings, texts, error);
+    burnish_status status = set_options(&draw_command, options, settings, texts, error);
     const int views = settings->picture.views.count > 1;
     if (status == BURNISH_STATUS_OK && (views || settings->shading.lobes.count > 1)) {
         status =
@@ -159,7 +248,7 @@ burnish_status session_check(session_options options, burnish_error *error) {
     const burnish_status status = set_drawing(options, &settings, &texts, error);
     free(texts);
     if (status != BURNISH_STATUS_OK) {
-        rename_flags(error->text, options.naming);
+        rename_flags(error->text, NULL, options.naming);
     }
     return status;
 }
@@ -222,16 +311,17 @@ void session_request_facts(session *s) {
     s->settings.input.measure = 1;
 }
 
-/* Ends a call: messages spell options as the caller does. */
+/* Ends a call: messages spell options as the caller does, except for those of the library, which
+ * name no flags. */
 static burnish_status end(session *s, burnish_status status, session_naming naming,
                           burnish_error *error) {
     free(s->texts);
     s->texts = NULL;
-    for (size_t i = 0; i < s->result.warning_count; ++i) {
-        rename_flags(s->result.warnings[i], naming);
+    while (s->final_warnings < s->result.warning_count) {
+        rename_flags(s->result.warnings[s->final_warnings++], s->name, naming);
     }
-    if (status != BURNISH_STATUS_OK) {
-        rename_flags(error->text, naming);
+    if (status != BURNISH_STATUS_OK && strncmp(error->text, "--", 2) == 0) {
+        rename_flags(error->text, s->name, naming);
     }
     return status;
 }
@@ -242,9 +332,9 @@ static burnish_status begin(session *s, const char *name, session_options given,
     s->name = strdup(name);
     s->settings.input.name = s->name;
     s->result.settings = &s->settings;
-    burnish_status status =
-        s->name ? set_options(&session_open_command, given, &s->settings, &s->texts, error)
-                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    burnish_status status = s->name
+                                ? set_options(&open_command, given, &s->settings, &s->texts, error)
+                                : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     if (status == BURNISH_STATUS_OK) {
         status = cli_refuse_foreign(s->settings.input.load.format, error);
     }
@@ -278,6 +368,7 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
     for (size_t i = 0; i < burnish_mesh_get_warning_count(s->mesh); ++i) {
         render_result_warn(&s->result, 1, "%s", burnish_mesh_get_warning(s->mesh, i));
     }
+    s->final_warnings = s->result.warning_count;
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);
     }
@@ -437,6 +528,7 @@ static burnish_status draw(session *s, burnish_error *error) {
     if (status == BURNISH_STATUS_OK) {
         status = draw_planes(s, &options, error);
     }
+    s->result.options = NULL; /* they end here */
     cell->hash = status == BURNISH_STATUS_OK ? burnish_image_hash(&cell->image) : 0;
     return status;
 }
@@ -447,6 +539,7 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     s->cell = (render_cell){.hash = 0};
     release_planes(&s->planes);
     drop_warnings(&s->result, s->loading_warnings);
+    s->final_warnings = s->loading_warnings;
     burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
     s->coloring.no_legend = s->settings.input.coloring.no_legend;

@@ -10,27 +10,36 @@
 
 typedef struct session session;
 
-/* One option and its value: text or numbers; neither is a switch. */
+/* One option and its value: text, numbers, or neither for a switch. */
 typedef struct session_option {
     const char *name; /* of a flag, with '-', '_' or camelCase */
     const char *text;
     const double *numbers;
-    size_t count;
+    size_t count; /* of the numbers */
+    int is_off;   /* 1: false or an empty list, instead of a value */
 } session_option;
 
-/* How errors and warnings spell the names of options: camera_position, cameraPosition. */
-typedef enum session_naming { SESSION_UNDERSCORES, SESSION_CAMEL_CASE } session_naming;
+/* How errors and warnings spell the names of options: camera_position, cameraPosition,
+ * --camera-position. */
+typedef enum session_naming {
+    SESSION_UNDERSCORES,
+    SESSION_CAMEL_CASE,
+    SESSION_FLAGS
+} session_naming;
 
-/* The caller owns the options. If an option is repeated, the last one counts, except for "light"
- * and "clip", which add up. */
+/* The caller owns the options. Options of one name that follow one another are the items of a list.
+ */
 typedef struct session_options {
     const session_option *items;
     size_t count;
     session_naming naming;
 } session_options;
 
-/* Render's flags for loading, and for drawing. */
-extern const cli_command session_open_command, session_draw_command;
+enum { SESSION_LOADS = 1, SESSION_DRAWS = 2 };
+
+/* Number `index` of the flags that are options, and what it is an option of: a sum of SESSION_LOADS
+ * and SESSION_DRAWS. NULL past the last. */
+const cli_flag *session_flag_at(size_t index, unsigned *stages);
 
 /* NULL without memory. The context of loading and drawing must outlive the session; NULL: the
  * default. */

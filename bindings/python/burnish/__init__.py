@@ -12,21 +12,25 @@ or FreeCAD, a pair (vertices, faces), or a Mesh. Options are the flags of ``burn
 
 from __future__ import annotations
 
+import copyreg
 import difflib
 import os
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Iterable, Mapping
+from typing import Any, Unpack
 
 from . import _burnish, _shapes, lobe
-from ._burnish import Error, FileError, Image, MissingFileError
-from ._options import Options, Unpack
+from ._burnish import ArgumentError, Error, FileError, Image, MissingFileError
+from ._options import Drawing, Loading, Options, Plane, Words
 
 __all__ = [
-    "Error", "FileError", "Image", "Mesh", "MissingFileError", "Options", "Scene", "__version__", "load", "lobe", "render",
+    "ArgumentError", "Drawing", "Error", "FileError", "Image", "Loading", "Mesh", "MissingFileError", "Options", "Scene",
+    "__version__", "load", "lobe", "render",
 ]  # fmt: skip
-__version__ = _burnish.version
+__version__: str = _burnish.version
 
-_FLAGS = {name.replace("-", "_"): row for name, row in _burnish.flags().items()}
+_FLAGS = {
+    spelling.replace("-", "_"): row for name, row in _burnish.flags().items() for spelling in (name, *(row[4] or name).split(","))
+}
 _PLANES = {"depth": 1, "normal": 2, "triangle": 4, "coverage": 8}  # as in session.h
 _AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1), "-Z": (0, 0, -1)}
 
@@ -35,28 +39,26 @@ def __dir__() -> list[str]:
     return __all__
 
 
-def _value(value: Any) -> bool | str | tuple[float, ...]:
-    if value is True or isinstance(value, str):
-        return value
+def _values(key: str, value: Any) -> list[bool | str | tuple[float, ...]]:
+    """A value as the extension takes it: a bool, a text or numbers; each one of a list with texts or vectors."""
+    if getattr(value, "shape", None) == () and hasattr(value, "item"):  # a scalar of NumPy
+        value = value.item()
+    if isinstance(value, (bool, str)):
+        return [value]
     if isinstance(value, os.PathLike):
-        return os.fspath(value)
+        return [os.fsdecode(value)]
     try:
-        return tuple(float(item) for item in value)
+        items = list(value) if hasattr(value, "__iter__") else [value]
+        if any(hasattr(item, "__iter__") for item in items):
+            return [one for item in items for one in _values(key, item)]
+        return [tuple(float(item) for item in items) or False]
     except TypeError:
-        return (float(value),)
+        raise TypeError(f"{key}: {value!r} is not a bool, a number, a text or a list of these") from None
 
 
 def _pairs(options: Mapping[str, Any]) -> list[tuple[str, bool | str | tuple[float, ...]]]:
-    """{"samples": 4, "ground": True} as [("samples", (4.0,)), ("ground", True)]; a list of strings repeats its option."""
-    pairs = []
-    for key, value in options.items():
-        if value is None or value is False:
-            continue
-        if key == "size" and isinstance(value, (list, tuple)):
-            raise TypeError(f"size: {value!r} is not a number; resolution={value!r} sets width and height")
-        is_list = isinstance(value, (list, tuple)) and any(isinstance(item, str) for item in value)
-        pairs += [(key, _value(item)) for item in (value if is_list else [value])]
-    return pairs
+    """{"samples": 4, "ground": True} as [("samples", (4.0,)), ("ground", True)]; each item of a list has the option's name."""
+    return [(key, one) for key, value in options.items() if value is not None for one in _values(key, value)]
 
 
 def _check(function: str, options: Mapping[str, Any], which: int | None, instead: str = "") -> None:
@@ -70,13 +72,27 @@ def _check(function: str, options: Mapping[str, Any], which: int | None, instead
             raise TypeError(f"{function}() does not take '{key}'; {instead} does")
 
 
-def _kinds(planes: Sequence[str]) -> int:
+def _kinds(planes: Words[Plane]) -> int:
     kinds = 0
     for plane in [planes] if isinstance(planes, str) else planes:
         if plane not in _PLANES:
             raise ValueError(f"planes: {plane!r}; expected some of {', '.join(_PLANES)}")
         kinds |= _PLANES[plane]
     return kinds
+
+
+def _restore(pixels: bytes, shape: Any, covered: int, camera: Any, planes: Mapping[str, Any], warnings: Any) -> Image:
+    views = {name: memoryview(data).cast(code, size) for name, (data, code, size) in planes.items()}
+    return _burnish.image(pixels, shape, covered, camera, views, warnings)
+
+
+def _reduce(image: Image) -> Any:
+    """For pickle and copy: an image has its planes and facts wherever it goes."""
+    planes = {name: (plane.tobytes(), plane.format, plane.shape) for name, plane in image.planes.items()}
+    return _restore, (image.tobytes(), image.shape, image.covered_pixels, image.camera, planes, image.warnings)
+
+
+copyreg.pickle(Image, _reduce)
 
 
 class Mesh(_burnish.Mesh):
@@ -116,7 +132,7 @@ class Mesh(_burnish.Mesh):
         *,
         up: str = "+Y",
         name: str = "mesh",
-        **options: Unpack[Options],
+        **options: Unpack[Loading],
     ) -> Mesh:
         _check("Mesh", options, 0, "render()")
         if up != "auto" and up not in _AXES:
@@ -129,7 +145,7 @@ class Mesh(_burnish.Mesh):
             _AXES.get(up, (0, 1, 0)), _pairs(options),
         )  # fmt: skip
 
-    def render(self, *, planes: Sequence[str] = (), **options: Unpack[Options]) -> Image:
+    def render(self, *, planes: Words[Plane] = (), **options: Unpack[Drawing]) -> Image:
         """Draws the mesh, with options of drawing.
 
         planes  of "depth", "normal", "triangle" and "coverage": arrays in the property planes of the image
@@ -139,6 +155,15 @@ class Mesh(_burnish.Mesh):
 
     def _repr_png_(self) -> bytes:
         return self.render(size=480).png()
+
+    def __copy__(self) -> Mesh:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Mesh:
+        return self
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a Mesh can't be pickled; pickle its file's name or its arrays, and load it again")
 
 
 Scene = Mesh
@@ -150,7 +175,7 @@ def load(
     name: str | None = None,
     files: Mapping[str, Any] | None = None,
     tolerance: float | None = None,
-    **options: Unpack[Options],
+    **options: Unpack[Loading],
 ) -> Mesh:
     """Loads a mesh: a file by its name, the bytes of one, an open binary file, a built-in object, or another library's mesh.
 
@@ -170,6 +195,8 @@ def load(
     if hasattr(source, "read") and not isinstance(source, (str, bytes)):
         name = name or os.path.basename(str(getattr(source, "name", ""))) or None
         source = source.read()
+        if isinstance(source, str):
+            raise TypeError(f'{name or "the file"}: open in text mode; open it with mode "rb"')
     if isinstance(source, (str, os.PathLike)):
         path = os.fsencode(source)
         if b"\0" in path:
@@ -194,7 +221,7 @@ def render(
     name: str | None = None,
     files: Mapping[str, Any] | None = None,
     tolerance: float | None = None,
-    planes: Sequence[str] = (),
+    planes: Words[Plane] = (),
     **options: Unpack[Options],
 ) -> Image:
     """Draws what load() loads, or a Mesh.
@@ -204,7 +231,7 @@ def render(
     ('RGBA', (48, 48, 4))
     >>> burnish.render(":knot", samples=3)
     Traceback (most recent call last):
-    burnish.Error: samples: ...
+    burnish.ArgumentError: samples: ...
     """
     if isinstance(source, Mesh):
         return source.render(planes=planes, **options)

@@ -88,7 +88,7 @@ def _tessellate(shapes: Iterable[Any], tolerance: float | None) -> dict[str, Any
 def _of_trimesh(mesh: Any) -> dict[str, Any]:
     """Without normals: those of trimesh are generated."""
     arrays = {"vertices": mesh.vertices, "faces": mesh.faces, "up": "auto"}
-    visual = getattr(mesh, "visual", None)
+    visual: Any = getattr(mesh, "visual", None)
     kind = getattr(visual, "kind", None)
     if kind == "vertex":
         arrays["colors"] = visual.vertex_colors

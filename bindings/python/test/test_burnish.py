@@ -1,17 +1,22 @@
 """The installed package against the program. Usage: test_burnish.py PROGRAM SOURCES, in a scratch folder."""
 
+import copy
 import ctypes
 import doctest
 import gc
+import importlib.util
 import io
 import json
+import multiprocessing
 import os
+import pickle
 import re
 import signal
 import struct
 import subprocess
 import sys
 import threading
+import typing
 import unittest
 import zlib
 from array import array
@@ -61,8 +66,16 @@ def options_of(flags):
     for flag in flags:
         key, _, value = flag[2:].partition("=")
         key = key.replace("-", "_")
-        options[key] = [*options.get(key, []), value] if key in ("light", "clip") else value or True
+        options[key] = [*options[key], value] if key in options else [value] if value else True
     return options
+
+
+def words_of(type_):
+    """The words of all Literals in a type."""
+    parts = typing.get_args(type_)
+    if typing.get_origin(type_) is typing.Literal:
+        return {part for part in parts if not isinstance(part, bool)}
+    return set().union(*(words_of(part) for part in parts))
 
 
 def decode(png):
@@ -122,6 +135,54 @@ class Pictures(unittest.TestCase):
         self.assertEqual(picture.covered_pixels, report["covered_pixels"])
         self.assertEqual((picture.size, picture.mode), ((90, 60), "RGBA"))
 
+    def test_lists(self):
+        """A list is one value between commas, or repeats a flag whose values add up."""
+        for options, flags in (
+            ({"annotate": ["axes", "box"]}, ["--annotate=axes,box"]),
+            ({"annotate": {"box": 1}.keys(), "views": ("front",)}, ["--annotate=box", "--views=front"]),
+            ({"edges": ["creases", "boundaries"]}, ["--edges=creases,boundaries"]),
+            ({"color": ["0.5", 0.25, 1]}, ["--color=0.5,0.25,1"]),
+            ({"clip": [(1, 0, 0, 0.5), "0,1,0,0.5"]}, ["--clip=1,0,0,.5", "--clip=0,1,0,.5"]),
+            ({"clip": [(1, 0, 0, 0.5)]}, ["--clip=1,0,0,.5"]),
+            ({"light": ("point:0,1,2", "directional:1,2,3")}, ["--light=point:0,1,2", "--light=directional:1,2,3"]),
+        ):
+            with self.subTest(options):
+                self.assertEqual(burnish.render(DATA / "cube.obj", size=64, **options).hash, ask("cube.obj", "--size=64", *flags)["hash"])
+        for options in ({"views": ["front", "top"]}, {"lobe": ["power", "schlick"]}):
+            with self.assertRaisesRegex(burnish.Error, "one picture at a time"):
+                burnish.render(":knot", **options)
+
+    def test_false(self):
+        """False switches off what has a word for it, and a switch."""
+        for options, flags in (
+            ({"views": "front", "camera_orthographic": False}, ["--views=front", "--camera-orthographic=no"]),
+            ({"look": "technical", "edges": False}, ["--look=technical", "--edges=none"]),
+            ({"look": "technical", "edges": []}, ["--look=technical", "--edges=none"]),
+            ({"occlusion": False, "annotate": False, "clip": False}, ["--occlusion=none"]),
+            ({"background": False, "light": False}, ["--no-background", "--light=none"]),
+            ({"background": "red", "no_background": False, "ground": False, "color": None}, ["--background=red"]),
+        ):
+            with self.subTest(options):
+                self.assertEqual(burnish.render(DATA / "cube.obj", size=64, **options).hash, ask("cube.obj", "--size=64", *flags)["hash"])
+        for key, line in (
+            ("look", "look: it can't be switched off; omit it, or give NAME"),
+            ("camera_view_angle", "camera_view_angle: it can't be switched off; omit it, or give DEG"),
+            ("up", "up: it can't be switched off; omit it, or give AXIS"),
+        ):
+            with self.subTest(key), self.assertRaises(burnish.Error) as caught:
+                burnish.render(":knot", **{key: False})
+            self.assertEqual(str(caught.exception), line)
+        with self.assertRaisesRegex(burnish.Error, "^look: a value is missing: look=NAME"):
+            burnish.render(":knot", look=True)
+
+    def test_sizes(self):
+        for options, size in (
+            ({"size": (64, 48)}, (64, 48)), ({"size": "64x48"}, (64, 48)), ({"width": 64}, (64, 48)), ({"height": 24}, (32, 24)),
+            ({"width": 40, "height": 50}, (40, 50)), ({"size": 64, "width": 40}, (40, 40)), ({"resolution": range(30, 60, 20)}, (30, 50)),
+        ):  # fmt: skip
+            with self.subTest(options):
+                self.assertEqual(burnish.render(":knot", **options).size, size)
+
     def test_far_from_the_origin(self):
         corners = [(4e6 + x, y - 2e6, z) for x, y, z in CORNERS]
         text = "".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in FACES)
@@ -162,12 +223,20 @@ class Pictures(unittest.TestCase):
                 expected = burnish.render(":teapot", **options, **{key: value}).hash
                 self.assertEqual(burnish.render(":teapot", **options, **{key: numpy.array(value)}).hash, expected)
                 self.assertEqual(burnish.render(":teapot", **options, **{key: numpy.array([value])[0]}).hash, expected)
+        for ground in (numpy.True_, numpy.False_, numpy.array(True)):
+            self.assertEqual(burnish.render(":teapot", size=32, ground=ground).hash, burnish.render(":teapot", size=32, ground=bool(ground)).hash)
+        names = numpy.array(["axes", "box"])
+        self.assertEqual(burnish.render(":teapot", size=64, annotate=names).hash, burnish.render(":teapot", size=64, annotate="axes,box").hash)
 
     def test_open_files(self):
         expected = burnish.render(DATA / "wedge.stl", size=32).hash
         with open(DATA / "wedge.stl", "rb") as file:
             self.assertEqual(burnish.render(file, size=32).hash, expected)
         self.assertEqual(burnish.render(io.BytesIO((DATA / "wedge.stl").read_bytes()), name="w.stl", size=32).hash, expected)
+        with open(DATA / "cube.obj") as file, self.assertRaisesRegex(TypeError, '^cube.obj: open in text mode; open it with mode "rb"$'):
+            burnish.load(file)
+        with self.assertRaisesRegex(TypeError, "open in text mode"):
+            burnish.render(io.StringIO("solid"))
 
     def test_again_and_again(self):
         mesh = burnish.load(DATA / "cube.obj")
@@ -178,9 +247,41 @@ class Pictures(unittest.TestCase):
         self.assertEqual(mesh.render(size=64).hash, first)
 
     def test_option_names(self):
-        """Options are the program's flags, no more and no less."""
-        flags = {name.replace("-", "_") for name in _burnish.flags()}
-        self.assertEqual(set(_options.Options.__annotations__), flags)
+        """Options are the program's flags, no more and no less, and so are their words."""
+        flags, found = _burnish.flags(), {}
+        for name, (loads, draws, _, _, also, words) in flags.items():
+            for spelling in [name, *(also.split(",") if also else [])]:
+                found[spelling.replace("-", "_")] = (loads, draws, {word for word in words if not word.endswith("-angle")})
+        for options, stage in ((_options.Loading, 0), (_options.Drawing, 1), (_options.Options, None)):
+            types = typing.get_type_hints(options)
+            self.assertEqual(set(types), {name for name, row in found.items() if stage is None or row[stage]})
+            for name, type_ in types.items():
+                if found[name][2]:
+                    self.assertEqual({str(word) for word in words_of(type_)}, found[name][2], name)
+
+
+class Types(unittest.TestCase):
+    @unittest.skipUnless(importlib.util.find_spec("mypy"), "no mypy")
+    def test_mypy(self):
+        """The package has no errors, and wrong options have one each."""
+        Path("types").mkdir(exist_ok=True)
+        right = (
+            'burnish.load("a.stl", up="+Y", clip=[(1, 0, 0, 1)], threads=1)', 'burnish.render("a", annotate=["axes", "box"], occlusion=False)',
+            "burnish.render(b'', size=(64, 48), color=None, planes=['depth']).save('b.png')", "burnish.Mesh([], normals=None, strict=True)",
+            'burnish.Mesh([]).render(look="clay", views="front", edges=["creases"], light="none", lobe="power")',
+        )  # fmt: skip
+        wrong = (
+            'burnish.render("a", colour="red")', 'burnish.render("a", look="nice")', 'burnish.render("a", annotate=["axes", "bx"])',
+            'burnish.load("a", size=3)', 'burnish.load("a").render(up="+Y")', 'burnish.render("a", look=False)', 'burnish.Mesh([], zoom=2)',
+            'burnish.render("a", planes=["depths"])', 'burnish.load("a", files=7)',
+        )  # fmt: skip
+        Path("types/use.py").write_text("\n".join(["import burnish", *right, *wrong]) + "\n")
+        check = [sys.executable, "-m", "mypy", "--strict", "--python-executable", sys.executable]
+        run = subprocess.run([*check, "use.py"], cwd="types", capture_output=True, text=True)
+        errors = [line.split(":")[:2] for line in run.stdout.splitlines() if ": error: " in line]
+        self.assertEqual(errors, [["use.py", str(2 + len(right) + i)] for i in range(len(wrong))], run.stdout)
+        run = subprocess.run([*check, "--package=burnish"], cwd="types", capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stdout)
 
 
 class Planes(unittest.TestCase):
@@ -246,6 +347,34 @@ class Images(unittest.TestCase):
         for name in ("X.PNG", "plain"):
             self.picture.save(name)
             self.assertEqual(Path(name).read_bytes(), stream.getvalue())
+
+    def test_copies(self):
+        """Pickling and copying keep everything."""
+        picture = burnish.render(DATA / "cube.obj", size=(40, 30), no_textures=True, planes=["depth", "normal", "triangle", "coverage"])
+        with_warning = burnish.render((DATA / "textured.obj").read_bytes(), name="textured.obj", size=16)
+        self.assertNotEqual(with_warning.warnings, ())
+        for image in (self.picture, picture, with_warning):
+            for copied in (copy.copy(image), copy.deepcopy([image])[0], *(pickle.loads(pickle.dumps(image, protocol)) for protocol in range(6))):
+                for key in ("hash", "shape", "mode", "camera", "covered_pixels", "warnings"):
+                    self.assertEqual(getattr(copied, key), getattr(image, key), key)
+                self.assertEqual(copied.tobytes(), image.tobytes())
+                self.assertEqual(list(copied.planes), list(image.planes))
+                for name, plane in image.planes.items():
+                    other = copied.planes[name]
+                    self.assertEqual((other.format, other.shape, other.readonly, other.tobytes()), (plane.format, plane.shape, True, plane.tobytes()))
+        for wrong in ((b"", (1, 1, 3)), (b"123", (1, 1, 2)), (b"", (0, 0, 3)), (b"", (1 << 20, 1 << 20, 3))):
+            with self.assertRaises(ValueError):
+                _burnish.image(*wrong, 0, {}, {}, ())
+
+    def test_pool(self):
+        """Images and errors come back from other processes."""
+        expected = burnish.render(":knot", size=24).hash
+        for method in ("fork", "spawn"):
+            with multiprocessing.get_context(method).Pool(1) as pool:
+                self.assertEqual(pool.apply(burnish.render, (":knot",), {"size": 24}).hash, expected)
+                with self.assertRaises(burnish.FileError) as caught:
+                    pool.apply(burnish.load, ("no such file.stl",))
+                self.assertEqual(caught.exception.status, "READ")
 
     @unittest.skipUnless(numpy, "no NumPy")
     def test_numpy(self):
@@ -394,10 +523,21 @@ class Arrays(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, "burnish ignores textures of trimesh"):
             burnish.load(trimesh)
 
+    def test_copies(self):
+        """A copy is the mesh itself, which can't change."""
+        mesh = burnish.Mesh(CORNERS, FACES)
+        self.assertIs(copy.copy(mesh), mesh)
+        self.assertIs(copy.deepcopy({"a": mesh})["a"], mesh)
+        with self.assertRaisesRegex(TypeError, "a Mesh can't be pickled"):
+            pickle.dumps(mesh)
+
     def test_refused(self):
+        for face in (4, 9, -1, 1 << 40, -(1 << 40)):  # one class for all, which is documented
+            for faces in ([(0, 1, face)], array("q", (0, 1, face))):
+                with self.subTest(faces), self.assertRaises(ValueError) as caught:
+                    burnish.Mesh(CORNERS, faces)
+                self.assertEqual((type(caught.exception), caught.exception.status), (burnish.ArgumentError, "ARGUMENT"))
         for arrays, kind in (
-            ((CORNERS, [(0, 1, 9)]), burnish.Error),
-            ((CORNERS, [(0, 1, -1)]), ValueError),
             ((CORNERS, array("d", [0, 1, 2])), TypeError),
             (([(0, 0), (1, 0), (0, 1)],), ValueError),
             ((array("f", range(8)),), ValueError),
@@ -425,6 +565,25 @@ class Errors(unittest.TestCase):
             line = re.sub("--(?!help)(?=[a-z])", "", ask(":sphere", flag))  # options as they are named here
             self.assertEqual((str(caught.exception), caught.exception.status), (line, "ARGUMENT"))
 
+    def test_names(self):
+        """Errors and warnings name options as they are here, and files as they are."""
+        Path("--size.d").mkdir(exist_ok=True)
+        for name in ("--size.d/--part-a.stl", "--size", "--margin.stl", "x --size.stl"):
+            with self.subTest(name):
+                with self.assertRaises(burnish.Error) as caught:
+                    burnish.load(name)
+                self.assertTrue(str(caught.exception).startswith(f"{name}: can't be opened"), caught.exception)
+                with self.assertRaises(burnish.Error) as caught:
+                    burnish.load(b"solid", name=name)
+                self.assertTrue(str(caught.exception).startswith(f"{name}: "), caught.exception)
+                picture = burnish.load(b"mtllib --color.mtl\n" + (DATA / "cube.obj").read_bytes(), name=name, input_format="obj")
+                first = picture.warnings[0]
+                self.assertTrue("--color.mtl" in first and first.startswith(f"{name}:"), first)
+                last = picture.render(size=40, annotate="scale").warnings[-1]
+                self.assertEqual(last, f"{name}: annotate: scale: a perspective has no scale, so the picture has no bar; use camera_orthographic, or omit it")
+        with self.assertRaisesRegex(burnish.Error, '^look: "--size" is not one of'):
+            burnish.render(":knot", look="--size")
+
     def test_statuses(self):
         Path("broken.ply").write_text("ply\nformat ascii 1.0\nelement vertex 3\n")
         for source, more, status in (
@@ -451,7 +610,7 @@ class Errors(unittest.TestCase):
             (lambda: burnish.load(":knot").render(zzzzz=3), "render() got an unexpected keyword argument 'zzzzz'"),
             (lambda: burnish.load(":knot", strickt=True), "load() got an unexpected keyword argument 'strickt'. Did you mean 'strict'?"),
             (lambda: burnish.load(":knot", size=3), "load() does not take 'size'; render() does"),
-            (lambda: burnish.render(":knot", size=(640, 480)), "size: (640, 480) is not a number; resolution=(640, 480) sets width and height"),
+            (lambda: burnish.render(":knot", size=3j), "size: 3j is not a bool, a number, a text or a list of these"),
         ):
             with self.subTest(line), self.assertRaises(TypeError) as caught:
                 call()
