@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // burnish-mcp [FOLDER]: a Model Context Protocol server over stdio that draws, measures and compares the models below FOLDER.
 import { readFileSync, realpathSync, statSync } from "node:fs";
-import { isAbsolute, relative, resolve } from "node:path";
+import { isAbsolute, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { Worker } from "node:worker_threads";
 import { McpServer } from "@modelcontextprotocol/sdk/server/mcp.js";
@@ -44,7 +44,7 @@ function find(file) {
     throw new Error(`${file}: can't be opened: ${error.code === "ENOENT" ? "no such file" : error.code}`);
   }
   const inside = relative(root, path);
-  if (inside.startsWith("..") || isAbsolute(inside)) {
+  if (inside === ".." || inside.startsWith(`..${sep}`) || isAbsolute(inside)) {
     throw new Error(`${file}: not below ${root}, the folder of this server`);
   }
   const { size } = statSync(path);

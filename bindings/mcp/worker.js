@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { basename, extname } from "node:path";
 import { parentPort } from "node:worker_threads";
 import { load } from "burnish";
-import { companions, encodePng, findDecoder } from "burnish/node";
+import { companions, encodePng, findDecoder, readPngSize } from "burnish/node";
 import pngjs from "pngjs";
 
 const [burnish, decode] = await Promise.all([load(), findDecoder()]);
@@ -20,16 +20,12 @@ async function open(input, options = {}) {
 
 const shown = ({ triangles, vertices, boundingBox, up, warnings }) => ({ triangles, vertices, boundingBox, up, warnings });
 
-// The options of loading; open() takes these, and mesh.render() the others.
-const LOADING = ["inputFormat", "clip", "normals", "creaseAngle", "animationTime", "animation", "pointSize", "noTextures", "up"];
-
 async function render({ input, views, width, height, azimuth, elevation, zoom, look, annotate, options = {} }) {
-  const loading = Object.fromEntries(LOADING.filter((key) => key in options).map((key) => [key, options[key]]));
-  const others = Object.fromEntries(Object.entries(options).filter(([key]) => !LOADING.includes(key)));
+  const { loading, drawing } = burnish.split(options);
   const mesh = await open(input, loading);
   try {
     const pictures = (views.length > 0 ? views : [undefined]).map((view) =>
-      mesh.render({ azimuth, elevation, zoom, look, annotate: annotate?.join(), ...others, views: view, resolution: [width, height] }));
+      mesh.render({ azimuth, elevation, zoom, look, annotate, ...drawing, views: view, width, height })); // these replace other sizes
     return { text: { views, ...shown(pictures[0]) }, images: pictures.map(encodePng) };
   } finally {
     mesh.close();
@@ -94,7 +90,7 @@ async function drawBoth(inputs, view, width, height) {
 
 function readPicture(path) {
   const bytes = readFileSync(path);
-  if (bytes.length < 24 || bytes.readUInt32BE(16) > MOST_SIDE || bytes.readUInt32BE(20) > MOST_SIDE) {
+  if (Math.max(...readPngSize(bytes)) > MOST_SIDE) {
     throw new Error(`${basename(path)}: not a PNG file of at most ${MOST_SIDE} x ${MOST_SIDE} pixels`);
   }
   const { width, height, data } = pngjs.PNG.sync.read(bytes);

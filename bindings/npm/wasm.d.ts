@@ -9,21 +9,30 @@ export type AsyncInput = Input | Blob;
 /** Uint8Array<ArrayBuffer> since TypeScript 5.7, Uint8Array before. */
 export type Bytes = ReturnType<typeof Uint8Array.of>;
 
-/** Options of loading: flags of `burnish render` with the same values; a list can be an array. */
+/** One word, or several: an array, or with commas between them. */
+export type Words<Word extends string> = Word | `${Word},${string}` | readonly Word[];
+export type Vector = readonly number[] | string;
+/** A name, "#rrggbb", or three numbers in [0, 1]. */
+export type Color = string | readonly number[];
+export type View = "front" | "right" | "top" | "iso" | "back" | "left" | "bottom";
+export type Annotation = "axes" | "box" | "dimensions" | "scale" | "grid" | "none";
+export type Edge = "silhouettes" | "creases" | "boundaries" | "materials" | "none";
+
+/** Options of loading: flags of `burnish render` with the same values. A list can be an array, and false switches an option off. */
 export interface LoadOptions {
   /** For messages; the extension chooses the format: "part.stl". */
   name?: string;
   /** Files that the mesh refers to, by name: {"part.mtl": bytes}. */
   files?: Record<string, BufferSource>;
-  /** "auto", "obj", "ply", "stl", "gltf" ..., if the name does not have the right extension. */
-  inputFormat?: string;
-  /** "+Y", "-Y", "+Z", "-Z", "+X", "-X" or "auto". The default depends on the format. */
-  up?: string;
-  /** A plane "X,Y,Z,D" or [X, Y, Z, D]: everything beyond it is cut away. Several planes: an array of strings. */
-  clip?: string | number[] | string[];
+  /** If the name does not have the right extension. */
+  inputFormat?: "auto" | "gltf" | "obj" | "off" | "ply" | "stl" | "3mf" | "bms";
+  /** The default depends on the format. */
+  up?: "+Y" | "-Y" | "+Z" | "-Z" | "+X" | "-X" | "auto" | "format";
+  /** A plane "X,Y,Z,D" or [X, Y, Z, D]: everything beyond it is cut away. Several planes: an array of planes. */
+  clip?: Vector | readonly Vector[] | false;
   /** "height", "normal" or a scalar property of a PLY file: colours by these values. */
   colorBy?: string;
-  /** "viridis" (default), "coolwarm" or "grey". */
+  /** Default: "viridis". */
   colorMap?: "viridis" | "coolwarm" | "grey";
   /** "LO:HI": values with the first and the last colour. By default the range of the values. */
   colorRange?: string;
@@ -73,52 +82,61 @@ export interface DrawOptions {
   /** true: always four channels, as for ImageData. */
   rgba?: boolean;
   /** [width, height]; default [1024, 768]. */
-  resolution?: [number, number] | string;
-  /** Width and height of a square picture. */
-  size?: number;
+  resolution?: readonly [number, number] | string;
+  /** Width and height of a square picture, or both. */
+  size?: number | readonly [number, number] | string;
+  /** The height keeps the proportions, unless it is given. */
+  width?: number;
+  height?: number;
   /** Coverage samples per pixel: 1, 4, 8 or 16. */
   samples?: 1 | 4 | 8 | 16;
   cullBackFaces?: boolean;
   /** A name, "#rrggbb", three numbers in [0, 1], "none", or "environment". */
-  backgroundColor?: string | [number, number, number];
+  backgroundColor?: Color | false;
+  /** The same. */
+  background?: Color | false;
   /** The picture has alpha, four channels. */
   noBackground?: boolean;
   /** No legend of colorBy. */
   noLegend?: boolean;
-  /** One standard view: "front", "right", "top", "iso", "back", "left" or "bottom". */
-  views?: string;
-  /** "axes", "box", "dimensions", "scale", "grid", between commas. */
-  annotate?: string;
+  /** A standard view. */
+  views?: View | readonly [View];
+  /** Lines and numbers around the object. */
+  annotate?: Words<Annotation> | false;
 
   /** From the camera to the object. */
-  cameraDirection?: [number, number, number] | string;
+  cameraDirection?: Vector;
   /** Degrees. */
   azimuth?: number;
+  /** The same. */
+  cameraAzimuthAngle?: number;
   /** Degrees. */
   elevation?: number;
+  /** The same. */
+  cameraElevationAngle?: number;
   /** A camera of the input, by name or number. */
   camera?: string | number;
-  cameraPosition?: [number, number, number] | string;
-  cameraFocalPoint?: [number, number, number] | string;
-  cameraViewUp?: [number, number, number] | string;
+  cameraPosition?: Vector;
+  cameraFocalPoint?: Vector;
+  cameraViewUp?: Vector;
   /** Vertical field of view in degrees; default 30. */
   cameraViewAngle?: number;
   zoom?: number;
-  /** true: parallel projection; "no": perspective, also in standard views. */
+  /** The same. */
+  cameraZoomFactor?: number;
+  /** true: parallel projection; false or "no": perspective, also in standard views. */
   cameraOrthographic?: boolean | "no";
   /** Height of the picture in units of the mesh. */
   cameraOrthographicHeight?: number;
   /** Free share of the shorter side at each side; default 0.05. */
   margin?: number;
 
-  /** "studio", "three-point", "plain", "clay", "technical", "drawing" or "lobes". */
-  look?: string;
+  look?: "studio" | "three-point" | "plain" | "clay" | "technical" | "drawing" | "lobes";
   /** Of all surfaces. */
-  color?: string | [number, number, number];
+  color?: Color;
   /** Ignores colours, materials and textures of the mesh, but not its opacity. */
   noColors?: boolean;
-  /** "matte", "satin", "plastic", "polished" or "metal". */
-  material?: string;
+  material?: "matte" | "satin" | "plastic" | "polished" | "metal";
   /** [0, 1] */
   opacity?: number;
   /** Strength of highlights, [0, 1]. */
@@ -130,7 +148,7 @@ export interface DrawOptions {
   equation?: "blinn" | "phong";
   viewer?: "local" | "distant";
   /** One or several lights such as "directional:X,Y,Z[:INTENSITY[:COLOR]]", or "none". */
-  light?: string | string[];
+  light?: string | readonly string[] | false;
   /** "sky" or "room": light from all directions. */
   environment?: "sky" | "room";
   /** Factor of its light; default 1. */
@@ -138,20 +156,20 @@ export interface DrawOptions {
   /** Turn about the up axis in degrees. */
   environmentTurn?: number;
   /** A number, or a colour. */
-  ambient?: number | string;
+  ambient?: number | Color;
   /** Number of directions of ambient occlusion, or "none". */
-  occlusion?: number | "none";
+  occlusion?: number | "none" | false;
   ground?: boolean;
   shadow?: boolean;
-  /** "silhouettes", "creases", "boundaries", "materials" between commas, true for all, or "none". */
-  edges?: boolean | string;
+  /** true: all kinds. */
+  edges?: boolean | Words<Edge>;
   wireframe?: boolean;
   /** Hidden edges as dashed lines. */
   hiddenLines?: boolean;
   /** Axes of holes and cylinders as chain lines. */
   centerLines?: boolean;
   edgeWidth?: number;
-  edgeColor?: string | [number, number, number];
+  edgeColor?: Color;
   /** Least contrast of the outline to the background, 0 to 255; 0: no hairline. */
   outlineContrast?: number;
   /** Limit on how often large triangles cover the picture; default 1000. */
@@ -281,11 +299,30 @@ export type Conversion =
   | "exponentFromRoughness" | "roughnessFromExponent" | "exponentFromAlpha" | "alphaFromExponent"
   | "phongFromBlinn" | "blinnFromPhong";
 
+/** A flag of the program. */
+export interface Flag {
+  /** Without dashes at the beginning: "edge-width". */
+  name: string;
+  loads: boolean;
+  draws: boolean;
+  isSwitch: boolean;
+  /** true: it can be given without its value. */
+  isOptional: boolean;
+  /** true: the items of a list are values of their own; else they are one value with commas. */
+  repeats: boolean;
+  /** The valid values, if they are words. */
+  words: string[];
+}
+
 /** An instance of the module. It belongs to one thread. */
 export interface Burnish {
   /** Starts the threads after load() with startThreads: false. */
   startThreads(): void;
   readonly version: string;
+  /** The flags of `burnish render` that are options, by each of their names in camelCase. */
+  readonly flags: Record<string, Flag>;
+  /** Options of loading, for open(), and of drawing, for the mesh's render(). */
+  split(options: LoadOptions & DrawOptions): { loading: LoadOptions; drawing: DrawOptions };
   /** Whether the module uses SIMD128. */
   readonly simd: boolean;
   /** Number of threads. */
@@ -315,9 +352,10 @@ export function hasSimd(): boolean;
 
 /** Creates an instance. simd: by default what the engine supports; module: instead of the file of the package; threads: 1, or
  * more in a worker of a cross-origin isolated page; startThreads: false delays starting threads until startThreads() is called,
- * so the first picture does not compete with starting workers. The pixels are the same.
+ * so the first picture does not compete with starting workers; dashes: true: messages spell options as flags, --camera-position.
+ * The pixels are the same.
  */
-export function load(how?: { simd?: boolean; threads?: number; startThreads?: boolean; module?: URL | string | BufferSource | WebAssembly.Module }): Promise<Burnish>;
+export function load(how?: { dashes?: boolean; simd?: boolean; threads?: number; startThreads?: boolean; module?: URL | string | BufferSource | WebAssembly.Module }): Promise<Burnish>;
 
 /** Draws one picture with an instance that all calls share: read, render, close. */
 export function render(input: AsyncInput, options?: RenderOptions): Promise<Picture>;

@@ -23,12 +23,6 @@ const SIMD_PROBE = new Uint8Array([
 /** Whether this engine supports SIMD128. */
 export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 
-// Options of loading; the others are options of drawing.
-const LOADING = new Set([
-  "inputFormat", "clip", "colorBy", "colorMap", "colorRange", "normals", "creaseAngle", "tessellation", "animationTime", "animation", "pointSize",
-  "strict", "noTextures", "noLibraries", "maxTriangles", "maxTexturePixels", "maxInputBytes", "up", "measure",
-]);
-
 // In the order of session_number, theory_number and theory_convert.
 const NUMBERS = ["width", "height", "channels", "hashHigh", "hashLow", "coveredPixels"];
 const FACTS = [
@@ -46,26 +40,30 @@ const CONVERSIONS = [
 ];
 
 const NO_FLAGS = new Set(["name", "files", "decode", "rgba", "measure"]);
+const [LOADS, DRAWS] = [1, 2]; // as in session.h
+const [CAMEL_CASE, DASHES] = [1, 2];
 
-// The options of drawing.
-const drawing = (options) => Object.fromEntries(Object.entries(options).filter(([key]) => !LOADING.has(key)));
+const camelCase = (name) => name.replace(/[-_](.)/g, (_, letter) => letter.toUpperCase());
 
-// { samples: 4, light: ["none", "point:1,2,3"], shadow: true } to [["samples", [4]], ["light", "none"], ...]:
-// true, a string or numbers for each name.
-function list(options, isWanted) {
-  const pairs = [];
-  for (const [key, value] of Object.entries(options)) {
-    if (NO_FLAGS.has(key) || !isWanted(key) || value === undefined || value === null || value === false) {
-      continue;
-    }
-    const repeated = Array.isArray(value) && value.some((item) => typeof item === "string");
-    for (const item of repeated ? value : [value]) {
-      const isNumbers = item !== true && typeof item !== "string";
-      pairs.push([key, isNumbers ? Array.from(typeof item === "object" ? item : [item], Number) : item]);
-    }
+// A value as the module takes it: true or false, a string, or numbers; each one of a list with strings or vectors.
+function values(key, value) {
+  if (typeof value === "boolean" || typeof value === "string") {
+    return [value];
   }
-  return pairs;
+  if (typeof value === "object" && typeof value[Symbol.iterator] !== "function") {
+    throw new BurnishError(`${key}: an object is not a value; expected a boolean, a number, a string or a list of these`, "ARGUMENT");
+  }
+  const items = typeof value === "object" ? [...value] : [value];
+  if (items.some((item) => typeof item === "string" || (typeof item === "object" && item !== null))) {
+    return items.flatMap((item) => values(key, item));
+  }
+  return [items.length > 0 ? items.map(Number) : false];
 }
+
+// { samples: 4, annotate: ["axes", "box"], shadow: true } to [["samples", [4]], ["annotate", "axes"], ["annotate", "box"], ...]
+const list = (options) => Object.entries(options)
+  .filter(([key, value]) => !NO_FLAGS.has(key) && value !== undefined && value !== null)
+  .flatMap(([key, value]) => values(key, value).map((one) => [key, one]));
 
 // The name is an argument because bundlers for browsers try to resolve literal ones.
 const importModule = (name) => import(/* webpackIgnore: true */ /* @vite-ignore */ name);
@@ -141,13 +139,16 @@ class Burnish {
   #reading = Promise.resolve();
 
   #startThreads;
+  #naming;
 
-  constructor(exports, simd, threads, startThreads) {
+  constructor(exports, simd, threads, startThreads, naming) {
     this.#exports = exports;
+    this.#naming = naming;
     this.simd = simd;
     this.threads = threads;
     this.#startThreads = startThreads;
     this.version = this.#text(exports.version());
+    this.flags = this.#readFlags();
   }
 
   /** Starts the threads after load() with startThreads: false; further calls do nothing. */
@@ -188,11 +189,13 @@ class Burnish {
   // Calls use(at, count) with session_options in the module's memory.
   #withOptions(pairs, use) {
     const items = pairs.flatMap(([name, value]) =>
-      [name, value === true ? "" : typeof value === "string" ? value : new Uint8Array(Float64Array.from(value).buffer)]);
+      [name, typeof value === "boolean" ? "" : typeof value === "string" ? value : new Uint8Array(Float64Array.from(value).buffer)]);
     this.#with(items, (...at) => {
       const fields = pairs.flatMap(([, value], i) => {
         const [name, content] = [at[2 * i], at[2 * i + 1]];
-        return value === true ? [name, 0, 0, 0] : typeof value === "string" ? [name, content, 0, 0] : [name, 0, content, value.length];
+        return typeof value === "boolean" ? [name, 0, 0, 0, value ? 0 : 1]
+          : typeof value === "string" ? [name, content, 0, 0, 0]
+          : [name, 0, content, value.length, 0];
       });
       this.#with([new Uint8Array(Uint32Array.from(fields).buffer)], (optionsAt) => use(optionsAt, pairs.length));
     });
@@ -207,10 +210,41 @@ class Burnish {
     return new BurnishError(this.#text(this.#exports.failure_text()), this.#text(this.#exports.failure_status()));
   }
 
+  // ---- Options ----
+
+  // The flags that are options, by each of their names.
+  #readFlags() {
+    const flags = {};
+    for (let at, i = 0; (at = this.#exports.flag_row(i)) !== 0; ++i) {
+      const [name, stages, kind, others, words] = this.#text(at).split("\t");
+      const flag = {
+        name, loads: (stages & LOADS) !== 0, draws: (stages & DRAWS) !== 0, isSwitch: kind === "", isOptional: kind === "?",
+        repeats: kind === "+", words: words === "" ? [] : words.split(", "),
+      };
+      [name, ...others.split(",").filter(Boolean)].forEach((spelling) => (flags[camelCase(spelling)] = flag));
+    }
+    return flags;
+  }
+
+  /** { loading, drawing }: the options of open() and of mesh.render(). Unknown ones are of drawing, which reports them. */
+  split(options) {
+    const pick = (isWanted) => Object.fromEntries(Object.entries(options).filter(([key]) => NO_FLAGS.has(key) || isWanted(this.flags[camelCase(key)])));
+    return { loading: pick((flag) => flag?.loads), drawing: pick((flag) => !flag || flag.draws) };
+  }
+
+  // An option of the other stage ends a call.
+  #refuse(options, stage, line) {
+    const key = Object.keys(options).find((name) => this.flags[camelCase(name)]?.[stage] === false);
+    if (key !== undefined) {
+      throw new BurnishError(`${key}: ${line}`, "ARGUMENT");
+    }
+  }
+
   // ---- Meshes ----
 
   /** Loads a mesh from bytes, or ":teapot", ":sphere", ":torus" or ":knot". */
   open(input, options = {}) {
+    this.#refuse(options, "loads", "an option of drawing; pass it to the mesh's render()");
     const isBuiltIn = typeof input === "string" && input.startsWith(":");
     const bytes = isBuiltIn ? new Uint8Array(0) : asBytes(input);
     const name = isBuiltIn ? input : options.name ?? "memory";
@@ -226,8 +260,8 @@ class Burnish {
         files.forEach(([, content], i) => {
           e.session_offer(session, offers[2 * i], offers[2 * i + 1], content.length);
         });
-        this.#withOptions(list(options, (key) => LOADING.has(key)), (optionsAt, count) => {
-          if (!e.session_open(session, nameAt, bytesAt, bytes.length, optionsAt, count)) {
+        this.#withOptions(list(options), (optionsAt, count) => {
+          if (!e.session_open(session, nameAt, bytesAt, bytes.length, optionsAt, count, this.#naming)) {
             throw this.#failure();
           }
         });
@@ -269,8 +303,9 @@ class Burnish {
 
   #draw(session, options) {
     const e = this.#exports;
-    this.#withOptions(list(options, (key) => !LOADING.has(key)), (optionsAt, count) => {
-      if (!e.session_draw(session, optionsAt, count)) {
+    this.#refuse(options, "draws", "an option of loading; pass it to open()");
+    this.#withOptions(list(options), (optionsAt, count) => {
+      if (!e.session_draw(session, optionsAt, count, this.#naming)) {
         throw this.#failure();
       }
     });
@@ -348,10 +383,11 @@ class Burnish {
 
   /** Loads a mesh, draws one picture and closes the mesh. */
   render(input, options = {}) {
-    const mesh = this.open(input, options);
+    const { loading, drawing } = this.split(options);
+    const mesh = this.open(input, loading);
     this.#exports.picture_forget();
     try {
-      return mesh.render(drawing(options));
+      return mesh.render(drawing);
     } finally {
       mesh.close();
     }
@@ -482,10 +518,6 @@ class Mesh {
     if (this.#session === 0) {
       throw new BurnishError("mesh: it is closed; open it again", "ARGUMENT");
     }
-    const loading = Object.keys(options).find((key) => LOADING.has(key));
-    if (loading) {
-      throw new BurnishError(`${loading}: an option of loading; pass it to open()`, "ARGUMENT");
-    }
     return this.#module.draw(this.#session, options);
   }
 
@@ -530,8 +562,9 @@ const importsMemory = (module) => WebAssembly.Module.imports(module).some(({ kin
  * @param {number} [how.threads]  number of threads, default 1; more than 1 only in a worker of a cross-origin isolated page
  * @param {boolean} [how.startThreads]  false: only one thread draws until startThreads() is called
  * @param {URL|string|BufferSource|WebAssembly.Module} [how.module]  instead of the file next to this one
+ * @param {boolean} [how.dashes]  true: messages spell options as flags, --camera-position
  */
-export async function load({ simd = hasSimd(), threads = 1, startThreads = true, module } = {}) {
+export async function load({ simd = hasSimd(), threads = 1, startThreads = true, module, dashes = false } = {}) {
   const mayShare = simd && globalThis.crossOriginIsolated && typeof WorkerGlobalScope === "function";
   const isForThreads = module instanceof WebAssembly.Module ? importsMemory(module) : !module && threads > 1;
   const memory = mayShare && isForThreads ? sharedMemory() : null;
@@ -544,7 +577,7 @@ export async function load({ simd = hasSimd(), threads = 1, startThreads = true,
   const instance = await WebAssembly.instantiate(compiled, memory ? { env: { memory } } : {});
   const exports = memory ? { ...instance.exports, memory } : instance.exports;
   exports._initialize();
-  const burnish = new Burnish(exports, simd, count, () => startWorkers(count, compiled, memory, exports));
+  const burnish = new Burnish(exports, simd, count, () => startWorkers(count, compiled, memory, exports), dashes ? DASHES : CAMEL_CASE);
   if (startThreads) {
     burnish.startThreads();
   }
@@ -555,10 +588,11 @@ let shared;
 
 /** Draws one picture with an instance that all calls share; textures are decoded. */
 export async function render(input, options = {}) {
-  shared ??= load();
-  const mesh = await (await shared).read(input, options);
+  const burnish = await (shared ??= load());
+  const { loading, drawing } = burnish.split(options);
+  const mesh = await burnish.read(input, loading);
   try {
-    return mesh.render(drawing(options));
+    return mesh.render(drawing);
   } finally {
     mesh.close();
   }

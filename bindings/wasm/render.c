@@ -1,6 +1,8 @@
 /* Meshes and their pictures. */
+#include <stdio.h>
 #include <string.h>
 
+#include "cli/values.h"
 #include "module.h"
 #include "session.h"
 
@@ -12,9 +14,10 @@ WASM_EXPORT(session_offer)
 int open_offer(session *s, const char *name, const void *bytes, size_t size);
 WASM_EXPORT(session_open)
 int open_load(session *s, const char *name, const void *bytes, size_t size,
-              const session_option *options, size_t count);
+              const session_option *options, size_t count, session_naming naming);
 WASM_EXPORT(session_draw)
-int open_draw(session *s, const session_option *options, size_t count);
+int open_draw(session *s, const session_option *options, size_t count, session_naming naming);
+WASM_EXPORT(flag_row) const char *flag_row(size_t index);
 WASM_EXPORT(session_pixels) const uint8_t *open_pixels(const session *s);
 WASM_EXPORT(session_rgba) void open_rgba(const session *s, uint8_t *to);
 WASM_EXPORT(session_number) double open_number(const session *s, int which);
@@ -37,16 +40,39 @@ int open_offer(session *s, const char *name, const void *bytes, size_t size) {
 /* Loads bytes, or a built-in object such as ":teapot", into a session without a mesh. Returns 1, or
  * 0 after an error. */
 int open_load(session *s, const char *name, const void *bytes, size_t size,
-              const session_option *options, size_t count) {
+              const session_option *options, size_t count, session_naming naming) {
     return session_open(s, name, name[0] == ':' ? NULL : bytes, size,
-                        (session_options){options, count, SESSION_CAMEL_CASE},
+                        (session_options){options, count, naming},
                         module_error()) == BURNISH_STATUS_OK;
 }
 
 /* Draws the session's mesh. Returns 1, or 0 after an error; can be called again after either. */
-int open_draw(session *s, const session_option *options, size_t count) {
-    return session_draw(s, (session_options){options, count, SESSION_CAMEL_CASE}, module_error()) ==
+int open_draw(session *s, const session_option *options, size_t count, session_naming naming) {
+    return session_draw(s, (session_options){options, count, naming}, module_error()) ==
            BURNISH_STATUS_OK;
+}
+
+/* Flag number `index` that is an option: its name, what it is an option of (SESSION_LOADS and
+ * SESSION_DRAWS), the kind of its value ("" for a switch, "?" if it can be omitted, "+" if values
+ * add up), its other names and its words, with tabs between them. NULL past the last. */
+const char *flag_row(size_t index) {
+    static char row[512];
+    char words[256] = "";
+    unsigned stages;
+    const cli_flag *flag = session_flag_at(index, &stages);
+    if (!flag) {
+        return NULL;
+    }
+    if (flag->words) {
+        cli_word_list(flag->words, words, sizeof words);
+    }
+    snprintf(row, sizeof row, "%s	%u	%s	%s	%s", flag->name, stages,
+             !flag->value     ? ""
+             : flag->repeats  ? "+"
+             : flag->optional ? "?"
+                              : "=",
+             flag->also ? flag->also : "", words);
+    return row;
 }
 
 /* Line number `index`, NULL past the last. */

@@ -99,13 +99,14 @@ static int is_in_name(char c) {
 }
 
 /* The length of the flag that text begins with, such as "--size"; 0: none, as for "--size.stl" and
- * the end of "dir/--size". */
+ * the end of "dir/--size". Only at the beginning of a message it can be an unknown one. */
 static size_t measure_flag(const char *text, char before) {
     const size_t length = 2 + strspn(text + 2, "abcdefghijklmnopqrstuvwxyz0123456789-");
     const char *end = text + length;
     const int is_part = is_in_name(before) || (before && strchr("-.", before)) ||
                         is_in_name(*end) || (*end == '.' && is_in_name(end[1]));
-    return !is_part && cli_find_flag(&render_command, text + 2, length - 2) ? length : 0;
+    const int is_flag = !before || cli_find_flag(&render_command, text + 2, length - 2);
+    return is_flag && !is_part ? length : 0;
 }
 
 /* Copies the flag's name without dashes, as the caller spells it. Returns the end of the copy. */

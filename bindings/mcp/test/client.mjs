@@ -1,6 +1,6 @@
 // The SDK's own client, over standard input and output. Usage: node client.mjs DATA, where both packages are installed
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Client } from "@modelcontextprotocol/sdk/client/index.js";
@@ -13,6 +13,7 @@ cpSync(process.argv[2], folder, { recursive: true });
 writeFileSync(join(outside, "secret.stl"), "solid\n");
 symlinkSync(join(outside, "secret.stl"), join(folder, "link.stl"));
 writeFileSync(join(folder, "broken.stl"), "solid\nfacet");
+cpSync(join(folder, "wedge.stl"), join(folder, "..x.stl"));
 writeFileSync(join(folder, "large.stl"), Buffer.alloc(3 << 20));
 
 async function connect(...options) {
@@ -44,6 +45,12 @@ assert.equal(drawn.json.triangles, wanted.triangles);
 const views = await call("render", { file: "cube.obj", views: ["front", "top"], width: 32, height: 32, options: { up: "+Z", color: "red" } });
 assert.deepEqual(views.images.map(({ width }) => width), [32, 32]);
 assert.deepEqual([views.json.up, views.json.warnings], ["+Z", []]);
+const words = await call("render", { file: "cube.obj", width: 64, height: 64, annotate: ["axes", "box"],
+  options: { colorBy: "height", tessellation: 4, strict: false, noLibraries: true, edges: ["creases", "boundaries"], size: 300 } });
+assert.deepEqual(Buffer.from(words.images[0].data), Buffer.from(burnish.render(readFileSync(join(folder, "cube.obj")), {
+  name: "cube.obj", size: 64, annotate: "axes,box", edges: "creases,boundaries", colorBy: "height", noLibraries: true, rgba: true }).pixels));
+assert.equal((await call("render", { file: ":sphere", width: 32, height: 16, annotate: [], options: { width: 999, resolution: "3,3" } })).images[0].width, 32);
+assert.equal((await call("info", { file: "..x.stl" })).isError, undefined);
 await fails("render", { file: "cube.obj", options: { colour: "red" } }, /^colour: unknown/);
 await fails("render", { file: "broken.stl" }, /^broken\.stl:/);
 
@@ -65,8 +72,16 @@ writeFileSync(join(folder, "picture.png"), pngjs.PNG.sync.write(drawn.images[0])
 assert.equal((await call("compare", { before: "picture.png", after: "picture.png" })).json.same, true);
 await fails("compare", { before: "picture.png", after: ":sphere" }, /two of the same kind/);
 
+// pngjs would allocate the second header's 16 GB
+const [png, header] = [pngjs.PNG.sync.write(drawn.images[0]), Buffer.alloc(8)];
+header.writeUInt32BE(65536);
+header.writeUInt32BE(65536, 4);
+writeFileSync(join(folder, "two.png"), Buffer.concat([png.subarray(0, 33), png.subarray(8, 16), header, png.subarray(24)]));
+await fails("compare", { before: "two.png", after: "two.png" }, /one header/);
+
 // Files outside the folder, links to them, large files, long requests
 await fails("info", { file: "../secret.stl" }, /not below/);
+await fails("info", { file: ".." }, /not below/);
 await fails("info", { file: join(outside, "secret.stl") }, /not below/);
 await fails("render", { file: "link.stl" }, /not below/);
 await fails("render", { file: "none.stl" }, /no such file/);

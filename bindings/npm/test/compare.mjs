@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { encodePng } from "burnish/node";
+import { companions, encodePng, readPngSize } from "burnish/node";
 import { hasSimd, load, render } from "burnish/wasm";
 import { decodePng } from "./png.mjs";
 
@@ -26,7 +26,7 @@ function optionsOf(flags) {
   for (const flag of flags) {
     const [name, value = true] = flag.slice(2).split(/=(.*)/s, 2);
     const key = name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
-    options[key] = key === "light" ? [...(options.light ?? []), value] : value;
+    options[key] = key in options ? [...options[key], value] : value === true ? true : [value];
   }
   return options;
 }
@@ -51,10 +51,9 @@ for (const line of readFileSync(golden, "utf8").trim().split("\n")) {
   }
   ++drawn;
   for (const burnish of instances) {
-    const { noTextures, creaseAngle, inputFormat, up, tessellation, clip, colorBy, pointSize, ...drawn } = optionsOf(flags);
-    const loading = { noTextures, creaseAngle, inputFormat, up, tessellation, clip, colorBy, pointSize, name: input, files, decode: decodePng };
-    const mesh = await burnish.read(inputOf(input), loading);
-    const picture = mesh.render(drawn);
+    const { loading, drawing } = burnish.split(optionsOf(flags));
+    const mesh = await burnish.read(inputOf(input), { ...loading, name: input, files, decode: decodePng });
+    const picture = mesh.render(drawing);
     mesh.close();
     check(`${input} ${flags.join(" ")} simd ${burnish.simd}`, picture.hash, hash);
     check(`${input}: pixels`, picture.pixels.length, picture.width * picture.height * picture.channels);
@@ -160,6 +159,48 @@ check("a sheet", errorOf(() => burnish.render(":sphere", { views: ["front,top"] 
   "ARGUMENT views: one picture at a time; give one of them");
 check("loading", errorOf(() => burnish.open(":sphere").render({ clip: "1,0,0,0" })),
   "ARGUMENT clip: an option of loading; pass it to open()");
+check("drawing", errorOf(() => burnish.open(":sphere", { size: 3 })), "ARGUMENT size: an option of drawing; pass it to the mesh's render()");
+check("unknown to open()", errorOf(() => burnish.open(":sphere", { strickt: true })), "ARGUMENT strickt: unknown flag; did you mean strict?");
+check("not switched off", errorOf(() => burnish.render(":sphere", { look: false })), "ARGUMENT look: it can't be switched off; omit it, or give NAME");
+check("an object", errorOf(() => burnish.render(":sphere", { size: {} })).split(";")[0], "ARGUMENT size: an object is not a value");
+check("a file's name", errorOf(() => burnish.render(new Uint8Array(9), { name: "--size" })).startsWith("FORMAT --size: "), true);
+
+// ---- Options: lists, false, sizes ----
+
+for (const [options, flags] of program ? [
+  [{ annotate: ["axes", "box"] }, ["--annotate=axes,box"]],
+  [{ edges: ["creases", "boundaries"], "edge-width": 3 }, ["--edges=creases,boundaries", "--edge-width=3"]],
+  [{ clip: [[1, 0, 0, 0.5], "0,1,0,0.5"] }, ["--clip=1,0,0,.5", "--clip=0,1,0,.5"]],
+  [{ clip: new Float64Array([1, 0, 0, 0.5]) }, ["--clip=1,0,0,.5"]],
+  [{ light: ["point:0,1,2", "directional:1,2,3"] }, ["--light=point:0,1,2", "--light=directional:1,2,3"]],
+  [{ views: "front", cameraOrthographic: false }, ["--views=front", "--camera-orthographic=no"]],
+  [{ look: "technical", edges: false }, ["--look=technical", "--edges=none"]],
+  [{ look: "technical", edges: [] }, ["--look=technical", "--edges=none"]],
+  [{ occlusion: false, annotate: false, clip: false, ground: false, color: null }, ["--occlusion=none"]],
+  [{ background: false, light: false }, ["--no-background", "--light=none"]],
+  [{ width: 64 }, ["--width=64"]],
+  [{ size: [64, 48] }, ["--size=64x48"]],
+] : []) {
+  writeFileSync("cube.obj", files["cube.obj"]);
+  writeFileSync("cube.mtl", files["cube.mtl"]);
+  const wanted = JSON.parse(spawnSync(program, ["render", "cube.obj", "--size=64", ...flags, "--json", "-o", "/dev/null"], { encoding: "utf8" }).stdout);
+  check(flags.join(" "), burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64, ...options }).hash, wanted.hash);
+}
+
+// ---- Types: the options and words of the program ----
+
+const types = readFileSync("node_modules/burnish/wasm.d.ts", "utf8");
+const sheets = ["third-angle", "first-angle"];
+const typeOf = (name) => new RegExp(`^(?:  ${name}\\?:|export type ${name} =) (.*);$`, "m").exec(types)?.[1] ?? "";
+for (const [key, { words }] of Object.entries(burnish.flags).filter(([key]) => key !== "threads")) { // load() has them
+  const type = typeOf(key).replace(/\b(View|Annotation|Edge)\b/, typeOf);
+  check(`type of ${key}`, type !== "", true);
+  if (words.length > 0) {
+    check(`words of ${key}`, Array.from(type.matchAll(/"([^"]+)"|\b(\d+)\b/g), ([, word, number]) => word ?? number).sort().join(), words.filter((word) => !sheets.includes(word)).sort().join());
+  }
+}
+const listed = ["LoadOptions", "DrawOptions"].flatMap((name) => [...new RegExp(`interface ${name} {(.*?)^}`, "ms").exec(types)[1].matchAll(/^  (\w+)\?:/gm)].map(([, key]) => key));
+check("no other options", listed.filter((key) => !(key in burnish.flags)).join(), "name,files,measure,rgba");
 check("no such object", errorOf(() => burnish.render(":cow")).split(" ")[0], "ARGUMENT");
 
 // ---- Inputs that are not bytes ----
@@ -195,6 +236,12 @@ check("render(undefined)", await render().then(() => "none", (error) => error in
 // ---- Entries of the package ----
 
 check("the root", (await import("burnish")).render === render, true);
+check("require()", (await createRequire(import.meta.url)("burnish").render(":sphere", { size: 16 })).hash, burnish.render(":sphere", { size: 16 }).hash);
+{
+  const older = createRequire(import.meta.url)(join(process.cwd(), "node_modules/burnish/require.cjs")); // Node before 20.19
+  check("require.cjs", (await older.render(":sphere", { size: 16 })).hash, burnish.render(":sphere", { size: 16 }).hash);
+  check("no dead links", /\]\(\.\./.test(readFileSync("node_modules/burnish/README.md", "utf8")), false);
+}
 for (const name of ["burnish", "burnish-simd", "burnish-threads"]) {
   check(name, createRequire(import.meta.url).resolve(`burnish/${name}.wasm`).endsWith(`${name}.wasm`), true);
 }
@@ -272,7 +319,10 @@ check("no decoder", warnings.some((line) => line.includes("images can't be decod
 
 const ran = (...words) => spawnSync(program, words, { encoding: "utf8" });
 const command = (...words) => spawnSync(process.execPath, [join("node_modules", "burnish", "command.js"), ...words], { encoding: "utf8" });
-for (const words of program ? [[":teapot", "command.png", "--size=48x32", "--azimuth", "30", "--ground"], [":knot", "-s", "40", "--no-background", "-o", "command.png"]] : []) {
+for (const words of program ? [
+  [":teapot", "command.png", "--size=48x32", "--azimuth", "30", "--ground"], [":knot", "-s", "40", "--no-background", "-o", "command.png"],
+  [":knot", "command.png", "--width=60", "--edges", "--edge-width=3", "--light=point:0,1,2", "--light", "directional:1,2,3", "--background", "red"],
+] : []) {
   const report = JSON.parse(command(...words, "--json").stdout);
   const program = JSON.parse(ran("render", ...words, "--json", "--overwrite").stdout);
   check(`command ${words.join(" ")}`, report.hash, program.hash);
@@ -294,10 +344,53 @@ for (const [words, status, line] of [
   [["none.stl"], 3, "burnish: none.stl: can't be opened: No such file or directory\n"],
   [[":teapot", "--frobnicate=3"], 2, null],
   [["-z"], 2, 'burnish: -z: unknown flag; "burnish --help" lists the flags\n'],
+  [[":teapot", "a.png", "--edge-widht=3"], 2, "burnish: --edge-widht: unknown flag; did you mean --edge-width?\n"],
+  [[":teapot", "a.png", "--azimuth"], 2, "burnish: --azimuth: a value is missing: --azimuth=DEG\n"],
+  [[":teapot", "a.png", "--ground=yes"], 2, "burnish: --ground: takes no value; write --ground alone\n"],
+  [[":teapot", "a.png", "--views=front,top"], 2, "burnish: --views: one picture at a time; give one of them\n"],
+  [[":teapot", "a.png", "--output"], 2, "burnish: --output: a value is missing: --output=VALUE\n"],
+  [[":teapot", "a.png", "--max-seconds=0"], 2, 'burnish: --max-seconds: "0" is not a number above 0\n'],
+  [[":teapot", "a.png", "--max-seconds=1e-6", "--size=2000"], 5, "burnish: not done after 0.000001 seconds (--max-seconds): raise the limit or simplify the input\n"],
+  [[":teapot", "a.png", "--max-seconds=1e6", "--look=nice"], 2, null],
+  [[":teapot", "limited.png", "--max-seconds=1e6", "--size=16", "--json=limited.json"], 0, ""],
 ]) {
   const ended = command(...words);
   check(`command ${words.join(" ")}: exit code`, ended.status, status);
   check(`command ${words.join(" ")}: line`, line === null ? ended.stderr.split("\n").length === 2 : ended.stderr === line, true);
+}
+
+check("--json=FILE", JSON.parse(readFileSync("limited.json")).hash, burnish.render(":teapot", { size: 16 }).hash);
+for (const word of ["--version", "-V"]) {
+  check(word, command(word).stdout, `burnish ${burnish.version}\n`);
+}
+check("--help", command("--help").stdout.startsWith("Usage: burnish INPUT"), true);
+
+// ---- Files that a mesh refers to ----
+
+mkdirSync("companions/sub folder", { recursive: true });
+const beside = ["a b.mtl", "sub folder/wood plank.png", "sub folder/Ü.png", "unused.png", "used.mtl.png", "mtl.txt"];
+for (const name of beside) {
+  writeFileSync(join("companions", name), name === "a b.mtl" ? "newmtl x\nmap_Kd -s 1 1 1 sub folder\\wood plank.png\n" : name);
+}
+for (const [input, text, wanted] of [
+  ["a.obj", "mtllib a b.mtl\n", "a b.mtl,sub folder/wood plank.png"],
+  ["a.gltf", '{"images": [{"uri": "sub%20folder/%C3%9C.png"}, {"uri": "../x/used.mtl.png"}]}', "sub folder/Ü.png,used.mtl.png"],
+  ["a.ply", "ply\ncomment TextureFile Ü.png\n", "sub folder/Ü.png"],
+  ["a.obj", `${"#".repeat(2 ** 24 - 9)} mtllib a b.mtl`, "a b.mtl,sub folder/wood plank.png"], // across two parts
+  ["a.obj", "x.png ".repeat(300), ""],
+  ["a.stl", "a b.mtl", ""],
+]) {
+  check(`companions of ${text.slice(-40)}`, Object.keys(companions(`companions/${input}`, Buffer.from(text))).sort().join(), wanted);
+}
+
+// ---- Headers of PNG files, by which pngjs allocates ----
+
+const small = encodePng({ width: 2, height: 1, channels: 3, pixels: new Uint8Array(6) });
+const two = Buffer.concat([small.subarray(0, 33), small.subarray(8, 33), small.subarray(33)]);
+two.writeUInt32BE(1 << 20, 33 + 8);
+check("a PNG's size", readPngSize(small).join(), "2,1");
+for (const bytes of [two, small.subarray(0, 20), Buffer.from("\x89PNG"), Buffer.concat([small.subarray(0, 8), small.subarray(33)])]) {
+  check("wrong headers", typeErrorOf(() => readPngSize(bytes)).startsWith("undefined "), true);
 }
 
 console.log(`npm: ${drawn} golden pictures, ${names.length} seeds, ${checks} checks, ${failures} failed`);
