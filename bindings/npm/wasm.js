@@ -351,7 +351,7 @@ class Burnish {
     let decoded = 0;
     for (let at, i = 0; (at = e.picture_bytes(i)) !== 0; ++i) {
       const bytes = new Uint8Array(e.memory.buffer, at, e.picture_size(i)).slice();
-      const { width, height, pixels } = await Promise.resolve(decode(bytes)).catch(() => ({}));
+      const { width, height, pixels } = await new Promise((resolve) => resolve(decode(bytes))).then((decoded) => decoded ?? {}, () => ({}));
       const room = width > 0 && pixels?.length === 4 * width * height ? e.picture_pixels(i, width, height) : 0;
       if (room !== 0) {
         new Uint8Array(e.memory.buffer).set(pixels, room);
@@ -369,8 +369,8 @@ class Burnish {
     this.#reading = new Promise((resolve) => (end = resolve));
     await before; // requested images belong to one mesh at a time
     try {
-      const mesh = this.open(input, options);
-      if (!decode || (await this.#decodePictures(decode)) === 0) {
+      const mesh = this.open(input, decode ? { ...options, strict: false } : options); // the missing images are requested
+      if (!decode || ((await this.#decodePictures(decode)) === 0 && !options.strict)) {
         return mesh;
       }
       mesh.close();

@@ -313,6 +313,15 @@ check("gzip", (await render(gzipSync(files["wedge.stl"]), { name: "wedge.stl.gz"
 check("half a gzip", await render(gzipSync(files["wedge.stl"]).subarray(0, 40), { name: "w.gz" }).then(() => "none", (e) => e.status), "FORMAT");
 
 const { warnings } = await render(files["textured.obj"], { name: "textured.obj", files, size: 32 });
+{
+  const [strict, lenient] = await Promise.all([true, false].map((strict) => render(files["textured.obj"], { name: "textured.obj", files, size: 32, strict, decode: decodePng })));
+  check("strict with textures", strict.hash, lenient.hash);
+  const line = await render(files["textured.obj"], { name: "textured.obj", files, size: 32, strict: true, decode: () => null }).catch(({ message }) => message);
+  check("strict without them", /was skipped.*as loading is strict/.test(line), true);
+}
+for (const decode of [() => null, () => { throw new Error("no"); }, async () => { throw new Error("no"); }]) {
+  check(`decoder ${decode}`, (await render(files["textured.obj"], { name: "textured.obj", files, size: 32, decode })).warnings.join(), warnings.join());
+}
 check("no decoder", warnings.some((line) => line.includes("images can't be decoded here")), true);
 
 // ---- The command ----
