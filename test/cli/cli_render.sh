@@ -378,8 +378,8 @@ expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the anno
 bar='burnish: warning: block.obj: --annotate: scale: a perspective has no scale, so the picture has no bar; use --camera-orthographic, or omit it'
 expect 0 "$bar" render block.obj --annotate=scale -o s.png
 expect 0 "$bar" render block.obj --views=front --camera-orthographic=no --annotate=scale -o s.png
-expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=axes,ruler
-expect 2 'burnish: --annotate: "" is not one of axes, box, dimensions, scale, grid' render block.obj --annotate=
+expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid, none' render block.obj --annotate=axes,ruler
+expect 2 'burnish: --annotate: "" is not one of axes, box, dimensions, scale, grid, none' render block.obj --annotate=
 
 run render :teapot --lobe=power,schlick,energy:2,taylor:2 --columns=4 --size=40 --json -o sheet.png
 check "four columns" [ "$(json width)" -ge 160 ]
