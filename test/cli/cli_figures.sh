@@ -119,7 +119,6 @@ rm -f data.csv disagreements.txt
 
 expect 2 'burnish: lobe plot: "curvs": unknown figure; did you mean curves?' lobe plot curvs
 expect 2 'burnish: lobe plot: no FIGURE; try "burnish lobe plot curves" or "burnish lobe plot --help"' lobe plot
-expect 2 'burnish: --bits: the figure curves has no thresholds; leave it out' lobe plot curves --bits=3
 expect 2 'burnish: --exponents: more than 32 items; leave some out' lobe plot curves --exponents=1-33
 expect 2 'burnish: --exponents: the figure core has an axis of exponents; give its two ends, such as 2,1000' \
     lobe plot core --exponents=5
