@@ -217,8 +217,7 @@ static const cli_flag flags[] = {
                "times *pixels_per_unit* of the report, a drawing in millimetres prints at 1:1."},
     {CLI_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
               render_flag_plane, output.planes),
-     .file = CLI_WRITES,
-     .repeats = 1,
+     .file = CLI_WRITES, .repeats = 1,
      .manual =
          "Writes a buffer of numbers for each pixel to its own file, in addition to the picture; "
          "can be repeated. *depth* is the distance from the camera along its axis, *normal* the "

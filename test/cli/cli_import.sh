@@ -8,8 +8,8 @@ bin=$scratch.bin
 trap 'rm -rf "$bin"' EXIT
 export BURNISH_IMPORTERS="$bin"
 "$here/../fuzz/seeds" "$bin/seeds"
-tail -c +4 "$bin/seeds/bms/all" >"$bin/all.bms"
-tail -c +4 "$bin/seeds/bms/error" >"$bin/error.bms"
+tail -c +5 "$bin/seeds/bms/all" >"$bin/all.bms"
+tail -c +5 "$bin/seeds/bms/error" >"$bin/error.bms"
 echo "an FBX" >a.fbx
 name=burnish-import-assimp
 

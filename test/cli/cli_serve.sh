@@ -227,7 +227,7 @@ mkdir "$bin"
 trap 'rm -rf "$bin"' EXIT
 export BURNISH_IMPORTERS="$bin"
 "$here/../fuzz/seeds" "$bin/seeds"
-tail -c +4 "$bin/seeds/bms/all" >"$bin/all.bms"
+tail -c +5 "$bin/seeds/bms/all" >"$bin/all.bms"
 importer() {
     printf '#!/bin/sh\n%s\n' "$1" >"$bin/burnish-import-assimp"
     chmod +x "$bin/burnish-import-assimp"

@@ -57,7 +57,7 @@ fi
 mkdir files
 for seed in seeds/*/*; do
     format=$(basename "$(dirname "$seed")") name=files/$(basename "$seed")
-    tail -c +4 "$seed" >"$name.$format"
+    tail -c +5 "$seed" >"$name.$format"
     [ "$(head -c 4 "$name.$format")" != glTF ] || mv "$name.$format" "$name.glb"
 done
 for extension in stl obj ply off gltf glb 3mf bms; do

@@ -66,7 +66,7 @@ void serve_work(const serve_settings *settings) {
     _exit(cli_write_all(SERVE_REPLY, "{\"code\":0}\n", 11) ? 0 : 6);
 }
 
-/* Runs a server over requests of 7 bytes each. Returns the replies' bytes; count receives how many whole frames they are. */
+/* Runs a server over requests of 7 bytes each; its input ends after all starts that fail. Returns the replies' bytes; count receives how many whole frames they are. */
 static size_t serve(int jobs, const char *requests, size_t *count) {
     static uint8_t replies[REPLIES_MAX];
     static const serve_settings defaults = {.max_request_bytes = MOST};
@@ -91,6 +91,9 @@ static size_t serve(int jobs, const char *requests, size_t *count) {
     for (uint8_t id = 0; *requests; requests += 7, ++id) {
         const uint8_t head[SERVE_HEAD_BYTES] = {7, 0, 0, 0, id};
         CHECK1(cli_write_all(in[1], head, sizeof head) && cli_write_all(in[1], requests, 7));
+    }
+    for (int k = 0; k < 10000 && shared->killed <= shared->killed_to - shared->killed_from; ++k) {
+        usleep(1000); /* at the end of its input the server starts no more workers */
     }
     close(in[1]);
     while (size < sizeof replies &&
