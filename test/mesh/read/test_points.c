@@ -283,6 +283,36 @@ static void test_preview(void) {
     }
 }
 
+/* The share of a text's rows does not depend on how much of it is read at once. */
+static void test_preview_threads(void) {
+    static void (*const writers[])(FILE * file) = {write_obj, write_stl};
+    for (size_t k = 0; k < 2; ++k) {
+        size_t thinning[2] = {0}, counts[2] = {0};
+        FILE *file = tmpfile();
+        if (!file) {
+            abort();
+        }
+        writers[k](file);
+        for (int i = 0; i < 2; ++i) {
+            burnish_load_options options = burnish_load_options_default();
+            burnish_error error;
+            burnish_mesh *mesh = NULL;
+            options.threads = i ? 8 : 1;
+            options.max_memory = BASE + ROOM;
+            rewind(file);
+            CHECK_OK(burnish_mesh_load_descriptor(fileno(file), k ? "a.stl" : "a.obj", &options,
+                                                  &mesh, &error),
+                     error);
+            thinning[i] = mesh ? burnish_mesh_get_info(mesh)->thinning : 0;
+            counts[i] = mesh ? burnish_mesh_get_view(mesh)->vertex_count : 0;
+            burnish_mesh_destroy(mesh);
+        }
+        CHECK(thinning[0] == thinning[1] && counts[0] == counts[1], "1 in %zu, 1 in %zu",
+              thinning[0], thinning[1]);
+        fclose(file);
+    }
+}
+
 /* Half of the points close together and half far apart, which takes the most memory: the share that
  * previews count on is enough. */
 static void test_uneven(void) {
@@ -413,6 +443,7 @@ int main(int count, char **arguments) {
     RUN(test_density());
     RUN(test_outliers());
     RUN(test_preview());
+    RUN(test_preview_threads());
     RUN(test_uneven());
     RUN(test_lines());
     RUN(test_limits());

@@ -425,7 +425,7 @@ static burnish_status consider_preview(chunk_driver *driver, size_t before) {
     if (status != BURNISH_STATUS_OK || driver->thinning.step > 0 || step == 1) {
         return status;
     }
-    driver->thinning.step = step;
+    driver->thinning.step = 2; /* doubled as rows come, however many a wave brings */
     driver->thinning.most = (size_t)burnish_thinning_room(reader->input);
     burnish_release(mesh->memory.context, reader->polygons);
     reader->polygons = NULL;
