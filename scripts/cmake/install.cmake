@@ -6,6 +6,16 @@ add_custom_target(burnish_installed DEPENDS burnish burnish_theory)
 install(DIRECTORY include/burnish DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/burnish/shaders
   PATTERN "*.shade" EXCLUDE)
+find_program(BURNISH_PYTHON3 python3)
+if(BURNISH_PYTHON3) # the shaders in a file per subject
+  add_custom_command(OUTPUT shaders/burnish.glsl COMMAND ${BURNISH_PYTHON3} ${PROJECT_SOURCE_DIR}/scripts/shaders shaders
+    DEPENDS scripts/shaders shaders/burnish.shade VERBATIM)
+  add_custom_target(burnish_shaders ALL DEPENDS shaders/burnish.glsl)
+  add_dependencies(burnish_installed burnish_shaders)
+  install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/burnish/shaders)
+else()
+  message(STATUS "python3 is missing: of the shaders only one file per language is installed")
+endif()
 install(TARGETS burnish EXPORT burnish-static)
 install(TARGETS burnish_theory EXPORT burnish-theory)
 if(BURNISH_SHARED)

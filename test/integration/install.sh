@@ -23,7 +23,7 @@ libdir=$(dirname "$(find "$scratch/moved" -name libburnish.a)")
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 export LD_LIBRARY_PATH="$libdir"
 "$scratch/moved/bin/burnish" render :teapot -o "$scratch/expected.png" || fail "the installed program"
-for text in man/man1/burnish.1 burnish/shaders/burnish.glsl bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
+for text in man/man1/burnish.1 burnish/shaders/burnish.glsl burnish/shaders/glsl/lighting/specular/burnish.glsl bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
     [ -s "$scratch/moved/share/$text" ] || fail "no $text"
 done
 
@@ -98,7 +98,7 @@ if ninja -C "$build" -t commands burnish_installed >"$scratch/commands" 2>/dev/n
     [ "$(wc -l <"$scratch/built")" -gt 4 ] || fail "cmake_install.cmake names no files"
     while read -r file; do
         name=$(basename "$(readlink -f "$file")")
-        grep -qE "(-o|>|qc) $name( |\$)" "$scratch/commands" || fail "make install does not build $name"
+        grep -qE "(-o|>|qc|scripts/shaders) $name( |\$)" "$scratch/commands" || fail "make install does not build $name"
     done <"$scratch/built"
 fi
 

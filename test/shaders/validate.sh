@@ -44,15 +44,16 @@ hlsl_shader() {
     echo 'float4 main(float3 N : A, float3 L : B, float3 V : C, float n : D) : SV_Target { return everyFunction(N, L, V, n); }'
 }
 
-# Every file alone, with what it includes.
-for file in $(cd "$shaders" && find glsl hlsl -type f); do
+# Every file of one subject alone, with what it includes.
+"$source/scripts/shaders" "$PWD/split"
+for file in $(cd split && find glsl hlsl -type f); do
     language=${file%%/*}
     if [ "$language" = glsl ]; then
         printf '#version 330\n#extension GL_GOOGLE_include_directive : require\n#include "%s"\nvoid main() {}\n' "$file" >one.frag
-        says "$file" glslangValidator -I"$shaders" -G -o one.spv one.frag
+        says "$file" glslangValidator -Isplit -G -o one.spv one.frag
     else
         printf '#include "%s"\nfloat4 main() : SV_Target { return 0; }\n' "$file" >one.frag
-        says "$file" glslangValidator -I"$shaders" -D -e main -S frag -V -o one.spv one.frag
+        says "$file" glslangValidator -Isplit -D -e main -S frag -V -o one.spv one.frag
     fi
 done
 
@@ -95,8 +96,8 @@ if command -v node >/dev/null && command -v npm >/dev/null; then
     [ -d "$dawn/node_modules/webgpu" ] || npm install --silent --no-save --prefix "$dawn" webgpu@0.6 >npm.txt 2>&1 || true
     if [ -d "$dawn/node_modules/webgpu" ]; then
         # WGSL has no includes: LYGIA's tools resolve them
-        for file in $(cd "$shaders" && find wgsl burnish.wgsl -type f); do
-            python3 "$here/includes.py" "$shaders/$file" >"$(echo "$file" | tr / _)"
+        for file in $(cd split && find wgsl burnish.wgsl -type f); do
+            python3 "$here/includes.py" "split/$file" >"$(echo "$file" | tr / _)"
         done
         says "WGSL" node "$here/wgsl.mjs" "$dawn" ./*.wgsl
         VK_ICD_FILENAMES=/usr/lib/chromium/vk_swiftshader_icd.json \
