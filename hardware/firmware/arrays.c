@@ -1,9 +1,11 @@
-/* Compares the arrays of arrays_q15.h with the C core, one value at a time: first sums over many
- * inputs, which must equal each other and the host's; then both between marks, for the simulator's
- * cycle counter. */
-#include "burnish/arrays_q15.h"
-
+/* Compares the arrays of dsp.h with the C core, one value at a time: first sums over many inputs,
+ * which must equal each other and the host's; then both between marks, for the simulator's cycle
+ * counter. */
+#include "burnish/shade_q15.h"
 #include "target.h"
+#ifdef __ARM_FEATURE_SIMD32
+#include "dsp.h"
+#endif
 
 #ifndef ROUNDS
 #define ROUNDS 200
@@ -49,7 +51,11 @@ LOOP(lobe_core) {
 }
 
 LOOP(lobe_array) {
-    burnish_lobe_q15_fast_array(&in->lobe, COUNT, in->cosines, values);
+#ifdef __ARM_FEATURE_SIMD32
+    dsp_lobe_fast(&in->lobe, COUNT, in->cosines, values);
+#else
+    lobe_core(in);
+#endif
 }
 
 static inline void pixels_core(const input *in, const burnish_q15_shader *shader) {
@@ -67,8 +73,12 @@ static inline void pixels_core(const input *in, const burnish_q15_shader *shader
 }
 
 static inline void pixels_array(const input *in, const burnish_q15_shader *shader) {
+#ifdef __ARM_FEATURE_SIMD32
     const int16_t *const normals[3] = {in->normals[0], in->normals[1], in->normals[2]};
-    burnish_q15_pixels_rgb565(shader, &in->light, 1, COUNT, normals, values);
+    dsp_pixels_rgb565(shader, &in->light, 1, COUNT, normals, values);
+#else
+    pixels_core(in, shader);
+#endif
 }
 
 LOOP(wide_core) {

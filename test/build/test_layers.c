@@ -100,8 +100,7 @@ static const struct layer {
     {"hardware/arduino/test/pico", "hardware pico"},
     {"hardware/arduino/test/pico/hardware", "pico"},
     {"hardware/arduino/test/pico/pico", ""},
-    {"hardware/firmware", "OledBall TftRing burnish/arrays_q15.h burnish/lobe_q15.h "
-                          "burnish/shade_q15.h"},
+    {"hardware/firmware", "OledBall TftRing burnish/lobe_q15.h burnish/shade_q15.h"},
     {"hardware/firmware/arm", ""},
     {"hardware/firmware/avr", ""},
     {"hardware/firmware/host", ""},

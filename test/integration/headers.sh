@@ -73,20 +73,6 @@ for compiler in $c_compilers; do
     sed 's,/\*.*\*/,,' "$scratch/lobe_q15.h" "$scratch/shade_q15.h" | grep -nE '\b(float|double|u?int64_t|long long)\b' | grep -v '^[0-9]*: \*' && failures=$((failures + 1))
 done
 
-# the array functions, with and without SIMD
-cp "$source/include/burnish/arrays_q15.h" "$source/include/burnish/vector_q15.h" "$scratch"
-cat >"$scratch/arrays.c" <<'CODE'
-#include "arrays_q15.h"
-void highlights(const burnish_lobe_q15 *lobe, uint16_t *values);
-void highlights(const burnish_lobe_q15 *lobe, uint16_t *values) {
-    burnish_lobe_q15_fast_array(lobe, 1000, values, values);
-}
-CODE
-for compiler in $c_compilers; do
-    try $compiler -std=c99 -pedantic-errors -Wno-unused-function "$scratch/arrays.c"
-    try $compiler -std=c99 -pedantic-errors -ffreestanding -DBURNISH_Q15_PLAIN_C -Wno-unused-function "$scratch/arrays.c"
-done
-
 # every source that computes refuses what would change bits, with a sentence
 checked=0
 for file in $(cd "$source/src" && grep -rlE '\b(float|double)\b' --include='*.c' .); do
