@@ -16,7 +16,6 @@ import lobes
 import machine_code
 import measurements
 import page
-import ports
 import rtl
 
 
@@ -36,7 +35,7 @@ def fill(folder, name, *exceptions):
 
 
 COMMANDS = [check, fill, lobes.theory, lobes.figures, measurements.performance, measurements.frames, measurements.scale, measurements.shaders,
-            files.importers, files.gallery, machine_code.firmware, machine_code.operations, rtl.rtl, ports.rtl_ports,
+            files.importers, files.gallery, machine_code.firmware, machine_code.operations, rtl.rtl,
             drawings.rtl_area, drawings.rtl_wave, latency.rtl_latency]
 
 

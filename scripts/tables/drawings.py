@@ -22,8 +22,7 @@ up5k shift3_dsp shift3 right shift3
 up5k energy_dsp energy:2 right energy
 up5k taylor4_dsp taylor:4 below-right order 4
 up5k schlick_16_dsp schlick right Schlick
-up5k schlick_rom_8 schlick left Schlick from memory, 8 bits
-up5k power_tables_8 power left cos^n from memory, 8 bits"""
+up5k schlick_rom_8 schlick left Schlick from memory, 8 bits"""
 SETTINGS = """id = "rtl_area"
 format = "svg"
 width = 860.0
@@ -50,17 +49,16 @@ def rtl_area(burnish, area, svg):
     """
     need("figures", "gnuplot")
     units = [line.split(" ", 4) for line in UNITS.splitlines()]
-    lobes = ",".join(sorted({lobe for _, _, lobe, _, _ in units} - {"power"}))
+    lobes = ",".join(sorted({lobe for _, _, lobe, _, _ in units}))
     found = csv_rows(run(burnish, "lobe", "table", f"--lobes={lobes}", "--exponents=64", "--metrics=max-error", "--format=csv"))
-    errors = {"power": 0, **{re.sub(":2$", "", lobe): float(value) for _, lobe, value in found}}
+    errors = {re.sub(":2$", "", lobe): float(value) for _, lobe, value in found}
     rows = {(line[0], line[1]): line for line in csv_rows(read(area))}
     points = {}
     for chip, unit, lobe, side, name in units:
         if (chip, unit) not in rows:
             raise Refused(f"{area}: expected a row of {chip} {unit}, found none")
         _, _, lut, _, _, mhz, error, bits = rows[chip, unit]
-        series = "opponents" if re.search("schlick|power", unit) else "family"
-        name = name.replace("cos^n", "cos^{{/:Italic n}}")
+        series = "opponents" if "schlick" in unit else "family"
         y = errors[re.sub(":2$", "", lobe)] + float(error) / 2 ** int(bits)
         points.setdefault((series, chip), []).append((int(lut), y, side, f"{name}, {mhz} MHz"))
     with tempfile.TemporaryDirectory() as work:

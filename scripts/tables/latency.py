@@ -1,10 +1,10 @@
 """The latencies of docs/hardware.md, which a simulation of the Verilog measures."""
 import concurrent.futures
 import os
+import re
 import tempfile
 
 from page import ROOT, Refused, fill, filled, need, read, run, table, write
-from ports import declarations
 
 # Label, module, parameters.
 ROWS = """`burnish_taylor`|taylor|
@@ -27,16 +27,15 @@ ROWS = """`burnish_taylor`|taylor|
 `burnish_channel`|channel|
 `burnish_light`|light|
 `burnish_pixel`, one light|pixel|HELD=0
-`burnish_pixel`, two lights|pixel|LIGHTS=2 HELD=0
-`burnish_pixel_stream`, one light|pixel_stream|HELD=0"""
-LARGE = ("light", "pixel", "pixel_stream")  # simulated with multipliers only: rows take too long
+`burnish_pixel`, two lights|pixel|LIGHTS=2 HELD=0"""
+LARGE = ("light", "pixel")  # simulated with multipliers only: rows take too long
 COLUMNS = ("DSP=1", "ROWS=1", "ROWS=2", "ROWS=1 SEGMENT=6")
 # The two values between which an input steps; others stay.
 STEPS = {"angle": ("32'h7E80", "32'h7F40"), "lambda": ("32'h00C000", "32'h018000"), "slope": ("32'h5000", "32'h6000"), "exponent": ("32'd20", "32'd24"),
          "normal": ("48'h7F5A_0800_0A00", "48'h7FE0_0400_0300"), "half": ("48'h7FFF_0000_0000", "48'h7FE8_0300_FC00"),
          "light": ("48'h6000_3000_4000", "48'h5000_4000_4800"), "color": ("48'h4000_5000_6000", "48'h6000_4000_5000"), "user": ("32'd0", "32'd1")}
-KINDS = {"s_angle": "angle", "s_exponent": "exponent", "s_normal": "normal", "v": "normal", "a": "normal", "b": "half", "diffuse": "color", "specular": "color",
-         "ambient": "color", "s_ambient": "color", "sum_in": "color", "user_in": "user", "s_user": "user"}
+KINDS = {"s_angle": "angle", "s_exponent": "exponent", "v": "normal", "a": "normal", "b": "half", "diffuse": "color", "specular": "color",
+         "ambient": "color", "sum_in": "color", "user_in": "user", "s_user": "user"}
 
 
 def rtl_latency(*arguments):
@@ -62,7 +61,7 @@ def measured(module, parameters):
     """The clocks from a step of all inputs of a unit to that of all its outputs, which must come at once."""
     with tempfile.TemporaryDirectory() as work:
         write(f"{work}/latency.v", bench(module, dict(word.split("=") for word in parameters.split())))
-        run("iverilog", "-g2001", "-Ihardware/rtl", "-yhardware/rtl", "-yhardware/rtl/bus", "-s", "latency", "-o", f"{work}/latency", f"{work}/latency.v", cwd=ROOT)
+        run("iverilog", "-g2001", "-Ihardware/rtl", "-yhardware/rtl", "-s", "latency", "-o", f"{work}/latency", f"{work}/latency.v", cwd=ROOT)
         first, last = run("vvp", "-n", f"{work}/latency").split()
     if first != last or first == "0":
         raise Refused(f"burnish_{module} {parameters}: expected one step of its outputs, found steps from clock {first} to {last}")
@@ -110,3 +109,28 @@ module latency;
     end
 endmodule
 """
+
+
+def declarations(module):
+    """(kind, name, width or default, meaning): one per line of the module's head, the meaning as the line's comment."""
+    items, inside = [], False
+    path = f"hardware/rtl/{module}.v"
+    for at, line in enumerate(read(f"{ROOT}/{path}").splitlines(), 1):
+        if line.startswith("module "):
+            inside = True
+        elif line == ");":
+            return items
+        elif inside and line != ") (":
+            declaration, _, meaning = line.partition(" // ")
+            if not meaning:
+                raise Refused(f"{path}: line {at}: expected a comment that says what it means")
+            words = declaration.strip().rstrip(",").split()
+            if words[0] == "parameter" and words[2] == "=":
+                items.append((words[0], words[1], words[3], meaning))
+            elif words[0] in ("input", "output"):
+                width = re.search(r"\[(.*):0\]", declaration)
+                width = width[1] if width else "0"
+                items.append((words[0], words[-1], str(int(width) + 1) if width.isdigit() else width[:-2], meaning))
+            else:
+                raise Refused(f"{path}: line {at}: expected a parameter or a port")
+    raise Refused(f"{path}: expected the end of the ports")

@@ -91,7 +91,6 @@ def instructions(listing, trace, kinds):
 def cells(scratch, lobe, module):
     """A row of the cells that compute; registers, and shifts by constants, which are wires, are not counted."""
     sources = " ".join(sorted(glob.glob(f"{ROOT}/hardware/rtl/burnish_*.v") + glob.glob(f"{ROOT}/hardware/rtl/opponents/*.v")))
-    run(f"{ROOT}/hardware/rtl/opponents/tables", scratch)
     run("yosys", "-q", "-p", f"read_verilog -I{ROOT}/hardware/rtl {sources}; chparam -set DSP 1 {module}; hierarchy -top {module}; "
         f"setattr -mod -unset keep_hierarchy *; proc; flatten; opt; clean; tee -o {scratch}/{module}.stat stat", cwd=scratch)
     counts = collections.Counter()

@@ -30,9 +30,8 @@ taylor4_dsp|`burnish_taylor` order 4 DSP=1
 energy_dsp|`burnish_energy` DSP=1 ROUND=1
 lambda_taylor_dsp|`burnish_taylor` DSP=1 LAMBDA=1
 schlick_16_dsp|Schlick, divider, 16 bits
-schlick_rom_8|Schlick, reciprocals in memory, 8 bits
-power_tables_8|cos^n, tables of log and exp, 8 bits"""
-OTHERS = "taylor shift7 shift7_rows2 shift7_dsp zeta_rows2 schlick_16 schlick_8 schlick_16_dsp schlick_rom_8 power_tables_8".split()
+schlick_rom_8|Schlick, reciprocals in memory, 8 bits"""
+OTHERS = "taylor shift7 shift7_rows2 shift7_dsp zeta_rows2 schlick_16 schlick_8 schlick_16_dsp schlick_rom_8".split()
 # Module, label, inputs, outputs, parameters; ports as for wrap().
 PARTS = """dot|`burnish_dot`|enable a:48 b:48|cosine:16
 chord|`burnish_chord`|enable a:48 b:48|lambda:24
@@ -40,9 +39,7 @@ normalize|`burnish_normalize`|enable v:48|unit:48
 channel|`burnish_channel`, cosine or chord|enable normal:48 half:48 exponent:10 lit:1 color:48 sum_in:48 user_in|sum_out:48
 pixel|`burnish_pixel`, one light|enable normal:48 exponent:10 ambient:48 light:48 half:48 diffuse:48 specular:48 user_in|color:48
 stream|`burnish_stream`, shift7|reset:1 s_valid:1 s_exponent:10 s_angle:16 s_user:1 m_ready:1|s_ready:1 m_valid:1 m_value:16 m_user:1
-stream|`burnish_stream`, shift7, OUTPUT=1|reset:1 s_valid:1 s_exponent:10 s_angle:16 s_user:1 m_ready:1|s_ready:1 m_valid:1 m_value:16 m_user:1|OUTPUT=1
-wishbone|`burnish_wishbone`, shift7|reset:1 cyc:1 stb:1 we:1 adr:2 sel:4 dat_w:32|dat_r:32 ack:1 err:1
-axi_lite|`burnish_axi_lite`, shift7|aresetn:1 s_axi_awvalid:1 s_axi_awaddr:4 s_axi_awprot:3 s_axi_wvalid:1 s_axi_wdata:32 s_axi_wstrb:4 s_axi_bready:1 s_axi_arvalid:1 s_axi_araddr:4 s_axi_arprot:3 s_axi_rready:1|s_axi_awready:1 s_axi_wready:1 s_axi_bvalid:1 s_axi_bresp:2 s_axi_arready:1 s_axi_rvalid:1 s_axi_rdata:32 s_axi_rresp:2"""
+stream|`burnish_stream`, shift7, OUTPUT=1|reset:1 s_valid:1 s_exponent:10 s_angle:16 s_user:1 m_ready:1|s_ready:1 m_valid:1 m_value:16 m_user:1|OUTPUT=1"""
 GATES = r"\$_(AND|OR|XOR|NAND|NOR|XNOR|NOT|ANDNOT|ORNOT|MUX)_"
 ICE40 = {"hx8k": ("ct256", "-device hx"), "up5k": ("sg48", "-device u -dsp")}
 BENCH = """module bench;
@@ -127,7 +124,7 @@ def wrap(module, parameters, inputs, outputs, pins=""):
     pins: "serial" takes the inputs from a shift register, for packages with fewer pins than the unit has ports; "narrow" also
     sends the outputs through one.
     """
-    ports, bits, out = [f"{'aclk' if 'aresetn' in inputs else 'clk'}(clk)"], 0, 0
+    ports, bits, out = ["clk(clk)"], 0, 0
     for name, _, width in (port.partition(":") for port in inputs.split()):
         if width:
             ports.append(f"{name}(in[{bits + int(width) - 1}:{bits}])")
@@ -160,7 +157,6 @@ class Synthesis:
     def __init__(self, work, facts, seeds):
         self.work, self.facts, self.seeds, self.area = work, facts, seeds, []
         self.units = {}
-        run(f"{ROOT}/hardware/rtl/opponents/tables", work)
         for name in ("units.txt", "opponents.txt"):
             with open(os.path.join(ROOT, "hardware", "rtl", "test", name), encoding="utf-8") as file:
                 self.units.update((line.split()[0], line.split()) for line in file if line.strip())
@@ -190,7 +186,7 @@ class Synthesis:
         """Leaves the number of each cell in NAME.stat. For iCE40 multipliers are separate modules (burnish_multiplier) until the end."""
         chip = "" if command.startswith("synth_ice40") else "-DBURNISH_NOT_ICE40 "
         rtl = f"{ROOT}/hardware/rtl"
-        script = f"read_verilog {chip}-I{rtl} {rtl}/burnish_*.v {rtl}/bus/*.v {rtl}/opponents/*.v {self.path(wrapper)}\n{command}\n"
+        script = f"read_verilog {chip}-I{rtl} {rtl}/burnish_*.v {rtl}/opponents/*.v {self.path(wrapper)}\n{command}\n"
         script += f"setattr -mod -unset keep_hierarchy *; flatten; tee -o {self.path(name)}.stat stat\n"
         write(self.path(name + ".ys"), script)
         try:
@@ -253,7 +249,7 @@ class Synthesis:
         return f"{lut} / {self.cells(name + '.ecp5', 'TRELLIS_FF')} / {self.blocks(name + '.ecp5', 'MULT18X18D')}"
 
     def part(self, name, label, inputs, outputs, more=""):
-        """A unit that is more than a lobe. A bus has no latency of its own."""
+        """A unit that is more than a lobe."""
         columns = []
         for device, parameters in (("hx8k", f"ROWS=2 {more}"), ("up5k", f"DSP=1 {more}")):
             kind = f"{name}{more}.{device[:2]}"
@@ -267,12 +263,12 @@ class Synthesis:
             speed = self.place(kind, device)[1]
             area = f"{self.cells(kind, 'SB_LUT4')} / {self.cells(kind, 'SB_DFF.*')}"
             area += f" / {self.blocks(kind, 'SB_MAC16')}" if device == "up5k" else ""
-            columns += [area, speed, "-" if "cyc" in inputs or "aresetn" in inputs else self.latency(kind + ".free.v")]
+            columns += [area, speed, self.latency(kind + ".free.v")]
         return [label, *columns, self.ecp5(f"{name}{more}.up.v", name + more)]
 
     def others(self, name, label):
         """Synthesis for other chips and for a plain gate library; not placed."""
-        nodsp = "" if re.search("dsp|rom|tables", name) else "-nodsp"
+        nodsp = "" if re.search("dsp|rom", name) else "-nodsp"
         top = name + ".others.v"
         self.wrapped(name, top)
         ecp5 = self.ecp5(top, name, nodsp)

@@ -105,8 +105,6 @@ static const struct layer {
     {"hardware/firmware/avr", ""},
     {"hardware/firmware/host", ""},
     {"hardware/firmware/rv32", ""},
-    {"hardware/rtl/demo", "burnish/image.h burnish/mesh.h burnish/render.h burnish/shade_q15.h "
-                          "burnish/sheet.h"},
     {"hardware/rtl/demo/test", "../../test burnish/shade_q15.h"},
     {"hardware/rtl/test", "burnish/image.h burnish/lobe.h burnish/lobe_q15.h burnish/mesh.h "
                           "burnish/shade_q15.h"},

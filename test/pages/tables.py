@@ -17,7 +17,6 @@ import headers
 import machine_code
 import measurements
 import page
-import ports
 import rtl
 
 PAGE = "Text | with a bar\n\n<!-- table: made -->\n\n| unit | cells | blocks |\n| --- | ---: | ---: |\n| a | {} | 0 |\n\n<!-- end of table -->\n"
@@ -94,13 +93,6 @@ class Tables(unittest.TestCase):
         text = rtl.wrap("unit", "ROWS=2", "enable a:4 reset", "b:3", "narrow")
         self.assertIn("unit #(.ROWS(2)) unit(.clk(clk), .enable(1), .a(in[3:0]), .reset(0), .b(value[2:0]));", text)
         self.assertEqual(rtl.count_cells(temporary("  SB_LUT4   12\n  SB_DFFE 3\n  SB_DFF 4\n"), "SB_DFF.*"), 7)
-
-    def test_ports(self):
-        items = [("parameter", "LAMBDA", "0", "which angle"), ("input", "angle", "(LAMBDA != 0 ? 24 : 16)", "the angle"), ("output", "value", "1", "the lobe")]
-        text = ports.component("unit", items)
-        self.assertIn("LAMBDA : integer := 0  -- which angle\n        );", text)
-        self.assertIn("angle : in std_logic_vector(choose(LAMBDA /= 0, 24, 16) - 1 downto 0);  -- the angle", text)
-        self.assertIn("value : out std_logic  -- the lobe\n", text)
 
     def test_wave(self):
         names = "".join(f"$var wire 1 {code} {name} $end\n" for code, name in zip("abcdefg", drawings.SIGNALS))

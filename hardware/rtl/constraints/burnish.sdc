@@ -11,8 +11,8 @@
 # 100 MHz. docs/hardware.md tells what each unit reaches on which chip.
 if {![info exists burnish_period]} {set burnish_period 10.0}
 
-# The share of the period that is used outside, from the register before an input and to the one behind an output. enable,
-# m_ready and Wishbone's signals are the critical inputs: each reaches all registers of a pipeline by its clock enable.
+# The share of the period that is used outside, from the register before an input and to the one behind an output. enable
+# and m_ready are the critical inputs: each reaches all registers of a pipeline by its clock enable.
 if {![info exists burnish_outside]} {set burnish_outside 0.3}
 
 # One clock for everything, clk, or aclk of burnish_axis: no other domain, no latch, no asynchronous reset. reset and

@@ -11,7 +11,6 @@
 //            map_address  {row, column} of the teapot's normal;  map_data  {10 bits z, 11 bits y, 11 bits x}, two
 //                         clocks later, in 1024ths; 0 where there is no teapot
 //            red, green, blue  sRGB codes, valid while visible is 1, else 0
-//            out_column, out_row  low bits of the pixel's position
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
@@ -26,18 +25,16 @@ module demo (
     output wire [7:0] blue,
     output wire hsync,
     output wire vsync,
-    output wire visible,
-    output wire [1:0] out_column,
-    output wire [1:0] out_row
+    output wire visible
 );
     wire [9:0] column, row;
     wire frame;
     demo_sync #(.LATENCY(10'd37)) sync (
         .clk(clk), .column(column), .row(row), .frame(frame), .hsync(hsync), .vsync(vsync),
-        .visible(visible), .out_column(out_column), .out_row(out_row));
+        .visible(visible));
 
     // ---- What changes with a picture ----
-    wire [2:0] left, right;
+    wire [1:0] left, right;
     wire [3:0] exponent_index;
     wire [9:0] exponent;
     wire [47:0] half;
@@ -107,7 +104,7 @@ module demo (
         .clk(clk), .enable(1'b1), .in(n_dot_l_23), .out(n_dot_l_32));
     burnish_delay #(.WIDTH(2), .DEPTH(22)) wait_object (
         .clk(clk), .enable(1'b1), .in(object_10), .out(object_32));
-    reg [2:0] choice;
+    reg [1:0] choice;
     always @(posedge clk) choice <= at_30 < 10'd320 ? left : right;
     demo_lobes lobes (
         .clk(clk), .exponent(exponent), .cosine(n_dot_h), .choice(choice), .value(lobe));

@@ -1,7 +1,7 @@
 // demo_label: the names of the lobes and the exponent as bitmaps, and the line between the halves.
 //
 // Latency    4
-// Ports      pixel, row  position;  left, right  names of the halves, 0 .. 4;  ink, line  1 where they are
+// Ports      pixel, row  position;  left, right  names of the halves, 0 .. 3;  ink, line  1 where they are
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
@@ -13,21 +13,21 @@ module demo_label #(
     input wire clk,
     input wire [9:0] pixel,
     input wire [9:0] row,
-    input wire [2:0] left,
-    input wire [2:0] right,
+    input wire [1:0] left,
+    input wire [1:0] right,
     input wire [3:0] exponent_index,
     output reg ink,
     output reg line
 );
     // 128 x 16 pixels a name, 64 x 16 an exponent, 16 pixels a word, the left one on top.
-    reg [15:0] names[0:1023];
+    reg [15:0] names[0:511];
     reg [15:0] exponents[0:1023];
     initial begin
         $readmemh(NAMES, names);
         $readmemh(EXPONENTS, exponents);
     end
     reg [9:0] across, from_top;
-    reg [2:0] name_1, name_2;
+    reg [1:0] name_1, name_2;
     reg in_label_2, in_label_3, line_1, line_2, line_3, right_2, is_exponent;
     reg [6:0] across_2;
     reg [3:0] bit_3;

@@ -12,8 +12,8 @@ module demo_state #(
     input wire clk,
     input wire frame,
     input wire [3:0] buttons,
-    output reg [2:0] left,
-    output reg [2:0] right,
+    output reg [1:0] left,
+    output reg [1:0] right,
     output reg [3:0] exponent_index,
     output reg [9:0] exponent,
     output reg [47:0] half
@@ -24,8 +24,8 @@ module demo_state #(
     reg [2:0] earlier;
     initial begin
         $readmemh(TABLE, halves);
-        left = 3'd0;
-        right = 3'd1;
+        left = 2'd0;
+        right = 2'd1;
         exponent_index = 4'd6;
         phase = 8'd0;
         now = 4'd0;
@@ -37,8 +37,8 @@ module demo_state #(
         if (frame) begin
             now <= first;
             earlier <= now[2:0];
-            if (pressed[0]) left <= left == 3'd4 ? 3'd0 : left + 3'd1;
-            if (pressed[1]) right <= right == 3'd4 ? 3'd0 : right + 3'd1;
+            if (pressed[0]) left <= left + 2'd1;
+            if (pressed[1]) right <= right + 2'd1;
             if (pressed[2]) exponent_index <= exponent_index + 4'd1;
             if (!now[3]) phase <= phase + 8'd1;
         end

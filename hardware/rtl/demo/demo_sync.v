@@ -5,7 +5,6 @@
 //
 // Parameters LATENCY  clocks from column to the pixel's colour: at most 48
 // Ports      column, row    of what enters;  frame  1 for one clock, before the first line of each picture
-//            out_column, out_row  low bits of what leaves, for dithering
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
@@ -19,9 +18,7 @@ module demo_sync #(
     output reg frame,
     output reg hsync,
     output reg vsync,
-    output reg visible,
-    output reg [1:0] out_column,
-    output reg [1:0] out_row
+    output reg visible
 );
     initial begin
         column = 10'd0;
@@ -30,8 +27,6 @@ module demo_sync #(
         hsync = 1'b1;
         vsync = 1'b1;
         visible = 1'b0;
-        out_column = 2'd0;
-        out_row = 2'd0;
     end
     // The registers below show one clock after what they compare.
     localparam [9:0] FIRST = LATENCY - 10'd1;
@@ -44,8 +39,6 @@ module demo_sync #(
         // The vertical one changes with the horizontal one.
         if (column == FIRST + 10'd656) vsync <= !(row == 10'd489 || row == 10'd490);
         visible <= shown_row && column >= FIRST && column < FIRST + 10'd640;
-        out_column <= column == FIRST ? 2'd0 : out_column + 2'd1;
-        out_row <= row[1:0];
     end
 endmodule
 `default_nettype wire

@@ -35,12 +35,10 @@ module ulx3s (
     wire [31:0] data;
     wire [7:0] red, green, blue;
     wire hsync, vsync, visible;
-    wire [1:0] unused_column, unused_row;
     demo_span_map map (.clk(clk), .address(address), .data(data));
     demo picture (
         .clk(clk), .buttons({btn[1], btn[3], btn[6], btn[5]}), .map_address(address), .map_data(data),
-        .red(red), .green(green), .blue(blue), .hsync(hsync), .vsync(vsync), .visible(visible),
-        .out_column(unused_column), .out_row(unused_row));
+        .red(red), .green(green), .blue(blue), .hsync(hsync), .vsync(vsync), .visible(visible));
     wire unused = &{1'b0, btn[0], btn[2], btn[4]};
 
     // The synchronisation goes with blue. The clock's symbol rises as the others begin.

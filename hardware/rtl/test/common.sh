@@ -16,7 +16,7 @@ fail() {
 # need TOOL...: exits with 77, which CTest counts as skipped, if a tool is missing.
 need() {
     for tool in "$@"; do
-        command -v "$tool" >/dev/null 2>&1 || { echo "$test: $tool is missing; run scripts/install-deps rtl boards" >&2; exit 77; }
+        command -v "$tool" >/dev/null 2>&1 || { echo "$test: $tool is missing; run scripts/install-deps rtl" >&2; exit 77; }
     done
 }
 

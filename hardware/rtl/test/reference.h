@@ -7,20 +7,11 @@
 #ifndef BURNISH_RTL_REFERENCE_H
 #define BURNISH_RTL_REFERENCE_H
 
-#include <cmath>
+#include <cstdint>
 
 #include "burnish/lobe_q15.h"
 
-enum fit {
-    FIT_TAYLOR,
-    FIT_ENERGY,
-    FIT_SHIFT7,
-    FIT_SHIFT3,
-    FIT_ZETA,
-    FIT_DIVIDER,
-    FIT_ROM,
-    FIT_POWER
-};
+enum fit { FIT_TAYLOR, FIT_ENERGY, FIT_SHIFT7, FIT_SHIFT3, FIT_ZETA, FIT_DIVIDER, FIT_ROM };
 
 struct unit {
     const char *name;
@@ -84,34 +75,6 @@ static inline uint16_t schlick_by_table(const vector &v) {
     return (uint16_t)(value > 255 ? 255 : value);
 }
 
-/* c^n by tables of log2 and exp2 with differences, as hardware/rtl/opponents/tables writes them. */
-static inline uint16_t power_by_tables(const vector &v) {
-    struct entry {
-        uint32_t log, exp;
-    };
-    static entry table[257];
-    if (table[256].log == 0) {
-        for (int i = 0; i <= 256; ++i) {
-            table[i].log = (uint32_t)floor(65536 * log(1 + i / 256.0) / log(2.0) + .5);
-            table[i].exp = (uint32_t)floor(65536 * pow(2, -i / 256.0) + .5);
-        }
-    }
-    if (v.cosine >= 0x8000u || v.cosine == 0) {
-        return v.cosine ? 255 : 0;
-    }
-    unsigned top = 0;
-    while (v.cosine >> (top + 1)) {
-        ++top;
-    }
-    const uint32_t lifted = (uint32_t)v.cosine << (14 - top), f = lifted >> 6 & 255u;
-    const uint32_t step = (table[f + 1].log - table[f].log) * (lifted & 63u) >> 6;
-    const uint32_t l = ((15 - top) << 16) - table[f].log - step, x = v.exponent * l;
-    const uint32_t g = x >> 8 & 255u;
-    const uint32_t e = table[g].exp - ((table[g].exp - table[g + 1].exp) * (x & 255u) >> 8);
-    const uint32_t value = x >> 20 ? 0 : ((e >> (x >> 16)) + 128) >> 8;
-    return (uint16_t)(value > 255 ? 255 : value);
-}
-
 /* The lobe to fewer than 16 bits: fast8 of lobe_q15.h for any number of bits. */
 static inline uint16_t fast_to(unsigned bits, uint_fast16_t a, uint8_t squarings) {
     const uint32_t x =
@@ -128,8 +91,6 @@ static inline uint16_t expected(const unit &u, const vector &v) {
         return schlick_divided(v, u.result);
     case FIT_ROM:
         return schlick_by_table(v);
-    case FIT_POWER:
-        return power_by_tables(v);
     default:
         break;
     }

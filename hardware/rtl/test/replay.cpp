@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
  */
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -152,9 +153,6 @@ double real_lobe(const unit &u, const vector &v, double lambda) {
     case FIT_DIVIDER:
     case FIT_ROM:
         value = (1 - lambda) / (n - n * (1 - lambda) + 1 - lambda);
-        break;
-    case FIT_POWER:
-        value = pow(1 - lambda, n);
         break;
     default: {
         uint16_t slope = 0;

@@ -1,4 +1,4 @@
-/* teapot.h: the scene of picture.cpp and activity.cpp: interpolated normals of burnish's teapot,
+/* teapot.h: the scene of picture.cpp: interpolated normals of burnish's teapot,
  * two lights, a material.
  *
  * SPDX-License-Identifier: MIT

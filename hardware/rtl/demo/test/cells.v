@@ -1,58 +1,8 @@
-// cells.v: models of the chips' cells other than logic, as far as the boards' benches need them; from the data sheets.
+// cells.v: models of the ECP5's cells other than logic, as far as the board's bench needs them; from the data sheets.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
-// The bench clocks the pin at the pixels' rate.
-module SB_PLL40_PAD #(
-    parameter FEEDBACK_PATH = "SIMPLE",
-    parameter [3:0] DIVR = 0,
-    parameter [6:0] DIVF = 0,
-    parameter [2:0] DIVQ = 0,
-    parameter [2:0] FILTER_RANGE = 0
-) (
-    input wire PACKAGEPIN,
-    output wire PLLOUTGLOBAL,
-    output wire LOCK,
-    input wire RESETB,
-    input wire BYPASS
-);
-    assign PLLOUTGLOBAL = PACKAGEPIN;
-    assign LOCK = 1'b1;
-endmodule
-
-module SB_IO #(
-    parameter [5:0] PIN_TYPE = 0
-) (
-    output reg PACKAGE_PIN,
-    input wire OUTPUT_CLK,
-    input wire CLOCK_ENABLE, // not connected in the sources, 1 in a netlist
-    input wire D_OUT_0,
-    input wire D_OUT_1
-);
-    always @(posedge OUTPUT_CLK) PACKAGE_PIN <= D_OUT_0;
-endmodule
-
-module SB_SPRAM256KA (
-    input wire [13:0] ADDRESS,
-    input wire [15:0] DATAIN,
-    input wire [3:0] MASKWREN,
-    input wire WREN,
-    input wire CHIPSELECT,
-    input wire CLOCK,
-    input wire STANDBY,
-    input wire SLEEP,
-    input wire POWEROFF,
-    output reg [15:0] DATAOUT
-);
-    reg [15:0] words[0:16383];
-    always @(posedge CLOCK)
-        if (CHIPSELECT && POWEROFF && !SLEEP && !STANDBY) begin
-            if (WREN && MASKWREN == 4'b1111) words[ADDRESS] <= DATAIN;
-            if (!WREN) DATAOUT <= words[ADDRESS];
-        end
-endmodule
-
 // The bench clocks the pin at CLKOP's rate; CLKOS rises with every fifth of its edges.
 module EHXPLLL #(
     parameter CLKI_DIV = 1,

@@ -1,7 +1,7 @@
 /* model.h: the demonstration's pictures by the C core, pixel for pixel.
  *
- * Everything but the sphere's root comes from lobe_q15.h and shade_q15.h; Schlick's lobe and the
- * power from the same tables as the hardware's, by the formulas of reference.h.
+ * Everything but the sphere's root comes from lobe_q15.h and shade_q15.h; Schlick's lobe from the
+ * formula of reference.h.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -24,14 +24,15 @@ class model {
     /* The tables of a folder, without their files' names. */
     explicit model(const std::string &folder)
         : roots(read(folder, "sqrt.mem", 256)), codes(read(folder, "srgb.mem", 1024)),
-          halves(read(folder, "light.mem", 256)), names(read(folder, "names.mem", 1024)),
-          numbers(read(folder, "exponents.mem", 1024)), map(read(folder, "teapot.mem", 32768)) {}
+          halves(read(folder, "light.mem", 256)), names(read(folder, "names.mem", 512)),
+          numbers(read(folder, "exponents.mem", 1024)), spans(read(folder, "spans.mem", 128)),
+          normals(read(folder, "normals.mem", 18432)) {}
 
     /* Between two pictures, as demo_state. */
     void next_picture(unsigned buttons) {
         const unsigned pressed = now & ~before;
-        left = pressed & 1u ? (left + 1) % 5 : left;
-        right = pressed & 2u ? (right + 1) % 5 : right;
+        left = pressed & 1u ? (left + 1) % 4 : left;
+        right = pressed & 2u ? (right + 1) % 4 : right;
         exponent = pressed & 4u ? (exponent + 1) % 16 : exponent;
         phase = now & 8u ? phase : (phase + 1) % 256;
         before = now;
@@ -63,7 +64,7 @@ class model {
 
   private:
     typedef std::vector<uint64_t> table;
-    table roots, codes, halves, names, numbers, map;
+    table roots, codes, halves, names, numbers, spans, normals;
     unsigned left = 0, right = 1, exponent = 6, phase = 0, now = 0, before = 0;
     const uint16_t sphere[3] = {5, 1, 1}, teapot[3] = {1, 3, 4}; /* eighths */
 
@@ -86,10 +87,20 @@ class model {
         return words;
     }
 
+    /* The teapot's normal at a place of its map, or 0. */
+    uint32_t teapot_at(int x, int y) const {
+        const uint64_t span = spans[(size_t)y];
+        const int first = span >> 15 & 255, count = (int)(span >> 23);
+        if (x < first || x >= first + count) {
+            return 0;
+        }
+        return (uint32_t)normals[(span + (uint64_t)x) & 0x7FFF];
+    }
+
     /* What is seen, and its normal. */
     int object(int place, int y, int16_t normal[3]) const {
         if (place >= 32 && place < 288 && y >= 312 && y < 440) {
-            const uint32_t word = (uint32_t)map[(size_t)((y - 312) * 256 + place - 32)];
+            const uint32_t word = teapot_at(place - 32, y - 312);
             normal[0] = (int16_t)(word << 5);
             normal[1] = (int16_t)(word >> 11 << 5);
             normal[2] = (int16_t)(word >> 22 << 5);
@@ -112,8 +123,7 @@ class model {
                uint16_t color[3]) const {
         static const uint16_t exponents[16] = {4,  6,  8,   12,  16,  24,  32,  48,
                                                64, 96, 128, 192, 256, 384, 512, 1023};
-        static const unit lobes[5] = {{"", FIT_SHIFT7, 2, 8, 0, 0},
-                                      {"", FIT_POWER, 2, 8, 0, 0},
+        static const unit lobes[4] = {{"", FIT_SHIFT7, 2, 8, 0, 0},
                                       {"", FIT_ROM, 2, 8, 0, 0},
                                       {"", FIT_TAYLOR, 2, 8, 0, 0},
                                       {"", FIT_TAYLOR, 4, 8, 0, 0}};

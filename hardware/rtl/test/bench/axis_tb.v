@@ -1,4 +1,4 @@
-// axis_tb: burnish_axis against the C core's values (vectors.mem of wrappers.cpp): back to back, under random stalls on
+// axis_tb: burnish_axis against the C core's values (vectors.mem of vectors.cpp): back to back, under random stalls on
 // both sides, with an output that stands still until the input must, and with resets in the middle.
 //
 // SPDX-License-Identifier: MIT

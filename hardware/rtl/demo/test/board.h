@@ -1,5 +1,4 @@
-/* board_ulx3s.h: ulx3s, whose picture is decoded from the bits of its four differential pairs. See
- * board_core.h.
+/* board.h: ulx3s, whose picture is decoded from the bits of its four differential pairs.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -8,19 +7,23 @@
 #define BURNISH_DEMO_BOARD_H
 
 #include <cstdint>
-#include <string>
 
 #include "Vulx3s.h"
-#include "seen.h"
 #include "tmds.h"
+
+/* What leaves the board in a pixel's time. */
+struct seen {
+    bool visible, hsync, vsync;
+    uint32_t color;
+};
 
 class board {
   public:
     static const int late = 40; /* demo, demo_tmds, a symbol's own time */
 
-    explicit board(const std::string &) { top.eval(); }
+    board() { top.eval(); }
 
-    /* Five clocks of two bits. A symbol begins at the rising edge of the clock channel. */
+    /* A pixel's time with buttons down: five clocks of two bits. A symbol begins at the rising edge of the clock channel. */
     void tick(unsigned buttons) {
         top.btn = (uint8_t)((buttons & 1u) << 5 | (buttons >> 1 & 1u) << 6 |
                             (buttons >> 2 & 1u) << 3 | (buttons >> 3 & 1u) << 1 | 1u);
@@ -41,11 +44,8 @@ class board {
 
     seen look() const { return now; }
 
+    /* Whether its symbols are aligned. */
     bool ready() const { return locked; }
-
-    static uint32_t shown(uint32_t rgb, int, int) { return rgb; }
-
-    static uint32_t bytes_of(uint32_t color) { return color; }
 
   private:
     Vulx3s top;

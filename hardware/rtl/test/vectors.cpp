@@ -1,5 +1,5 @@
-/* wrappers.cpp: vectors for axis_tb.v and wishbone_tb.v. A line is one: TDATA in 48 bits and the C core's value in 16.
- * Usage: wrappers FIT ORDER RESULT ROUND LAMBDA COUNT
+/* vectors.cpp: vectors for axis_tb.v and boundary_tb.v. A line is one: TDATA in 48 bits and the C core's value in 16.
+ * Usage: vectors FIT ORDER RESULT ROUND LAMBDA COUNT
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors

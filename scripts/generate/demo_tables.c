@@ -1,11 +1,10 @@
-/* tables.c: writes the tables of the demonstration on a board.
+/* Writes the memories of the demonstration on a board, hardware/rtl/demo/tables, after make build:
  *
- * Usage: tables FOLDER
+ *     cc -O1 -Iinclude scripts/generate/demo_tables.c build/release/libburnish.a \
+ *        $(pkg-config --libs libisal expat libpng libjpeg libwebp OpenEXR) -lpthread -lm -o /tmp/demo_tables &&
+ *     /tmp/demo_tables hardware/rtl/demo/tables
  *
- * Into FOLDER: sqrt.mem, srgb.mem, light.mem, names.mem and exponents.mem for memories that the
- * bitstream fills; teapot.mem, the teapot's normals as burnish draws them; teapot.bin, the same for
- * a flash memory, most significant byte first; spans.mem and normals.mem, the same without what is
- * left and right of the teapot. The same bytes everywhere: no libm.
+ * spans.mem and normals.mem are the teapot's normals as burnish draws them.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -24,7 +23,7 @@ enum { MAP_WIDTH = 256, MAP_HEIGHT = 128, NAME_WIDTH = 128, NUMBER_WIDTH = 64, L
 enum { SPAN_WORDS = 18432 }; /* of demo_span_map */
 
 static void fail(const char *what, const char *why) {
-    fprintf(stderr, "tables: %s: %s\n", what, why);
+    fprintf(stderr, "demo_tables: %s: %s\n", what, why);
     exit(1);
 }
 
@@ -125,11 +124,11 @@ static void write_text(FILE *file, int width, const char *text) {
 }
 
 static void write_labels(const char *folder) {
-    static const char *const names[8] = {"W_0.5", "cos^n", "Schlick", "W", "order 4", "", "", ""};
+    static const char *const names[4] = {"W_0.5", "Schlick", "W", "order 4"};
     static const int exponents[16] = {4,  6,  8,   12,  16,  24,  32,  48,
                                       64, 96, 128, 192, 256, 384, 512, 1023};
     FILE *file = create(folder, "names.mem");
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 4; ++i) {
         write_text(file, NAME_WIDTH, names[i]);
     }
     finish(file, "names.mem");
@@ -265,7 +264,6 @@ static void write_map(const char *folder) {
     static uint32_t map[MAP_WIDTH * MAP_HEIGHT];
     double axes[3][3];
     draw_normals(normals, axes);
-    FILE *file = create(folder, "teapot.mem"), *flash = create(folder, "teapot.bin");
     for (size_t i = 0; i < (size_t)MAP_WIDTH * MAP_HEIGHT; ++i) {
         const float *n = normals + 3 * i;
         double seen[3];
@@ -278,19 +276,13 @@ static void write_map(const char *folder) {
             word = packed(seen);
         }
         map[i] = word;
-        fprintf(file, "%08x\n", word);
-        for (int shift = 24; shift >= 0; shift -= 8) {
-            fputc((int)(word >> shift & 255u), flash);
-        }
     }
-    finish(file, "teapot.mem");
-    finish(flash, "teapot.bin");
     write_spans(folder, map);
 }
 
 int main(int argc, char **argv) {
     if (argc != 2) {
-        fprintf(stderr, "usage: tables FOLDER\n");
+        fprintf(stderr, "usage: demo_tables FOLDER\n");
         return 2;
     }
     write_roots(argv[1]);
