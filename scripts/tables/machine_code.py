@@ -4,7 +4,6 @@ import glob
 import os
 import re
 import shlex
-import shutil
 import subprocess
 import tempfile
 
@@ -112,14 +111,11 @@ def firmware(build, page, images, mode="table"):
     """
     with tempfile.TemporaryDirectory() as work:
         run(f"{ROOT}/hardware/firmware/run", mode, work)
-        run(f"{ROOT}/hardware/arduino/test/run", "table", f"{work}/arduino")
-        shutil.move(f"{work}/arduino/tables/uno", f"{work}/tables/uno")
         tables = {os.path.basename(path): read(path).splitlines() for path in glob.glob(f"{work}/tables/*")}
         for name, flag in (("errors", "--short" if mode == "short" else "--markdown"), ("inputs", "--inputs"), ("rivals", "--tables")):
             tables[name] = run(f"{build}/test/prove_q15", flag).splitlines()
             print("\n".join(tables[name]))
-        for image, source, *layout in (("firmware.png", "picture.avr", "4", "1"), ("oled-ball.png", "arduino/film.pbm", "3", "2")):
-            with open(f"{work}/{source}", "rb") as file:
-                subprocess.run([f"{ROOT}/hardware/firmware/sheet", f"{images}/{image}", *layout], stdin=file, check=True)
+        with open(f"{work}/picture.avr", "rb") as file:
+            subprocess.run([f"{ROOT}/hardware/firmware/sheet", f"{images}/firmware.png", "4", "1"], stdin=file, check=True)
         fill(page, tables, ("exact 1 - cosine in UQ0.24",))  # its first error is below half a thousandth of a step
     print(f"firmware: {page} and its images are up to date")
