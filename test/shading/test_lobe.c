@@ -9,7 +9,10 @@
 #include "sweep.h"
 
 /* ---- Reference values: test/data/lobes.csv ------------------------------------------------------
- */
+ *
+ * 400 of 4,000 random rows. Of each lobe, order and fit 16 or 20: those with the least and the
+ * largest exponent, cosine and value, a zero, the largest absolute and relative error in float, and
+ * others at even ranks by exponent and cosine. */
 
 /* One line: lobe,order,fit,exponent,cosine,zeta,value; columns that a lobe lacks are empty. */
 typedef struct {
@@ -178,7 +181,7 @@ static void check_reference(void) {
         ++rows;
     }
     fclose(file);
-    CHECK(rows == 4000, "%d rows", rows);
+    CHECK(rows == 400, "%d rows", rows);
 
     printf("%d reference values; largest error: absolute in 2^-24, relative in ulp\n", rows);
     for (int i = 0; i < ACCURACY_COUNT; ++i) {
