@@ -1,5 +1,5 @@
 /* One lit value of each lobe of the table of operations in docs/theory.md, each in a function of
- * its own, for scripts/tables operations, which counts the instructions that run. */
+ * its own, for hardware/firmware/operations, which counts the instructions that run. */
 #include "burnish/lobe_q15.h"
 
 #include "target.h"

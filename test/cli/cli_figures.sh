@@ -165,18 +165,16 @@ check "by the extension: gp" grep -q 'set terminal svg' script.gp
 check "an output that can't be written is kept as it was" sh -c "chmod 400 kept.csv; '$burnish' lobe plot curves --lobes=foo -o kept.csv; cmp kept.csv again.csv"
 rm -f kept.csv again.csv script.gp
 
-python3 "$root/scripts/tables" figures "$burnish" one >/dev/null 2>&1 || [ "$has_gnuplot" = 0 ] || fail "scripts/tables figures fails"
 if [ "$has_gnuplot" = 1 ]; then
-    python3 "$root/scripts/tables" figures "$burnish" two >/dev/null 2>&1
-    check "two runs differ" diff -r one two
+    mkdir one
     for file in "$root"/docs/figures/*; do
         name=$(basename "$file")
+        gives 0 lobe plot "${name%.*}" -o "one/$name"
         same=cmp
         case $name in *.png) same=$(dirname "$burnish")/test/same_pixels ;; esac # compressed bytes may differ
         check "docs/figures/$name is not what the program draws; run make figures" "$same" "one/$name" "$file"
         check "docs/figures/$name is not in docs/theory.md" grep -q "(figures/$name)" "$root/docs/theory.md"
     done
-    check "docs/figures lacks a figure" [ "$(ls one | wc -l)" = "$(ls "$root/docs/figures" | wc -l)" ]
     for file in one/*.svg; do
         check "$file: no end" sh -c "tail -n 2 '$file' | grep -q '</svg>'"
         check "$file: no forms for light and dark pages" grep -q 'prefers-color-scheme:dark' "$file"
@@ -198,18 +196,13 @@ if [ "$has_gnuplot" = 1 ]; then
     run lobe plot curves -o other.png
     check "burnish lobe plot curves -o other.png: $(cat "$err")" \
         [ "$(png_size other.png)" = "720 440" ]
-    rm -r two other.svg other.png
+    rm other.svg other.png
 fi
 rm -rf one
 nothing_left "figures"
 
 # ---- The page --------------------------------------------------------------------------------------
 
-check "docs/theory.md: $(python3 "$root/scripts/tables" theory "$burnish" "$root/docs/theory.md" --check 2>&1 | head -5 | tr '\n' ' ')" \
-    python3 "$root/scripts/tables" theory "$burnish" "$root/docs/theory.md" --check
-sed 's/0\.0916/0.0915/' "$root/docs/theory.md" >stale.md
-check "a changed number is not noticed" sh -c "! python3 '$root/scripts/tables' theory '$burnish' stale.md --check"
-rm stale.md
 # Rounded numbers in its text.
 about() {
     run lobe table --lobes="$1" --exponents="$2" --metrics="$3" --format=csv

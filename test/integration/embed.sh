@@ -1,7 +1,7 @@
 #!/bin/sh
 # The library as a part of another project, without pkg-config and other libraries: docs/examples/picture.c draws the program's pixels.
 #   cmake  by add_subdirectory()
-#   cc     by one command with the files of src/sources.txt
+#   cc     by one command, as docs/api.md says
 # Usage: embed.sh cmake|cc BURNISH CC SOURCE_DIR SCRATCH
 set -eu
 burnish=$(realpath "$2")
@@ -37,9 +37,11 @@ END
     mv build/picture picture
     ;;
 cc)
+    cd "$source"
     # shellcheck disable=SC2046
-    (cd "$source" && "$cc" -std=c17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -D_GNU_SOURCE -I include -I src $(cat src/sources.txt) \
-        docs/examples/picture.c -o "$OLDPWD/picture" -pthread -lm)
+    "$cc" -std=c17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -D_GNU_SOURCE -I include -I src \
+        $(find src -name '*.c' ! -name '*_isal.c' ! -name '*_zlib.c' ! -path 'src/theory/*') docs/examples/picture.c -o "$OLDPWD/picture" -pthread -lm
+    cd "$OLDPWD"
     ;;
 esac
 if readelf -d picture | grep 'NEEDED' | grep -vE 'lib(c|m|pthread)\.so|ld-linux'; then

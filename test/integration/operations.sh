@@ -1,11 +1,12 @@
 #!/bin/sh
-# The table of operations in docs/theory.md: two multiplications and no division for W and W_0.5 wherever a multiplier takes 16
-# by 16 bits, and, with the compilers of the table, every number again. Usage: operations.sh SOURCE_DIR SCRATCH
+# hardware/firmware/operations: two multiplications and no division for W and W_0.5 wherever a multiplier takes 16
+# by 16 bits, and, with the compilers of operations.csv, every number again. Usage: operations.sh SOURCE_DIR SCRATCH
 set -eu
 source=$1
 scratch=$2
-list=$source/docs/images/operations.csv
-python3 "$source/scripts/tables" operations "$scratch" "$scratch/again.csv"
+list=$source/hardware/firmware/operations.csv
+mkdir -p "$scratch"
+"$source/hardware/firmware/operations" "$scratch" >"$scratch/again.csv"
 awk -F, '
     /^#/ || $1 == "lobe" { next }
     { ++rows }
@@ -14,4 +15,4 @@ awk -F, '
     END { exit bad || rows != 12 }' "$scratch/again.csv"
 [ "$(head -n 1 "$list")" = "$(head -n 1 "$scratch/again.csv")" ] ||
     { echo "operations: other compilers than those of $list"; exit 0; }
-diff -u "$list" "$scratch/again.csv" || { echo "operations: docs/images/operations.csv is out of date; run make operations"; exit 1; }
+diff -u "$list" "$scratch/again.csv" || { echo "operations: $list and docs/theory.md are out of date"; exit 1; }
