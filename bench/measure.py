@@ -49,12 +49,6 @@ def median(values):
     return quantile(values, 0.5)
 
 
-def thread_counts():
-    """1, 2, 4 ... and as many as there are processors."""
-    cores = os.cpu_count()
-    return [1 << i for i in range(cores.bit_length()) if 1 << i < cores] + [cores]
-
-
 def on_one_core():
     """Binds this process to its last core: the first ones get most interrupts."""
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
@@ -81,10 +75,6 @@ class Contestant:
         """(milliseconds of each frame, None), or (None, the reply)."""
         reply = self.request(f"frame {variant} {count}")
         return ([float(word) for word in reply.split()[1:]], None) if reply.startswith("ok") else (None, reply)
-
-    def scenes(self):
-        """{name: text} of the scenes that it can draw."""
-        return dict(scene.split("=", 1) for scene in self.request("scenes").removeprefix("ok ").split("|"))
 
     def stop(self):
         self.process.stdin.close()

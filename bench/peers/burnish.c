@@ -1,11 +1,10 @@
 /* burnish as a contestant: one call of burnish_renderer_draw per frame, which keeps its memory
  * between frames, into the same image, encoded in sRGB. Its lobes are the public
- * interface's, and libm's powf. */
+ * interface's. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "libm_lobe.h"
 #include "worker.h"
 
 typedef struct contestant {
@@ -13,29 +12,7 @@ typedef struct contestant {
     burnish_renderer *renderer;
     burnish_image image;
     burnish_render_options options;
-    const burnish_kernels *best;
-    burnish_shading_ops libm;
-    int libm_works; /* the renderer uses the kernel table passed to it; -1: not known yet */
 } contestant;
-
-/* Whether the renderer calls the kernels of libm_lobe.h: with black ones the picture is black. */
-static int shades_by_table(const burnish_peers_job *job, const burnish_kernels *best) {
-    const burnish_shading_ops dark = burnish_peers_dark_batch(best);
-    burnish_render_options options = job->options;
-    burnish_image image;
-    burnish_error error;
-    options.kernels = &dark;
-    options.lobe.kind = BURNISH_LOBE_POWER;
-    if (burnish_render(job->scene, &options, &image, NULL, &error) != BURNISH_STATUS_OK) {
-        return 0;
-    }
-    size_t bright = 0;
-    for (size_t i = 0; i < (size_t)BURNISH_PEERS_PIXELS * 3; ++i) {
-        bright += image.pixels[i] != 0;
-    }
-    burnish_image_destroy(&image);
-    return bright == 0;
-}
 
 static int open_renderer(void **state, const burnish_peers_job *job, int threads, char *note) {
     contestant *made = calloc(1, sizeof *made);
@@ -46,12 +23,9 @@ static int open_renderer(void **state, const burnish_peers_job *job, int threads
     }
     made->job = job;
     made->options = job->options;
-    made->best = burnish_kernels_best();
-    made->libm = burnish_peers_libm_batch(made->best);
-    made->libm_works = -1;
     snprintf(note, BURNISH_PEERS_NOTE, "burnish, %s kernels, %d thread%s, %zu triangles",
-             burnish_isa_name(burnish_kernels_get_isa(made->best)), threads,
-             threads == 1 ? "" : "s", burnish_mesh_get_view(job->scene)->triangle_count);
+             burnish_isa_name(burnish_kernels_get_isa(NULL)), threads, threads == 1 ? "" : "s",
+             burnish_mesh_get_view(job->scene)->triangle_count);
     *state = made;
     return 1;
 }
@@ -60,22 +34,14 @@ static int choose(contestant *r, const char *variant) {
     static const struct {
         const char *variant, *lobe;
         int two_sided;
-    } LOBES[] = {{"family", "energy:2", 0}, {"family-two-sided", "energy:2", 1},
-                 {"power", "power", 0},     {"schlick", "schlick", 0},
-                 {"libm", "power", 0},      {"scene", "energy:2", -1}}; /* as the scene requests */
+    } LOBES[] = {{"family", "energy:2", 0},
+                 {"family-two-sided", "energy:2", 1},
+                 {"power", "power", 0},
+                 {"schlick", "schlick", 0}};
     burnish_error error;
     for (size_t i = 0; i < sizeof LOBES / sizeof *LOBES; ++i) {
         if (strcmp(variant, LOBES[i].variant) == 0) {
-            int is_libm = strcmp(variant, "libm") == 0;
-            if (is_libm && r->libm_works < 0) {
-                r->libm_works = shades_by_table(r->job, r->best);
-            }
-            if (is_libm && !r->libm_works) {
-                return 0;
-            }
-            r->options.kernels = is_libm ? &r->libm : r->best;
-            r->options.cull_back_faces =
-                LOBES[i].two_sided < 0 ? r->job->options.cull_back_faces : !LOBES[i].two_sided;
+            r->options.cull_back_faces = !LOBES[i].two_sided;
             return burnish_lobe_spec_parse(LOBES[i].lobe, &r->options.lobe, &error) ==
                    BURNISH_STATUS_OK;
         }

@@ -7,7 +7,9 @@
 #include <time.h>
 
 #include "core/numbers.h"
-#include "scenes.h"
+#include "subdivide.h"
+
+#define BUNNY "/usr/share/glmark2/models/bunny.obj" /* Debian's glmark2-data */
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -58,48 +60,26 @@ static void make_camera(burnish_peers_job *job) {
     find_range(job);
 }
 
-/* Light i of a scene: the first from the upper left, the others on a spiral around the camera's
- * axis. Toward it, in camera space. */
-static void light_direction(const burnish_peers_job *job, int i, double toward[3]) {
-    const double turn = 2.4 * i, out = i ? 0.2 + 0.05 * i : 0;
-    const double x = -0.48 * !i + out * cos(turn), y = 0.6 * !i + out * sin(turn);
-    const double z = i ? -0.8 : -0.64;
+/* From the upper left. */
+static void make_light(burnish_peers_job *job) {
+    burnish_light *light = &job->options.lights[0];
+    double half[3];
+    memset(light, 0, sizeof *light);
     for (int k = 0; k < 3; ++k) {
-        toward[k] = x * job->right[k] + y * job->up[k] + z * job->forward[k];
+        light->vector[k] = -0.48 * job->right[k] + 0.6 * job->up[k] - 0.64 * job->forward[k];
+        light->color[k] = 1;
     }
-    normalize(toward);
-}
-
-static void make_lights(burnish_peers_job *job, burnish_scene_lights lights) {
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(job->scene);
-    double half[3], diagonal = 0;
+    normalize(light->vector);
     for (int k = 0; k < 3; ++k) {
-        diagonal = hypot(diagonal, (double)mesh->bounds_max[k] - (double)mesh->bounds_min[k]);
-    }
-    for (int i = 0; i < lights.count; ++i) {
-        burnish_light *light = &job->options.lights[i];
-        memset(light, 0, sizeof *light);
-        light->kind = lights.near ? BURNISH_LIGHT_POINT : BURNISH_LIGHT_DIRECTIONAL;
-        light_direction(job, i, light->vector);
-        for (int k = 0; k < 3; ++k) {
-            light->color[k] = 1.0f / (float)lights.count;
-            if (i == 0) {
-                job->light[k] = (float)light->vector[k];
-                half[k] = light->vector[k] - job->forward[k];
-            }
-            if (lights.near) { /* one diagonal from the middle of the object */
-                const double middle =
-                    ((double)mesh->bounds_min[k] + (double)mesh->bounds_max[k]) / 2;
-                light->vector[k] = middle + diagonal * light->vector[k];
-            }
-        }
+        half[k] = light->vector[k] - job->forward[k];
+        job->light[k] = (float)light->vector[k];
+        job->viewer[k] = (float)-job->forward[k];
     }
     normalize(half);
     for (int k = 0; k < 3; ++k) {
         job->half[k] = (float)half[k];
-        job->viewer[k] = (float)-job->forward[k];
     }
-    job->options.light_count = lights.count;
+    job->options.light_count = 1;
 }
 
 /* Sets the same ambient, specular and exponent in all materials, and the diffuse colour if there is
@@ -129,33 +109,24 @@ static burnish_status make_materials(burnish_peers_job *job, burnish_error *erro
     return status;
 }
 
-static burnish_status load_file(const char *path, double aspect, burnish_scene *scene,
-                                burnish_error *error) {
-    burnish_load_options load = burnish_load_options_default();
-    burnish_framing framing = burnish_framing_default();
-    framing.aspect = aspect;
-    *scene = (burnish_scene){.lights = {1, 0}, .cull_back_faces = 1};
-    burnish_status status = burnish_mesh_load(path, &load, &scene->mesh, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_camera_frame(scene->mesh, &framing, &scene->camera, error);
+/* bunny16 is the bunny subdivided twice. */
+static burnish_status load(const char *input, burnish_mesh **mesh, burnish_error *error) {
+    const int is_bunny = strcmp(input, "bunny") == 0, is_fine = strcmp(input, "bunny16") == 0;
+    burnish_load_options options = burnish_load_options_default();
+    burnish_status status =
+        burnish_mesh_load(is_bunny || is_fine ? BUNNY : input, &options, mesh, error);
+    if (status == BURNISH_STATUS_OK && is_fine) {
+        burnish_mesh *coarse = *mesh;
+        status = burnish_peers_subdivide(coarse, 2, mesh, error);
+        burnish_mesh_destroy(coarse);
     }
     return status;
-}
-
-static int is_scene(const char *name) {
-    for (size_t i = 0; burnish_scene_name(i); ++i) {
-        if (strcmp(burnish_scene_name(i), name) == 0) {
-            return 1;
-        }
-    }
-    return 0;
 }
 
 int burnish_peers_job_open(burnish_peers_job *job, const char *input,
                            const burnish_peers_view *view) {
     burnish_error error;
-    burnish_scene scene;
-    const double aspect = (double)view->width / view->height;
+    burnish_framing framing = burnish_framing_default();
     memset(job, 0, sizeof *job);
     job->options = burnish_render_options_default();
     job->options.width = view->width;
@@ -164,11 +135,12 @@ int burnish_peers_job_open(burnish_peers_job *job, const char *input,
     job->options.threads = view->threads;
     job->options.local_viewer = 0;
     memset(job->options.background, 0, sizeof job->options.background);
-    burnish_status status = is_scene(input) ? burnish_scene_make(input, aspect, &scene, &error)
-                                            : load_file(input, aspect, &scene, &error);
-    job->scene = scene.mesh;
-    job->options.camera = scene.camera;
-    job->options.cull_back_faces = scene.cull_back_faces;
+    job->options.cull_back_faces = 1;
+    framing.aspect = (double)view->width / view->height;
+    burnish_status status = load(input, &job->scene, &error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_camera_frame(job->scene, &framing, &job->options.camera, &error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = make_materials(job, &error);
     }
@@ -178,7 +150,7 @@ int burnish_peers_job_open(burnish_peers_job *job, const char *input,
         return 0;
     }
     make_camera(job);
-    make_lights(job, scene.lights);
+    make_light(job);
     return 1;
 }
 

@@ -14,9 +14,9 @@ typedef struct burnish_peers_view {
 /* Marks a pixel without a triangle in the pictures of triangle numbers. */
 #define BURNISH_PEERS_NOTHING UINT32_MAX
 
-/* One white directional light unless the scene has others, a distant viewer, Blinn's cosine, black
+/* One white directional light, a distant viewer, Blinn's cosine, black
  * background; colour = ambient + diffuse max(0, N.L) + specular lobe(N.H) where N.L > 0, in linear
- * light, and back faces lit from their own side. */
+ * light, and back faces culled or lit from their own side. */
 typedef struct burnish_peers_job {
     burnish_mesh *scene;
     burnish_render_options options;
@@ -29,8 +29,7 @@ typedef struct burnish_peers_job {
     float light[3], half[3], viewer[3];
 } burnish_peers_job;
 
-/* input: a scene's name (scenes.h) or else a file, seen with back faces culled. Prints one line and
- * returns 0 on error. */
+/* input: bunny, bunny16, or a file. Prints one line and returns 0 on error. */
 int burnish_peers_job_open(burnish_peers_job *job, const char *input,
                            const burnish_peers_view *view);
 void burnish_peers_job_close(burnish_peers_job *job);

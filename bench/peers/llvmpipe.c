@@ -1,6 +1,5 @@
-/* Mesa's software rasteriser, or the machine's GPU, as a contestant: GLES 3.2 without a window.
- * Buffers and programs are made once; a frame is glClear, a draw call per material and glFinish;
- * only scene-read also copies the picture into the program's memory, where burnish's is.
+/* Mesa's software rasteriser as a contestant: GLES 3.2 without a window. Buffers and programs are
+ * made once; a frame is glClear, a draw call per material and glFinish.
  *
  * The runner sets the number of threads in the environment: LP_NUM_THREADS=0 rasterises in the
  * calling thread, 2 in two more threads. */
@@ -11,13 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/shaders/egl.h"
+#include "egl.h"
 #include "llvmpipe_shaders.h"
 #include "worker.h"
 
 enum { LINEAR8, SRGB8, FLOAT32, NUMBER, TARGETS };
-
-enum { SIDES_OF_SCENE = 2 };
 
 /* The plain names are OpenGL at its fastest for this picture: linear bytes, back faces
  * culled. */
@@ -25,15 +22,10 @@ static const struct variant {
     const char *name, *lobe;
     int target;
     int two_sided; /* 1: draws every face with N turned toward the viewer, as burnish does */
-    int reads;     /* 1: copies the picture */
 } VARIANTS[] = {
-    {"power", lobe_power, LINEAR8, 0, 0},
-    {"power-srgb", lobe_power, SRGB8, 0, 0},
-    {"power-two-sided", lobe_power, LINEAR8, 1, 0},
-    {"family", lobe_family, LINEAR8, 0, 0},
-    {"schlick", lobe_schlick, LINEAR8, 0, 0},
-    {"scene-read", lobe_power, LINEAR8, SIDES_OF_SCENE, 1},
-    {"scene", lobe_power, LINEAR8, SIDES_OF_SCENE, 0},
+    {"power", lobe_power, LINEAR8, 0},           {"power-srgb", lobe_power, SRGB8, 0},
+    {"power-two-sided", lobe_power, LINEAR8, 1}, {"family", lobe_family, LINEAR8, 0},
+    {"schlick", lobe_schlick, LINEAR8, 0},
 };
 
 enum { VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS };
@@ -50,7 +42,6 @@ typedef struct gl_renderer {
     GLuint resolved;       /* where the samples of LINEAR8 go; 0: it has one per pixel */
     GLuint meshes[ORDERS]; /* vertex array objects */
     int fastest;           /* of these */
-    uint8_t *bytes;        /* the copied picture */
     size_t *ends;          /* of each material's indices */
     size_t material_count;
 } gl_renderer;
@@ -72,13 +63,8 @@ static int is_colored(const burnish_peers_job *job) {
     return burnish_mesh_get_view(job->scene)->colors != NULL;
 }
 
-static int is_textured(const burnish_peers_job *job) {
-    return burnish_mesh_get_texture_count(job->scene) > 0;
-}
-
 static int is_grey(const burnish_peers_job *job) {
-    return !is_colored(job) && !is_textured(job) &&
-           burnish_mesh_get_material_count(job->scene) == 1;
+    return !is_colored(job) && burnish_mesh_get_material_count(job->scene) == 1;
 }
 
 /* Fragment parts come after the common head. */
@@ -86,12 +72,8 @@ static GLuint link_program(const burnish_peers_job *job, const char *const parts
     char head[256];
     snprintf(head, sizeof head,
              "#version 320 es\nprecision highp float;\nprecision highp int;\n"
-             "#define LIGHTS %d\n#define COLOR %s\n%s%s",
-             job->options.light_count, is_grey(job) ? "float" : "vec3",
-             is_colored(job)    ? "#define COLORED\n"
-             : is_textured(job) ? "#define TEXTURED\n"
-                                : "",
-             job->options.lights[0].kind == BURNISH_LIGHT_POINT ? "#define NEAR\n" : "");
+             "#define COLOR %s\n%s",
+             is_grey(job) ? "float" : "vec3", is_colored(job) ? "#define COLORED\n" : "");
     const char *const vertex_parts[] = {head, vertex_main};
     const char *const fragment_parts[] = {head, parts[0], parts[1], parts[2], parts[3]};
     GLuint vertex = compile(GL_VERTEX_SHADER, vertex_parts, 2, note);
@@ -128,46 +110,23 @@ static void make_matrix(const burnish_peers_job *job, float matrix[16]) {
     }
 }
 
-static void set_lights(const burnish_peers_job *job, GLuint program) {
-    GLfloat lights[BURNISH_LIGHT_MAX][3], halfways[BURNISH_LIGHT_MAX][3];
-    const int count = job->options.light_count;
-    for (int i = 0; i < count; ++i) {
-        double half[3], squared = 0;
-        for (int k = 0; k < 3; ++k) {
-            lights[i][k] = (GLfloat)job->options.lights[i].vector[k];
-            half[k] = job->options.lights[i].vector[k] + (double)job->viewer[k];
-            squared += half[k] * half[k];
-        }
-        for (int k = 0; k < 3; ++k) {
-            halfways[i][k] = (GLfloat)(half[k] / sqrt(squared));
-        }
-    }
-    glUniform3fv(glGetUniformLocation(program, "lights"), count, lights[0]);
-    glUniform3fv(glGetUniformLocation(program, "halfways"), count, halfways[0]);
-    glUniform3fv(glGetUniformLocation(program, "viewer"), 1, job->viewer);
-}
-
 static void set_uniforms(const burnish_peers_job *job, GLuint program) {
     float matrix[16];
     make_matrix(job, matrix);
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "to_clip"), 1, GL_FALSE, matrix);
-    set_lights(job, program);
+    glUniform3fv(glGetUniformLocation(program, "light"), 1, job->light);
+    glUniform3fv(glGetUniformLocation(program, "halfway"), 1, job->half);
     glUniform1f(glGetUniformLocation(program, "ambient"), job->ambient);
     glUniform1f(glGetUniformLocation(program, "specular"), job->specular);
     glUniform1f(glGetUniformLocation(program, "exponent"), job->exponent);
     glUniform1f(glGetUniformLocation(program, "zeta"), job->zeta);
 }
 
-static int is_two_sided(const gl_renderer *gl, int variant) {
-    return VARIANTS[variant].two_sided == SIDES_OF_SCENE ? !gl->job->options.cull_back_faces
-                                                         : VARIANTS[variant].two_sided;
-}
-
 static int make_programs(gl_renderer *gl, char *note) {
     for (int i = 0; i < VARIANT_COUNT; ++i) {
         const char *parts[4] = {fragment_head,
-                                is_two_sided(gl, i) ? fragment_two_sided : fragment_one_sided,
+                                VARIANTS[i].two_sided ? fragment_two_sided : fragment_one_sided,
                                 VARIANTS[i].lobe, fragment_main};
         gl->programs[i] = link_program(gl->job, parts, note);
         if (!gl->programs[i]) {
@@ -244,29 +203,6 @@ static int send_attribute(GLuint attribute, const float *vectors, size_t count,
     return 1;
 }
 
-/* The vertices' texture coordinates, and the texture with levels that OpenGL makes; rows from the
- * top, as burnish has them. */
-static int send_texture(const burnish_peers_job *job, const unsigned *remap) {
-    const burnish_mesh_view *mesh = burnish_mesh_get_view(job->scene);
-    const burnish_texture *texture = burnish_mesh_get_texture(job->scene, 0);
-    float *coordinates = calloc(mesh->vertex_count, 3 * sizeof *coordinates);
-    GLuint name;
-    for (size_t i = 0; coordinates && i < mesh->vertex_count; ++i) {
-        coordinates[3 * i] = mesh->texture_coordinates[2 * i];
-        coordinates[3 * i + 1] = 1 - mesh->texture_coordinates[2 * i + 1];
-    }
-    const int done = coordinates && send_attribute(3, coordinates, mesh->vertex_count, remap);
-    free(coordinates);
-    glGenTextures(1, &name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, texture->width, texture->height, 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, texture->pixels);
-    glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    return done;
-}
-
 /* The vertices' colours in linear light. */
 static int send_colors(const burnish_mesh_view *mesh, const unsigned *remap) {
     float *linear = malloc(3 * mesh->vertex_count * sizeof *linear);
@@ -291,8 +227,7 @@ static int make_mesh(gl_renderer *gl, int order, const uint32_t *indices, const 
                  indices, GL_STATIC_DRAW);
     return send_attribute(0, mesh->positions, mesh->vertex_count, remap) &&
            send_attribute(1, mesh->normals, mesh->vertex_count, remap) &&
-           (!mesh->colors || send_colors(mesh, remap)) &&
-           (!is_textured(gl->job) || send_texture(gl->job, remap));
+           (!mesh->colors || send_colors(mesh, remap));
 }
 
 /* Indices with the triangles of a material together, each material's in burnish's order: one draw
@@ -344,8 +279,7 @@ static int make_meshes(gl_renderer *gl) {
 
 static void close_gl(void *state) {
     gl_renderer *gl = state;
-    burnish_bench_close_gl();
-    free(gl->bytes);
+    burnish_peers_close_gl();
     free(gl->ends);
     free(gl);
 }
@@ -401,12 +335,12 @@ static void draw(const gl_renderer *gl, GLuint program, int target, int cull, in
 
 /* Finds the faster order by drawing both in turns, where a frame is slow once. */
 static void find_fastest(gl_renderer *gl) {
-    enum { TURNS = 3, SCENE = VARIANT_COUNT - 1, SLOW = 50 /* milliseconds */ };
+    enum { TURNS = 3, SLOW = 50 /* milliseconds */ };
     double shortest[ORDERS] = {INFINITY, INFINITY};
     for (int i = 0; i < TURNS * ORDERS && (i < ORDERS || shortest[0] < SLOW); ++i) {
         const int order = i % ORDERS;
         const double start = burnish_peers_now(gl->job);
-        draw(gl, gl->programs[SCENE], LINEAR8, !is_two_sided(gl, SCENE), order);
+        draw(gl, gl->programs[0], LINEAR8, 1, order);
         shortest[order] = fmin(shortest[order], burnish_peers_now(gl->job) - start);
     }
     gl->fastest = shortest[ORDER_CACHE] < shortest[ORDER_BURNISH] ? ORDER_CACHE : ORDER_BURNISH;
@@ -419,14 +353,13 @@ static int open_gl(void **state, const burnish_peers_job *job, int threads, char
         return 0;
     }
     gl->job = job;
-    const char *missing = burnish_bench_open_gl(3, 2);
+    const char *missing = burnish_peers_open_gl(3, 2);
     if (missing) {
         snprintf(note, BURNISH_PEERS_NOTE, "EGL: %s", missing);
         close_gl(gl);
         return 0;
     }
-    gl->bytes = malloc((size_t)job->options.width * (size_t)job->options.height * 4);
-    if (!gl->bytes || !make_programs(gl, note) || !make_framebuffers(gl, note)) {
+    if (!make_programs(gl, note) || !make_framebuffers(gl, note)) {
         close_gl(gl);
         return 0;
     }
@@ -462,13 +395,7 @@ static int frame(void *state, const char *name, double *milliseconds) {
         return 0;
     }
     double start = burnish_peers_now(gl->job);
-    draw(gl, gl->programs[i], VARIANTS[i].target, !is_two_sided(gl, i), gl->fastest);
-    if (VARIANTS[i].reads) {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER,
-                          gl->resolved ? gl->resolved : gl->framebuffers[LINEAR8]);
-        glReadPixels(0, 0, gl->job->options.width, gl->job->options.height, GL_RGBA,
-                     GL_UNSIGNED_BYTE, gl->bytes);
-    }
+    draw(gl, gl->programs[i], VARIANTS[i].target, !VARIANTS[i].two_sided, gl->fastest);
     *milliseconds = burnish_peers_now(gl->job) - start;
     return glGetError() == GL_NO_ERROR;
 }
@@ -490,7 +417,7 @@ static int picture(void *state, const char *name, uint8_t *rgb) {
         return 0;
     }
     int encoded = VARIANTS[i].target == SRGB8;
-    draw(gl, gl->programs[i], encoded ? SRGB8 : FLOAT32, !is_two_sided(gl, i), ORDER_BURNISH);
+    draw(gl, gl->programs[i], encoded ? SRGB8 : FLOAT32, !VARIANTS[i].two_sided, ORDER_BURNISH);
     glReadPixels(0, 0, BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT, GL_RGBA,
                  encoded ? GL_UNSIGNED_BYTE : GL_FLOAT, values);
     for (size_t p = 0; p < BURNISH_PEERS_PIXELS; ++p) {

@@ -2,33 +2,20 @@
 #ifndef BURNISH_BENCH_PEERS_LLVMPIPE_SHADERS_H
 #define BURNISH_BENCH_PEERS_LLVMPIPE_SHADERS_H
 
-/* Macros of the scene precede both shaders: COLORED (a colour per vertex), COLOR (float if all is
- * grey, else vec3), LIGHTS, and NEAR for point lights. */
+/* Macros precede both shaders: COLORED (a colour per vertex) and COLOR (float if all is grey, else
+ * vec3). */
 static const char vertex_main[] = "layout(location = 0) in vec3 position;\n"
                                   "layout(location = 1) in vec3 normal;\n"
                                   "layout(location = 2) in vec3 vertex_color;\n"
-                                  "layout(location = 3) in vec3 coordinates;\n"
                                   "uniform mat4 to_clip;\n"
                                   "out vec3 n;\n"
-                                  "#ifdef TEXTURED\n"
-                                  "out vec2 uv;\n"
-                                  "#endif\n"
                                   "#ifdef COLORED\n"
                                   "out vec3 tint;\n"
                                   "#endif\n"
-                                  "#ifdef NEAR\n"
-                                  "out vec3 p;\n"
-                                  "#endif\n"
                                   "void main() {\n"
                                   "    n = normal;\n"
-                                  "#ifdef TEXTURED\n"
-                                  "    uv = coordinates.xy;\n"
-                                  "#endif\n"
                                   "#ifdef COLORED\n"
                                   "    tint = vertex_color;\n"
-                                  "#endif\n"
-                                  "#ifdef NEAR\n"
-                                  "    p = position;\n"
                                   "#endif\n"
                                   "    gl_Position = to_clip * vec4(position, 1.0);\n"
                                   "}\n";
@@ -37,17 +24,11 @@ static const char vertex_main[] = "layout(location = 0) in vec3 position;\n"
 static const char fragment_head[] = "in vec3 n;\n"
                                     "#ifdef COLORED\n"
                                     "in vec3 tint;\n"
-                                    "#elif defined TEXTURED\n"
-                                    "in vec2 uv;\n"
-                                    "uniform sampler2D image;\n"
                                     "#else\n"
                                     "const float tint = 1.0;\n"
                                     "#endif\n"
-                                    "#ifdef NEAR\n"
-                                    "in vec3 p;\n"
-                                    "#endif\n"
                                     "layout(location = 0) uniform COLOR diffuse;\n"
-                                    "uniform vec3 lights[LIGHTS], halfways[LIGHTS], viewer;\n"
+                                    "uniform vec3 light, halfway;\n"
                                     "uniform float ambient, specular, exponent, zeta;\n"
                                     "out vec4 color;\n";
 static const char fragment_one_sided[] = "vec3 facing() { return normalize(n); }\n";
@@ -56,20 +37,10 @@ static const char fragment_two_sided[] =
 static const char fragment_main[] =
     "void main() {\n"
     "    vec3 unit = facing();\n"
-    "#ifdef TEXTURED\n"
-    "    vec3 tint = texture(image, uv).rgb;\n"
-    "#endif\n"
+    "    float n_dot_l = max(dot(unit, light), 0.0);\n"
+    "    float shine = n_dot_l > 0.0 ? lobe(dot(unit, halfway)) : 0.0;\n"
     "    COLOR value = COLOR(ambient * tint);\n"
-    "    for (int i = 0; i < LIGHTS; ++i) {\n"
-    "#ifdef NEAR\n"
-    "        vec3 light = normalize(lights[i] - p), halfway = normalize(light + viewer);\n"
-    "#else\n"
-    "        vec3 light = lights[i], halfway = halfways[i];\n"
-    "#endif\n"
-    "        float n_dot_l = max(dot(unit, light), 0.0);\n"
-    "        float shine = n_dot_l > 0.0 ? lobe(dot(unit, halfway)) : 0.0;\n"
-    "        value += (diffuse * tint * n_dot_l + specular * shine) * (1.0 / float(LIGHTS));\n"
-    "    }\n"
+    "    value += diffuse * tint * n_dot_l + specular * shine;\n"
     "    color = vec4(vec3(value), 1.0);\n"
     "}\n";
 static const char lobe_power[] = "float lobe(float c) { return pow(max(c, 0.0), exponent); }\n";

@@ -3,12 +3,12 @@
 1920x1080 and 256x256.
 
 Usage: meshes.py [--short | --one-sample] PROGRAMS [INPUT...]
-  PROGRAMS      folder of the contestants; an input is a file or a scene; without any: all scenes
+  PROGRAMS      folder of the contestants; without inputs: the bunny and the built-in objects
   --short       one frame each of 256x256, one thread, one sample
   --one-sample  1920x1080 with one sample only, in a sixth of the time
 
 Both load a file with burnish's reader and draw the same triangles. burnish draws energy:2 in sRGB, llvmpipe pow in linear bytes; four
-samples are 4x MSAA with its resolve. Both cull back faces unless a scene is open. The contestants take turns of a few frames while the
+samples are 4x MSAA with its resolve. Both cull back faces. The contestants take turns of a few frames while the
 other waits: a busy moment affects both."""
 import math
 import os
@@ -17,7 +17,8 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import measure
 
-NAMES = ("burnish", "llvmpipe")
+CONTESTANTS = {"burnish": "family", "llvmpipe": "power"} # and their variant
+SCENES = "bunny bunny16 :teapot :knot :torus :sphere".split()
 peers = set() # versions
 SLOW = 100 # milliseconds: such a frame is timed once, a third of it in rounds of one
 FRAMES, ROUNDS = 3, 3
@@ -28,9 +29,9 @@ def time_setup(contestants, is_short):
     """Sorted times of each contestant, or None if one can't draw."""
     values = [[], []]
     for number in range(1 if is_short else 1 + ROUNDS):
-        for own, contestant in zip(values, contestants):
+        for own, contestant, variant in zip(values, contestants, CONTESTANTS.values()):
             if number == 0 or own[0] <= SLOW:
-                times, _ = contestant.frames("scene", FRAMES if number and own[0] < SLOW / 3 else 1)
+                times, _ = contestant.frames(variant, FRAMES if number and own[0] < SLOW / 3 else 1)
                 if times is None:
                     return None
                 own += times
@@ -40,7 +41,7 @@ def time_setup(contestants, is_short):
 def run_setup(contestants, setup, source, is_short):
     """(triangles, drawn ones, pixels, (median, least) of each contestant), or None."""
     _, samples, (width, height) = setup
-    for name, contestant in zip(NAMES, contestants):
+    for name, contestant in zip(CONTESTANTS, contestants):
         reply = contestant.request(f"open {width} {height} {samples} {source}")
         if not reply.startswith("ready"):
             print(f"bench-peers: {name}: {reply}", file=sys.stderr)
@@ -85,13 +86,12 @@ def main():
     programs, *inputs = sys.argv[1 + bool(flag):]
     is_short = flag == "--short"
     setups = [(1, 1, (256, 256))] if is_short else [setup for setup in SETUPS if not flag or setup[1:] == (1, (1920, 1080))]
-    for name in NAMES:
+    for name in CONTESTANTS:
         if not os.access(f"{programs}/bench_peers_{name}", os.X_OK):
             sys.exit(f"bench-peers: {programs}/bench_peers_{name} is not built (scripts/install-deps peers)")
-    pairs = {threads: [measure.Contestant(f"{programs}/bench_peers_{name}", threads) for name in NAMES] for threads in {setup[0] for setup in setups}}
-    scenes = pairs[1][0].scenes()
+    pairs = {threads: [measure.Contestant(f"{programs}/bench_peers_{name}", threads) for name in CONTESTANTS] for threads in {setup[0] for setup in setups}}
     results = [[] for _ in setups]
-    for number, source in enumerate(inputs or scenes, 1):
+    for number, source in enumerate(inputs or SCENES, 1):
         name = source.rpartition("/")[2][:39]
         for setup, own in zip(setups, results):
             result = run_setup(pairs[setup[0]], setup, source, is_short)
@@ -103,8 +103,6 @@ def main():
     print(f"llvmpipe: {', '.join(peers)}")
     for setup, own in zip(setups, results):
         print_setup(setup, own)
-    if not inputs: # for the page's table
-        print("\n" + "\n".join(f"{scene}: {text}" for scene, text in scenes.items()))
 
 
 main()

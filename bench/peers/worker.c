@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes.h"
-
 static int write_file(const char *path, const void *bytes, size_t size) {
     FILE *file = fopen(path, "wb");
     if (!file) {
@@ -86,15 +84,6 @@ static void close_job(server *s) {
     }
 }
 
-static int reply_scenes(void) {
-    printf("ok ");
-    for (size_t i = 0; burnish_scene_name(i); ++i) {
-        printf("%s%s=%s", i ? "|" : "", burnish_scene_name(i), burnish_scene_text(i));
-    }
-    printf("\n");
-    return 1;
-}
-
 /* Always replies. */
 static int reply_open(server *s, burnish_peers_view view, const char *input) {
     char note[BURNISH_PEERS_NOTE] = "";
@@ -121,9 +110,6 @@ static int reply(server *s, const char *line) {
     if (sscanf(line, "open %d %d %d %511[^\n]", &view.width, &view.height, &view.samples, path) ==
         4) {
         return reply_open(s, view, path);
-    }
-    if (strncmp(line, "scenes", 6) == 0) {
-        return reply_scenes();
     }
     if (!s->state) {
         return 0;

@@ -4,7 +4,6 @@
  *
  *   request                          reply
  *   open WIDTH HEIGHT SAMPLES INPUT  ready TEXT: the contestant, for the report
- *   scenes                           ok NAME=TEXT|...: the scenes of scenes.h
  *   counts                           ok TRIANGLES DRAWN PIXELS: of burnish's picture
  *   frame VARIANT COUNT              ok MS ...: COUNT frames after one that is not timed
  *   picture VARIANT FILE             ok: 8-bit sRGB, 3 bytes per pixel, rows from the top

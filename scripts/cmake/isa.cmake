@@ -14,7 +14,6 @@ endif()
 if(BURNISH_HAS_SSE2 AND BURNISH_WIDE_VECTORS)
   list(APPEND names avx2 avx512)
   set(avx2_flags -mavx2)
-  set(avx2_bench_flags -mfma) # alternatives in the benchmark make no promise of bits
   set(avx512_flags -mavx512f -mavx512dq -mavx512bw -mavx512vl -mprefer-vector-width=512)
   if(MINGW) # gcc aligns the stack to 16 bytes there, but uses aligned moves for wider vectors
     list(APPEND avx2_flags -Wa,-muse-unaligned-vector-move)

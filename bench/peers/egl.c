@@ -26,7 +26,7 @@ static EGLDisplay open_display(void) {
     return display && eglInitialize(display, NULL, NULL) ? display : EGL_NO_DISPLAY;
 }
 
-const char *burnish_bench_open_gl(int major, int minor) {
+const char *burnish_peers_open_gl(int major, int minor) {
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, major, EGL_CONTEXT_MINOR_VERSION, minor,
                                  EGL_NONE};
     const EGLDisplay display = open_display();
@@ -41,12 +41,7 @@ const char *burnish_bench_open_gl(int major, int minor) {
     return NULL;
 }
 
-int burnish_bench_draws_on_processor(void) {
-    const char *name = (const char *)glGetString(GL_RENDERER);
-    return strstr(name, "llvmpipe") || strstr(name, "SwiftShader") || strstr(name, "softpipe");
-}
-
-void burnish_bench_close_gl(void) {
+void burnish_peers_close_gl(void) {
     const EGLDisplay display = eglGetCurrentDisplay();
     if (display != EGL_NO_DISPLAY) {
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
