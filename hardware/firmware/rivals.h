@@ -1,5 +1,5 @@
-/* Integer functions that the lobes are compared with: cycles.c times them and test/lobe/prove_q15.c
- * measures their errors. cosine: UQ1.15, above 0x8000 counts as 1. */
+/* Integer functions that the lobes are compared with: cycles.c times them. cosine: UQ1.15, above
+ * 0x8000 counts as 1. */
 #ifndef FIRMWARE_RIVALS_H
 #define FIRMWARE_RIVALS_H
 

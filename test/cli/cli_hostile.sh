@@ -1,6 +1,6 @@
 #!/bin/sh
 # Small files that want to become large: each ends as test/hostile/make.py says, with one line where it is refused, and in
-# a bounded address space. Pictures are small: times are those of `make hostile`.
+# a bounded address space. Pictures are small.
 # Usage: cli_hostile.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
