@@ -1,14 +1,14 @@
 // Times of the page in Debian's Chromium, headless: first picture, pictures of 100,352 triangles, and their rate during input.
 // Medians.
-// Usage: node bench.mjs PAGE SERVER [short]
+// Usage: node bench.mjs PAGE SERVER
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const [folder, server, short] = process.argv.slice(2);
-const [LOADS, PICTURES] = short ? [2, 4] : [21, 60];
+const [folder, server] = process.argv.slice(2);
+const [LOADS, PICTURES] = [21, 60];
 const scratch = mkdtempSync(join(tmpdir(), "burnish-"));
 const servers = [];
 
