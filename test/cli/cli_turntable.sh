@@ -15,7 +15,6 @@ expect 2 'burnish: --views: a turntable shows only one view and one lobe; omit t
 expect 2 'burnish: --plane: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --plane=depth:d.npy
 expect 2 'burnish: --annotate: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --annotate=box
 expect 2 'burnish: --no-background: .y4m has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
-expect 2 'burnish: --resolution: a .mp4 has at least 2 x 2 pixels; write PNG, WebP or GIF' render :sphere --turntable=t.mp4 --resolution=1,8
 expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' render :sphere -o t.gif
 expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
 expect 2 'burnish: --runner: not available with --sandbox; omit one of them' render :sphere --turntable=t.gif --runner --sandbox
@@ -80,6 +79,8 @@ fake() { printf '#!/bin/sh\n%s\n' "$1" >bin/ffmpeg && chmod +x bin/ffmpeg; }
 video() { PATH=$PWD/bin:/usr/bin:/bin gives "$@"; }
 gives 0 render :knot $few --turntable=v.y4m
 fake 'for file; do :; done; echo "$*" >arguments; cat >"/proc/self${file#/dev}"'
+video 2 render :sphere --turntable=t.mp4 --resolution=1,8
+same "a video of one column" "$(cat "$err")" 'burnish: --resolution: a .mp4 has at least 2 x 2 pixels; write PNG, WebP or GIF'
 sandboxes='--sandbox --no-sandbox' bounded=1 # a sanitizer's program has neither a sandbox nor a bounded address space
 "$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null || sandboxes=--no-sandbox
 "$burnish" render :sphere --size=8 --max-memory=500M -o s.png 2>/dev/null || bounded=0
