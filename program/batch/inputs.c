@@ -66,7 +66,7 @@ static int by_bytes(const struct dirent **a, const struct dirent **b) {
     return strcmp((*a)->d_name, (*b)->d_name);
 }
 
-enum { DEPTH_MAX = 64 };
+enum { DEPTH_MAX = 64, LIST_MAX = 1 << 28 };
 
 /* A folder of earlier pictures is not an input. */
 static int is_output_folder(const batch *b, const struct stat *folder) {
@@ -145,6 +145,17 @@ static burnish_status add_name(batch *b, const char *name, burnish_error *error)
 }
 
 /* Reads a whole file: *size bytes and a terminating 0. */
+static char *fail_list(FILE *file, char *text, const char *path, burnish_error *error) {
+    if (ferror(file)) {
+        cli_fail(error, cli_errno_status(errno), "--files-from: %.300s: can't be read: %s", path,
+                 strerror(errno));
+    } else {
+        cli_fail(error, BURNISH_STATUS_LIMIT, "--files-from: %.300s: larger than 256 MiB", path);
+    }
+    free(text);
+    return NULL;
+}
+
 static char *read_list(const char *path, size_t *size, burnish_error *error) {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
     size_t capacity = 0, used = 0, count = 1;
@@ -154,9 +165,9 @@ static char *read_list(const char *path, size_t *size, burnish_error *error) {
                  strerror(errno));
         return NULL;
     }
-    while (count > 0) {
+    while (count > 0 && used < LIST_MAX) {
         capacity = capacity > 0 ? 2 * capacity : 4096;
-        char *grown = capacity < SIZE_MAX / 4 ? realloc(text, capacity) : NULL;
+        char *grown = realloc(text, capacity);
         if (!grown) {
             free(text);
             fail_memory(error);
@@ -167,7 +178,9 @@ static char *read_list(const char *path, size_t *size, burnish_error *error) {
         count = fread(text + used, 1, capacity - used - 1, file);
         used += count;
     }
-    if (text) {
+    if (text && (ferror(file) || used >= LIST_MAX)) {
+        text = fail_list(file, text, path, error);
+    } else if (text) {
         text[used] = 0;
         *size = used;
     }

@@ -147,9 +147,10 @@ burnish_file_loader cli_companion_loader(cli_companions *companions) {
     return (burnish_file_loader){.load = load_companion, .user_data = companions};
 }
 
-/* Reads the rest of the stream. */
-static burnish_status read_stream(const char *path, FILE *file, uint64_t max_bytes, uint8_t **bytes,
-                                  size_t *size, burnish_error *error) {
+/* Reads the rest of the stream, or the beginning of one that is not recognised. */
+static burnish_status read_stream(const char *path, FILE *file, uint64_t max_bytes,
+                                  cli_recognise *recognise, uint8_t **bytes, size_t *size,
+                                  burnish_error *error) {
     size_t capacity = 0;
     for (;;) {
         if (*size == capacity) {
@@ -172,14 +173,14 @@ static burnish_status read_stream(const char *path, FILE *file, uint64_t max_byt
             return cli_fail(error, cli_errno_status(errno), "%.200s: can't be read: %s", path,
                             strerror(errno));
         }
-        if (count == 0) {
+        if (count == 0 || (recognise && !recognise(*bytes, *size))) {
             return BURNISH_STATUS_OK;
         }
     }
 }
 
-burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, uint8_t **bytes, size_t *size,
-                              burnish_error *error) {
+burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, cli_recognise *recognise,
+                              uint8_t **bytes, size_t *size, burnish_error *error) {
     const int standard = strcmp(path, "-") == 0;
     FILE *file = standard ? stdin : fopen(path, "rb");
     *bytes = NULL;
@@ -188,8 +189,8 @@ burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, uint8_t **by
         return cli_fail(error, cli_errno_status(errno), "%.200s: can't be opened: %s", path,
                         strerror(errno));
     }
-    const burnish_status status =
-        read_stream(standard ? "standard input" : path, file, max_bytes, bytes, size, error);
+    const burnish_status status = read_stream(standard ? "standard input" : path, file, max_bytes,
+                                              recognise, bytes, size, error);
     if (!standard) {
         fclose(file);
     }

@@ -153,9 +153,13 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
         "Refuses larger inputs (exit code 5). _N_ can end in *K*, *M* or *G*, powers of 1024.",    \
     .handler = cli_flag_bytes, .offset = offsetof(type, member.max_input_bytes)
 
-/* Reads a whole file, or standard input for "-"; release *bytes with free. Errors: READ, LIMIT,
+/* Whether a file that begins with these bytes is of a wanted kind. */
+typedef int cli_recognise(const uint8_t *bytes, size_t size);
+
+/* Reads a whole file, or standard input for "-"; release *bytes with free. Of a file of another kind,
+ * which could be endless, only the beginning is read; `recognise` can be NULL. Errors: READ, LIMIT,
  * MEMORY. */
-burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, uint8_t **bytes, size_t *size,
-                              burnish_error *error);
+burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, cli_recognise *recognise,
+                              uint8_t **bytes, size_t *size, burnish_error *error);
 
 #endif

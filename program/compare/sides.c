@@ -66,7 +66,8 @@ static burnish_status read_standard(compare_side *side, const burnish_load_optio
                                     burnish_error *error) {
     uint8_t *bytes;
     size_t size;
-    burnish_status status = cli_read_bytes("-", options->max_input_bytes, &bytes, &size, error);
+    burnish_status status =
+        cli_read_bytes("-", options->max_input_bytes, NULL, &bytes, &size, error);
     if (status == BURNISH_STATUS_OK && picture_is_png(bytes, size)) {
         status = picture_decode_png("standard input", bytes, size, &side->picture, error);
     } else if (status == BURNISH_STATUS_OK) {

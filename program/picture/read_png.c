@@ -15,7 +15,7 @@ burnish_status picture_read_png(const char *path, uint64_t max_bytes, burnish_im
     uint8_t *bytes;
     size_t size;
     *image = (burnish_image){0};
-    burnish_status status = cli_read_bytes(path, max_bytes, &bytes, &size, error);
+    burnish_status status = cli_read_bytes(path, max_bytes, picture_is_png, &bytes, &size, error);
     if (status == BURNISH_STATUS_OK) {
         status = picture_decode_png(path, bytes, size, image, error);
     }

@@ -206,7 +206,7 @@ static void test_file(void) {
     for (int k = 0; k < 2; ++k) {
         atomic_store(&left, k);
         const burnish_status status =
-            cli_read_bytes(TEST_DATA_DIR "/cube.obj", 1 << 20, &bytes, &size, &error);
+            cli_read_bytes(TEST_DATA_DIR "/cube.obj", 1 << 20, NULL, &bytes, &size, &error);
         CHECK(atomic_exchange(&left, -1) < 0 && status == BURNISH_STATUS_MEMORY, "%d: %s", k,
               error.text);
     }

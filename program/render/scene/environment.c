@@ -9,6 +9,11 @@ static int is_file(const char *name) {
     return name && strcmp(name, "sky") != 0 && strcmp(name, "room") != 0;
 }
 
+/* Radiance HDR or EXR. */
+static int is_image(const uint8_t *bytes, size_t size) {
+    return size >= 4 && (memcmp(bytes, "#?", 2) == 0 || memcmp(bytes, "\x76\x2f\x31\x01", 4) == 0);
+}
+
 burnish_status render_read_environment(const render_settings *settings,
                                        render_environment *environment, burnish_error *error) {
     const char *name = settings->shading.environment.name;
@@ -22,7 +27,7 @@ burnish_status render_read_environment(const render_settings *settings,
                         "room",
                         name);
     }
-    return cli_read_bytes(name, settings->input.load.max_input_bytes, &environment->bytes,
+    return cli_read_bytes(name, settings->input.load.max_input_bytes, is_image, &environment->bytes,
                           &environment->size, error);
 }
 
