@@ -21,7 +21,7 @@ help: ## list the targets
 	@./scripts/job --help
 
 .PHONY: deps
-deps: ## install Debian packages by sudo: those that demo and test need, or GROUPS="test-all bench ..."
+deps: ## install Debian packages by sudo: those that demo and test need, or GROUPS="test-all peers ..."
 	$(DEPS) --sudo $(GROUPS)
 
 .PHONY: build
