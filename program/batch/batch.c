@@ -69,7 +69,8 @@ static const cli_flag flags[] = {
          "the list contains a byte 0, each followed by a 0, as *find -print0* prints them."},
     {CLI_SWITCH("index", "write index.html, a page with search", index), .common = 1,
      .manual = "Writes *index.html* to the output folder: a page with all pictures, facts about "
-               "the meshes and a search box. It loads only the pictures."},
+               "the meshes and a search box. It loads only the pictures. A file of that name that "
+               "burnish did not write is replaced only with *--overwrite*."},
     {CLI_FLAG("title", "TEXT", "title of the page", cli_flag_text, title),
      .default_label = "the folder's name", .manual = "Title of *index.html*."},
     {CLI_SWITCH("facts", "measure volume, area and defects", render.input.measure), .common = 1,
@@ -426,6 +427,9 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     }
     if (status == BURNISH_STATUS_OK) {
         status = batch_take_part(b, error);
+    }
+    if (status == BURNISH_STATUS_OK && settings->index) {
+        status = batch_check_index(b, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(b, 0, error);

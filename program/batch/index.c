@@ -271,8 +271,11 @@ static void put_title(FILE *page, const batch *b) {
     put_text(page, strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || !*name ? "Models" : name);
 }
 
+static const char beginning[] = "<!doctype html>\n<html lang=\"en\">\n"
+                                "<meta name=\"generator\" content=\"burnish\">\n";
+
 static void put_page(FILE *page, const batch *b) {
-    fputs("<!doctype html>\n<html lang=\"en\">\n<title>", page);
+    fprintf(page, "%s<title>", beginning);
     put_title(page, b);
     fprintf(page, "</title>\n%s<header><h1>", head);
     put_title(page, b);
@@ -307,15 +310,52 @@ static void put_page(FILE *page, const batch *b) {
     fprintf(page, "%s</html>\n", script);
 }
 
-burnish_status batch_write_index(const batch *b, burnish_error *error) {
+/* The name of the page, to be freed, or NULL. */
+static char *index_path(const batch *b) {
     static const char name[] = "index.html";
     const size_t length = strlen(b->settings->output_dir) + sizeof name + 1;
-    char *path = malloc(length), *text = NULL;
+    char *path = malloc(length);
+    if (path) {
+        snprintf(path, length, "%s/%s", b->settings->output_dir, name);
+    }
+    return path;
+}
+
+/* Whether the file has the beginning of a page, or is empty or none. */
+static int is_own_page(const char *path) {
+    char bytes[sizeof beginning - 1];
+    FILE *file = fopen(path, "rb");
+    const size_t size = file ? fread(bytes, 1, sizeof bytes, file) : 0;
+    if (file) {
+        fclose(file);
+    }
+    return size == 0 || (size == sizeof bytes && memcmp(bytes, beginning, size) == 0);
+}
+
+burnish_status batch_check_index(const batch *b, burnish_error *error) {
+    char *path = index_path(b);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!path) {
+        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the page");
+    } else if (b->report && strcmp(path, b->report) == 0) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--report: \"%.200s\" is the page of --index; name another file", path);
+    } else if (!b->settings->render.output.overwrite && !is_own_page(path)) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--index: \"%.200s\" exists and was not written by burnish; replace it "
+                          "with --overwrite, or name another --output-dir",
+                          path);
+    }
+    free(path);
+    return status;
+}
+
+burnish_status batch_write_index(const batch *b, burnish_error *error) {
+    char *path = index_path(b), *text = NULL;
     size_t size = 0;
     FILE *page = path ? cli_open_memory(&text, &size) : NULL;
     burnish_status status = BURNISH_STATUS_OK;
     if (page) {
-        snprintf(path, length, "%s/%s", b->settings->output_dir, name);
         put_page(page, b);
     }
     if (!page || cli_close_memory(page, &text, &size) != 0) {

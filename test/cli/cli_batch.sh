@@ -65,6 +65,14 @@ check "facts: a tetrahedron has a sixth of its box" grep -q '"volume":1000,"area
 check "the page: volume" grep -q '10 &times; 20 &times; 30 mm<br>1 cm&sup3;' facts/index.html
 check "the page: a badge" [ "$(grep -c 'not closed</span>, 3 open edges' facts/index.html)" = 1 ]
 check "the page: its title" grep -q '<h1>Parts &amp; more</h1>' facts/index.html
+for flags in '' --overwrite; do
+    echo mine >facts/index.html
+    # shellcheck disable=SC2086
+    batch tet.obj -d facts --size=16 --index $flags
+    check "a page of somebody else $flags" [ "$(grep -c mine facts/index.html)" = "$([ "$flags" ] && echo 0 || echo 1)" ]
+done
+expect 2 'burnish: --report: "facts/index.html" is the page of --index; name another file' \
+    batch tet.obj -d facts --size=16 --index --report=index.html
 batch tet.obj in/a.obj -d facts --size=16
 check "without facts all is drawn again" [ "$(grep -c volume facts/burnish-batch.jsonl)" = 0 ]
 rm -r facts tet.obj
