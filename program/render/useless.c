@@ -45,6 +45,16 @@ static int is_parallel(const render_settings *settings) {
     return settings->camera.own || !is_perspective(settings);
 }
 
+/* Whether light and opacity can change pixels. The areas of a drawing are as white as its paper, unless
+ * a flag gives either another colour or a shade. */
+static int is_shaded(const render_settings *settings) {
+    static const char shades[] = "color,material,ambient,environment,occlusion,ground,shadow,clip,"
+                                 "background-color,no-background,outline-contrast";
+    char name[32];
+    return settings->shading.look != BURNISH_LOOK_DRAWING ||
+           find_given(settings, shades, name, sizeof name) != NULL;
+}
+
 /* Flags that do not affect an SVG. --ambient, --color and --material change areas' colours. */
 static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
     static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
@@ -85,7 +95,7 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
     const int is_parallel_anyway = camera->orthographic_height.given ||
                                    settings->picture.views.count > 0 ||
                                    camera->projection == PROJECTION_PARALLEL;
-    const int is_shaded = shading->look != BURNISH_LOOK_DRAWING;
+    const int has_shades = is_shaded(settings);
     const char *by = settings->input.coloring.by;
     const cli_need list[] = {
         {"camera-orthographic-height,zoom,camera-focal-point,columns,labels,no-labels,font",
@@ -101,7 +111,7 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
          "--camera-orthographic-height already sets the scale; omit it"},
         {"camera", settings->picture.views.count == 0,
          "--views already sets the camera; omit one of them"},
-        {"camera-view-angle", is_perspective(settings),
+        {"camera-view-angle", is_perspective(settings) || settings->picture.background.environment,
          "a parallel projection has no angle; use --camera-orthographic=no"},
         {"viewer", is_perspective(settings),
          "the viewer of a parallel projection is distant; use --camera-orthographic=no"},
@@ -113,9 +123,9 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
          "values of vertices are not shown; use --color-by"},
         {"color-map,color-range,no-legend", !by || strcmp(by, "normal") != 0,
          "the colours of --color-by=normal are directions; use another value"},
-        {"opacity,specular,exponent,equation,viewer,light", is_shaded,
+        {"opacity,specular,exponent,equation,viewer,light", has_shades,
          "a drawing is not shaded; use another --look"},
-        {"lobe", is_shaded || shading->lobes.count > 1,
+        {"lobe", has_shades || shading->lobes.count > 1,
          "a drawing is not shaded; use another --look"},
         render_environment_need(settings),
         {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),
@@ -123,7 +133,7 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
         {"outline-contrast", !settings->picture.background.transparent,
          "a transparent background has no colour; omit --no-background"},
     };
-    _Static_assert(sizeof list / sizeof *list + 6 <= RENDER_NEEDS_MAX, "with those of files");
+    _Static_assert(sizeof list / sizeof *list + 7 <= RENDER_NEEDS_MAX, "with those of files");
     memcpy(needs, list, sizeof list);
     return sizeof list / sizeof *list;
 }
@@ -135,6 +145,8 @@ size_t render_list_needs(const render_settings *settings, cli_need needs[RENDER_
     needs[count++] =
         (cli_need){"resolution,size", !is_given(settings, "width") || !is_given(settings, "height"),
                    "--width and --height replace it; omit one of them"};
+    needs[count++] = (cli_need){"camera", output->turntable == NULL,
+                                "a turntable has cameras of its own; omit one of them"};
     needs[count++] = (cli_need){"frames,fps", output->turntable != NULL,
                                 "only a turntable has frames; use --turntable=FILE"};
     needs[count++] = (cli_need){"quality", format == PICTURE_JPEG || format == PICTURE_WEBP,
@@ -152,7 +164,7 @@ size_t render_list_needs(const render_settings *settings, cli_need needs[RENDER_
 size_t render_list_input_needs(const render_settings *settings, const burnish_mesh *mesh,
                                cli_need needs[RENDER_NEEDS_MAX]) {
     size_t count = CLI_INPUT_NEEDS;
-    const int is_free = settings->picture.views.count == 0;
+    const int is_free = settings->picture.views.count == 0 && !settings->output.turntable;
     const int has_camera = mesh && burnish_mesh_get_camera_count(mesh) > 0;
     cli_list_input_needs(mesh, needs);
     needs[count++] = (cli_need){"camera", has_camera || (mesh && !is_free),

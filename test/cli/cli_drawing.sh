@@ -310,11 +310,26 @@ rm -r several with.png without.png part.obj part.png
 expect 2 'burnish: --color-by: a drawing has no colours; use another --look, or omit the flag' :sphere --color-by=height --look=drawing
 nothing_left "useless flags"
 for flags in '--edge-color=red --views=front' '--edge-width=2 --edges' '--margin=0.1 --camera-orthographic' \
-    '--views=front --camera-orthographic=no --camera-view-angle=40' '--columns=1 --views=front,top'; do
+    '--views=front --camera-orthographic=no --camera-view-angle=40' '--columns=1 --views=front,top' \
+    '--look=drawing --color=red --light=directional:1,1,1' '--look=drawing --no-background --opacity=0.5' \
+    '--look=drawing --environment=sky --specular=0.9 --lobe=power' \
+    '--views=front --environment=sky --background-color=environment --camera-view-angle=80'; do
     # shellcheck disable=SC2086
     expect 0 '' render :sphere --size=64 $flags -o a.png
 done
 rm a.png
+cat >camera.gltf <<END
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"camera":0,"translation":[0,0,4]}],
+"cameras":[{"type":"perspective","perspective":{"yfov":0.8,"znear":0.1}}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+END
+expect 0 'burnish: warning: --camera: no effect: a turntable has cameras of its own; omit one of them' \
+    render camera.gltf --camera=0 --azimuth=30 --turntable=with.gif --frames=2 --size=32
+expect 0 '' render camera.gltf --azimuth=30 --turntable=without.gif --frames=2 --size=32
+check "camera: the same turntable" cmp with.gif without.gif
+rm camera.gltf with.gif without.gif
 
 # Names of outputs among inputs, and of formats elsewhere.
 expect 2 'burnish: render: "out.png" is an image, not a mesh; for several pictures, name a folder with -d' \
