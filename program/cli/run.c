@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #ifdef _WIN32
 void cli_handle_signals(void) {}
@@ -123,7 +124,21 @@ static int is_written(const cli_argument *argument) {
     return argument->flag && argument->flag->file > CLI_READS;
 }
 
-/* No output replaces a file that the same run reads, and no report a mesh. */
+/* Whether writing to this name would replace a mesh, since the file is where links lead. */
+static int is_link_to_mesh(const char *path) {
+#ifdef _WIN32
+    (void)path;
+    return 0;
+#else
+    struct stat state;
+    char *target = stat(path, &state) == 0 && S_ISREG(state.st_mode) ? realpath(path, NULL) : NULL;
+    const int is_mesh = target && !cli_is_mesh_name(path) && cli_is_mesh_name(target);
+    free(target);
+    return is_mesh;
+#endif
+}
+
+/* No output replaces a file that the same run reads, or a mesh behind a link, and no report a mesh. */
 static burnish_status check_files(const cli_call *call, burnish_error *error) {
     for (size_t i = 0; i < call->argument_count; ++i) {
         const char *flag, *other, *path = file_of(&call->arguments[i], &flag);
@@ -136,6 +151,10 @@ static burnish_status check_files(const cli_call *call, burnish_error *error) {
                 return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "--%s: \"%.200s\" is an input; name another file", flag, path);
             }
+        }
+        if (is_link_to_mesh(path)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: \"%.200s\" is a link to a mesh; name another file", flag, path);
         }
         if (call->arguments[i].flag->file == CLI_REPORTS && cli_is_mesh_name(path)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,

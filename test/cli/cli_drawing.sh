@@ -355,6 +355,16 @@ for format in stl gltf glb obj off ply 3mf bms stl.gz step FBX; do
     check "keep.$format stays" cmp part.obj "keep.$format"
     rm "keep.$format"
 done
+cp part.obj kept.obj
+ln -s kept.obj link.png
+for flags in 'part.obj --output=' 'part.obj --plane=depth:' 'compare :sphere :torus --output=' 'batch part.obj -d . --sheet=' \
+    'lobe table --output='; do
+    # shellcheck disable=SC2086
+    gives 2 ${flags}link.png
+    check "${flags}link.png: $(cat "$err")" grep -q 'is a link to a mesh; name another file' "$err"
+done
+check "a mesh behind a link stays" cmp part.obj kept.obj
+rm link.png kept.obj
 ln part.obj other.obj
 for flags in 'part.obj --json=' 'info part.obj --json=' 'batch part.obj --report=' 'part.obj -o s.png --plane=depth:' \
     ':sphere --font=part.obj --json=' ':sphere --files-from=part.obj --json='; do
