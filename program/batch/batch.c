@@ -415,6 +415,23 @@ static burnish_status warn_useless(const batch *b, int is_drawn, burnish_error *
                                        : status;
 }
 
+/* Neither the report nor the sheet is one of the pictures. */
+static burnish_status check_other_files(const batch *b, burnish_error *error) {
+    const char *paths[] = {b->report, b->settings->sheet}, *names[] = {"report", "sheet"};
+    for (size_t k = 0; k < sizeof paths / sizeof *paths; ++k) {
+        const char *last = paths[k] ? batch_base_name(paths[k]) : "";
+        for (size_t i = 0; i < b->list.count && *last; ++i) {
+            const char *picture = b->list.items[i].output;
+            if (strcmp(batch_base_name(picture), last) == 0 && cli_same_output(picture, paths[k])) {
+                return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--%s: \"%.200s\" is a picture of this batch; name another file",
+                                names[k], paths[k]);
+            }
+        }
+    }
+    return b->settings->index ? batch_check_index(b, error) : BURNISH_STATUS_OK;
+}
+
 static burnish_status draw_all(batch *b, batch_settings *settings, const cli_call *call,
                                burnish_error *error) {
     const double start = cli_seconds_now();
@@ -428,8 +445,8 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     if (status == BURNISH_STATUS_OK) {
         status = batch_take_part(b, error);
     }
-    if (status == BURNISH_STATUS_OK && settings->index) {
-        status = batch_check_index(b, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = check_other_files(b, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(b, 0, error);

@@ -70,6 +70,38 @@ static inline int cli_same_file(const char *a, const char *b) {
 #endif
 }
 
+/* Whether two outputs are the same file, which can be missing: then they have one folder and one last
+ * part. - is no file. */
+static inline int cli_same_output(const char *a, const char *b) {
+    if (strcmp(a, "-") == 0 || strcmp(a, b) == 0 || cli_same_file(a, b)) {
+        return strcmp(a, "-") != 0;
+    }
+#ifdef _WIN32
+    return 0; /* cli_same_file compares names there */
+#else
+    const char *names[2] = {a, b}, *last[2];
+    struct stat folders[2];
+    for (int i = 0; i < 2; ++i) {
+        char folder[4096] = ".";
+        const char *slash = strrchr(names[i], '/');
+        const size_t length = slash ? (size_t)(slash - names[i]) + 1 : 0;
+        if (length >= sizeof folder) {
+            return 0;
+        }
+        if (slash) {
+            memcpy(folder, names[i], length);
+            folder[length] = 0;
+        }
+        last[i] = names[i] + length;
+        if (stat(folder, &folders[i]) != 0) {
+            return 0;
+        }
+    }
+    return strcmp(last[0], last[1]) == 0 && folders[0].st_dev == folders[1].st_dev &&
+           folders[0].st_ino == folders[1].st_ino;
+#endif
+}
+
 /* Whether a name exists, including a dangling link. */
 static inline int cli_name_exists(const char *path) {
     struct stat status;

@@ -10,6 +10,7 @@
 #include "cli/main.h"
 #include "cli/memory.h"
 #include "cli/output.h"
+#include "cli/platform.h"
 #include "picture/formats.h"
 #include "picture/panels.h"
 #include "render/check.h"
@@ -181,7 +182,8 @@ static burnish_status check_output(compare_settings *settings, burnish_error *er
     if (!settings->output) {
         return BURNISH_STATUS_OK;
     }
-    if (settings->json && strcmp(settings->output, settings->json) == 0) {
+    if (settings->json && (strcmp(settings->output, settings->json) == 0 ||
+                           cli_same_output(settings->output, settings->json))) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--json: \"%.200s\" is the picture; name another file", settings->json);
     }

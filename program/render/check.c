@@ -24,8 +24,7 @@ static int is_standard(const char *path) {
 
 /* NULL and "-" are no files. */
 static int is_same_file(const char *a, const char *b) {
-    return a && b && !is_standard(a) && !is_standard(b) &&
-           (strcmp(a, b) == 0 || cli_same_file(a, b));
+    return a && b && !is_standard(a) && !is_standard(b) && cli_same_output(a, b);
 }
 
 /* A flag that makes a sheet, or NULL. */

@@ -71,6 +71,10 @@ for flags in '' --overwrite; do
     batch tet.obj -d facts --size=16 --index $flags
     check "a page of somebody else $flags" [ "$(grep -c mine facts/index.html)" = "$([ "$flags" ] && echo 0 || echo 1)" ]
 done
+for flag in sheet report; do
+    expect 2 "burnish: --$flag: \"other/tet.png\" is a picture of this batch; name another file" \
+        batch tet.obj -d other --size=16 --$flag=tet.png
+done
 expect 2 'burnish: --report: "facts/index.html" is the page of --index; name another file' \
     batch tet.obj -d facts --size=16 --index --report=index.html
 batch tet.obj in/a.obj -d facts --size=16

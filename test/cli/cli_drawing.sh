@@ -355,6 +355,10 @@ for format in stl gltf glb obj off ply 3mf bms stl.gz step FBX; do
     check "keep.$format stays" cmp part.obj "keep.$format"
     rm "keep.$format"
 done
+expect 2 'burnish: --plane: "./new.png" is another file of this run; name another one' \
+    part.obj -o a.png --plane=depth:new.png --plane=normal:./new.png
+expect 2 'burnish: --json: "./new.png" is the picture; name another file' part.obj -o new.png --json=./new.png
+expect 2 'burnish: --json: "./new.png" is the picture; name another file' compare part.obj part.obj -o new.png --json=./new.png
 cp part.obj kept.obj
 ln -s kept.obj link.png
 for flags in 'part.obj --output=' 'part.obj --plane=depth:' 'compare :sphere :torus --output=' 'batch part.obj -d . --sheet=' \
