@@ -221,7 +221,9 @@ static void print_fish_condition(const cli_command *command) {
     if (command == &render_command) {
         printf("not __fish_seen_subcommand_from");
         for (size_t i = 0; cli_commands[i]; ++i) {
-            printf(cli_commands[i] == command ? "" : " %s", cli_commands[i]->name);
+            if (cli_commands[i] != command) {
+                printf(" %s", cli_commands[i]->name);
+            }
         }
     } else {
         printf("__fish_seen_subcommand_from %.*s",

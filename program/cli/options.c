@@ -237,7 +237,7 @@ int cli_next_useless(const cli_command *command, const void *settings, const cli
                          (int)strcspn(item, ","), item, need->why);
                 return 1;
             }
-            rest += rest != NULL;
+            rest = rest ? rest + 1 : NULL;
         }
     }
     return 0;

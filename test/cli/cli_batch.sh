@@ -5,10 +5,8 @@
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/lib.sh"
 
-# batch ARGUMENTS...: a run; a sanitizer can't bear limits of memory.
-memory=
-"$burnish" render :sphere --max-memory=1G --size=8 --threads=1 -o s.png 2>/dev/null || memory=--max-memory=8000000000G
-rm -f s.png
+# batch ARGUMENTS...: a run.
+memory=$(unlimited)
 batch() {
     run batch "$@" $memory
 }
@@ -238,22 +236,22 @@ done
 # Folders that are not searched are mentioned once, unless they hold the pictures.
 mkdir -p tree/below
 cp in/a.obj tree
-expect 0 'burnish: warning: 1 folder in INPUT was skipped; --recursive searches it' batch tree -d skipping --size=8
+expect 0 'burnish: warning: 1 folder in INPUT was skipped; --recursive searches it' batch tree -d skipping --size=8 $memory
 mkdir tree/another tree/thumbs
-expect 0 'burnish: warning: 2 folders in INPUT were skipped; --recursive searches them' batch tree -d tree/thumbs --size=8
+expect 0 'burnish: warning: 2 folders in INPUT were skipped; --recursive searches them' batch tree -d tree/thumbs --size=8 $memory
 expect 0 'burnish: warning: 3 folders in INPUT were skipped; --recursive searches them' tree -d skipping -s 8
-expect 0 '' batch tree -d tree/thumbs --size=8 --quiet
+expect 0 '' batch tree -d tree/thumbs --size=8 --quiet $memory
 run info tree
 check "info skips folders: $(cat "$err")" grep -q '^burnish: warning: 3 folders' "$err"
 rm -r tree skipping
 # Files of the batch are in its folder, unless they name another one.
-expect 0 '' batch :sphere -d files --size=8 --sheet=s.png --report=r.jsonl
-expect 0 '' batch :sphere -d files --size=8 --sheet=./s.png --report=./r.jsonl
+expect 0 '' batch :sphere -d files --size=8 --sheet=s.png --report=r.jsonl $memory
+expect 0 '' batch :sphere -d files --size=8 --sheet=./s.png --report=./r.jsonl $memory
 check "files in the folder" [ -s files/s.png -a -s files/r.jsonl -a -s s.png -a -s r.jsonl ]
 rm -r files s.png r.jsonl
 # The name of an input can have dots.
 cp in/a.obj in/a.v2.obj
-expect 0 '' batch in/a.v2.obj -o '{model}' -d dots --size=8
+expect 0 '' batch in/a.v2.obj -o '{model}' -d dots --size=8 $memory
 check "a template without an extension" [ "$(head -c 4 dots/a.v2 | tail -c 3)" = PNG ]
 rm -r dots in/a.v2.obj
 echo text >out/sphere.png

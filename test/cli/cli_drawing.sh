@@ -285,10 +285,11 @@ expect 0 'burnish: warning: --recursive: no effect: no INPUT is a folder; omit t
 run part.obj --columns=2 --point-size=3 -s 8 --json -q
 same "warnings in JSON" "$(json warnings | grep -o noeffect | wc -l)$(cat "$err")" 2
 # Of several inputs one is enough; otherwise there is one line.
+memory=$(unlimited)
 expect 0 '' part.obj :sphere --tessellation=3 -d several -s 8
 expect 0 'burnish: warning: --point-size: no effect: only points and lines have a size, and INPUT has faces; omit the flag' \
-    batch part.obj :sphere --point-size=3 -d several -s 8
-gives 2 batch part.obj :sphere --point-size=4 --strict -d several -s 8
+    batch part.obj :sphere --point-size=3 -d several -s 8 $memory
+gives 2 batch part.obj :sphere --point-size=4 --strict -d several -s 8 $memory
 gives 0 compare part.obj :sphere --tessellation=3 --size=8 --threshold=1
 check "one side is enough: $(cat "$err")" [ ! -s "$err" ]
 gives 0 compare part.obj part.obj --tessellation=3 --size=8
@@ -302,7 +303,7 @@ for flags in -r '--animation=a' '--tessellation=3'; do
     check "info $flags: $(cat "$err")" grep -q -- "^burnish: warning: -.*: no effect: " "$err"
     gives 2 info part.obj $flags --strict
 done
-gives 0 batch part.obj --title=a -d several -s 8
+gives 0 batch part.obj --title=a -d several -s 8 $memory
 check "title: $(cat "$err")" grep -qx 'burnish: warning: --title: no effect: only the page shows it; use --index' "$err"
 gives 0 lobe plot curves --bits=8 --format=csv -o -
 check "bits: $(cat "$err")" grep -q '^burnish: warning: --bits: no effect: ' "$err"
