@@ -341,12 +341,13 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
     for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
         compare_side *side = &c->sides[i];
         if (side->result.mesh) {
-            const char *warning;
+            render_light_warnings warnings;
             render_subtract_origin(&side->settings.camera, &side->settings.input.clip,
                                    &side->options,
                                    burnish_mesh_get_view(side->result.mesh)->origin);
-            status = render_add_own_lights(&side->settings.shading.lights, side->result.mesh,
-                                           &side->options, &warning, error);
+            status = render_add_own_lights(&side->settings, side->result.mesh, &side->options,
+                                           &warnings, error);
+            render_result_warn_lights(&side->result, &warnings);
         }
     }
     if (status == BURNISH_STATUS_OK &&

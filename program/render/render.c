@@ -281,14 +281,12 @@ static burnish_status load(render_result *result, render_settings *settings,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    const char *warning;
+    render_light_warnings warnings;
     render_drop_file_lights(settings, mesh, options);
     render_subtract_origin(&settings->camera, &settings->input.clip, options,
                            burnish_mesh_get_view(mesh)->origin);
-    status = render_add_own_lights(&settings->shading.lights, mesh, options, &warning, error);
-    if (status == BURNISH_STATUS_OK && warning) {
-        render_result_warn(result, 1, "%s", warning);
-    }
+    status = render_add_own_lights(settings, mesh, options, &warnings, error);
+    render_result_warn_lights(result, &warnings);
     render_set_stance(mesh, &settings->camera);
     if (status == BURNISH_STATUS_OK) {
         status = render_cut(result, mesh, error);

@@ -510,12 +510,10 @@ static burnish_status draw(session *s, burnish_error *error) {
     s->result.options = &options;
     s->result.cells = cell;
     s->result.cell_count = 1;
-    const char *warning;
+    render_light_warnings warnings;
     burnish_status status =
-        render_add_own_lights(&s->settings.shading.lights, s->mesh, &options, &warning, error);
-    if (warning) {
-        render_result_warn(&s->result, 1, "%s", warning);
-    }
+        render_add_own_lights(&s->settings, s->mesh, &options, &warnings, error);
+    render_result_warn_lights(&s->result, &warnings);
     if (status == BURNISH_STATUS_OK) {
         status = choose_environment(s, error);
         options.environment = s->environment.environment;

@@ -89,10 +89,16 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
         status = warn_useless(&settings, mesh, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        const char *warning;
+        render_light_warnings warnings;
         render_drop_file_lights(&settings, mesh, &options);
         render_subtract_origin(&settings.camera, &settings.input.clip, &options, view->origin);
-        status = render_add_own_lights(&settings.shading.lights, mesh, &options, &warning, error);
+        status = render_add_own_lights(&settings, mesh, &options, &warnings, error);
+        const char *const lines[] = {warnings.spot, warnings.shadow};
+        for (int k = 0; k < 2 && !settings.job.quiet; ++k) {
+            if (lines[k]) {
+                cli_warn(lines[k]);
+            }
+        }
     }
     if (status == BURNISH_STATUS_OK) {
         render_set_stance(mesh, &settings.camera);

@@ -281,6 +281,16 @@ expect 0 'burnish: warning: --zoom: no effect: a sheet of aligned views has its 
     :sphere --views=third-angle --zoom=2 --size=300 -o with.png
 expect 0 '' :sphere --views=third-angle --size=300 -o without.png
 check "zoom: the same sheet" cmp with.png without.png
+for flags in '--environment=sky' '--light=point:3,3,3' '--look=drawing'; do
+    shadow='--shadow: no effect: a directional light that comes first casts it, or an area light; use --light=directional:X,Y,Z'
+    # shellcheck disable=SC2086
+    expect 0 "burnish: warning: $shadow" :sphere $flags --shadow --size=64 -o with.png
+    # shellcheck disable=SC2086
+    expect 0 '' :sphere $flags --size=64 -o without.png
+    check "$flags --shadow: the same picture" cmp with.png without.png
+    # shellcheck disable=SC2086
+    expect 2 "burnish: $shadow" :sphere $flags --shadow --strict --size=64 -o with.png
+done
 expect 0 'burnish: warning: --recursive: no effect: no INPUT is a folder; omit the flag' part.obj -r -s 8
 run part.obj --columns=2 --point-size=3 -s 8 --json -q
 same "warnings in JSON" "$(json warnings | grep -o noeffect | wc -l)$(cat "$err")" 2

@@ -48,14 +48,9 @@ void render_drop_file_lights(render_settings *settings, const burnish_mesh *mesh
     }
 }
 
-burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,
-                                     burnish_render_options *options, const char **warning,
-                                     burnish_error *error) {
+static burnish_status add_own_lights(const burnish_mesh *mesh, burnish_render_options *options,
+                                     render_light_warnings *warnings, burnish_error *error) {
     const size_t count = burnish_mesh_get_light_count(mesh);
-    *warning = NULL;
-    if (!lights->of_file) {
-        return BURNISH_STATUS_OK;
-    }
     if (count > (size_t)(BURNISH_LIGHT_MAX - options->light_count)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--light: %d lights and %zu of the input are more than %d; omit some",
@@ -65,8 +60,35 @@ burnish_status render_add_own_lights(const render_lights *lights, const burnish_
         const burnish_file_light *own = burnish_mesh_get_light(mesh, i);
         options->lights[options->light_count++] = own->light;
         if (own->is_spot) {
-            *warning = "--light=file: spot lights shine in all directions, like point lights";
+            warnings->spot = "--light=file: spot lights shine in all directions, like point lights";
         }
     }
     return BURNISH_STATUS_OK;
+}
+
+/* As the renderer chooses the light of the shadow. */
+static int casts_shadow(const burnish_render_options *options) {
+    return options->light_count > 0 ? options->lights[0].kind == BURNISH_LIGHT_DIRECTIONAL
+                                    : options->area_light_count > 0;
+}
+
+burnish_status render_add_own_lights(const render_settings *settings, const burnish_mesh *mesh,
+                                     burnish_render_options *options,
+                                     render_light_warnings *warnings, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    *warnings = (render_light_warnings){0};
+    if (settings->shading.lights.of_file) {
+        status = add_own_lights(mesh, options, warnings, error);
+    }
+    if (status == BURNISH_STATUS_OK && options->shadow && !casts_shadow(options)) {
+        options->shadow = 0;
+        static const char text[] =
+            "--shadow: no effect: a directional light that comes first casts it, "
+            "or an area light; use --light=directional:X,Y,Z";
+        if (settings->input.load.strict) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s", text);
+        }
+        warnings->shadow = text;
+    }
+    return status;
 }

@@ -13,11 +13,17 @@ void render_subtract_origin(render_camera_settings *camera, render_clip *clip,
 void render_drop_file_lights(render_settings *settings, const burnish_mesh *mesh,
                              burnish_render_options *options);
 
-/* Adds the mesh's own lights to the options' if `lights` asks for them, in coordinates of the mesh.
- * *warning: what is drawn differently from the file, or NULL. Errors: ARGUMENT, too many lights. */
-burnish_status render_add_own_lights(const render_lights *lights, const burnish_mesh *mesh,
-                                     burnish_render_options *options, const char **warning,
-                                     burnish_error *error);
+/* What is not drawn as asked for; NULL for none. */
+typedef struct render_light_warnings {
+    const char *spot, *shadow;
+} render_light_warnings;
+
+/* Adds the mesh's own lights to the options' if the settings ask for them, in coordinates of the mesh,
+ * and drops the shadow if no light can cast it. Errors: ARGUMENT for too many lights, and for a
+ * dropped shadow with --strict. */
+burnish_status render_add_own_lights(const render_settings *settings, const burnish_mesh *mesh,
+                                     burnish_render_options *options,
+                                     render_light_warnings *warnings, burnish_error *error);
 
 /* The offset of a plane in coordinates of the file. */
 double render_file_offset(const burnish_clip_plane *plane, const double origin[3]);
