@@ -415,7 +415,7 @@ static burnish_status warn_useless(const batch *b, int is_drawn, burnish_error *
                                        : status;
 }
 
-/* Neither the report nor the sheet is one of the pictures. */
+/* Neither the report nor the sheet is one of the pictures, and sheet and page replace only their like. */
 static burnish_status check_other_files(const batch *b, burnish_error *error) {
     const char *paths[] = {b->report, b->settings->sheet}, *names[] = {"report", "sheet"};
     for (size_t k = 0; k < sizeof paths / sizeof *paths; ++k) {
@@ -428,6 +428,15 @@ static burnish_status check_other_files(const batch *b, burnish_error *error) {
                                 names[k], paths[k]);
             }
         }
+    }
+    burnish_error unused;
+    if (b->settings->sheet && !b->settings->render.output.overwrite &&
+        picture_check_existing(b->settings->sheet, 1, &unused) != BURNISH_STATUS_OK) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--sheet: \"%.200s\" exists and was not written by burnish; replace it with "
+            "--overwrite, or name another file",
+            b->settings->sheet);
     }
     return b->settings->index ? batch_check_index(b, error) : BURNISH_STATUS_OK;
 }

@@ -73,6 +73,16 @@ for flag in sheet report; do
     expect 2 "burnish: --$flag: \"other/tet.png\" is a picture of this batch; name another file" \
         batch tet.obj -d other --size=16 --$flag=tet.png
 done
+for target in mine.png linked.png; do
+    echo mine >facts/mine.png
+    ln -sf mine.png facts/linked.png
+    gives 2 batch tet.obj -d facts --size=16 --sheet=$target
+    check "a sheet over $target: $(cat "$err")" grep -q 'exists and was not written by burnish; replace it with --overwrite' "$err"
+    check "$target stays" [ "$(cat facts/mine.png)" = mine ]
+done
+batch tet.obj -d facts --size=16 --sheet=mine.png --overwrite
+batch tet.obj -d facts --size=16 --sheet=mine.png
+check "a sheet of burnish is replaced: $(cat "$err")" [ "$code" = 0 ]
 expect 2 'burnish: --report: "facts/index.html" is the page of --index; name another file' \
     batch tet.obj -d facts --size=16 --index --report=index.html
 batch tet.obj in/a.obj -d facts --size=16
