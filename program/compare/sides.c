@@ -347,7 +347,7 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
                                    burnish_mesh_get_view(side->result.mesh)->origin);
             status = render_add_own_lights(&side->settings, side->result.mesh, &side->options,
                                            &warnings, error);
-            render_result_warn_lights(&side->result, &warnings);
+            render_warn_lights(&side->result, &warnings);
         }
     }
     if (status == BURNISH_STATUS_OK &&

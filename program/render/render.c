@@ -286,7 +286,7 @@ static burnish_status load(render_result *result, render_settings *settings,
     render_subtract_origin(&settings->camera, &settings->input.clip, options,
                            burnish_mesh_get_view(mesh)->origin);
     status = render_add_own_lights(settings, mesh, options, &warnings, error);
-    render_result_warn_lights(result, &warnings);
+    render_warn_lights(result, &warnings);
     render_set_stance(mesh, &settings->camera);
     if (status == BURNISH_STATUS_OK) {
         status = render_cut(result, mesh, error);

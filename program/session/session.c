@@ -513,7 +513,7 @@ static burnish_status draw(session *s, burnish_error *error) {
     render_light_warnings warnings;
     burnish_status status =
         render_add_own_lights(&s->settings, s->mesh, &options, &warnings, error);
-    render_result_warn_lights(&s->result, &warnings);
+    render_warn_lights(&s->result, &warnings);
     if (status == BURNISH_STATUS_OK) {
         status = choose_environment(s, error);
         options.environment = s->environment.environment;

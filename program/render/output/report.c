@@ -41,15 +41,6 @@ void render_result_warn(render_result *result, int printed, const char *format, 
     result->warnings[result->warning_count++] = copy;
 }
 
-void render_result_warn_lights(render_result *result, const render_light_warnings *warnings) {
-    const char *const lines[] = {warnings->spot, warnings->shadow};
-    for (int i = 0; i < 2; ++i) {
-        if (lines[i]) {
-            render_result_warn(result, 1, "%s", lines[i]);
-        }
-    }
-}
-
 static cJSON *hash_text(uint64_t hash) {
     char text[17];
     snprintf(text, sizeof text, "%016llx", (unsigned long long)hash);

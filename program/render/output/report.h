@@ -9,7 +9,6 @@
 #include "render/output/planes.h"
 #include "render/output/tones.h"
 #include "render/scene/environment.h"
-#include "render/scene/origin.h"
 #include "render/settings/settings.h"
 
 /* The only picture, or a cell of a sheet. */
@@ -66,8 +65,6 @@ int render_is_blank(const render_cell *cell);
 /* Adds a line to the result. If printed is 1, and without --quiet, prints it on standard error. */
 __attribute__((format(printf, 3, 4))) void render_result_warn(render_result *result, int printed,
                                                               const char *format, ...);
-
-void render_result_warn_lights(render_result *result, const render_light_warnings *warnings);
 
 /* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 if a part
  * of it is missing. */
