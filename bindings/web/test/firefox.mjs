@@ -50,7 +50,7 @@ try {
   await page.focus("#canvas");
   await page.keyboard.press("ArrowRight");
   await agrees("turned");
-  check("41 claims", (await page.$$("#claims details")).length, 41);
+  check("43 claims", (await page.$$("#claims details")).length, 43);
   check("six curves", (await page.$$(".plot canvas")).length, 6);
   const threads = await page.evaluate(() => (crossOriginIsolated ? navigator.hardwareConcurrency : 0));
   check("threads", (await text("#about")).includes(threads === 1 ? "one thread" : `${threads} threads`), true);
