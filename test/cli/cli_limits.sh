@@ -29,6 +29,7 @@ stream 'cat /dev/zero' --input-format=stl
 expect 4 'burnish: /dev/zero: neither Radiance HDR nor EXR; convert it to one of them' render :sphere --environment=/dev/zero -o s.png
 expect 4 'burnish: /dev/zero: not a PNG file; convert the picture to PNG' render :sphere --reference=/dev/zero -o s.png
 expect 3 "burnish: --files-from: .: can't be read: Is a directory" render --files-from=. -d s
+expect 5 'burnish: --files-from: /dev/zero: larger than 256 MiB' render --files-from=/dev/zero -d s
 
 # A long mesh comes through a pipe as from a file; the limit holds there too.
 awk 'BEGIN { print "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"; for (i = 0; i < 400000; ++i) print "v 1 1 1" }' >long.obj
