@@ -6,7 +6,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "subdivide.h"
 
 #define BUNNY "/usr/share/glmark2/models/bunny.obj" /* Debian's glmark2-data */

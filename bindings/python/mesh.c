@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 #include "module.h"
 
 typedef struct mesh_object {

@@ -31,7 +31,7 @@ SYSTEM = {b"libc.so.6", b"libm.so.6", b"libdl.so.2", b"libpthread.so.0", b"ld-li
 
 
 def version():
-    text = (ROOT / "include/burnish/core.h").read_text()
+    text = (ROOT / "base/include/burnish/core.h").read_text()
     return ".".join(re.search(rf"#define BURNISH_VERSION_{part} (\d+)", text)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/file.h"
-#include "cli/output.h"
+#include "base/cli/file.h"
+#include "base/cli/output.h"
 #include "lobe/lobe.h"
 #include "module.h"
 

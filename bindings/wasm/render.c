@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 #include "module.h"
 #include "session.h"
 

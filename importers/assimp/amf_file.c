@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 
 enum { PIECE = 1 << 20 /* bytes that expat gets at once */ };
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "importer.h"
-#include "core/bytes.h"
+#include "base/bytes.h"
 
 extern "C" const char importer_name[] = "burnish-import-draco";
 

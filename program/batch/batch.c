@@ -18,10 +18,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/clock.h"
+#include "base/cli/output.h"
+#include "base/cli/platform.h"
+#include "base/clock.h"
 #include "cli/main.h"
-#include "cli/output.h"
-#include "cli/platform.h"
 #include "picture/formats.h"
 #include "render/check.h"
 #include "render/flags.h"
@@ -443,7 +443,7 @@ static burnish_status check_other_files(const batch *b, burnish_error *error) {
 
 static burnish_status draw_all(batch *b, batch_settings *settings, const cli_call *call,
                                burnish_error *error) {
-    const double start = cli_seconds_now();
+    const double start = burnish_seconds_now();
     burnish_status status = check(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = batch_collect(b, call, error);
@@ -485,7 +485,7 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     if (status == BURNISH_STATUS_OK) {
         batch_warn_inputs(b);
         list_failures(b);
-        print_summary(b, cli_seconds_now() - start);
+        print_summary(b, burnish_seconds_now() - start);
         status = warn_useless(b, 1, error);
     }
     return status;

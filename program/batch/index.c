@@ -2,12 +2,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cli/file.h"
+#include "base/cli/output.h"
+#include "base/cli/platform.h"
 #include "batch/index.h"
 #include "batch/names.h"
 #include "batch/types.h"
-#include "cli/file.h"
-#include "cli/output.h"
-#include "cli/platform.h"
 
 const batch_unit batch_units[BATCH_UNITS] = {{"", "", 0},
                                              {"micron", "&micro;m", 1e-3},

@@ -12,7 +12,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "cli/write.h"
+#include "base/cli/write.h"
 #include "sandbox/channel.h"
 
 enum { TEXT_MAX = 1 << 24 };

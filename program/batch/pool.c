@@ -27,8 +27,8 @@
 #include <sys/prctl.h>
 #endif
 
-#include "cli/clock.h"
-#include "cli/run.h"
+#include "base/cli/run.h"
+#include "base/clock.h"
 #include "sandbox/channel.h"
 
 enum {
@@ -181,7 +181,7 @@ static void keep_line(pool *p, uint32_t index, char *line, const batch_reply *re
 
 /* The item that a remote runner has held longest, for at least SECOND_SECONDS. */
 static long find_slow(const pool *p) {
-    const double now = cli_seconds_now();
+    const double now = burnish_seconds_now();
     const worker *slow = NULL;
     for (size_t i = 0; i < p->count; ++i) {
         const worker *w = &p->workers[i];
@@ -223,7 +223,7 @@ static void hand_out(pool *p, worker *w) {
         return;
     }
     p->b->list.items[index].held += 1;
-    w->start = cli_seconds_now();
+    w->start = burnish_seconds_now();
     if ((w->channel != NOTHING || start_runner(p, w)) &&
         batch_send_order(p->b, w->channel, (uint32_t)index)) {
         w->item = index;
@@ -236,7 +236,7 @@ static void hand_out(pool *p, worker *w) {
 /* Handles the loss of a runner or of its machine. */
 static void lose_runner(pool *p, worker *w) {
     const long index = w->item;
-    const double seconds = cli_seconds_now() - w->start;
+    const double seconds = burnish_seconds_now() - w->start;
     const int state = end_runner(w, 0);
     if (index == NOTHING || stopped) {
         return;
@@ -288,7 +288,7 @@ static void receive_reply(pool *p, worker *w) {
 /* ---- Progress ---- */
 
 static void show_progress(pool *p) {
-    const double now = cli_seconds_now(), passed = now - p->start;
+    const double now = burnish_seconds_now(), passed = now - p->start;
     const size_t drawn = p->b->done - p->b->kept;
     if (!p->is_terminal || now - p->shown < 0.2 || p->b->done == 0) {
         return;
@@ -403,7 +403,7 @@ static burnish_status begin(pool *p, burnish_error *error) {
 }
 
 burnish_status batch_run(batch *b, burnish_error *error) {
-    pool p = {.b = b, .start = cli_seconds_now()};
+    pool p = {.b = b, .start = burnish_seconds_now()};
     p.is_terminal = !b->settings->render.job.quiet && isatty(STDERR_FILENO);
     burnish_status status = begin(&p, error);
     struct pollfd *ready = calloc(p.count + 1, sizeof *ready);

@@ -8,12 +8,12 @@
 #include <unistd.h>
 #endif
 
+#include "base/cli/file.h"
+#include "base/cli/output.h"
+#include "base/cli/platform.h"
 #include "batch/names.h"
 #include "batch/report.h"
 #include "batch/types.h"
-#include "cli/file.h"
-#include "cli/output.h"
-#include "cli/platform.h"
 
 /* ---- Reading ---- */
 

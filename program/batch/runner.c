@@ -27,10 +27,10 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "cli/clock.h"
+#include "base/cli/output.h"
+#include "base/cli/write.h"
+#include "base/clock.h"
 #include "cli/limits.h"
-#include "cli/output.h"
-#include "cli/write.h"
 #include "import/importers.h"
 #include "render/check.h"
 #include "render/output/report.h"
@@ -454,7 +454,7 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
 /* Returns the line, to be freed, and fills *reply, which is sent before it. */
 static char *run_item(const runner *r, const batch_order *order, batch_reply *reply) {
     const batch_item *item = &order->item;
-    const double start = cli_seconds_now();
+    const double start = burnish_seconds_now();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     render_settings settings;
     files seen = {0};
@@ -499,7 +499,7 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
     if (code != 0) {
         reply->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
-    const double seconds = cli_seconds_now() - start;
+    const double seconds = burnish_seconds_now() - start;
     char *text = reply->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
                                : done_line(r->b, item, hash, &result, &seen, seconds);
     release_files(&seen);

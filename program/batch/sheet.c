@@ -16,9 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/file.h"
+#include "base/cli/file.h"
+#include "base/cli/write.h"
 #include "cli/limits.h"
-#include "cli/write.h"
 #include "picture/formats.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "cli/output.h"
+#include "base/cli/output.h"
 #include "render/settings/settings.h"
 
 /* Units of length by the names of burnish_mesh_info.unit: symbols, and lengths in millimetres. The

@@ -2,8 +2,8 @@
 #ifndef TOOL_CLI_INPUT_H
 #define TOOL_CLI_INPUT_H
 
+#include "base/cli/values.h"
 #include "burnish/mesh.h"
-#include "cli/values.h"
 
 /* Formats of --input-format that importers read (docs/importers.md), named by file extension. If
  * two importers have the same one, the first counts. Extensions with other, more common meanings

@@ -1,6 +1,6 @@
 #include "cli/limits.h"
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 static double given;
 static uint64_t given_memory;

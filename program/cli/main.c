@@ -3,18 +3,21 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/complete.h"
-#include "cli/help.h"
+#include "base/cli/help.h"
+#include "base/cli/program.h"
+#include "base/cli/run.h"
+#include "base/cli/values.h"
+#include "cli/colors.h"
+#include "cli/input.h"
 #include "cli/main.h"
-#include "cli/man.h"
-#include "cli/run.h"
-#include "cli/values.h"
+
+static const cli_command help_command;
 
 #define ROW(table) &table,
-const cli_command *const cli_commands[] = {CLI_COMMAND_LIST(ROW) NULL};
+static const cli_command *const commands[] = {CLI_COMMAND_LIST(ROW) & help_command, NULL};
 #undef ROW
 
-const cli_example cli_examples[] = {
+static const cli_example examples[] = {
     {"burnish part.stl", "writes part.png"},
     {"burnish part.stl part.png --size=256", "a thumbnail"},
     {"burnish render part.stl --views=front,right,top,iso -o sheet.png", "a sheet of views"},
@@ -25,6 +28,40 @@ const cli_example cli_examples[] = {
     {"burnish render - --input-format=ply -o - <in.ply >out.png", "in a pipe"},
     {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest suitable lobe"},
     {NULL, NULL},
+};
+
+static const cli_section environment = {
+    .heading = "ENVIRONMENT",
+    .terms =
+        (const cli_term[]){
+            {"*BURNISH_IMPORTERS*",
+             "the folder of the programs *burnish-import-assimp* and *burnish-import-occt*, "
+             "which read other formats (FBX, COLLADA, STEP ...), instead of the folder in "
+             "which they are installed."},
+            {"*BURNISH_ISA*", "the instruction set if *--isa* is *auto*; the same values."},
+            {"*PATH*",
+             "the folders of gnuplot, for *burnish lobe plot*, and of ffmpeg, for videos."},
+            {NULL, NULL},
+        },
+    .closing = "The locale is ignored: the decimal separator is always a point.",
+};
+
+static const cli_program burnish = {
+    .name = "burnish",
+    .summary = "renders 3-D models without a GPU, with the same pixels everywhere",
+    .man_date = "2026-11-28",
+    .description =
+        "*burnish* renders 3-D models (meshes) to images without a GPU, display or toolkit. Its "
+        "highlights use a family of specular lobes without pow and division.\nThe same input and "
+        "flags give the same pixels on every processor, with every compiler and any number of "
+        "threads, and the hash in *--json* can be compared between machines.\nEvery command has "
+        "*-h* and *--help*, which list its flags on one screen. Commands with many flags list the "
+        "common ones; *--help=*_TOPIC_ lists others, and *--help=all* all of them.",
+    .commands = commands,
+    .implied = &render_command,
+    .examples = examples,
+    .values = &cli_color_section,
+    .environment = &environment,
 };
 
 /* ---- help ---- */
@@ -58,7 +95,7 @@ static const cli_flag help_flags[] = {
      .offset = offsetof(help_settings, shell)},
 };
 
-const cli_command cli_help_command = {
+static const cli_command help_command = {
     .name = "help",
     .operand = "[COMMAND]",
     .summary = "a command's flags; --man prints the manual page (roff)",
@@ -72,12 +109,12 @@ const cli_command cli_help_command = {
 };
 
 static void print_first_screen(void) {
-    printf("burnish %s: renders 3-D models without a GPU, with the same pixels everywhere\n\n"
+    printf("burnish %s: %s\n\n"
            "Usage: burnish INPUT [OUTPUT] [options], or burnish COMMAND [options]\n",
-           burnish_version());
-    cli_print_parts(cli_commands);
+           burnish_version(), burnish.summary);
+    cli_print_parts(commands);
     printf("  %-16s  %s\n", "-h, -V", "--help: this screen; --version: the version");
-    cli_print_examples(cli_examples);
+    cli_print_examples(examples);
     printf("\nExit codes\n");
     for (int code = 0; code < CLI_EXIT_END; ++code) {
         if (cli_exit_text(code)) {
@@ -90,7 +127,7 @@ static void print_first_screen(void) {
 
 /* `burnish help render`, `burnish help lobe table`. */
 static burnish_status help_about(const cli_call *call, burnish_error *error) {
-    const cli_command *command = cli_find_command(cli_commands, NULL, call->operands[0], error);
+    const cli_command *command = cli_find_command(commands, NULL, call->operands[0], error);
     if (command && call->operand_count == 2) {
         if (!command->parts) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -108,9 +145,9 @@ static burnish_status help_work(void *from, cli_call *call, burnish_error *error
         return help_about(call, error);
     }
     if (settings->man) {
-        cli_print_man();
+        cli_print_man(&burnish);
     } else if (settings->shell != SHELL_NONE) {
-        cli_print_completion(shell_words[settings->shell - SHELL_BASH].name);
+        cli_print_completion(&burnish, shell_words[settings->shell - SHELL_BASH].name);
     } else {
         print_first_screen();
     }
@@ -120,8 +157,8 @@ static burnish_status help_work(void *from, cli_call *call, burnish_error *error
 /* ---- The program ---- */
 
 static int is_command(const char *name) {
-    for (size_t i = 0; cli_commands[i]; ++i) {
-        if (strcmp(name, cli_commands[i]->name) == 0) {
+    for (size_t i = 0; commands[i]; ++i) {
+        if (strcmp(name, commands[i]->name) == 0) {
             return 1;
         }
     }
@@ -141,13 +178,14 @@ static int implies_render(const char *argument) {
 int main(int argc, char **argv) {
     burnish_error error;
     cli_handle_signals();
+    cli_is_input_name = cli_is_mesh_name;
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
         print_first_screen();
         return cli_exit_code(cli_finish_output(&error), &error);
     }
     if (argc == 2 && strncmp(argv[1], "--help=", 7) == 0 && is_command(argv[1] + 7)) {
         char *name = argv[1] + 7;
-        return cli_run(&cli_help_command, 1, &name);
+        return cli_run(&help_command, 1, &name);
     }
     if (argc > 1 && (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)) {
         printf("burnish %s\n", burnish_version());
@@ -162,6 +200,6 @@ int main(int argc, char **argv) {
     if (implies_render(argv[1])) {
         return cli_run(&render_command, argc - 1, argv + 1);
     }
-    const cli_command *command = cli_find_command(cli_commands, NULL, argv[1], &error);
+    const cli_command *command = cli_find_command(commands, NULL, argv[1], &error);
     return command ? cli_run(command, argc - 2, argv + 2) : cli_exit_code(error.status, &error);
 }

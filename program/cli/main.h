@@ -2,7 +2,7 @@
 #ifndef TOOL_CLI_MAIN_H
 #define TOOL_CLI_MAIN_H
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 /* X(table) of every command, in the order of the help screen. */
 #define CLI_COMMAND_LIST(X)                                                                        \
@@ -12,17 +12,10 @@
     X(serve_command)                                                                               \
     X(compare_command)                                                                             \
     X(info_command)                                                                                \
-    X(lobe_command)                                                                                \
-    X(cli_help_command)
+    X(lobe_command)
 
 #define CLI_DECLARE_COMMAND(table) extern const cli_command table;
 CLI_COMMAND_LIST(CLI_DECLARE_COMMAND)
 #undef CLI_DECLARE_COMMAND
-
-/* The same as a list; NULL ends it. */
-extern const cli_command *const cli_commands[];
-
-/* Examples of the first screen and the man page; the last has a NULL command. */
-extern const cli_example cli_examples[];
 
 #endif

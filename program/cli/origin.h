@@ -2,7 +2,7 @@
 #ifndef BURNISH_CLI_ORIGIN_H
 #define BURNISH_CLI_ORIGIN_H
 
-#include "cli/output.h"
+#include "base/cli/output.h"
 
 /* The number with the fewest digits that the file's coordinate can have been. */
 double cli_file_coordinate(float value, double origin);

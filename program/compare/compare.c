@@ -7,10 +7,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/cli/output.h"
+#include "base/cli/platform.h"
 #include "cli/main.h"
 #include "cli/memory.h"
-#include "cli/output.h"
-#include "cli/platform.h"
 #include "picture/formats.h"
 #include "picture/panels.h"
 #include "render/check.h"

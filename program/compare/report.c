@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/output.h"
+#include "base/cli/output.h"
 #include "compare/report.h"
 #include "compare/sides.h"
 #include "render/output/report.h"

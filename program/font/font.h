@@ -2,9 +2,9 @@
 #ifndef TOOL_FONT_FONT_H
 #define TOOL_FONT_FONT_H
 
+#include "base/cli/options.h"
 #include "burnish/image.h"
 #include "burnish/sheet.h"
-#include "cli/options.h"
 
 typedef struct font font;
 

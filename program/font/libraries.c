@@ -5,7 +5,7 @@
 #include <dlfcn.h>
 #include <string.h>
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 font_library_calls font_calls;
 

@@ -7,8 +7,8 @@
 #include <unistd.h>
 #endif
 
-#include "cli/options.h"
-#include "cli/write.h"
+#include "base/cli/options.h"
+#include "base/cli/write.h"
 #include "import/decode.h"
 #include "import/importers.h"
 #include "import/run.h"

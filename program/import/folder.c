@@ -1,6 +1,6 @@
 #include "import/folder.h"
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 #ifndef _WIN32
 
@@ -12,8 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/beneath.h"
-#include "core/show_text.h"
+#include "base/beneath.h"
+#include "base/show_text.h"
 
 enum { NAME_SIZE = 4096, PIECE_SIZE = 1 << 16 };
 

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cli/options.h"
 #include "cli/input.h"
-#include "cli/options.h"
 #include "import/folder.h"
 #include "import/importers.h"
 

@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/options.h"
-#include "cli/write.h"
+#include "base/cli/options.h"
+#include "base/cli/write.h"
 
 enum { PIECE = 1 << 16 };
 #define STREAM_MOST ((uint64_t)1 << 30)

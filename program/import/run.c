@@ -1,8 +1,8 @@
 /* Runs an importer. */
 #include "import/run.h"
 
+#include "base/cli/options.h"
 #include "cli/input.h"
-#include "cli/options.h"
 
 #ifndef _WIN32
 
@@ -22,9 +22,9 @@
 #include <sys/prctl.h>
 #endif
 
-#include "cli/clock.h"
+#include "base/clock.h"
+#include "base/close_descriptors.h"
 #include "cli/limits.h"
-#include "core/close_descriptors.h"
 #include "import/decode.h"
 #include "import/folder.h"
 #include "import/importers.h"
@@ -116,7 +116,7 @@ static void become(const run *r, int input, int output, int nothing, pid_t paren
     setpgid(0, 0);
     cli_lower_limit(RLIMIT_AS, memory);
     cli_lower_limit(RLIMIT_CORE, 0);
-    cli_lower_limit(RLIMIT_CPU, (uint64_t)(r->end - cli_seconds_now()) + 1);
+    cli_lower_limit(RLIMIT_CPU, (uint64_t)(r->end - burnish_seconds_now()) + 1);
     /* standard streams may be closed, and so these be below 3 */
     input = fcntl(input, F_DUPFD, 10);
     output = fcntl(output, F_DUPFD, 10);
@@ -167,7 +167,7 @@ static burnish_status start(run *r, int input, uint64_t memory) {
 
 /* Also true after the deadline of the process that waits for the mesh, as in a batch. */
 static int is_late(const run *r) {
-    return cli_child_was_late() || cli_seconds_now() > r->end;
+    return cli_child_was_late() || burnish_seconds_now() > r->end;
 }
 
 static burnish_status fail_time(const run *r) {
@@ -177,7 +177,7 @@ static burnish_status fail_time(const run *r) {
 /* The next piece of the stream: its size, 0 at the end, -1 after an error. */
 static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *status) {
     for (;;) {
-        const double left = is_late(r) ? 0 : r->end - cli_seconds_now();
+        const double left = is_late(r) ? 0 : r->end - burnish_seconds_now();
         struct pollfd ready = {r->pipe, POLLIN, 0};
         const int count = left > 0 ? poll(&ready, 1, (int)(left * 1000) + 1) : 0;
         if (count == 0) {
@@ -270,7 +270,7 @@ burnish_status import_run(const import_program *importer, const char *name, cons
              .name = name,
              .extension = extension,
              .error = error,
-             .end = cli_seconds_now() + seconds};
+             .end = burnish_seconds_now() + seconds};
     burnish_status status = check_head(&r, input);
     if (status == BURNISH_STATUS_OK) {
         status = find_program(&r);

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cli/output.h"
 #include "cli/origin.h"
-#include "cli/output.h"
 #include "import/importers.h"
 
 /* The facts to print. */

@@ -2,10 +2,10 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
+#include "base/cli/output.h"
 #include "batch/inputs.h"
 #include "cli/input.h"
 #include "cli/main.h"
-#include "cli/output.h"
 #include "import/run.h"
 #include "info/facts.h"
 

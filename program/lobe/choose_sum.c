@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 
 const cli_word lobe_distribution_words[] = {
     {"ggx", BURNISH_THEORY_GGX}, {"beckmann", BURNISH_THEORY_BECKMANN}, {NULL, 0}};

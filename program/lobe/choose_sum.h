@@ -2,8 +2,8 @@
 #ifndef TOOL_LOBE_CHOOSE_SUM_H
 #define TOOL_LOBE_CHOOSE_SUM_H
 
+#include "base/cli/output.h"
 #include "burnish/theory.h"
-#include "cli/output.h"
 
 extern const cli_word lobe_distribution_words[];
 

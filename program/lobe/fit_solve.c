@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 #include "lobe/fit_solve.h"
 #include "lobe/samples.h"
 

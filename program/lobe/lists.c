@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 #include "lobe/lists.h"
 
 /* A range: each number is the previous one plus `by` or, with multiply, times `by`. */

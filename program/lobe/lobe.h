@@ -2,10 +2,10 @@
 #ifndef TOOL_LOBE_LOBE_H
 #define TOOL_LOBE_LOBE_H
 
+#include "base/cli/options.h"
+#include "base/cli/output.h"
+#include "base/cli/values.h"
 #include "burnish/theory.h"
-#include "cli/options.h"
-#include "cli/output.h"
-#include "cli/values.h"
 
 extern const cli_command lobe_command;
 extern const cli_command lobe_table_command;

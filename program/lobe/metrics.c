@@ -1,6 +1,6 @@
 /* The columns of `burnish lobe table`: all properties of a lobe in burnish/theory.h. */
 #include "lobe/metrics.h"
-#include "cli/values.h"
+#include "base/cli/values.h"
 
 #include <math.h>
 #include <stdio.h>

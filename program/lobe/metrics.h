@@ -2,8 +2,8 @@
 #ifndef TOOL_LOBE_METRICS_H
 #define TOOL_LOBE_METRICS_H
 
+#include "base/cli/output.h"
 #include "burnish/theory.h"
-#include "cli/output.h"
 
 /* The input of metrics. */
 typedef struct lobe_facts {

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 #include "lobe/choose_sum.h"
 #include "lobe/lobe.h"
 

@@ -4,8 +4,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/cli/platform.h"
 #include "cli/input.h"
-#include "cli/platform.h"
 #include "picture/formats.h"
 #include "picture/jpeg.h"
 #include "picture/video.h"

@@ -3,8 +3,8 @@
 #ifndef TOOL_PICTURE_FORMATS_H
 #define TOOL_PICTURE_FORMATS_H
 
+#include "base/cli/values.h"
 #include "burnish/image.h"
-#include "cli/values.h"
 
 typedef enum picture_format {
     PICTURE_AUTO, /* by file extension */

@@ -2,8 +2,8 @@
 #ifndef TOOL_PICTURE_PALETTE_H
 #define TOOL_PICTURE_PALETTE_H
 
+#include "base/cli/values.h"
 #include "burnish/image.h"
-#include "cli/values.h"
 
 enum { PICTURE_PALETTE_MAX = 255 }; /* the 256th means "as before" or "nothing" */
 

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/file.h"
-#include "cli/options.h"
+#include "base/cli/file.h"
+#include "base/cli/options.h"
 #include "picture/difference.h"
 
 enum {

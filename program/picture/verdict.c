@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "cli/output.h"
+#include "base/cli/output.h"
 
 const cli_word picture_metric_words[] = {
     {"ssim", PICTURE_SSIM}, {"flip", PICTURE_FLIP}, {"pixels", PICTURE_PIXELS}, {NULL, 0}};

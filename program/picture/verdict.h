@@ -5,9 +5,9 @@
 #include <cjson/cJSON.h>
 #include <stdio.h>
 
+#include "base/cli/values.h"
 #include "burnish/compare.h"
 #include "burnish/image.h"
-#include "cli/values.h"
 
 /* The metric that the threshold limits. */
 typedef enum picture_metric {

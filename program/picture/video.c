@@ -1,6 +1,6 @@
 #include "picture/video.h"
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 #ifdef _WIN32
 
@@ -32,8 +32,8 @@ burnish_status picture_write_video(const char *container, const char *path,
 #include <sys/prctl.h>
 #endif
 
-#include "cli/write.h"
-#include "core/close_descriptors.h"
+#include "base/cli/write.h"
+#include "base/close_descriptors.h"
 
 enum { PIECE = 1 << 16 };
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 #include "lobe/lists.h"
 #include "plot/cost.h"
 #include "plot/figures.h"

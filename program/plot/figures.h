@@ -2,8 +2,8 @@
 #ifndef TOOL_PLOT_FIGURES_H
 #define TOOL_PLOT_FIGURES_H
 
+#include "base/cli/options.h"
 #include "burnish/theory.h"
-#include "cli/options.h"
 #include "lobe/lists.h"
 
 enum {

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #endif
 
-#include "cli/output.h"
+#include "base/cli/output.h"
 #include "plot/figures.h"
 #include "plot/gnuplot.h"
 

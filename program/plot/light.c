@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 #include "plot/light.h"
 
 enum { QUADS = 150, SLOPES = 61 };

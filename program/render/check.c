@@ -6,8 +6,8 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "base/cli/platform.h"
 #include "cli/main.h"
-#include "cli/platform.h"
 #include "font/utf8.h"
 #include "picture/animation.h"
 #include "render/output/projection.h"

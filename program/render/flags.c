@@ -1,8 +1,8 @@
 /* The flags of `burnish render`, for the parser, the help screens and the man page. */
 #include <stdio.h>
 
+#include "base/cli/output.h"
 #include "cli/main.h"
-#include "cli/output.h"
 #include "picture/formats.h"
 #include "render/flags.h"
 #include "render/manual.h"

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_FLAGS_H
 #define TOOL_RENDER_FLAGS_H
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 /* The work of the command, of whoever links its table: batch/many.c, or session/stand_in.c. */
 cli_work render_work;

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_MANUAL_H
 #define TOOL_RENDER_MANUAL_H
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 extern const cli_section render_sections[];
 

@@ -5,12 +5,12 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/cli/file.h"
+#include "base/clock.h"
 #include "burnish/core.h"
 #include "burnish/drawing.h"
 #include "burnish/render.h"
 #include "burnish/sheet.h"
-#include "cli/clock.h"
-#include "cli/file.h"
 #include "cli/limits.h"
 #include "cli/memory.h"
 #include "picture/formats.h"
@@ -157,7 +157,7 @@ static burnish_status draw_cells(render_result *result, burnish_renderer *render
  * an older picture stays. */
 static burnish_status report(void *context, burnish_error *error) {
     render_result *result = context;
-    double now = cli_seconds_now();
+    double now = burnish_seconds_now();
     result->seconds.write = now - result->encoded;
     result->seconds.total = now - result->start;
     if (result->settings->job.on_result) {
@@ -202,7 +202,7 @@ static burnish_status encode(render_result *result, picture_file *file, burnish_
 static burnish_status write_picture(render_result *result, burnish_error *error) {
     picture_file file = {0};
     burnish_status status = render_judge(result, error);
-    double start = cli_seconds_now();
+    double start = burnish_seconds_now();
     if (status == BURNISH_STATUS_OK) {
         status = encode(result, &file, error);
     }
@@ -210,7 +210,7 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
         status = write_planes(result, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        result->encoded = cli_seconds_now();
+        result->encoded = burnish_seconds_now();
         result->seconds.encode = result->encoded - start;
         result->written = 1;
         status = cli_file_write_checked(render_output_path(&result->settings->output), file.bytes,
@@ -268,7 +268,7 @@ static burnish_status load(render_result *result, render_settings *settings,
     settings->input.load.max_memory = settings->job.max_memory;
     burnish_status status = render_load(&settings->input, settings->job.threads, &mesh, error);
     result->mesh = mesh;
-    result->seconds.load = cli_seconds_now() - result->start;
+    result->seconds.load = burnish_seconds_now() - result->start;
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -431,7 +431,7 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     render_result result = {.settings = settings};
     cli_prepare_memory();
     result.seconds.start = processor_seconds();
-    result.start = cli_seconds_now();
+    result.start = burnish_seconds_now();
     burnish_render_options options = render_make_options(settings);
     result.options = &options;
     result.cell_count = (settings->picture.views.count > 0 ? settings->picture.views.count : 1) *

@@ -5,9 +5,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/options.h"
-#include "cli/write.h"
-#include "core/beneath.h"
+#include "base/beneath.h"
+#include "base/cli/options.h"
+#include "base/cli/write.h"
 #include "import/decode.h"
 #include "import/folder.h"
 #include "import/importers.h"

@@ -5,8 +5,8 @@
 #include <errno.h>
 #include <unistd.h>
 
-#include "cli/options.h"
-#include "cli/write.h"
+#include "base/cli/options.h"
+#include "base/cli/write.h"
 
 int channel_read(int channel, void *bytes, size_t size) {
     char *next = bytes;

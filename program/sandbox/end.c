@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 int sandbox_describe_end(int state, burnish_error *line) {
     if (WIFEXITED(state)) {

@@ -15,7 +15,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "core/close_descriptors.h"
+#include "base/close_descriptors.h"
 
 int sandbox_is_built(void) {
     return 1;

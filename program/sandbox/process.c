@@ -1,7 +1,7 @@
 /* The two processes of a sandbox. */
 #include "sandbox/process.h"
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 #if BURNISH_HAS_SECCOMP
 
@@ -16,9 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/close_descriptors.h"
+#include "base/show_text.h"
 #include "cli/limits.h"
-#include "core/close_descriptors.h"
-#include "core/show_text.h"
 #include "import/folder.h"
 #include "sandbox/broker.h"
 #include "sandbox/end.h"

@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/file.h"
+#include "base/cli/file.h"
+#include "base/cli/options.h"
 #include "cli/input.h"
-#include "cli/options.h"
 #include "import/folder.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"

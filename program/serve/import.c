@@ -16,8 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/cli/write.h"
 #include "cli/limits.h"
-#include "cli/write.h"
 #include "import/importers.h"
 #include "import/run.h"
 #include "sandbox/channel.h"

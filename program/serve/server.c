@@ -25,10 +25,10 @@
 #include <sys/prctl.h>
 #endif
 
-#include "cli/clock.h"
+#include "base/cli/write.h"
+#include "base/clock.h"
+#include "base/close_descriptors.h"
 #include "cli/limits.h"
-#include "cli/write.h"
-#include "core/close_descriptors.h"
 #include "sandbox/channel.h"
 #include "sandbox/end.h"
 
@@ -55,7 +55,7 @@ typedef struct slot {
     int channel, request, reply;
     uint32_t id, left;   /* left: bytes of the request still to read */
     uint64_t size;       /* of the whole request */
-    double deadline;     /* as cli_seconds_now */
+    double deadline;     /* as burnish_seconds_now */
     int is_late;         /* 1: the deadline has passed */
     char *line;          /* the reply if the worker wrote none; NULL: it is in the file */
     size_t reply_size;   /* without the frame's head */
@@ -427,7 +427,7 @@ static void end_request(server *v) {
     v->filling = NULL;
     v->head_size = 0;
     ++v->requests;
-    s->deadline = seconds > 0 ? cli_seconds_now() + seconds : INFINITY;
+    s->deadline = seconds > 0 ? burnish_seconds_now() + seconds : INFINITY;
     if (s->line) {
         finish(v, s);
         return;
@@ -486,7 +486,7 @@ static int look_at_clock(server *v) {
     for (size_t i = 0; i < v->count; ++i) {
         slot *s = &v->slots[i];
         if (s->state == SLOT_WORKING && s->deadline < INFINITY) {
-            const double left = s->deadline - cli_seconds_now();
+            const double left = s->deadline - burnish_seconds_now();
             if (left <= 0 && !s->is_late) {
                 s->is_late = 1;
                 kill(s->process, SIGKILL);

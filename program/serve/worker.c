@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/output.h"
+#include "base/cli/output.h"
 #include "render/check.h"
 #include "render/render.h"
 #include "serve/import.h"
@@ -28,10 +28,10 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "cli/file.h"
+#include "base/cli/file.h"
+#include "base/cli/write.h"
 #include "cli/limits.h"
 #include "cli/memory.h"
-#include "cli/write.h"
 #include "import/importers.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"

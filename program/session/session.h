@@ -3,10 +3,10 @@
 #ifndef TOOLS_SESSION_SESSION_H
 #define TOOLS_SESSION_SESSION_H
 
+#include "base/cli/options.h"
 #include "burnish/image.h"
 #include "burnish/mesh.h"
 #include "burnish/render.h"
-#include "cli/options.h"
 
 typedef struct session session;
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 #include "render/settings/settings.h"
 
 const view_action_row view_actions[] = {

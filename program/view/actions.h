@@ -2,7 +2,7 @@
 #ifndef TOOL_VIEW_ACTIONS_H
 #define TOOL_VIEW_ACTIONS_H
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 typedef enum view_action {
     VIEW_ACTION_NONE,

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cli/output.h"
 #include "cli/main.h"
-#include "cli/output.h"
 #include "render/scene/origin.h"
 #include "render/scene/up.h"
 #include "render/useless.h"

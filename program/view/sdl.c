@@ -5,7 +5,7 @@
 #include <dlfcn.h>
 #include <string.h>
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 /* The name of the binary interface that the headers describe. */
 #define SDL_LIBRARY "libSDL2-2.0.so.0"

@@ -8,14 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/clock.h"
-#include "cli/output.h"
+#include "base/cli/output.h"
+#include "base/clock.h"
 
 static const double slow_frame = 16; /* ms */
 enum { SLOW_FRAMES = 4 };
 
 double viewer_now(void) {
-    return 1e3 * cli_seconds_now();
+    return 1e3 * burnish_seconds_now();
 }
 
 void viewer_show_message(viewer *v, const char *text) {

@@ -407,7 +407,7 @@ burnish_status view_window(const view_settings *settings, burnish_error *error) 
 
 #else
 
-#include "cli/options.h"
+#include "base/cli/options.h"
 
 burnish_status view_window(const view_settings *settings, burnish_error *error) {
     (void)settings;

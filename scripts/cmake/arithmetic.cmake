@@ -1,4 +1,4 @@
-# Flags that make the compiler compute float as float where it does not by default, which src/core/arithmetic.h rejects: SSE2 on
+# Flags that make the compiler compute float as float where it does not by default, which base/arithmetic.h rejects: SSE2 on
 # i386, single rounding on s390x. Include this before other checks of the compiler.
 include(CheckCSourceCompiles)
 set(BURNISH_FLOAT_TEST "#include <float.h>\n#if FLT_EVAL_METHOD != 0\n#error no\n#endif\nint main(void) { return 0; }")

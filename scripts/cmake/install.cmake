@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 add_custom_target(burnish_installed DEPENDS burnish burnish_theory)
 
-install(DIRECTORY include/burnish DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/burnish base/include/burnish DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/burnish/shaders
   PATTERN "*.shade" EXCLUDE)
 find_program(BURNISH_PYTHON3 python3)

@@ -5,8 +5,8 @@
 
 #include <string.h>
 
+#include "base/layout.h"
 #include "core/float_mode.h"
-#include "core/layout.h"
 #include "core/srgb.h"
 #include "image/pixels.h"
 #include "image/text/drawing.h"

@@ -3,8 +3,8 @@
 #ifndef BURNISH_ANNOTATE_ANNOTATE_H
 #define BURNISH_ANNOTATE_ANNOTATE_H
 
+#include "base/memory.h"
 #include "burnish/annotate.h"
-#include "core/memory.h"
 #include "core/vector.h"
 #include "image/text/strokes.h"
 

@@ -1,6 +1,6 @@
 /* The camera's view of the bounding box, and what touches what on the screen. */
 #include "annotate/annotate.h"
-#include "core/numbers.h"
+#include "base/numbers.h"
 
 #include <string.h>
 

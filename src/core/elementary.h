@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-#include "core/arithmetic.h"
+#include "base/arithmetic.h"
 
 /* IEEE square root, correctly rounded; negative gives NaN. */
 double burnish_sqrt(double x);

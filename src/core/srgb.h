@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "core/arithmetic.h"
+#include "base/arithmetic.h"
 
 /* Linear light of each 8-bit code, correctly rounded. */
 extern const float burnish_srgb_to_linear[256];

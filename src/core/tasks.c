@@ -1,7 +1,7 @@
 #include "core/tasks.h"
 
-#include "core/context.h"
-#include "core/error.h"
+#include "base/context.h"
+#include "base/error.h"
 #include "core/float_mode.h"
 #include "core/pool.h"
 

@@ -10,10 +10,7 @@
 #include <stdatomic.h>
 #include <stddef.h>
 
-#include "burnish/core.h"
-
-/* The most threads of a call. */
-#define BURNISH_THREADS_MAX 1024
+#include "base/context.h"
 
 /* One call's share of the threads, on its stack. */
 typedef struct burnish_tasks {

@@ -1,6 +1,6 @@
 #include "environment/areas.h"
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 
 static void find_corners(const burnish_area_light *light, burnish_kernels_polygon *polygon) {

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 #include "image/xxh64.h"
 

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/context.h"
+#include "base/context.h"
 #include "core/float_mode.h"
 #include "environment/builder.h"
 #include "environment/room.h"
@@ -61,7 +61,7 @@ static void warn(const builder *b) {
         burnish_fail(&line, BURNISH_STATUS_FORMAT,
                      "%.200s: %zu values are negative, above %.0f or not numbers; they are clamped",
                      b->name, b->clamped, (double)BURNISH_RADIANCE_MAX);
-        burnish_log(b->memory->context, line.text);
+        burnish_context_warn(b->memory->context, line.text);
     }
 }
 

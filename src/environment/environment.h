@@ -6,8 +6,8 @@
 #ifndef BURNISH_ENVIRONMENT_ENVIRONMENT_H
 #define BURNISH_ENVIRONMENT_ENVIRONMENT_H
 
+#include "base/memory.h"
 #include "burnish/light.h"
-#include "core/memory.h"
 
 /* The first image of an environment has at most so many columns, a power of two, and half as many
  * rows. The last has the least. */

@@ -1,7 +1,7 @@
 #include "environment/lookup.h"
 
+#include "base/numbers.h"
 #include "core/elementary.h"
-#include "core/numbers.h"
 
 int burnish_environment_level_of(const burnish_environment *environment, double angle) {
     int level = 0;

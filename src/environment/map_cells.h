@@ -3,7 +3,7 @@
 #ifndef BURNISH_ENVIRONMENT_MAP_CELLS_H
 #define BURNISH_ENVIRONMENT_MAP_CELLS_H
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "environment/map_fill.h"
 
 typedef struct burnish_map_cells burnish_map_cells;

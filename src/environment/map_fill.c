@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 #include "environment/areas.h"
 #include "environment/environment_ops.h"

@@ -3,8 +3,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "core/memory.h"
-#include "core/numbers.h"
+#include "base/memory.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 #include "environment/environment.h"
 #include "environment/map_cells.h"

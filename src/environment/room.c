@@ -4,7 +4,7 @@
  * lit by one point light without shadows, as there. */
 #include "environment/room.h"
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 
 typedef burnish_vec3 vec3;

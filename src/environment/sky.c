@@ -3,7 +3,7 @@
  * degrees. Sky and sun light a white horizontal surface to 1. */
 #include "environment/sky.h"
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 
 typedef burnish_vec3 vec3;

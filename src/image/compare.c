@@ -5,10 +5,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/layout.h"
+#include "base/memory.h"
 #include "core/elementary.h"
 #include "core/float_mode.h"
-#include "core/layout.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 
 #define COOKIE BURNISH_COOKIE(0x636d7031, burnish_compare_options)

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 /* A compressor; one thread at a time may use it. */
 typedef struct burnish_deflate burnish_deflate;

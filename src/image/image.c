@@ -1,7 +1,7 @@
 /* Images in memory: making, copying, hashing. */
 #include <string.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "image/pixels.h"
 #include "image/xxh64.h"
 

@@ -2,8 +2,8 @@
 #ifndef BURNISH_IMAGE_PIXELS_H
 #define BURNISH_IMAGE_PIXELS_H
 
+#include "base/error.h"
 #include "burnish/image.h"
-#include "core/error.h"
 
 /* Bytes of a pixel in a format that is kept as PNG. */
 static inline size_t burnish_pixel_size(burnish_pixel_format format) {

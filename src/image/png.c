@@ -5,8 +5,8 @@
  * its compressed bytes depend on the library that compresses, its pixels never. */
 #include <string.h>
 
-#include "core/layout.h"
-#include "core/memory.h"
+#include "base/layout.h"
+#include "base/memory.h"
 #include "core/tasks.h"
 #include "image/deflate.h"
 #include "image/pixels.h"

@@ -4,7 +4,7 @@
 
 #include <zlib.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 typedef struct burnish_zlib {
     z_stream stream;

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/layout.h"
+#include "base/numbers.h"
 #include "core/float_mode.h"
-#include "core/layout.h"
-#include "core/numbers.h"
 #include "core/vector.h"
 #include "mesh/build/build.h"
 #include "mesh/data/material.h"

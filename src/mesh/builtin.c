@@ -2,7 +2,7 @@
  * but for the teapot, whose body, lid, handle and spout pass into each other. */
 #include <string.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 #include "mesh/builtin.h"
 #include "mesh/data/mesh.h"

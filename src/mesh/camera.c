@@ -1,10 +1,10 @@
 /* Camera framing: the whole mesh in the picture, as large as the margin allows. */
 #include <float.h>
 
+#include "base/layout.h"
+#include "base/memory.h"
+#include "base/numbers.h"
 #include "core/float_mode.h"
-#include "core/layout.h"
-#include "core/memory.h"
-#include "core/numbers.h"
 #include "core/vector.h"
 #include "mesh/data/mesh.h"
 

@@ -5,7 +5,7 @@
  * close the cut: drawing fills it (render/frame/caps.h). */
 #include <string.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/srgb.h"
 #include "core/vector.h"
 #include "mesh/data/mesh.h"

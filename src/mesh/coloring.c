@@ -1,8 +1,8 @@
 /* Colours a mesh by values of its vertices. */
 #include <string.h>
 
-#include "core/layout.h"
-#include "core/numbers.h"
+#include "base/layout.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 #include "mesh/data/material.h"
 #include "mesh/data/mesh.h"

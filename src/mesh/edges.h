@@ -2,8 +2,8 @@
 #ifndef BURNISH_MESH_EDGES_H
 #define BURNISH_MESH_EDGES_H
 
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 
 /* No second triangle. */

@@ -3,9 +3,9 @@
 #include <errno.h>
 #include <string.h>
 
-#include "core/clock.h"
+#include "base/clock.h"
+#include "base/platform.h"
 #include "core/float_mode.h"
-#include "core/platform.h"
 #include "mesh/build/build.h"
 #include "mesh/builtin.h"
 #include "mesh/read/common/origin.h"

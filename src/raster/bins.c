@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "raster/raster_ops.h"
 
 /* A band of several tile rows takes at most about 128 MiB: BURNISH_LISTS_MAX lists of 8 bytes

@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "core/arithmetic.h"
+#include "base/arithmetic.h"
 
 enum { PLANE_COUNT = 5 };
 

@@ -5,7 +5,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "core/vector.h"
 #include "raster/clip.h"
 #include "raster/layout.h"

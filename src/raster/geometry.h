@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-#include "core/error.h"
+#include "base/error.h"
 #include "core/tasks.h"
 #include "raster/layout.h"
 #include "raster/view.h"

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "raster/raster_ops.h"
 
 static void create_primitives(burnish_tile_primitives *primitives, size_t capacity,

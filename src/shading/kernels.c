@@ -2,9 +2,9 @@
  * set. */
 #include "burnish/kernels.h"
 
-#include "core/error.h"
+#include "base/error.h"
+#include "base/memory.h"
 #include "core/float_mode.h"
-#include "core/memory.h"
 #include "shading/shading_ops.h"
 
 #define OPS burnish_shading_ops

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/error.h"
+#include "base/error.h"
 
 /* What follows a word. */
 typedef enum { PLAIN, ORDER, NUMBER_ORDER, ENTRIES } word_tail;

@@ -1,9 +1,9 @@
 /* From a lighting's description to the constants that the kernels read. */
 #include <string.h>
 
+#include "base/error.h"
+#include "base/layout.h"
 #include "core/elementary.h"
-#include "core/error.h"
-#include "core/layout.h"
 #include "shading/lobe_words.h"
 #include "shading/shader.h"
 

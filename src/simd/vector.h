@@ -49,8 +49,8 @@
 #ifndef BURNISH_SIMD_VECTOR_H
 #define BURNISH_SIMD_VECTOR_H
 
+#include "base/arithmetic.h"
 #include "burnish/core.h"
-#include "core/arithmetic.h"
 
 #if defined(BURNISH_VECTOR_SCALAR)
 #include "simd/vector_scalar.h"

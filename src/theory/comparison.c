@@ -1,7 +1,7 @@
 /* Exact values of the lobes in double precision. Uses libm, so no image may depend on it.
  */
+#include "base/arithmetic.h"
 #include "burnish/theory.h"
-#include "core/arithmetic.h"
 
 #include <math.h>
 

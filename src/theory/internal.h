@@ -2,9 +2,9 @@
 #ifndef BURNISH_THEORY_INTERNAL_H
 #define BURNISH_THEORY_INTERNAL_H
 
+#include "base/arithmetic.h"
+#include "base/numbers.h"
 #include "burnish/theory.h"
-#include "core/arithmetic.h"
-#include "core/numbers.h"
 
 /* Fills *error, which may be NULL, and returns ARGUMENT. */
 __attribute__((format(printf, 2, 3))) burnish_status burnish_theory_fail(burnish_error *error,

@@ -13,76 +13,79 @@ static const struct layer {
     const char *may_include;
 } LAYERS[] = {
     {"include/burnish", ""},
-    {"src/core", "burnish/core.h"},
-    {"src/simd", "core burnish/core.h"},
-    {"src/theory", "core/arithmetic.h core/numbers.h burnish/core.h burnish/lobe.h "
-                   "burnish/shading.h burnish/theory.h"},
-    {"src/shading", "core simd burnish/core.h burnish/kernels.h burnish/lobe.h "
-                    "burnish/shading.h"},
-    {"src/mesh", "core mesh/data mesh/build mesh/read mesh/read/common mesh/read/io "
+    {"base", "burnish/core.h"},
+    {"base/cli", "base burnish/core.h"},
+    {"base/include/burnish", ""},
+    {"src/core", "base burnish/core.h"},
+    {"src/simd", "base core burnish/core.h"},
+    {"src/theory", "base burnish/core.h burnish/lobe.h burnish/shading.h burnish/theory.h"},
+    {"src/shading",
+     "base core simd burnish/core.h burnish/kernels.h burnish/lobe.h burnish/shading.h"},
+    {"src/mesh", "base core mesh/data mesh/build mesh/read mesh/read/common mesh/read/io "
                  "burnish/core.h burnish/mesh.h"},
-    {"src/mesh/data", "core burnish/core.h burnish/mesh.h"},
-    {"src/mesh/build", "core mesh/build/normals mesh/data"},
-    {"src/mesh/build/normals", "core mesh/data"},
-    {"src/mesh/read", "core image/decode mesh/data mesh/read/common mesh/read/io"},
-    {"src/mesh/read/common", "core image/decode mesh/data mesh/read/io"},
-    {"src/mesh/read/io", "core image/decode mesh/data burnish/core.h"},
-    {"src/mesh/read/gltf", "core mesh/data mesh/read/common mesh/read/io"},
-    {"src/mesh/read/obj", "core mesh/data mesh/read/common mesh/read/io"},
-    {"src/mesh/read/ply", "core mesh/data mesh/read/common mesh/read/io"},
-    {"src/mesh/read/threemf", "core mesh/data mesh/read/common mesh/read/io"},
-    {"src/raster", "core simd burnish/core.h"},
-    {"src/image", "core burnish/compare.h burnish/core.h burnish/image.h"},
-    {"src/image/decode", "core image/zlib_stream.h burnish/image.h"},
-    {"src/image/text", "core image/pixels.h burnish/drawing.h burnish/image.h burnish/sheet.h"},
-    {"src/annotate",
-     "core image image/text burnish/annotate.h burnish/core.h burnish/drawing.h burnish/image.h "
-     "burnish/mesh.h"},
-    {"src/environment", "core image image/decode shading simd burnish/kernels.h burnish/light.h"},
-    {"src/render", "core raster simd burnish/mesh.h"},
+    {"src/mesh/data", "base core burnish/core.h burnish/mesh.h"},
+    {"src/mesh/build", "base core mesh/build/normals mesh/data"},
+    {"src/mesh/build/normals", "base core mesh/data"},
+    {"src/mesh/read", "base core image/decode mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/common", "base core image/decode mesh/data mesh/read/io"},
+    {"src/mesh/read/io", "base core image/decode mesh/data burnish/core.h"},
+    {"src/mesh/read/gltf", "base core mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/obj", "base core mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/ply", "base core mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/threemf", "base core mesh/data mesh/read/common mesh/read/io"},
+    {"src/raster", "base core simd burnish/core.h"},
+    {"src/image", "base core burnish/compare.h burnish/core.h burnish/image.h"},
+    {"src/image/decode", "base core image/zlib_stream.h burnish/image.h"},
+    {"src/image/text",
+     "base core image/pixels.h burnish/drawing.h burnish/image.h burnish/sheet.h"},
+    {"src/annotate", "base core image image/text burnish/annotate.h burnish/core.h "
+                     "burnish/drawing.h burnish/image.h burnish/mesh.h"},
+    {"src/environment",
+     "base core image image/decode shading simd burnish/kernels.h burnish/light.h"},
+    {"src/render", "base core raster simd burnish/mesh.h"},
     {"src/render/drawing",
-     "core image/text/drawing.h render/frame burnish/drawing.h burnish/render.h"},
-    {"src/render/frame", "core simd raster shading render render/light render/lines render/texture "
-                         "burnish/core.h burnish/look.h burnish/mesh.h burnish/render.h"},
-    {"src/render/light",
-     "core environment simd raster render render/texture shading burnish/light.h burnish/mesh.h "
-     "burnish/render.h"},
-    {"src/render/lines", "core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
-    {"src/render/texture", "core simd raster render shading burnish/mesh.h"},
-    {"program/batch",
-     "cli import picture render render/output render/scene render/settings sandbox burnish"},
-    {"program/cli", "core/show_text.h burnish"},
-    {"program/compare", "cli import render render/output render/scene picture burnish"},
-    {"program/font", "cli burnish"},
-    {"program/import", "cli core/beneath.h core/close_descriptors.h core/show_text.h burnish"},
-    {"program/info", "batch cli import render/scene burnish"},
-    {"program/lobe", "cli burnish"},
-    {"program/picture", "cli core/close_descriptors.h burnish"},
-    {"program/plot", "cli lobe picture burnish"},
+     "base core image/text/drawing.h render/frame burnish/drawing.h burnish/render.h"},
+    {"src/render/frame",
+     "base core simd raster shading render render/light render/lines render/texture burnish/core.h "
+     "burnish/look.h burnish/mesh.h burnish/render.h"},
+    {"src/render/light", "base core environment simd raster render render/texture shading "
+                         "burnish/light.h burnish/mesh.h burnish/render.h"},
+    {"src/render/lines",
+     "base core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
+    {"src/render/texture", "base core simd raster render shading burnish/mesh.h"},
+    {"program/batch", "base base/cli cli import picture render render/output render/scene "
+                      "render/settings sandbox burnish"},
+    {"program/cli", "base base/cli burnish"},
+    {"program/compare",
+     "base base/cli cli import render render/output render/scene picture burnish"},
+    {"program/font", "base base/cli cli burnish"},
+    {"program/import", "base base/cli cli burnish"},
+    {"program/info", "base base/cli batch cli import render/scene burnish"},
+    {"program/lobe", "base base/cli cli burnish"},
+    {"program/picture", "base base/cli cli burnish"},
+    {"program/plot", "base base/cli cli lobe picture burnish"},
     {"program/mpi", "burnish"},
     {"program/render",
-     "cli font picture render/output render/scene render/settings sandbox burnish"},
+     "base base/cli cli font picture render/output render/scene render/settings sandbox burnish"},
     {"program/render/output",
-     "cli font import picture render/scene render/settings sandbox burnish"},
-    {"program/render/scene", "cli render/settings sandbox burnish"},
-    {"program/render/settings", "cli picture burnish"},
-    {"program/sandbox", "cli core/beneath.h core/close_descriptors.h core/show_text.h "
-                        "import picture/video.h burnish"},
-    {"program/serve", "cli core/close_descriptors.h import render render/settings sandbox burnish"},
-    {"program/view", "cli picture render render/scene render/settings burnish"},
-    {"program/session", "cli render render/output render/scene burnish"},
-    {"importers", "mesh/read/bms.h mesh/read/io/unpack.h mesh/read/io/zip.h core/bytes.h "
-                  "core/numbers.h core/srgb.h sandbox/lock.h"},
-    {"importers/assimp", "core/numbers.h importers"},
-    {"importers/draco", "core/bytes.h importers"},
-    {"importers/occt", "importers"},
+     "base base/cli cli font import picture render/scene render/settings sandbox burnish"},
+    {"program/render/scene", "base base/cli cli render/settings sandbox burnish"},
+    {"program/render/settings", "base base/cli cli picture burnish"},
+    {"program/sandbox", "base base/cli cli import picture/video.h burnish"},
+    {"program/serve", "base base/cli cli import render render/settings sandbox burnish"},
+    {"program/view", "base base/cli cli picture render render/scene render/settings burnish"},
+    {"program/session", "base base/cli cli render render/output render/scene burnish"},
+    {"importers",
+     "base mesh/read/bms.h mesh/read/io/unpack.h mesh/read/io/zip.h core/srgb.h sandbox/lock.h"},
+    {"importers/assimp", "base importers"},
+    {"importers/draco", "base importers"},
+    {"importers/occt", "base importers"},
     {"bench", "burnish"},
     {"bench/kernels", "burnish"},
     {"bench/load", "burnish"},
-    {"bench/peers", "core simd shading burnish"},
-    {"bindings/wasm",
-     "cli lobe picture/read_png.h core/error.h core/pool.h image/decode mesh/read/io/open_beside.h "
-     "burnish wasi"},
+    {"bench/peers", "base core simd shading burnish"},
+    {"bindings/wasm", "base base/cli cli lobe picture/read_png.h core/pool.h image/decode "
+                      "mesh/read/io/open_beside.h burnish wasi"},
     {"hardware/arduino/src", "burnish"},
     {"hardware/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
     {"hardware/arduino/examples/OledBall", ""},
@@ -92,9 +95,9 @@ static const struct layer {
     {"hardware/firmware/host", ""},
     {"hardware/firmware/rv32", ""},
     {"hardware/rtl/demo/test", "../../test burnish/shade_q15.h"},
-    {"hardware/rtl/test", "burnish/image.h burnish/lobe.h burnish/lobe_q15.h burnish/mesh.h "
-                          "burnish/shade_q15.h"},
-    {"bindings/python", "cli lobe burnish"},
+    {"hardware/rtl/test",
+     "burnish/image.h burnish/lobe.h burnish/lobe_q15.h burnish/mesh.h burnish/shade_q15.h"},
+    {"bindings/python", "base base/cli cli lobe burnish"},
 };
 
 /* Templates are included by templates and by ..._isa.c; bench takes those of the kernels, and
@@ -272,8 +275,8 @@ static void check_that_wrong_arrows_are_found(void) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    static const char *const ROOTS[] = {"src",       "program",  "bindings", "bench",
-                                        "importers", "hardware", "include"};
+    static const char *const ROOTS[] = {"base",  "src",       "program",  "bindings",
+                                        "bench", "importers", "hardware", "include"};
     for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
         CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }

@@ -158,7 +158,7 @@ check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>
 check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
 rm -f p.png d.npy t.gif
 for variable in BURNISH_ISA PATH; do
-    check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
+    check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH \"ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
 done
 check "the manual takes an underscore inside a word for italics" grep -q 'Default: burnish_boundary\.' page.txt
 # Marks of *bold* and _italics_ are balanced, and none remains in the output.

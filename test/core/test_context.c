@@ -1,9 +1,9 @@
 /* Contexts, and memory that goes through them. */
 #include <stdint.h>
 
-#include "core/context.h"
-#include "core/error.h"
-#include "core/memory.h"
+#include "base/context.h"
+#include "base/error.h"
+#include "base/memory.h"
 #include "support.h"
 
 static void check_refused(const burnish_context_options *options, const char *text) {

@@ -12,7 +12,7 @@ for module in expat libpng libjpeg libwebp OpenEXR libisal zlib; do
     decoders="$decoders $(pkg-config --libs $module 2>/dev/null || true)"
 done
 $compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$source/docs/examples/copy_lobe.c" -lm -o "$scratch/copy_lobe"
-$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/link_kernels.c" "$archive" -lm -o "$scratch/link_kernels"
+$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" -I"$source/base/include" -I"$source/lobe/include" "$source/docs/examples/link_kernels.c" "$archive" -lm -o "$scratch/link_kernels"
 "$scratch/copy_lobe" >"$scratch/copy.ppm"
 "$scratch/link_kernels" >"$scratch/link.ppm" 2>"$scratch/link.txt"
 grep -q '^kernels: ' "$scratch/link.txt"
@@ -34,7 +34,7 @@ echo "examples: integers $sum"
 
 # Meshes from the program's own arrays and from memory.
 # shellcheck disable=SC2086
-$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" "$source/docs/examples/own_mesh.c" "$archive" $decoders -lm -pthread -o "$scratch/own_mesh"
+$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" -I"$source/base/include" -I"$source/lobe/include" "$source/docs/examples/own_mesh.c" "$archive" $decoders -lm -pthread -o "$scratch/own_mesh"
 "$scratch/own_mesh" | tee "$scratch/own_mesh.txt"
 [ "$(cat "$scratch/own_mesh.txt")" = "square: 4 vertices, 2 triangles
 red.obj: diffuse 1, 0 warnings" ]

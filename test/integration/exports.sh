@@ -23,7 +23,7 @@ grep -vE '^(burnish_|__|\.)' "$scratch/names" >"$scratch/foreign" && fail "forei
 readelf -Ws "$archive" | awk '$5 == "GLOBAL" && $6 == "DEFAULT" && $7 != "UND" {print $8}' |
     grep '^burnish_' | sort -u >"$scratch/exported"
 [ "$(wc -l <"$scratch/exported")" -gt 20 ] || fail "hardly any exported names"
-find "$source/include/burnish" -name '*.h' ! -name theory.h -exec cat {} + | tr '\n' ' ' | sed 's/;/;\n/g' >"$scratch/api"
+find "$source"/include/burnish "$source"/*/include/burnish -name '*.h' ! -name theory.h -exec cat {} + | tr '\n' ' ' | sed 's/;/;\n/g' >"$scratch/api"
 while read -r name; do
     grep -qE "BURNISH_API[^;]*[ *]$name\(" "$scratch/api" || fail "$name is exported but not declared BURNISH_API"
 done <"$scratch/exported"

@@ -21,25 +21,27 @@ try() {
     fi
 }
 
+roots="-I$source/include -I$source/base/include -I$source/lobe/include"
+
 # A doc block has one parameter per line ("  name  text"): a parameter in the middle of a line was moved there by a formatter.
-moved=$(grep -nE '^ \* [^ ].*[^ .:]   +[^ ]|.{101}' "$source"/include/burnish/*.h)
+moved=$(grep -nE '^ \* [^ ].*[^ .:]   +[^ ]|.{101}' "$source"/include/burnish/*.h "$source"/*/include/burnish/*.h)
 if [ -n "$moved" ]; then
     echo "FAIL: not a parameter per line, or over 100 columns: $moved"
     failures=$((failures + 1))
 fi
 
-for header in "$source"/include/burnish/*.h; do
+for header in "$source"/include/burnish/*.h "$source"/*/include/burnish/*.h; do
     name=$(basename "$header")
     printf '#include "burnish/%s"\n#include "burnish/%s"\nint burnish_header_test;\n' "$name" "$name" >"$scratch/alone.c"
     cp "$scratch/alone.c" "$scratch/alone.cpp"
     for standard in c99 c17; do
         for compiler in $c_compilers; do
-            try $compiler -std=$standard -pedantic-errors -I"$source/include" "$scratch/alone.c"
+            try $compiler -std=$standard -pedantic-errors $roots "$scratch/alone.c"
         done
     done
     for compiler in $cpp_compilers; do
-        try $compiler -std=c++11 -pedantic-errors -I"$source/include" "$scratch/alone.cpp"
-        try $compiler -std=c++20 -pedantic-errors -I"$source/include" "$scratch/alone.cpp"
+        try $compiler -std=c++11 -pedantic-errors $roots "$scratch/alone.cpp"
+        try $compiler -std=c++20 -pedantic-errors $roots "$scratch/alone.cpp"
     done
 done
 
@@ -75,12 +77,12 @@ done
 
 # every source that computes refuses what would change bits, with a sentence
 checked=0
-for file in $(cd "$source/src" && grep -rlE '\b(float|double)\b' --include='*.c' .); do
+for file in $(cd "$source" && grep -rlE '\b(float|double)\b' --include='*.c' --exclude-dir=cli src base); do
     checked=$((checked + 1))
     # an instruction set's own file begins with its intrinsics
-    if gcc -E -ffast-math -mavx512f -mavx512dq -mavx512bw -mavx512vl -D_GNU_SOURCE -I"$source/src" -I"$source/include" \
-        "$source/src/$file" >/dev/null 2>"$scratch/refusal" || ! grep -q 'error "burnish gives the same pixels' "$scratch/refusal"; then
-        echo "FAIL: src/$file compiles with -ffast-math; include core/arithmetic.h"
+    if gcc -E -ffast-math -mavx512f -mavx512dq -mavx512bw -mavx512vl -D_GNU_SOURCE -I"$source" -I"$source/src" $roots \
+        "$source/$file" >/dev/null 2>"$scratch/refusal" || ! grep -q 'error "burnish gives the same pixels' "$scratch/refusal"; then
+        echo "FAIL: $file compiles with -ffast-math; include base/arithmetic.h"
         failures=$((failures + 1))
     fi
 done

@@ -1,6 +1,6 @@
 #include "render/output/bands.h"
 
-#include "cli/clock.h"
+#include "base/clock.h"
 #include "render/output/cells.h"
 #include "render/output/pieces.h"
 #include "render/output/stream.h"
@@ -113,10 +113,10 @@ static burnish_status next_band(void *context, int band, const uint8_t **bytes, 
         const uint64_t note = s->notes[i], sum = s->sums[i];
         s->sums[i] = i != NOTE_LOBES ? sum + note : note > sum ? note : sum;
     }
-    const double start = cli_seconds_now();
+    const double start = burnish_seconds_now();
     const burnish_pixels pixels = band_pixels(s, band);
     status = burnish_png_stream_add(s->png, &pixels, &s->bytes, size, error);
-    s->bands->result->seconds.encode += cli_seconds_now() - start;
+    s->bands->result->seconds.encode += burnish_seconds_now() - start;
     *bytes = s->bytes;
     return status;
 }

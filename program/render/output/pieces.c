@@ -35,8 +35,8 @@ burnish_status render_pieces_serve(const render_pieces_plan *plan, burnish_error
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/clock.h"
-#include "cli/write.h"
+#include "base/cli/write.h"
+#include "base/clock.h"
 #include "sandbox/channel.h"
 
 enum {
@@ -191,7 +191,7 @@ static void hand_out(render_pieces *f, int piece) {
             if (next == NOTHING) {
                 continue;
             }
-            r->start = depth == 0 ? cli_seconds_now() : r->start;
+            r->start = depth == 0 ? burnish_seconds_now() : r->start;
             r->pieces[depth] = next;
             f->slots[next].state = STATE_LENT;
             f->order.piece = next;
@@ -225,7 +225,7 @@ static void take_reply(render_pieces *f, runner *r) {
     }
     memmove(r->pieces, r->pieces + 1, (AHEAD - 1) * sizeof *r->pieces);
     r->pieces[AHEAD - 1] = NOTHING;
-    r->start = cli_seconds_now();
+    r->start = burnish_seconds_now();
 }
 
 static void collect(render_pieces *f, int milliseconds) {
@@ -246,7 +246,7 @@ static int is_slow(const render_pieces *f, int piece) {
         const runner *r = &f->runners[i];
         for (int k = 0; k < AHEAD; ++k) {
             if (r->pieces[k] == piece) {
-                return cli_seconds_now() - r->start > SLOW_SECONDS;
+                return burnish_seconds_now() - r->start > SLOW_SECONDS;
             }
         }
     }

@@ -3,8 +3,8 @@
 #ifndef TOOL_RENDER_PIECES_H
 #define TOOL_RENDER_PIECES_H
 
+#include "base/cli/options.h"
 #include "burnish/image.h"
-#include "cli/options.h"
 
 enum { RENDER_PIECE_NOTES = 3 };
 

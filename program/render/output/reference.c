@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/output.h"
+#include "base/cli/output.h"
 #include "picture/panels.h"
 #include "picture/read_png.h"
 

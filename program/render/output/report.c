@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cli/output.h"
 #include "cli/origin.h"
-#include "cli/output.h"
 #include "import/importers.h"
 #include "render/output/reference.h"
 #include "render/scene/camera.h"

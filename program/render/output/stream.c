@@ -4,8 +4,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/clock.h"
-#include "cli/file.h"
+#include "base/cli/file.h"
+#include "base/clock.h"
 #include "picture/formats.h"
 #include "picture/video.h"
 #include "sandbox/worker.h"
@@ -55,7 +55,7 @@ static burnish_status finish(void *context, burnish_error *error) {
         *error = w->error;
         return w->status;
     }
-    result->encoded = cli_seconds_now();
+    result->encoded = burnish_seconds_now();
     result->written = 1;
     return w->stream->ready(result, error);
 }

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/clock.h"
-#include "cli/values.h"
+#include "base/cli/values.h"
+#include "base/clock.h"
 #include "picture/animation.h"
 #include "render/output/pieces.h"
 #include "render/output/stream.h"
@@ -331,9 +331,9 @@ static burnish_status next_frame(void *context, int frame, const uint8_t **bytes
                            : take_frame(s, frame, &image, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        const double start = cli_seconds_now();
+        const double start = burnish_seconds_now();
         status = picture_animation_add(s->animation, image, error);
-        result->seconds.encode += cli_seconds_now() - start;
+        result->seconds.encode += burnish_seconds_now() - start;
     }
     *bytes = s->animation->out.data;
     *size = s->animation->out.size;

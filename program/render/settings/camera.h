@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_SETTINGS_CAMERA_H
 #define TOOL_RENDER_SETTINGS_CAMERA_H
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 
 typedef enum render_up {
     UP_FORMAT, /* the up axis of the input's format */

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_SETTINGS_JOB_H
 #define TOOL_RENDER_SETTINGS_JOB_H
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 
 struct render_result;
 

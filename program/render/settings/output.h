@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_SETTINGS_OUTPUT_H
 #define TOOL_RENDER_SETTINGS_OUTPUT_H
 
-#include "cli/values.h"
+#include "base/cli/values.h"
 #include "picture/formats.h"
 
 typedef enum render_plane_kind {

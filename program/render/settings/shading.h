@@ -4,7 +4,7 @@
 
 #include "burnish/look.h"
 #include "burnish/render.h"
-#include "cli/values.h"
+#include "cli/colors.h"
 
 /* Longest list of --lobe and of --views. */
 #define RENDER_LIST_MAX 16

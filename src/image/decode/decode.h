@@ -3,8 +3,8 @@
 #ifndef BURNISH_IMAGE_DECODE_DECODE_H
 #define BURNISH_IMAGE_DECODE_DECODE_H
 
+#include "base/memory.h"
 #include "burnish/image.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 
 /* An encoded image in memory. */

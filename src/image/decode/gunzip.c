@@ -1,7 +1,7 @@
 /* Decompresses gzip files. Memory grows with the output, up to the caller's limit. */
 #include "image/decode/gunzip.h"
 
-#include "core/error.h"
+#include "base/error.h"
 
 static burnish_status fail_limit(burnish_memory *memory, const burnish_gzip_file *file) {
     const burnish_shown_name shown = burnish_show_name(file->name);

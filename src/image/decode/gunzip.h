@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 typedef struct burnish_gzip_file {
     const uint8_t *bytes;

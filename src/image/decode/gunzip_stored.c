@@ -1,5 +1,5 @@
 /* Builds without ISA-L and zlib can not decompress, and report that. */
-#include "core/error.h"
+#include "base/error.h"
 #include "image/decode/gunzip.h"
 
 burnish_inflate *burnish_inflate_create(burnish_memory *memory, int is_raw) {

@@ -3,7 +3,7 @@
  * JPEG are rejected; textures do not use them. Like TGA it needs no library. */
 #include <string.h>
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "image/decode/decode.h"
 
 enum {

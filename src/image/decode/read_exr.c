@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/bytes.h"
-#include "core/context.h"
+#include "base/bytes.h"
+#include "base/context.h"
 #include "image/decode/sanitize.h"
 
 /* The most bytes of a chunk: rows or a tile. */
@@ -157,7 +157,7 @@ static burnish_status choose_part(exr *e) {
         burnish_error line;
         burnish_fail(&line, BURNISH_STATUS_FORMAT, "%.200s: only part %d of %d is used",
                      e->from->name, e->part + 1, count);
-        burnish_log(e->memory->context, line.text);
+        burnish_context_warn(e->memory->context, line.text);
     }
     return BURNISH_STATUS_OK;
 }

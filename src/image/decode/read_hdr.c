@@ -1,7 +1,7 @@
 /* Radiance HDR (G. Ward, "Real Pixels", Graphics Gems II, 1991; "Radiance File Formats"): RGBE
  * pixels, plain or run-length encoded in the old or the new way. A pixel is mantissa 2^(e - 136),
  * without the half that Radiance adds to a mantissa, as other readers have it. */
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "image/decode/decode.h"
 
 #include <string.h>

@@ -2,7 +2,7 @@
  * older files: colours of 16, 24 and 32 bits, grey, and palettes, each also run-length encoded. It
  * needs no library. TGA has no signature, so burnish_is_tga checks whether the header is plausible.
  */
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "image/decode/decode.h"
 
 #include <string.h>

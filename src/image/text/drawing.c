@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/error.h"
+#include "base/error.h"
 #include "core/float_mode.h"
 
 /* ---- The list ---- */

@@ -6,10 +6,10 @@
 #ifndef BURNISH_IMAGE_TEXT_DRAWING_H
 #define BURNISH_IMAGE_TEXT_DRAWING_H
 
+#include "base/memory.h"
 #include "burnish/drawing.h"
 #include "burnish/image.h"
 #include "burnish/sheet.h"
-#include "core/memory.h"
 #include "image/text/outline.h"
 #include "image/text/strokes.h"
 #include "image/text/writer.h"

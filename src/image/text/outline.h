@@ -2,9 +2,9 @@
 #ifndef BURNISH_IMAGE_TEXT_OUTLINE_H
 #define BURNISH_IMAGE_TEXT_OUTLINE_H
 
+#include "base/memory.h"
 #include "burnish/image.h"
 #include "burnish/sheet.h"
-#include "core/memory.h"
 #include "image/text/strokes.h"
 
 /* A straight piece of an outline, in 1/256 pixels from the top left corner of the picture. */

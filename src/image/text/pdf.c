@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/error.h"
+#include "base/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
 #include "image/text/writer.h"

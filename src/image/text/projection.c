@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/arithmetic.h"
-#include "core/error.h"
+#include "base/arithmetic.h"
+#include "base/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
 #include "image/text/text.h"

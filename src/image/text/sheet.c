@@ -2,9 +2,9 @@
  * drawings have the same layout. */
 #include <string.h>
 
+#include "base/error.h"
 #include "burnish/drawing.h"
 #include "burnish/sheet.h"
-#include "core/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
 #include "image/text/outline.h"

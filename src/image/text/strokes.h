@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/arithmetic.h"
+#include "base/memory.h"
 #include "burnish/image.h"
-#include "core/arithmetic.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 
 /* A segment and the pen that draws it, in pixels from the top left corner of the picture: the

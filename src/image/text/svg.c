@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/error.h"
+#include "base/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
 #include "image/text/writer.h"

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 /* All zero before the first piece, but for memory, whose status errors go to. */
 typedef struct burnish_text_writer {

@@ -2,7 +2,7 @@
  * number vertices; tangents; materials and textures. */
 #include <assert.h>
 
-#include "core/clock.h"
+#include "base/clock.h"
 
 #include "mesh/build/build.h"
 #include "mesh/build/builder.h"

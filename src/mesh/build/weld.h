@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_BUILD_WELD_H
 #define BURNISH_MESH_BUILD_WELD_H
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "core/tasks.h"
 
 /* Numbers bitwise equal positions alike, in the order of their first appearance.

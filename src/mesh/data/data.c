@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/context.h"
+#include "base/context.h"
 #include "mesh/data/data.h"
 #include "mesh/data/material.h"
 
@@ -75,7 +75,7 @@ void burnish_mesh_data_warn(burnish_mesh_data *mesh, const char *format, ...) {
     vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
     burnish_clean_text(line);
-    burnish_log(mesh->memory.context, line);
+    burnish_context_warn(mesh->memory.context, line);
     if (mesh->warning_count >= WARNING_LIMIT) {
         return;
     }

@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/clock.h"
-#include "core/error.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 
 /* The index of a corner that has no value. */

@@ -2,7 +2,7 @@
 #include <float.h>
 #include <string.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "mesh/data/material.h"
 #include "mesh/data/mesh.h"
 

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/context.h"
-#include "core/layout.h"
+#include "base/context.h"
+#include "base/layout.h"
 #include "mesh/data/material.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/bytes.h"
-#include "core/numbers.h"
+#include "base/bytes.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 #include "mesh/data/material.h"
 #include "mesh/read/common/origin.h"

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "mesh/read/io/lexer.h"
 
 typedef struct foreign_row {

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "core/bytes.h"
-#include "core/numbers.h"
+#include "base/bytes.h"
+#include "base/numbers.h"
 #include "image/decode/gunzip.h"
 #include "mesh/read/common/origin.h"
 #include "mesh/read/common/textures.h"

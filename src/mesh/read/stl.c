@@ -11,7 +11,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "core/srgb.h"
 #include "mesh/read/common/origin.h"
 #include "mesh/read/common/points.h"

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 /* A value per pixel, below 128; the top bit is used and cleared by burnish_borders_find. */
 typedef struct burnish_region_map {

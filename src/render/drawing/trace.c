@@ -6,11 +6,11 @@
  * the picture, and borders are right to a fraction of a pixel, below the lines along them. */
 #include <string.h>
 
+#include "base/error.h"
+#include "base/numbers.h"
 #include "burnish/drawing.h"
 #include "burnish/render.h"
-#include "core/error.h"
 #include "core/float_mode.h"
-#include "core/numbers.h"
 #include "core/srgb.h"
 #include "core/vector.h"
 #include "image/text/drawing.h"

@@ -2,8 +2,8 @@
 #ifndef BURNISH_RENDER_FRAME_ATTRIBUTES_H
 #define BURNISH_RENDER_FRAME_ATTRIBUTES_H
 
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/memory.h"
 #include "raster/tile.h"
 
 /* What a vertex carries to its points: normals and colours times 1/w, which are linear on the

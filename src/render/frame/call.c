@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/clock.h"
+#include "base/clock.h"
 #include "core/vector.h"
 #include "render/space.h"
 

@@ -2,7 +2,7 @@
 #ifndef BURNISH_RENDER_FRAME_CALL_H
 #define BURNISH_RENDER_FRAME_CALL_H
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "core/tasks.h"
 #include "raster/raster_ops.h"
 #include "render/frame/frame.h"

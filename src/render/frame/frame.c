@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "raster/raster_ops.h"
 #include "render/texture/texture_points.h"
 

@@ -1,8 +1,8 @@
 /* Options of a frame, and whether they can be drawn. */
 #include "render/frame/options.h"
 
-#include "core/layout.h"
-#include "core/numbers.h"
+#include "base/layout.h"
+#include "base/numbers.h"
 #include "core/tasks.h"
 #include "core/vector.h"
 #include "raster/view.h"

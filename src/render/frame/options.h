@@ -2,8 +2,8 @@
 #ifndef BURNISH_RENDER_FRAME_OPTIONS_H
 #define BURNISH_RENDER_FRAME_OPTIONS_H
 
+#include "base/error.h"
 #include "burnish/render.h"
-#include "core/error.h"
 
 /* ARGUMENT unless burnish_render_options_default() made them. */
 burnish_status burnish_render_options_check_cookie(const burnish_render_options *options,

@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/memory.h"
 #include "raster/fragments.h"
 #include "render/frame/attributes.h"
 #include "render/frame/caps.h"

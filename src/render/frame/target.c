@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/layout.h"
+#include "base/layout.h"
 #include "render/frame/planes.h"
 
 /* Marks targets that burnish_target_default() made. */

@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-#include "core/error.h"
-#include "core/numbers.h"
+#include "base/error.h"
+#include "base/numbers.h"
 #include "core/vector.h"
 
 /* Distance of the near plane in units of the scene's size; a power of two, so 1/w can be computed

@@ -2,8 +2,8 @@
 #ifndef BURNISH_RENDER_FRAME_VIEW_H
 #define BURNISH_RENDER_FRAME_VIEW_H
 
+#include "base/memory.h"
 #include "burnish/render.h"
-#include "core/memory.h"
 #include "render/drawn_mesh.h"
 #include "render/frame/surface.h"
 #include "render/light/ground.h"

@@ -3,8 +3,8 @@
 #ifndef BURNISH_RENDER_LIGHT_AREA_H
 #define BURNISH_RENDER_LIGHT_AREA_H
 
+#include "base/memory.h"
 #include "burnish/render.h"
-#include "core/memory.h"
 #include "core/vector.h"
 #include "environment/maps.h"
 #include "render/light/area_near.h"

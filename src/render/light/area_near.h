@@ -2,8 +2,8 @@
 #ifndef BURNISH_RENDER_LIGHT_AREA_NEAR_H
 #define BURNISH_RENDER_LIGHT_AREA_NEAR_H
 
+#include "base/memory.h"
 #include "burnish/light.h"
-#include "core/memory.h"
 #include "shading/shading_ops.h"
 
 enum { BURNISH_NEAR_BATCH = 256 };

@@ -1,7 +1,7 @@
 #include "render/light/backdrop.h"
 
+#include "base/numbers.h"
 #include "core/elementary.h"
-#include "core/numbers.h"
 #include "environment/lookup.h"
 #include "environment/maps.h"
 

@@ -3,8 +3,8 @@
 #ifndef BURNISH_RENDER_LIGHT_CASTERS_H
 #define BURNISH_RENDER_LIGHT_CASTERS_H
 
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/memory.h"
 #include "render/texture/transparency.h"
 
 /* Owned; all zero before the first frame, a later frame of the same version uses the same pieces.

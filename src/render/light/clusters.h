@@ -3,8 +3,8 @@
 #ifndef BURNISH_RENDER_LIGHT_CLUSTERS_H
 #define BURNISH_RENDER_LIGHT_CLUSTERS_H
 
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/memory.h"
 
 /* Memory that is kept from mesh to mesh. All zero before the first. */
 typedef struct burnish_clusters {

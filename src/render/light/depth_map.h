@@ -3,8 +3,8 @@
 #ifndef BURNISH_RENDER_LIGHT_DEPTH_MAP_H
 #define BURNISH_RENDER_LIGHT_DEPTH_MAP_H
 
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/memory.h"
 #include "core/vector.h"
 #include "raster/maps.h"
 #include "raster/tile.h"

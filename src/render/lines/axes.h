@@ -2,7 +2,7 @@
 #ifndef BURNISH_RENDER_LINES_AXES_H
 #define BURNISH_RENDER_LINES_AXES_H
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "core/vector.h"
 #include "mesh/edges.h"
 

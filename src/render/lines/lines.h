@@ -7,8 +7,8 @@
 #ifndef BURNISH_RENDER_LINES_LINES_H
 #define BURNISH_RENDER_LINES_LINES_H
 
+#include "base/memory.h"
 #include "burnish/render.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 #include "mesh/edges.h"
 #include "raster/view.h"

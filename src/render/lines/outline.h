@@ -4,8 +4,8 @@
 #ifndef BURNISH_RENDER_LINES_OUTLINE_H
 #define BURNISH_RENDER_LINES_OUTLINE_H
 
+#include "base/memory.h"
 #include "burnish/render.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 #include "raster/fragments.h"
 

@@ -6,8 +6,8 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
+#include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/memory.h"
 #include "core/tasks.h"
 
 enum { BURNISH_TEXTURE_LEVELS_MAX = 16 }; /* more than log2(BURNISH_TEXTURE_SIZE_MAX) + 1 */

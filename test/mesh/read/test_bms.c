@@ -1,6 +1,6 @@
 /* The mesh stream: valid streams, messages for damaged ones, and random damage. */
+#include "base/bytes.h"
 #include "burnish/mesh.h"
-#include "core/bytes.h"
 #include "counting_context.h"
 #include "mesh/read/bms.h"
 #include "reader_input.h"

@@ -1,7 +1,7 @@
 /* The reader of glTF 2.0 and GLB, on files put together here: containers, accessors, primitives. */
 #include <math.h>
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "core/srgb.h"
 #include "gltf_input.h"
 

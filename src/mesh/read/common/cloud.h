@@ -3,7 +3,7 @@
 #ifndef BURNISH_MESH_READ_COMMON_CLOUD_H
 #define BURNISH_MESH_READ_COMMON_CLOUD_H
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 typedef struct burnish_cloud_box {
     float low[3], high[3];

@@ -3,8 +3,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "core/bytes.h"
-#include "core/numbers.h"
+#include "base/bytes.h"
+#include "base/numbers.h"
 #include "mesh/read/common/origin.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/io/pieces.h"

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 
 #include "mesh/read/gltf/gltf_buffers.h"
 #include "mesh/read/gltf/gltf_draco.h"

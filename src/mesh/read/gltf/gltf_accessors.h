@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_READ_GLTF_GLTF_ACCESSORS_H
 #define BURNISH_MESH_READ_GLTF_GLTF_ACCESSORS_H
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "mesh/read/gltf/gltf.h"
 
 /* An accessor with its bounds checked and its sparse values in place. NULL on failure. user what

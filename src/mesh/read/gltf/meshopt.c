@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "core/elementary.h"
 
 enum {

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 
 enum {
     BURNISH_STL_TITLE_SIZE = 80,

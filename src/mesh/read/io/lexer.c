@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/arithmetic.h"
+#include "base/arithmetic.h"
 
 /* ---- Numbers ---- */
 

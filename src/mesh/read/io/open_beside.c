@@ -4,8 +4,8 @@
 #include <errno.h>
 #include <string.h>
 
-#include "core/beneath.h"
-#include "core/platform.h"
+#include "base/beneath.h"
+#include "base/platform.h"
 
 #ifdef _WIN32
 int burnish_open_beside(const char *input, const char *name, burnish_memory *memory) {

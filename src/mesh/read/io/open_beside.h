@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_READ_IO_OPEN_BESIDE_H
 #define BURNISH_MESH_READ_IO_OPEN_BESIDE_H
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 /* Opens a file for reading, and never waits for a pipe or device. Links are followed as long as
  * they stay in the folder, or not at all on systems that can't check that.

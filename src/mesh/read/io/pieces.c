@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "core/platform.h"
+#include "base/platform.h"
 
 enum {
     PIECE = 4 * BURNISH_PIECES_HEAD, /* bytes that are read at once, by each thread */

@@ -1,6 +1,6 @@
 #include "mesh/read/io/zip.h"
 
-#include "core/bytes.h"
+#include "base/bytes.h"
 #include "mesh/read/io/budget.h"
 
 #include <stdlib.h>

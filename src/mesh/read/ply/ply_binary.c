@@ -1,7 +1,7 @@
 /* PLY: rows of one size, vertices column by column, triangles at once. */
 #include "mesh/read/ply/ply_binary.h"
 
-#include "core/numbers.h"
+#include "base/numbers.h"
 #include "mesh/read/common/origin.h"
 #include "mesh/read/ply/ply_header.h"
 

@@ -1,0 +1,24 @@
+/* A program as its man page, completions and parser see it. */
+#ifndef BASE_CLI_PROGRAM_H
+#define BASE_CLI_PROGRAM_H
+
+#include "base/cli/options.h"
+
+typedef struct cli_program {
+    const char *name, *summary;         /* of the man page: "burnish", "renders ..." */
+    const char *man_date;               /* of the last change to its text */
+    const char *description;            /* paragraphs of the man page */
+    const cli_command *const *commands; /* the last is NULL; "help" takes the names of others */
+    const cli_command *implied;         /* the command of a line that names none; NULL: none */
+    const cli_example *examples;        /* of the first screen; the last has a NULL command */
+    const cli_section *values;          /* of the man page: values of several commands */
+    const cli_section *environment;     /* of the man page */
+} cli_program;
+
+/* Prints the man page in roff on standard output. */
+void cli_print_man(const cli_program *program);
+
+/* Prints completions on standard output, for "bash", "zsh" or "fish". */
+void cli_print_completion(const cli_program *program, const char *shell);
+
+#endif

@@ -1,0 +1,199 @@
+/* Running a command. */
+#include "base/cli/run.h"
+#include "base/cli/help.h"
+#include "base/cli/platform.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#ifdef _WIN32
+void cli_handle_signals(void) {}
+#else
+/* Ends the program as the signal would have. */
+static void end(int number) {
+    burnish_file_remove_temporaries();
+    raise(number); /* waits until the handler returns, then has its default effect */
+}
+
+void cli_handle_signals(void) {
+    static const int ending[] = {SIGHUP, SIGINT, SIGTERM};
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
+        struct sigaction before, action = {.sa_handler = end, .sa_flags = SA_RESETHAND};
+        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL) {
+            sigaction(ending[i], &action, NULL); /* a signal that nohup ignores stays ignored */
+        }
+    }
+}
+#endif
+
+burnish_status cli_finish_output(burnish_error *error) {
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        return cli_fail(error, BURNISH_STATUS_WRITE, "standard output: %s", strerror(errno));
+    }
+    return BURNISH_STATUS_OK;
+}
+
+int cli_exit_code(burnish_status status, const burnish_error *error) {
+    if (status == BURNISH_STATUS_OK) {
+        return EXIT_SUCCESS;
+    }
+    fprintf(stderr, "burnish: %s\n", error->text);
+    return burnish_status_exit_code(status);
+}
+
+static const char *short_name_at(const void *list, size_t index) {
+    const cli_command *const *commands = list;
+    return commands[index] ? cli_short_name(commands[index]) : NULL;
+}
+
+const cli_command *cli_find_command(const cli_command *const *commands, const cli_command *whole,
+                                    const char *name, burnish_error *error) {
+    const char *prefix = whole ? whole->name : "", *space = whole ? " " : "";
+    for (size_t i = 0; commands[i]; ++i) {
+        if (strcmp(cli_short_name(commands[i]), name) == 0) {
+            return commands[i];
+        }
+    }
+    const char *nearest = cli_nearest(name, short_name_at, commands);
+    if (nearest) {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "\"%s%s%.60s\": unknown command; did you mean %s%s%s?", prefix, space, name,
+                 prefix, space, nearest);
+    } else {
+        cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                 "\"%s%s%.60s\": unknown command; \"burnish %s%s--help\" lists the commands",
+                 prefix, space, name, prefix, space);
+    }
+    return NULL;
+}
+
+/* "table, claims or plot" */
+static void name_list(const cli_command *const *commands, char *text, size_t size) {
+    size_t used = 0;
+    for (size_t i = 0; commands[i] && used < size; ++i) {
+        const char *separator = i == 0 ? "" : commands[i + 1] ? ", " : " or ";
+        used += (size_t)snprintf(text + used, size - used, "%s%s", separator,
+                                 cli_short_name(commands[i]));
+    }
+}
+
+static int run_part(const cli_command *whole, int argc, char **argv) {
+    burnish_error error;
+    char names[160] = "";
+    name_list(whole->parts, names, sizeof names);
+    if (argc == 0) {
+        return cli_exit_code(
+            cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                     "%s: what comes next is one of %s; \"burnish %s --help\" explains them",
+                     whole->name, names, whole->name),
+            &error);
+    }
+    if (strcmp(argv[0], "--help") == 0 || strcmp(argv[0], "-h") == 0) {
+        burnish_status status = cli_print_help(whole, NULL, &error);
+        status = status == BURNISH_STATUS_OK ? cli_finish_output(&error) : status;
+        return cli_exit_code(status, &error);
+    }
+    if (argv[0][0] == '-' && argv[0][1]) {
+        return cli_exit_code(cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                                      "%s %.60s: one of %s comes first", whole->name, argv[0],
+                                      names),
+                             &error);
+    }
+    const cli_command *part = cli_find_command(whole->parts, whole, argv[0], &error);
+    return part ? cli_run(part, argc - 1, argv + 1) : cli_exit_code(error.status, &error);
+}
+
+/* The file that an argument names; NULL: none. A value can begin with the name of what it writes. */
+static const char *file_of(const cli_argument *argument, const char **flag) {
+    const cli_flag *from = argument->flag;
+    const char *colon = from && from->value && argument->text && strchr(from->value, ':')
+                            ? strchr(argument->text, ':')
+                            : NULL;
+    *flag = from ? from->name : NULL;
+    return from && from->file == CLI_NO_FILE ? NULL : colon ? colon + 1 : argument->text;
+}
+
+static int is_written(const cli_argument *argument) {
+    return argument->flag && argument->flag->file > CLI_READS;
+}
+
+static int is_mesh_name(const char *name) {
+    return cli_is_input_name && cli_is_input_name(name);
+}
+
+/* Whether writing to this name would replace a mesh, since the file is where links lead. */
+static int is_link_to_mesh(const char *path) {
+#ifdef _WIN32
+    (void)path;
+    return 0;
+#else
+    struct stat state;
+    char *target = stat(path, &state) == 0 && S_ISREG(state.st_mode) ? realpath(path, NULL) : NULL;
+    const int is_mesh = target && !is_mesh_name(path) && is_mesh_name(target);
+    free(target);
+    return is_mesh;
+#endif
+}
+
+/* No output replaces a file that the same run reads, or a mesh behind a link, and no report a mesh. */
+static burnish_status check_files(const cli_call *call, burnish_error *error) {
+    for (size_t i = 0; i < call->argument_count; ++i) {
+        const char *flag, *other, *path = file_of(&call->arguments[i], &flag);
+        if (!path || !is_written(&call->arguments[i])) {
+            continue;
+        }
+        for (size_t k = 0; k < call->argument_count; ++k) {
+            const char *read = file_of(&call->arguments[k], &other);
+            if (read && !is_written(&call->arguments[k]) && cli_same_file(path, read)) {
+                return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--%s: \"%.200s\" is an input; name another file", flag, path);
+            }
+        }
+        if (is_link_to_mesh(path)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: \"%.200s\" is a link to a mesh; name another file", flag, path);
+        }
+        if (call->arguments[i].flag->file == CLI_REPORTS && is_mesh_name(path)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: \"%.200s\" has the extension of a mesh, which this file is not; "
+                            "end the name otherwise",
+                            flag, path);
+        }
+    }
+    return BURNISH_STATUS_OK;
+}
+
+int cli_run(const cli_command *command, int argc, char **argv) {
+    burnish_error error;
+    cli_call call = {0};
+    if (command->parts) {
+        return run_part(command, argc, argv);
+    }
+    void *settings = calloc(1, command->settings_size + 1); /* + 1: never 0 bytes */
+    call.arguments = calloc((size_t)argc + 1, sizeof *call.arguments);
+    burnish_status status = settings && call.arguments ? cli_defaults(command, settings, &error)
+                                                       : cli_fail(&error, BURNISH_STATUS_MEMORY,
+                                                                  "out of memory for the settings");
+    if (status == BURNISH_STATUS_OK) {
+        status = cli_parse(command, argc, argv, settings, &call, &error);
+    }
+    if (status == BURNISH_STATUS_OK && !call.help) {
+        status = check_files(&call, &error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = call.help ? cli_print_help(command, call.topic, &error)
+                           : command->work(settings, &call, &error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = cli_finish_output(&error);
+    }
+    free(settings);
+    free(call.arguments);
+    return status == BURNISH_STATUS_OK ? call.exit_code : cli_exit_code(status, &error);
+}
