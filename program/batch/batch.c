@@ -4,7 +4,6 @@
 #include "batch/index.h"
 #include "batch/inputs.h"
 #include "batch/names.h"
-#include "batch/order.h"
 #include "batch/pool.h"
 #include "batch/report.h"
 #include "batch/runner.h"
@@ -103,7 +102,10 @@ static const cli_flag flags[] = {
          "Draws part _I_ of _N_, counted from 1, for independent tasks such as a job array. All "
          "tasks must see the same inputs, which are divided by size. The report is "
          "*burnish-batch-*_I_*-of-*_N_*.jsonl*. Afterwards the same command without *--shard* "
-         "draws what is missing, merges the reports and removes those of the parts."},
+         "draws what is missing, merges the reports and removes those of the parts.\n"
+         "*--shard=rank* takes _I_ and _N_ from *mpirun* or *srun*, which has started the "
+         "program. The exit code is then 0 even if inputs fail, because *mpirun* would end the "
+         "other ranks; that of the last command counts."},
     {CLI_FLAG("jobs", "N", "pictures at a time", cli_flag_integer, jobs), CLI_RANGE(0, 1024),
      .default_text = "0", .default_label = "all cores", .letter = 'j', .common = 1,
      .aliases = "threads,parallel",
@@ -125,14 +127,6 @@ static const cli_flag flags[] = {
     {CLI_SWITCH("no-seconds", "omit times from the report", no_seconds),
      .manual =
          "Leaves *seconds* out of the report, which is then identical on every run and machine."},
-    {CLI_FLAG("runners", "N", "share the work with N processes", cli_flag_integer, runners),
-     CLI_RANGE(0, 65536),
-     .manual = "For programs that start runners on other machines, such as *burnish-mpi* "
-               "(docs/scale.md): the sockets from descriptor 3 on are connected to processes "
-               "*burnish batch --runner* with the same flags. If a socket closes, its items go to "
-               "other runners. The default of *--jobs* is then 1."},
-    {CLI_SWITCH("runner", "draw for a process with --runners", runner),
-     .manual = "Draws the items received on the socket at descriptor 3. _INPUT_ is ignored."},
     {.group = "Picture",
      .topic = "picture",
      CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size,
@@ -221,19 +215,42 @@ const cli_command batch_command = {
 
 /* ---- Work ---- */
 
+/* Takes the rank and the number of ranks from what Open MPI's mpirun, MPICH's or srun has set. */
+static int find_rank(batch_part *part) {
+    static const char *const names[][2] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+                                           {"PMI_RANK", "PMI_SIZE"},
+                                           {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        const char *rank = getenv(names[i][0]), *size = getenv(names[i][1]);
+        if (rank && size) {
+            *part = (batch_part){atoi(rank) + 1, atoi(size), 1};
+            return part->index >= 1 && part->index <= part->count;
+        }
+    }
+    return 0;
+}
+
 static burnish_status flag_part(const cli_flag *flag, const char *text, void *target,
                                 burnish_error *error) {
     batch_part *part = target;
+    if (strcmp(text, "rank") == 0) {
+        return find_rank(part) ? BURNISH_STATUS_OK
+                               : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                          "--%s: neither mpirun nor srun has set a rank; start "
+                                          "burnish with one of them, or give I/N, such as 3/100",
+                                          flag->name);
+    }
     const char *slash = strchr(text, '/');
     double index, count;
     if (!slash || !cli_read_real(text, (size_t)(slash - text), &index) ||
         !cli_read_real(slash + 1, strlen(slash + 1), &count) || index < 1 || index > count ||
         count > 1e6 || index != (double)(int)index || count != (double)(int)count) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100",
+                        "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100, "
+                        "or rank",
                         flag->name, text);
     }
-    *part = (batch_part){(int)index, (int)count};
+    *part = (batch_part){(int)index, (int)count, 0};
     return BURNISH_STATUS_OK;
 }
 
@@ -491,23 +508,6 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     return status;
 }
 
-/* Runs as a runner of a batch on another machine. */
-static burnish_status run_orders(batch *b, batch_settings *settings, burnish_error *error) {
-    enum { CHANNEL = 3 };
-    struct stat state;
-    const burnish_status status = check(settings, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    if (fstat(CHANNEL, &state) != 0 || !S_ISSOCK(state.st_mode)) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--runner: descriptor %d is not a socket; burnish-mpi opens it", CHANNEL);
-    }
-    fcntl(CHANNEL, F_SETFD, FD_CLOEXEC);
-    batch_runner(b, CHANNEL);
-    return BURNISH_STATUS_OK;
-}
-
 static void release(batch *b) {
     for (size_t i = 0; i < b->list.count; ++i) {
         free(b->list.items[i].input);
@@ -526,13 +526,11 @@ burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_erro
                .unmet = ~0U,
                .report = settings->has_no_report ? NULL : choose_report(settings)};
     list_options(&b, call);
-    batch_hash_drawer(&b);
     burnish_status status = b.options && (b.report || settings->has_no_report)
-                                ? (settings->runner ? run_orders(&b, settings, error)
-                                                    : draw_all(&b, settings, call, error))
+                                ? draw_all(&b, settings, call, error)
                                 : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     const int signal_number = status == BURNISH_STATUS_OK ? b.is_stopped : 0;
-    call->exit_code = b.failed > 0 ? CLI_EXIT_SOME_FAILED : 0;
+    call->exit_code = b.failed > 0 && !settings->part.is_rank ? CLI_EXIT_SOME_FAILED : 0;
     release(&b);
     if (signal_number) {
         signal(signal_number, SIG_DFL);

@@ -52,12 +52,11 @@ burnish_status batch_take_part(batch *b, burnish_error *error) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the list of inputs");
     }
     for (size_t at = 0; at < list->count; ++at) {
-        list->items[order[at]].held = (uint8_t)is_dealt(part, at);
+        list->items[order[at]].is_in_part = is_dealt(part, at);
     }
     for (size_t i = 0; i < list->count; ++i) {
         batch_item item = list->items[i];
-        if (item.held) {
-            item.held = 0;
+        if (item.is_in_part) {
             list->items[kept++] = item;
         } else {
             free(item.input);

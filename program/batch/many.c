@@ -28,8 +28,6 @@ static burnish_status check(const render_settings *settings, burnish_error *erro
                         : settings->output.reference       ? "reference"
                         : settings->job.timing             ? "timing"
                         : settings->picture.rows.count > 0 ? "rows"
-                        : settings->job.runners > 0        ? "runners"
-                        : settings->job.runner             ? "runner"
                                                            : NULL;
     return alone ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
                             "--%s: is of one picture; draw one INPUT, without --output-dir", alone)

@@ -1,13 +1,8 @@
-/* Hands items to runners and collects their report lines.
- *
- * Local runners are forked by this process. Remote runners are sockets. A socket is closed when its
- * machine is lost, and the item goes to another runner. When no items are left, idle runners repeat
- * slow items of remote runners; the first reply counts. */
+/* Hands items to runners, which are forked from this process, and collects their report lines. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "batch/cost.h"
-#include "batch/order.h"
 #include "batch/pool.h"
 #include "batch/report.h"
 #include "batch/runner.h"
@@ -20,30 +15,23 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
 
-#include "base/cli/run.h"
 #include "base/clock.h"
+#include "base/cli/run.h"
+#include "base/cli/write.h"
 #include "sandbox/channel.h"
 
-enum {
-    NOTHING = -1,
-    RUNNERS_AT = 3,     /* descriptor of the first remote runner */
-    LOST_MAX = 3,       /* an item fails after so many lost machines */
-    SECOND_SECONDS = 3, /* after which an idle runner repeats a remote item */
-    LINE_MAX_BYTES = 1 << 24
-};
+enum { NOTHING = -1, LINE_MAX_BYTES = 1 << 24 };
 
 typedef struct worker {
     pid_t process; /* 0: none */
-    int is_elsewhere;
-    int channel; /* NOTHING: closed */
-    long item;   /* being drawn; or NOTHING */
+    int channel;   /* NOTHING: closed */
+    long item;     /* being drawn; or NOTHING */
     double start;
 } worker;
 
@@ -52,8 +40,6 @@ typedef struct pool {
     worker *workers;
     size_t count, next; /* next: index into order */
     uint32_t *order;
-    uint32_t *lost; /* items of lost machines, to be handed out again */
-    size_t lost_count;
     FILE *report; /* receives each line as it arrives; NULL: none */
     double start, shown;
     int is_terminal;
@@ -122,23 +108,6 @@ static int start_runner(pool *p, worker *w) {
     return w->process > 0;
 }
 
-/* Adopts the sockets of --runners. */
-static burnish_status take_runners(pool *p, worker *workers, burnish_error *error) {
-    for (int i = 0; i < p->b->settings->runners; ++i) {
-        struct stat state;
-        const int channel = RUNNERS_AT + i;
-        if (fstat(channel, &state) != 0 || !S_ISSOCK(state.st_mode)) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--runners: descriptor %d is not a socket; burnish-mpi opens them",
-                            channel);
-        }
-        fcntl(channel, F_SETFD, FD_CLOEXEC);
-        workers[i].is_elsewhere = 1;
-        workers[i].channel = channel;
-    }
-    return BURNISH_STATUS_OK;
-}
-
 /* Ends a runner and returns its wait status. */
 static int end_runner(worker *w, int number) {
     int state = 0;
@@ -179,61 +148,23 @@ static void keep_line(pool *p, uint32_t index, char *line, const batch_reply *re
     }
 }
 
-/* The item that a remote runner has held longest, for at least SECOND_SECONDS. */
-static long find_slow(const pool *p) {
-    const double now = burnish_seconds_now();
-    const worker *slow = NULL;
-    for (size_t i = 0; i < p->count; ++i) {
-        const worker *w = &p->workers[i];
-        if (w->is_elsewhere && w->item != NOTHING && now - w->start > SECOND_SECONDS &&
-            !p->b->list.items[w->item].line && p->b->list.items[w->item].held == 1 &&
-            (!slow || w->start < slow->start)) {
-            slow = w;
-        }
-    }
-    return slow ? slow->item : NOTHING;
-}
-
-static long choose_item(pool *p) {
-    while (p->lost_count > 0) {
-        const uint32_t index = p->lost[--p->lost_count];
-        if (!p->b->list.items[index].line) {
-            return (long)index;
-        }
-    }
-    return p->next < p->b->list.count ? (long)p->order[p->next++] : find_slow(p);
-}
-
-/* Returns an item to the queue if no other runner holds it. */
-static void give_back(pool *p, long index) {
-    batch_item *item = &p->b->list.items[index];
-    item->held -= 1;
-    if (!item->line && item->held == 0) {
-        p->lost[p->lost_count++] = (uint32_t)index;
-    }
-}
-
-/* Gives a runner an item and restarts the runner if it has died. */
+/* Gives a runner the next item and starts the runner if there is none. */
 static void hand_out(pool *p, worker *w) {
-    if (stopped || (w->is_elsewhere && w->channel == NOTHING)) {
+    if (stopped || p->next == p->b->list.count) {
         return;
     }
-    const long index = choose_item(p);
-    if (index == NOTHING) {
-        return;
-    }
-    p->b->list.items[index].held += 1;
+    const uint32_t index = p->order[p->next];
     w->start = burnish_seconds_now();
     if ((w->channel != NOTHING || start_runner(p, w)) &&
-        batch_send_order(p->b, w->channel, (uint32_t)index)) {
+        cli_write_all(w->channel, &index, sizeof index)) {
         w->item = index;
+        p->next += 1;
         return;
     }
-    give_back(p, index);
     end_runner(w, 0);
 }
 
-/* Handles the loss of a runner or of its machine. */
+/* Handles the death of a runner. */
 static void lose_runner(pool *p, worker *w) {
     const long index = w->item;
     const double seconds = burnish_seconds_now() - w->start;
@@ -241,23 +172,12 @@ static void lose_runner(pool *p, worker *w) {
     if (index == NOTHING || stopped) {
         return;
     }
-    batch_item *item = &p->b->list.items[index];
-    if (w->is_elsewhere && ++item->lost < LOST_MAX) {
-        give_back(p, index);
-        return;
-    }
     char text[120];
-    item->held -= 1;
-    if (w->is_elsewhere) {
-        snprintf(text, sizeof text, "%d machines were lost that drew it", LOST_MAX);
-    } else {
-        snprintf(text, sizeof text, "the process that drew it was ended by signal %d",
-                 WIFSIGNALED(state) ? WTERMSIG(state) : 0);
-    }
-    if (!item->line && item->held == 0) {
-        keep_line(p, (uint32_t)index, batch_failed_line(p->b, item, 1, text, seconds),
-                  &(batch_reply){.failed = BATCH_FAILED});
-    }
+    snprintf(text, sizeof text, "the process that drew it was ended by signal %d",
+             WIFSIGNALED(state) ? WTERMSIG(state) : 0);
+    keep_line(p, (uint32_t)index,
+              batch_failed_line(p->b, &p->b->list.items[index], 1, text, seconds),
+              &(batch_reply){.failed = BATCH_FAILED});
 }
 
 static void receive_reply(pool *p, worker *w) {
@@ -275,14 +195,8 @@ static void receive_reply(pool *p, worker *w) {
         return;
     }
     line[reply.size] = 0;
-    batch_item *item = &p->b->list.items[w->item];
-    item->held -= 1;
     w->item = NOTHING;
-    if (item->line || (reply.failed && item->held > 0)) { /* another runner may still succeed */
-        free(line);
-    } else {
-        keep_line(p, reply.index, line, &reply);
-    }
+    keep_line(p, reply.index, line, &reply);
 }
 
 /* ---- Progress ---- */
@@ -320,8 +234,7 @@ static size_t lend(pool *p, struct pollfd *ready) {
             hand_out(p, w);
         }
         active += w->item != NOTHING;
-        ready[i] = (struct pollfd){w->item != NOTHING || w->is_elsewhere ? w->channel : NOTHING,
-                                   POLLIN, 0};
+        ready[i] = (struct pollfd){w->item != NOTHING ? w->channel : NOTHING, POLLIN, 0};
     }
     return active;
 }
@@ -376,30 +289,27 @@ static void catch_signals(void) {
     }
 }
 
-/* The number of pictures drawn at a time on this machine. */
+/* The number of pictures drawn at a time. */
 static size_t count_jobs(const batch *b) {
-    const size_t jobs = b->settings->jobs > 0      ? (size_t)b->settings->jobs
-                        : b->settings->runners > 0 ? 1
-                                                   : (size_t)burnish_processor_count();
+    const size_t jobs =
+        b->settings->jobs > 0 ? (size_t)b->settings->jobs : (size_t)burnish_processor_count();
     return jobs < b->list.count ? jobs : b->list.count;
 }
 
 static burnish_status begin(pool *p, burnish_error *error) {
-    const size_t jobs = count_jobs(p->b), elsewhere = (size_t)p->b->settings->runners;
-    p->workers = calloc(jobs + elsewhere + 1, sizeof *p->workers);
-    p->lost = calloc(jobs + elsewhere + 1, sizeof *p->lost);
+    const size_t jobs = count_jobs(p->b);
+    p->workers = calloc(jobs + 1, sizeof *p->workers);
     p->order = batch_order_by_cost(&p->b->list);
-    if (!p->workers || !p->lost || !p->order) {
+    if (!p->workers || !p->order) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     }
-    p->count = jobs + elsewhere;
+    p->count = jobs;
     for (size_t i = 0; i < p->count; ++i) {
         p->workers[i].item = NOTHING;
         p->workers[i].channel = NOTHING;
     }
     catch_signals();
-    const burnish_status status = take_runners(p, p->workers + jobs, error);
-    return status == BURNISH_STATUS_OK ? open_report(p, error) : status;
+    return open_report(p, error);
 }
 
 burnish_status batch_run(batch *b, burnish_error *error) {
@@ -414,7 +324,7 @@ burnish_status batch_run(batch *b, burnish_error *error) {
     if (p.is_terminal) {
         fprintf(stderr, "\r\033[K");
     }
-    for (size_t i = 0; i < p.count; ++i) { /* a busy runner has an item that another has finished */
+    for (size_t i = 0; i < p.count; ++i) {
         end_runner(&p.workers[i], stopped || p.workers[i].item != NOTHING ? SIGTERM : 0);
     }
     if (p.report) {
@@ -423,7 +333,6 @@ burnish_status batch_run(batch *b, burnish_error *error) {
     b->is_stopped = stopped;
     free(ready);
     free(p.workers);
-    free(p.lost);
     free(p.order);
     return status;
 }

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "batch/names.h"
-#include "batch/order.h"
 #include "batch/report.h"
 #include "batch/runner.h"
 #include "batch/types.h"
@@ -27,10 +26,10 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "base/cli/output.h"
-#include "base/cli/write.h"
 #include "base/clock.h"
 #include "cli/limits.h"
+#include "base/cli/output.h"
+#include "base/cli/write.h"
 #include "import/importers.h"
 #include "render/check.h"
 #include "render/output/report.h"
@@ -159,18 +158,20 @@ static int fits_memory(const cJSON *line, uint64_t max_memory) {
     return !item || (cJSON_IsNumber(item) && item->valuedouble == (double)max_memory);
 }
 
-/* Whether the line of an earlier run still applies. */
-static int is_unchanged(const batch *b, const batch_order *order, uint64_t hash) {
+/* Whether the line of an earlier run, or NULL, still applies. */
+static int is_unchanged(const batch *b, const batch_item *item, const struct batch_past_line *past,
+                        uint64_t hash) {
     struct stat state;
-    if (!order->past || stat(order->item.output, &state) != 0 || state.st_size == 0) {
+    if (!past || !past->is_same || b->settings->force || stat(item->output, &state) != 0 ||
+        state.st_size == 0) {
         return 0;
     }
-    cJSON *object = cJSON_Parse(order->past);
+    cJSON *object = cJSON_Parse(past->line);
     const int is_same = object && strcmp(text_of(object, "status"), "done") == 0 &&
                         is_hash(text_of(object, "hash"), hash) &&
                         !cJSON_HasObjectItem(object, "uncertain") &&
                         fits_memory(object, b->settings->render.job.max_memory) &&
-                        has_same_files(object, order->item.input);
+                        has_same_files(object, item->input);
     cJSON_Delete(object);
     return is_same;
 }
@@ -435,13 +436,13 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     return cli_json_string(object, failed, 0);
 }
 
-/* The settings of one item. */
-static void set_item(const batch *b, const batch_order *order, render_settings *settings) {
-    const batch_item *item = &order->item;
+/* The settings of one item; is_ours: an earlier run has drawn it. */
+static void set_item(const batch *b, const batch_item *item, int is_ours,
+                     render_settings *settings) {
     *settings = b->settings->render;
     settings->input.name = item->input;
     settings->output.path = item->output;
-    settings->output.overwrite |= order->is_ours;
+    settings->output.overwrite |= is_ours;
     settings->output.is_derived = 1; /* the existing file may be a texture */
     if (item->view >= 0) {
         settings->picture.views.items[0] = settings->picture.views.items[item->view];
@@ -452,8 +453,9 @@ static void set_item(const batch *b, const batch_order *order, render_settings *
 }
 
 /* Returns the line, to be freed, and fills *reply, which is sent before it. */
-static char *run_item(const runner *r, const batch_order *order, batch_reply *reply) {
-    const batch_item *item = &order->item;
+static char *run_item(const runner *r, uint32_t index, batch_reply *reply) {
+    const batch_item *item = &r->b->list.items[index];
+    const struct batch_past_line *past = batch_past_line(&r->b->past, item->id);
     const double start = burnish_seconds_now();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     render_settings settings;
@@ -465,12 +467,12 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
         status = cli_fail(&error, BURNISH_STATUS_READ, "%.300s: can't be read: %s", item->input,
                           errno == EINVAL ? "it is no file" : strerror(errno));
     }
-    *reply = (batch_reply){.index = order->index};
-    if (status == BURNISH_STATUS_OK && is_unchanged(r->b, order, hash)) {
+    *reply = (batch_reply){.index = index};
+    if (status == BURNISH_STATUS_OK && is_unchanged(r->b, item, past, hash)) {
         reply->is_kept = 1;
-        return strdup(order->past);
+        return strdup(past->line);
     }
-    set_item(r->b, order, &settings);
+    set_item(r->b, item, past != NULL, &settings);
     settings.job.on_result = record_result;
     settings.job.user_data = r->shared;
     r->shared->is_drawn = 0;
@@ -509,16 +511,15 @@ static char *run_item(const runner *r, const batch_order *order, batch_reply *re
 void batch_runner(const batch *b, int channel) {
     runner r = {
         b, mmap(NULL, sizeof(facts), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)};
-    batch_order order;
+    uint32_t index;
     int is_there = 1;
-    while (is_there && r.shared != MAP_FAILED && batch_receive_order(b, channel, &order)) {
+    while (is_there && r.shared != MAP_FAILED && channel_read(channel, &index, sizeof index)) {
         batch_reply reply;
-        char *line = run_item(&r, &order, &reply);
+        char *line = run_item(&r, index, &reply);
         reply.size = line ? (uint32_t)strlen(line) : 0;
         is_there = cli_write_all(channel, &reply, sizeof reply) &&
                    (!line || cli_write_all(channel, line, reply.size));
         free(line);
-        batch_release_order(&order);
     }
 }
 

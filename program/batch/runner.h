@@ -4,7 +4,7 @@
 
 #include "batch/types.h"
 
-/* Runs a runner: receives orders from the channel and sends report lines back. */
+/* Runs a runner: receives indices of items from the channel and sends report lines back. */
 void batch_runner(const batch *b, int channel);
 
 enum { BATCH_FAILED = 1, BATCH_LATE = 2 };

@@ -19,6 +19,7 @@ extern const batch_unit batch_units[BATCH_UNITS];
 /* Part `index` of `count`, counted from 1; 0 of 0 means all. */
 typedef struct batch_part {
     int index, count;
+    int is_rank; /* 1: taken from the environment that mpirun or srun sets */
 } batch_part;
 
 typedef struct batch_settings {
@@ -32,8 +33,6 @@ typedef struct batch_settings {
     int unit;               /* of files that state none, as a number of batch_units */
     int recursive, jobs, force, index, no_sandbox, no_seconds;
     batch_part part;
-    int runners;       /* sockets to runners on other machines, from descriptor 3 on */
-    int runner;        /* 1: this process is such a runner */
     int has_no_report; /* 1: no report is written */
     cli_given given;   /* flags that render does not have */
 } batch_settings;
@@ -50,8 +49,7 @@ typedef struct batch_item {
     char *line;     /* report line; NULL: not done yet */
     int is_kept;    /* 1: unchanged since an earlier run */
     int has_failed;
-    uint8_t held; /* number of runners that have it */
-    uint8_t lost; /* number of machines that were lost while drawing it */
+    int is_in_part; /* 1: this part of the batch draws it */
 } batch_item;
 
 typedef struct batch_items {
@@ -78,7 +76,6 @@ typedef struct batch {
     char *options;         /* the flags that affect pictures, as typed */
     uint64_t options_hash; /* of the files that these name, in order; 0: none */
     char *report;          /* the report's path; NULL: none */
-    uint64_t drawer;       /* hash of version, options and their files; a runner's must be equal */
     batch_past past;
     size_t done, kept, failed;
     size_t passed_over; /* files with a mesh extension that are not meshes */

@@ -14,10 +14,6 @@
 #include "render/scene/options.h"
 #include "render/useless.h"
 
-int render_is_shared(const render_job_settings *job) {
-    return job->runner || job->runners > 0;
-}
-
 static int is_standard(const char *path) {
     return strcmp(path, "-") == 0;
 }
@@ -355,43 +351,6 @@ static burnish_status check_rows(render_settings *settings, burnish_error *error
                  : BURNISH_STATUS_OK;
 }
 
-/* Other processes draw frames of a turntable or bands of a picture. No process has the whole
- * picture, so the file is the only output. */
-static burnish_status check_runners(render_settings *settings, burnish_error *error) {
-    const char *flag = settings->job.runner ? "runner" : "runners";
-    const char *extra = settings->output.turntable          ? NULL
-                        : settings->picture.rows.count > 0  ? "rows"
-                        : settings->output.planes.count > 0 ? "plane"
-                        : settings->picture.annotations     ? "annotate"
-                        : settings->output.reference        ? "reference"
-                        : sheet_flag(settings)              ? sheet_flag(settings)
-                        : settings->output.json             ? "json"
-                        : settings->output.fail_on_blank    ? "fail-on-blank"
-                                                            : NULL;
-    if (!render_is_shared(&settings->job)) {
-        return BURNISH_STATUS_OK;
-    }
-    if (settings->job.sandbox) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: not available with --sandbox; omit one of them", flag);
-    }
-    return extra ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: not available if other processes draw parts of the picture; "
-                            "omit the flag",
-                            extra)
-                 : BURNISH_STATUS_OK;
-}
-
-/* Bands of a picture are written as PNG. Checked when the format is known. */
-static burnish_status check_shared_output(render_settings *settings, burnish_error *error) {
-    return render_is_shared(&settings->job) && !settings->output.turntable &&
-                   settings->output.format != PICTURE_PNG
-               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "--output: other processes can only draw parts of a PNG or a "
-                          "--turntable; use the extension .png")
-               : BURNISH_STATUS_OK;
-}
-
 static burnish_status check_reference(render_settings *settings, burnish_error *error) {
     const char *reference = settings->output.reference,
                *difference = settings->output.reference_difference;
@@ -429,10 +388,9 @@ static burnish_status check_reference(render_settings *settings, burnish_error *
 /* The order matters: later checks need the output's name, and then its format. */
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
     typedef burnish_status check(render_settings * settings, burnish_error * error);
-    static check *const checks[] = {render_check,        check_runners,        check_rows,
-                                    check_labels,        name_output,          check_output,
-                                    check_shared_output, render_check_drawing, check_planes,
-                                    check_reference,     check_report};
+    static check *const checks[] = {render_check, check_rows,      check_labels,
+                                    name_output,  check_output,    render_check_drawing,
+                                    check_planes, check_reference, check_report};
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < sizeof checks / sizeof *checks && status == BURNISH_STATUS_OK; ++i) {
         status = checks[i](settings, error);

@@ -10,7 +10,4 @@ burnish_status render_check(render_settings *settings, burnish_error *error);
 /* Checks flags as render_check does, and finds the output's name and format. Errors: ARGUMENT. */
 burnish_status render_finish(render_settings *settings, burnish_error *error);
 
-/* Whether other processes draw parts, or this one draws parts for another. */
-int render_is_shared(const render_job_settings *job);
-
 #endif

@@ -240,17 +240,6 @@ static const cli_flag flags[] = {
     {CLI_FLAG("fps", "N", "frames per second of a turntable", cli_flag_integer, output.fps),
      CLI_RANGE(1, 120), .default_text = "20", .aliases = "frame-rate",
      .manual = "Frames per second of a turntable, from 1 to 120; at most 50 in a GIF."},
-    {CLI_FLAG("runners", "N", "share the work with N processes", cli_flag_integer, job.runners),
-     CLI_RANGE(0, 65536),
-     .manual = "Shares the frames of a turntable, or bands of one picture, with _N_ processes "
-               "*burnish render --runner* with the same flags, which are connected by sockets at "
-               "descriptors 3, 4 and so on. *burnish-mpi* starts both (docs/scale.md). The file "
-               "has the same bytes. A picture is written as PNG. It is never complete in memory, "
-               "so sheets, *--rows*, *--annotate*, *--plane*, *--reference*, *--json* and "
-               "*--fail-on-blank* are not available."},
-    {CLI_SWITCH("runner", "draw parts for a process with --runners", job.runner),
-     .manual = "Draws the frames or bands that are requested by the socket at descriptor 3, and "
-               "writes no file."},
     {CLI_SWITCH("overwrite", "replace a file that burnish did not write", output.overwrite),
      .manual = "Replaces any file that has the picture's default name, or the name of *--output* "
                "without an extension of pictures. Without this flag only pictures written by "

@@ -17,7 +17,6 @@
 #include "render/check.h"
 #include "render/cut.h"
 #include "render/output/annotate.h"
-#include "render/output/bands.h"
 #include "render/output/cells.h"
 #include "render/output/legend.h"
 #include "render/output/projection.h"
@@ -220,24 +219,10 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
     return status;
 }
 
-/* A picture shared with other processes. */
-static burnish_status make_bands(render_result *result, burnish_renderer *renderer,
-                                 burnish_render_options *options, burnish_error *error) {
-    const render_bands bands = {result, renderer, options, report};
-    const burnish_status status = aim_cells(result, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    return (result->settings->job.runner ? render_serve_bands : render_write_bands)(&bands, error);
-}
-
 /* Draws, composes and writes; result receives the facts of the report. */
 static burnish_status make_picture(render_result *result, burnish_renderer *renderer,
                                    burnish_render_options *options, burnish_image *sheet,
                                    burnish_error *error) {
-    if (render_is_shared(&result->settings->job) && !result->settings->output.turntable) {
-        return make_bands(result, renderer, options, error);
-    }
     burnish_status status = draw_cells(result, renderer, options, error);
     result->picture = &result->cells[0].image;
     result->hash = result->cells[0].hash;
@@ -256,9 +241,8 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
         return report(result, error);
     }
     const render_turntable turntable = {result, renderer, options, draw_frame, report};
-    return result->settings->job.runner         ? render_serve_turntable(&turntable, error)
-           : result->settings->output.turntable ? render_write_turntable(&turntable, error)
-                                                : write_picture(result, error);
+    return result->settings->output.turntable ? render_write_turntable(&turntable, error)
+                                              : write_picture(result, error);
 }
 
 /* Loads the mesh, prints its warnings and finds the up axis. */

@@ -214,12 +214,21 @@ check "all was drawn" [ -z "$(find out -name '*.png' -newermt 2002-01-01)" ]
 check "an array and a queue: $(diff -r out reference 2>&1 | head -n 3)" diff -r out reference
 rm -rf out reference programs
 for part in 0/3 4/3 1.5/3 3 /; do
-    expect 2 "burnish: --shard: \"$part\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100" batch in --shard=$part
+    expect 2 "burnish: --shard: \"$part\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100, or rank" batch in --shard=$part
 done
+expect 2 'burnish: --shard: neither mpirun nor srun has set a rank; start burnish with one of them, or give I/N, such as 3/100' batch in --shard=rank
+# Ranks: mpirun would end the others if one had another exit code than 0.
+for rank in 0 1 2; do
+    export PMI_RANK=$rank PMI_SIZE=3
+    batch in -r -d out --size=16 --shard=rank
+    check "rank $rank: exit code $code, $(cat "$err")" [ "$code" = 0 ]
+done
+unset PMI_RANK PMI_SIZE
+check "ranks are parts" [ "$(find out -name '*-of-3.jsonl' | wc -l)" = 3 ]
+check "a rank has a failed input" grep -q '"status":"failed"' out/burnish-batch-*.jsonl
+rm -rf out
 expect 2 'burnish: --shard: not with --index or --sheet; after all parts, run the same command without --shard to write them' \
     batch in --shard=1/2 --index
-expect 2 'burnish: --runner: descriptor 3 is not a socket; burnish-mpi opens it' batch --runner
-expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens them' batch in -d out --runners=1
 rm -rf out
 
 # Names: lists, templates, views; nothing outside the folder, no duplicate pictures.

@@ -33,8 +33,6 @@ same plane=depth:../d.npy
 other turntable
 same frames=10
 same fps=10
-other runners
-other runner
 same overwrite
 drawn up=+Z
 drawn camera-direction=0,0,-1

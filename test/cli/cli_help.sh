@@ -97,18 +97,18 @@ one_picture="plane reference reference-difference reference-threshold rows turnt
     compares batch
     lacks "a request has no files" $one_picture frames output output-dir overwrite files-from recursive font
     lacks "the reply has it" json timing quiet
-    lacks "the default; --jobs" sandbox runner runners
+    lacks "the default; --jobs" sandbox
     compares serve-stdio
     lacks "files or parts of one picture" $one_picture output-dir output-format overwrite files-from recursive quality dpi frames
     lacks "both sides have one size, one view and no notes" width height columns labels no-labels font annotate fail-on-blank
     lacks "cuts and colours of one mesh" clip color-by color-map color-range no-legend
-    lacks "processes of render" max-memory max-seconds no-sandbox sandbox runner runners timing
+    lacks "processes of render" max-memory max-seconds no-sandbox sandbox timing
     compares compare
     lacks "files or parts of one picture" $one_picture output-dir output-format overwrite files-from recursive quality dpi json
     lacks "the window has its size, one view and no notes" size width height columns labels no-labels font annotate fail-on-blank
     lacks "the window's background is opaque" no-background
     lacks "the actions of the window have no colours by value" color-by color-map color-range no-legend
-    lacks "processes of render" max-memory max-seconds no-sandbox sandbox runner runners timing quiet
+    lacks "processes of render" max-memory max-seconds no-sandbox sandbox timing quiet
     compares view
 }
 

@@ -12,14 +12,6 @@ expect 2 'burnish: --annotate: not available with --rows; omit one of them' rend
 expect 2 'burnish: --views: not available with --rows; omit one of them' render :sphere --rows=0:5 --views=top,front
 expect 2 'burnish: --rows: is of one picture; draw one INPUT, without --output-dir' render :sphere :knot --rows=0:5 -d out
 expect 2 'burnish: --rows: an SVG has the lines of all rows; omit the flag, or use the extension .png' render :sphere --rows=0:5 --look=drawing -o s.svg
-# of bands that others draw (docs/scale.md)
-for flag in --rows=0:5 --plane=depth:d.npy --annotate=axes --reference=p.png --views=top,front --lobe=energy:2,taylor:2 --json --fail-on-blank; do
-    name=${flag%%=*}
-    expect 2 "burnish: $name: not available if other processes draw parts of the picture; omit the flag" render :sphere -o p.png --runners=1 "$flag"
-done
-expect 2 'burnish: --output: other processes can only draw parts of a PNG or a --turntable; use the extension .png' render :sphere -o p.jpg --runner
-expect 2 'burnish: --runner: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere --size=16 -o p.png --runner
-expect 2 'burnish: --runners: is of one picture; draw one INPUT, without --output-dir' render :sphere :knot --runners=1 -d out
 nothing_left "wrong usage"
 
 # The report, and no warning of rows that show nothing.

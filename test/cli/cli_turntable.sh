@@ -16,10 +16,6 @@ expect 2 'burnish: --plane: a turntable shows only one view and one lobe; omit t
 expect 2 'burnish: --annotate: a turntable shows only one view and one lobe; omit the flag' render :sphere --turntable=t.gif --annotate=box
 expect 2 'burnish: --no-background: .y4m has no alpha; write PNG or WebP' render :sphere --turntable=t.y4m --no-background
 expect 2 'burnish: --output: "t.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' render :sphere -o t.gif
-expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere -o s.png --runners=1
-expect 2 'burnish: --runner: not available with --sandbox; omit one of them' render :sphere --turntable=t.gif --runner --sandbox
-expect 2 'burnish: --runner: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runner
-expect 2 'burnish: --runners: descriptor 3 is not a socket; burnish-mpi opens it' render :sphere --size=16 --turntable=t.gif --runners=2
 nothing_left "wrong usage"
 
 # Nothing is left of a file that can't be completed, and an older one stays.

@@ -9,7 +9,7 @@
 #include "render/output/report.h"
 #include "render/scene/camera.h"
 
-void render_warn_about_cell(render_result *result, const render_cell *cell) {
+static void warn_about_cell(render_result *result, const render_cell *cell) {
     const char *input = result->settings->input.name;
     const char *picture = result->cell_count > 1 ? cell->label : "the picture";
     const int is_printed =
@@ -43,7 +43,7 @@ void render_warn_about_cell(render_result *result, const render_cell *cell) {
     }
 }
 
-void render_aim_options(const render_result *result, burnish_render_options *options,
+static void aim_options(const render_result *result, burnish_render_options *options,
                         const render_cell *cell) {
     if (render_is_projection(result->settings)) {
         render_aim_projection(result, cell, options);
@@ -56,7 +56,7 @@ void render_aim_options(const render_result *result, burnish_render_options *opt
 burnish_status render_draw_pixels(render_result *result, burnish_renderer *renderer,
                                   burnish_render_options *options, render_cell *cell, float **depth,
                                   burnish_error *error) {
-    render_aim_options(result, options, cell);
+    aim_options(result, options, cell);
     burnish_status status = render_draw(result, renderer, options, cell, depth, error);
     result->seconds.transform += cell->report.seconds_transform;
     result->seconds.draw += cell->report.seconds_draw;
@@ -79,7 +79,7 @@ burnish_status render_draw_cell(render_result *result, burnish_renderer *rendere
         result->settings->output.fail_on_blank) {
         cell->has_one_color = render_has_one_color(&cell->image);
     }
-    render_warn_about_cell(result, cell);
+    warn_about_cell(result, cell);
     status = render_annotate(result, options, cell, depth, error);
     if (status == BURNISH_STATUS_OK) {
         render_draw_legend(result, options->background, &cell->image);

@@ -14,11 +14,4 @@ burnish_status render_draw_pixels(render_result *result, burnish_renderer *rende
                                   burnish_render_options *options, render_cell *cell, float **depth,
                                   burnish_error *error);
 
-/* Gives options the cell's camera and lobe. */
-void render_aim_options(const render_result *result, burnish_render_options *options,
-                        const render_cell *cell);
-
-/* Warns about the facts of a drawn cell's report. */
-void render_warn_about_cell(render_result *result, const render_cell *cell);
-
 #endif

@@ -4,15 +4,19 @@
 
 #include <math.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-#include "base/cli/values.h"
 #include "base/clock.h"
+#include "base/cli/file.h"
+#include "base/cli/values.h"
 #include "picture/animation.h"
-#include "render/output/pieces.h"
-#include "render/output/stream.h"
+#include "picture/formats.h"
+#include "picture/video.h"
 #include "render/scene/camera.h"
+#include "sandbox/worker.h"
 
 /* ---- The camera's path ---- */
 
@@ -221,11 +225,10 @@ enum { KEPT_BYTES = 64 << 20 };
 typedef struct stream {
     const render_turntable *turntable;
     picture_animation *animation;
-    render_pieces *pieces; /* NULL: all are drawn here */
-    burnish_camera first;  /* the first frame's camera */
-    int kept[SAMPLED];     /* numbers of the frames for the palette, whose pixels are in ... */
-    uint8_t *kept_pixels;  /* ... this array; NULL: drawn again */
-    int drawn;             /* frame in the cell's image; the first one comes with it */
+    burnish_camera first; /* the first frame's camera */
+    int kept[SAMPLED];    /* numbers of the frames for the palette, whose pixels are in ... */
+    uint8_t *kept_pixels; /* ... this array; NULL: drawn again */
+    int drawn;            /* frame in the cell's image; the first one comes with it */
     /* the thread that draws the next frame into the cell while this one is encoded */
     pthread_t thread;
     int is_drawing;
@@ -233,11 +236,16 @@ typedef struct stream {
     burnish_status status;
     burnish_error error;
     burnish_image shown; /* a copy of the frame that is encoded; without pixels: no thread */
+    /* writing */
+    int written;  /* frames */
+    size_t taken; /* bytes of animation->out */
+    int has_progress;
+    burnish_status write_status;
+    burnish_error write_error;
 } stream;
 
-/* Draws a frame into the cell; render_piece_drawer. */
-static burnish_status draw_frame(void *context, int frame, burnish_error *error) {
-    stream *s = context;
+/* Draws a frame into the cell. */
+static burnish_status draw_frame(stream *s, int frame, burnish_error *error) {
     const render_turntable *t = s->turntable;
     render_cell *cell = &t->result->cells[0];
     const burnish_render_report first = cell->report;
@@ -318,28 +326,6 @@ static burnish_status take_frame(stream *s, int frame, const burnish_image **ima
     return status;
 }
 
-/* render_stream_next */
-static burnish_status next_frame(void *context, int frame, const uint8_t **bytes, size_t *size,
-                                 burnish_error *error) {
-    stream *s = context;
-    render_result *result = s->turntable->result;
-    const burnish_image *image = NULL;
-    burnish_status status = BURNISH_STATUS_OK;
-    if (frame < result->settings->output.frames) {
-        image = &result->cells[0].image;
-        status = s->pieces ? render_pieces_take(s->pieces, frame, error)
-                           : take_frame(s, frame, &image, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        const double start = burnish_seconds_now();
-        status = picture_animation_add(s->animation, image, error);
-        result->seconds.encode += burnish_seconds_now() - start;
-    }
-    *bytes = s->animation->out.data;
-    *size = s->animation->out.size;
-    return status;
-}
-
 /* A palette from frames of the whole turn. */
 static burnish_status choose_palette(stream *s, picture_palette *palette, burnish_error *error) {
     const render_turntable *t = s->turntable;
@@ -347,9 +333,7 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
     const int sampled = count < SAMPLED ? count : SAMPLED;
     const burnish_image *image = &t->result->cells[0].image;
     const size_t size = image_size(image);
-    s->kept_pixels = !t->result->settings->job.runners && size <= KEPT_BYTES / SAMPLED
-                         ? malloc(SAMPLED * size)
-                         : NULL;
+    s->kept_pixels = size <= KEPT_BYTES / SAMPLED ? malloc(SAMPLED * size) : NULL;
     picture_histogram *histogram = picture_histogram_create();
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < sampled && status == BURNISH_STATUS_OK; ++i) {
@@ -371,22 +355,78 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
     return status;
 }
 
-static render_pieces_plan plan_pieces(stream *s) {
-    const render_result *result = s->turntable->result;
-    const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
-    return (render_pieces_plan){.runners = result->settings->job.runners,
-                                .count = result->settings->output.frames,
-                                .triangles = view->triangle_count,
-                                .vertices = view->vertex_count,
-                                .image = &result->cells[0].image,
-                                .draw = draw_frame,
-                                .context = s};
+/* Makes and encodes the next frame, and the end of the file after the last one. */
+static burnish_status encode_next(stream *s, burnish_error *error) {
+    render_result *result = s->turntable->result;
+    const burnish_image *image = NULL;
+    const int count = result->settings->output.frames;
+    burnish_status status = BURNISH_STATUS_OK;
+    if (s->has_progress && s->written < count) {
+        fprintf(stderr, "\rburnish: frame %d of %d\033[K", s->written + 1, count);
+    }
+    if (s->written < count) {
+        status = take_frame(s, s->written, &image, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        const double start = burnish_seconds_now();
+        status = picture_animation_add(s->animation, image, error);
+        result->seconds.encode += burnish_seconds_now() - start;
+    }
+    s->taken = 0;
+    s->written += 1;
+    return status;
 }
 
-burnish_status render_serve_turntable(const render_turntable *turntable, burnish_error *error) {
-    stream s = {.turntable = turntable, .first = turntable->result->cells[0].camera};
-    const render_pieces_plan plan = plan_pieces(&s);
-    return render_pieces_serve(&plan, error);
+/* burnish_file_source */
+static size_t take_bytes(void *context, char *buffer, size_t size) {
+    stream *s = context;
+    const picture_bytes *out = &s->animation->out;
+    while (s->taken == out->size && s->write_status == BURNISH_STATUS_OK &&
+           s->written <= s->turntable->result->settings->output.frames) {
+        s->write_status = encode_next(s, &s->write_error);
+    }
+    if (s->write_status != BURNISH_STATUS_OK) {
+        return 0;
+    }
+    const size_t left = out->size - s->taken, count = left < size ? left : size;
+    if (count > 0) {
+        memcpy(buffer, out->data + s->taken, count);
+    }
+    s->taken += count;
+    return count;
+}
+
+/* burnish_file_check */
+static burnish_status finish_file(void *context, burnish_error *error) {
+    const stream *s = context;
+    render_result *result = s->turntable->result;
+    if (s->write_status != BURNISH_STATUS_OK) {
+        *error = s->write_error;
+        return s->write_status;
+    }
+    result->encoded = burnish_seconds_now();
+    result->written = 1;
+    return s->turntable->ready(result, error);
+}
+
+static burnish_status write_frames(stream *s, burnish_error *error) {
+    const render_settings *settings = s->turntable->result->settings;
+    const char *path = render_output_path(&settings->output);
+    const char *container = picture_container((picture_format)settings->output.format);
+    s->has_progress = !settings->job.quiet && isatty(STDERR_FILENO);
+    s->taken = s->animation->out.size; /* the header comes with the first frame */
+    burnish_status status =
+        container && !sandbox_is_worker() /* the broker runs ffmpeg */
+            ? picture_write_video(container, path, take_bytes, s, finish_file, error)
+            : cli_file_write_stream_checked(path, take_bytes, s, finish_file, error);
+    if (s->write_status != BURNISH_STATUS_OK) { /* ffmpeg complains about a truncated stream */
+        *error = s->write_error;
+        status = s->write_status;
+    }
+    if (s->has_progress) {
+        fprintf(stderr, "\r\033[K");
+    }
+    return status;
 }
 
 burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error) {
@@ -410,28 +450,15 @@ burnish_status render_write_turntable(const render_turntable *turntable, burnish
     if (status == BURNISH_STATUS_OK) {
         status = picture_animation_create(&options, &s.animation, error);
     }
-    if (settings->job.runners > 0) {
-        s.drawn = -1;
-    } else if (settings->job.threads != 1) {
+    if (settings->job.threads != 1) {
         s.shown = *image;
         s.shown.pixels = malloc(image_size(image));
     }
-    if (status == BURNISH_STATUS_OK && settings->job.runners > 0) {
-        const render_pieces_plan plan = plan_pieces(&s);
-        status = render_pieces_create(&plan, &s.pieces, error);
-    }
     if (status == BURNISH_STATUS_OK) {
-        const render_stream file = {.result = result,
-                                    .noun = "frame",
-                                    .count = settings->output.frames,
-                                    .next = next_frame,
-                                    .context = &s,
-                                    .ready = turntable->ready};
-        status = render_stream_write(&file, error);
+        status = write_frames(&s, error);
     }
     wait_for_next(&s);
     free(s.shown.pixels);
-    render_pieces_destroy(s.pieces);
     picture_animation_destroy(s.animation);
     free(s.kept_pixels);
     return status;

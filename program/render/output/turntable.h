@@ -29,7 +29,4 @@ typedef struct render_turntable {
  * drawing, the format and writing; no file appears then. */
 burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error);
 
-/* Draws the frames that are requested from --runner, and writes no file. */
-burnish_status render_serve_turntable(const render_turntable *turntable, burnish_error *error);
-
 #endif

@@ -12,8 +12,6 @@ typedef struct render_job_settings {
     int threads;            /* 0: all */
     const char *isa_name;   /* as the flag says */
     burnish_isa isa;
-    int runners; /* number of processes that draw frames or bands, at descriptors 3, 4 ... */
-    int runner;  /* 1: this is such a process */
     int sandbox;
     cli_real max_overdraw, max_seconds;
     uint64_t max_memory; /* 0: no limit */
