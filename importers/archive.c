@@ -1,4 +1,4 @@
-/* Files packed by zip. AMF from printing programs is a text file, or an archive with one. */
+/* Files packed by zip. */
 #include "archive.h"
 
 #include <string.h>
@@ -21,15 +21,14 @@ static int ends_with(const burnish_zip_part *part, const char *extension) {
     return 1;
 }
 
-/* The first part with that extension, or else the only part; NULL: the format is an archive itself.
- */
+/* The first part with that extension; NULL: the format is an archive itself. */
 static const burnish_zip_part *find_part(const burnish_zip *zip, const char *extension) {
     for (size_t i = 0; i < zip->count; ++i) {
         if (ends_with(&zip->parts[i], extension)) {
             return &zip->parts[i];
         }
     }
-    return zip->count == 1 && strcmp(extension, "amf") == 0 ? &zip->parts[0] : NULL;
+    return NULL;
 }
 
 burnish_status importer_unpack_archive(importer_input *input, burnish_error *error) {

@@ -11,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "amf.h"
 #include "importer.h"
 #include "materials.h"
 
@@ -170,8 +169,8 @@ static const struct aiVector3D *coordinates_of(const walk *w, const struct aiMes
                : mesh->mTextureCoords[0];
 }
 
-/* Colours that are fully transparent everywhere mean "no colours": libassimp returns them for .amf
- * and .blend files without colours. The same applies to its default grey for .dxf. */
+/* Colours that are fully transparent everywhere mean "no colours": libassimp returns them for
+ * .blend files without colours. The same applies to its default grey for .dxf. */
 static const struct aiColor4D *colors_of(const struct aiMesh *mesh) {
     for (unsigned i = 0; i < mesh->mNumVertices && mesh->mColors[0]; ++i) {
         const struct aiColor4D *c = &mesh->mColors[0][i];
@@ -339,8 +338,8 @@ static void find_up(const struct aiScene *scene, const char *extension, float up
     static const struct {
         const char *extension;
         float z;
-    } rows[] = {{"ac", -1},  {"ac3d", -1}, {"acc", -1}, {"amf", 1}, {"blend", 1}, {"cob", 1},
-                {"dxf", -1}, {"hmp", 1},   {"ogex", 1}, {"q3o", 1}, {"scn", 1},   {"smd", 1}};
+    } rows[] = {{"ac", -1}, {"ac3d", -1}, {"acc", -1}, {"blend", 1}, {"cob", 1}, {"dxf", -1},
+                {"hmp", 1}, {"ogex", 1},  {"q3o", 1},  {"scn", 1},   {"smd", 1}};
     up[1] = 1;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         if (strcmp(rows[i].extension, extension) == 0) {
@@ -401,12 +400,6 @@ static void fail_by_blender(const importer_input *input) {
 
 void importer_import(importer_input *input, importer_mesh *mesh) {
     importer_unpack(input);
-#ifdef BURNISH_HAS_EXPAT
-    if (strcmp(input->extension, "amf") == 0) {
-        assimp_read_amf(input, mesh);
-        return;
-    }
-#endif
     struct aiFileIO files = {open_one, close_one, (aiUserData)(uintptr_t)input};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     const unsigned steps =

@@ -11,7 +11,7 @@
 #define CLI_OCCT_LIST(X) X(step) X(stp) X(p21) X(iges) X(igs) X(brep) X(brp)
 /* clang-format off */
 #define CLI_ASSIMP_LIST(X) \
-    X(3ds) X(ac) X(ac3d) X(acc) X(amf) X(ase) X(ask) X(b3d) X(blend) X(cob) X(dae) X(dxf) \
+    X(3ds) X(ac) X(ac3d) X(acc) X(ase) X(ask) X(b3d) X(blend) X(cob) X(dae) X(dxf) \
     X(enff) X(fbx) X(hmp) X(ifc) X(ifczip) X(iqm) X(irrmesh) X(lwo) X(lxo) X(md2) X(md3) \
     X(md5mesh) X(mdc) X(mdl) X(mesh) X(ms3d) X(ndo) X(nff) X(ogex) X(pmx) X(q3o) X(q3s) X(scn) \
     X(sib) X(smd) X(ter) X(x) X(x3d) X(x3db) X(xgl) X(zae) X(zgl)

@@ -16,8 +16,6 @@ static const struct {
     {"ac", "AC3D", 0}, /* autoconf */
     {"ac3d", "AC3D", 0},
     {"acc", "AC3D", 0},
-    {"amf", "<", 0}, /* Flash, music */
-    {"amf", "PK\3\4", 0},
     {"ase", "*3DSMAX_ASCIIEXPORT", 0}, /* sprites, swatches of colours */
     {"ask", "*3DSMAX_ASCIIEXPORT", 0},
     {"b3d", "BB3D", 0},

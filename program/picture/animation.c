@@ -1,4 +1,4 @@
-/* Shared by all animations: buffers, the changed part of a frame, frame times. */
+/* Shared by all animations: buffers and frame times. */
 #include "picture/animation.h"
 
 #include <stdlib.h>
@@ -33,38 +33,6 @@ int picture_time(const picture_animation *animation, int frame, int units_per_se
     return (2 * frame * units_per_second + fps) / (2 * fps);
 }
 
-/* Compares pixels of rows and columns with memcmp. */
-void picture_changed(const picture_animation *animation, const burnish_image *frame, int box[4]) {
-    const size_t pixel = (size_t)frame->channels, row = pixel * (size_t)frame->width;
-    const uint8_t *a = frame->pixels, *b = animation->previous.pixels;
-    int left = frame->width, right = -1, top = -1, bottom = -1;
-    if (!b) {
-        memcpy(box, (int[]){0, 0, frame->width, frame->height}, 4 * sizeof *box);
-        return;
-    }
-    for (int y = 0; y < frame->height; ++y, a += row, b += row) {
-        if (memcmp(a, b, row) == 0) {
-            continue;
-        }
-        int first = 0, last = frame->width - 1;
-        while (memcmp(a + pixel * (size_t)first, b + pixel * (size_t)first, pixel) == 0) {
-            ++first;
-        }
-        while (memcmp(a + pixel * (size_t)last, b + pixel * (size_t)last, pixel) == 0) {
-            --last;
-        }
-        left = first < left ? first : left;
-        right = last > right ? last : right;
-        top = top < 0 ? y : top;
-        bottom = y;
-    }
-    const int none = right < 0; /* an unchanged frame still needs its delay */
-    memcpy(box,
-           (int[]){none ? 0 : left, none ? 0 : top, none ? 1 : right - left + 1,
-                   none ? 1 : bottom - top + 1},
-           4 * sizeof *box);
-}
-
 static burnish_status check_memory(const picture_animation *animation, burnish_error *error) {
     return animation->out.failed ? cli_fail(error, BURNISH_STATUS_MEMORY,
                                             "out of memory: the animation; free memory, or draw "
@@ -74,7 +42,6 @@ static burnish_status check_memory(const picture_animation *animation, burnish_e
 
 static const picture_animator *animator_of(picture_format format) {
     return format == PICTURE_GIF    ? &picture_gif
-           : format == PICTURE_PNG  ? &picture_apng
            : format == PICTURE_WEBP ? &picture_webp
                                     : &picture_y4m;
 }
@@ -101,24 +68,9 @@ void picture_animation_destroy(picture_animation *animation) {
         if (animation->state) {
             animation->animator->destroy(animation->state);
         }
-        burnish_image_destroy(&animation->previous);
         free(animation->out.data);
         free(animation);
     }
-}
-
-/* Keeps the frame to compare it with the next one. */
-static burnish_status keep(picture_animation *animation, const burnish_image *frame,
-                           burnish_error *error) {
-    burnish_status status = BURNISH_STATUS_OK;
-    if (!animation->previous.pixels) {
-        status = burnish_image_create(NULL, &animation->previous, frame->width, frame->height,
-                                      frame->channels, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        burnish_image_copy(&animation->previous, 0, 0, frame);
-    }
-    return status;
 }
 
 burnish_status picture_animation_add(picture_animation *animation, const burnish_image *frame,
@@ -128,9 +80,6 @@ burnish_status picture_animation_add(picture_animation *animation, const burnish
     }
     burnish_status status = frame ? animation->animator->add(animation, frame, error)
                                   : animation->animator->end(animation, error);
-    if (status == BURNISH_STATUS_OK && frame) {
-        status = keep(animation, frame, error);
-    }
     ++animation->index;
     return status == BURNISH_STATUS_OK ? check_memory(animation, error) : status;
 }

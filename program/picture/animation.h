@@ -1,4 +1,4 @@
-/* Animations: GIF, APNG, WebP and Y4M, a frame at a time. */
+/* Animations: GIF, WebP and Y4M, a frame at a time. */
 #ifndef TOOL_PICTURE_ANIMATION_H
 #define TOOL_PICTURE_ANIMATION_H
 
@@ -6,7 +6,7 @@
 #include "picture/palette.h"
 
 typedef struct picture_animation_options {
-    picture_format format; /* GIF, PNG, WEBP, or Y4M also for videos */
+    picture_format format; /* GIF, WEBP, or Y4M also for videos */
     int width, height;
     int channels; /* of the frames; Y4M takes 3 */
     int frames;   /* how many will come */
@@ -43,12 +43,11 @@ struct picture_animation {
     picture_animation_options options;
     const picture_animator *animator;
     void *state;
-    burnish_image previous; /* the previous frame; empty before the first */
-    int index;              /* of the next frame */
-    picture_bytes out;      /* the next bytes of the file */
+    int index;         /* of the next frame */
+    picture_bytes out; /* the next bytes of the file */
 };
 
-extern const picture_animator picture_gif, picture_apng, picture_webp, picture_y4m;
+extern const picture_animator picture_gif, picture_webp, picture_y4m;
 
 /* *animation is NULL on error. Errors: ARGUMENT, MEMORY. */
 burnish_status picture_animation_create(const picture_animation_options *options,
@@ -59,10 +58,6 @@ void picture_animation_destroy(picture_animation *animation); /* NULL is allowed
  * until the next call. Errors: MEMORY, and errors of the format. */
 burnish_status picture_animation_add(picture_animation *animation, const burnish_image *frame,
                                      burnish_error *error);
-
-/* The rectangle that differs from the previous frame: x, y, width, height. At least one pixel; the
- * whole first frame. */
-void picture_changed(const picture_animation *animation, const burnish_image *frame, int box[4]);
 
 /* The start time of a frame in the given units, rounded. */
 int picture_time(const picture_animation *animation, int frame, int units_per_second);

@@ -20,8 +20,7 @@ typedef struct format_row {
 #define WITH(has, package) ((has) ? NULL : (package))
 
 static const format_row rows[PICTURE_COUNT] = {
-    [PICTURE_PNG] = {"PNG", "png", NULL,
-                     PICTURE_STILL | PICTURE_8_BIT | PICTURE_PLANE | PICTURE_ANIMATION, NULL},
+    [PICTURE_PNG] = {"PNG", "png", NULL, PICTURE_STILL | PICTURE_8_BIT | PICTURE_PLANE, NULL},
     [PICTURE_JPEG] = {"JPEG", "jpg", "jpeg", PICTURE_STILL | PICTURE_8_BIT,
                       WITH(BURNISH_HAS_JPEG, "libjpeg")},
     [PICTURE_WEBP] = {"WebP", "webp", NULL, PICTURE_STILL | PICTURE_8_BIT | PICTURE_ANIMATION,
@@ -32,7 +31,7 @@ static const format_row rows[PICTURE_COUNT] = {
     [PICTURE_SVG] = {"SVG", "svg", NULL, PICTURE_LINES, NULL},
     [PICTURE_PDF] = {"PDF", "pdf", NULL, PICTURE_LINES, NULL},
     [PICTURE_GIF] = {"GIF", "gif", NULL, PICTURE_ANIMATION, NULL},
-    [PICTURE_Y4M] = {"Y4M", "y4m", NULL, PICTURE_ANIMATION, NULL},
+    [PICTURE_Y4M] = {"Y4M", "y4m", NULL, 0, NULL}, /* only for standard output and videos */
     [PICTURE_MP4] = {"MP4", "mp4", NULL, PICTURE_ANIMATION, NULL},
     [PICTURE_WEBM] = {"WebM", "webm", NULL, PICTURE_ANIMATION, NULL},
 };
@@ -116,8 +115,9 @@ static picture_format find_extension(const char *path) {
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
     const char *dot = strrchr(base, '.');
     for (int i = 1; dot && i < PICTURE_COUNT; ++i) {
-        if (strcasecmp(dot + 1, rows[i].extension) == 0 ||
-            (rows[i].other_extension && strcasecmp(dot + 1, rows[i].other_extension) == 0)) {
+        if (rows[i].uses &&
+            (strcasecmp(dot + 1, rows[i].extension) == 0 ||
+             (rows[i].other_extension && strcasecmp(dot + 1, rows[i].other_extension) == 0))) {
             return (picture_format)i;
         }
     }
@@ -169,7 +169,6 @@ static int is_own_picture(const char *path) {
         MARK("RIFF", "\0\0burnish"),
         MARK("<svg xmlns", "<!-- burnish -->"),
         MARK("%PDF-1.4", "%burnish\n"),
-        MARK("YUV4MPEG2", "XBURNISH\n"),
         MARK("\0\0\0", "data\0\0\0\1\0\0\0\0burnish"), /* MP4 and WebM: comments */
         MARK("\x1A\x45\xDF\xA3", "\x44\x87\x87"
                                  "burnish"),
@@ -216,6 +215,7 @@ burnish_status picture_choose(const char *flag, const char *path, int use, pictu
         *format = PICTURE_PNG;
     } else if (*format == PICTURE_AUTO && use == PICTURE_ANIMATION && strcmp(path, "-") == 0) {
         *format = PICTURE_Y4M;
+        return BURNISH_STATUS_OK;
     }
     if (*format == PICTURE_AUTO || *format == PICTURE_COUNT || !(rows[*format].uses & use)) {
         return fail_format(flag, path, use, error);

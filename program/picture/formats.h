@@ -16,7 +16,7 @@ typedef enum picture_format {
     PICTURE_SVG, /* line drawings; not written by picture_encode */
     PICTURE_PDF,
     PICTURE_GIF,
-    PICTURE_Y4M,
+    PICTURE_Y4M, /* frames on standard output, for other encoders */
     PICTURE_MP4, /* Y4M that ffmpeg encodes */
     PICTURE_WEBM,
     PICTURE_COUNT
@@ -27,8 +27,8 @@ typedef enum picture_use {
     PICTURE_STILL = 1,
     PICTURE_PLANE = 2, /* numbers per pixel */
     PICTURE_LINES = 4,
-    PICTURE_ANIMATION = 8, /* PNG is APNG */
-    PICTURE_8_BIT = 16     /* what picture_encode writes */
+    PICTURE_ANIMATION = 8,
+    PICTURE_8_BIT = 16 /* what picture_encode writes */
 } picture_use;
 
 /* 1: lines and areas, written from a burnish_drawing. */

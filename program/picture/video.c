@@ -58,7 +58,7 @@ burnish_status picture_check_video(const char *flag, const char *path, burnish_e
     return find_ffmpeg(file) ? BURNISH_STATUS_OK
                              : cli_fail(error, BURNISH_STATUS_ARGUMENT,
                                         "--%s: \"%.200s\": ffmpeg encodes videos and is not in "
-                                        "PATH; install it, or write .gif, .png or .webp",
+                                        "PATH; install it, or write .gif or .webp",
                                         flag, path);
 }
 

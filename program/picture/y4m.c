@@ -19,7 +19,7 @@ picture_frames picture_expect_frames(int width, int height, int fps, int frames)
                                       2 * chroma_size(width, height)};
     f.head_size = (uint64_t)snprintf(f.head, sizeof f.head,
                                      "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG "
-                                     "XCOLORRANGE=LIMITED XBURNISH\n",
+                                     "XCOLORRANGE=LIMITED\n",
                                      width, height, fps);
     f.total = f.head_size + f.frame_size * (uint64_t)frames;
     return f;
@@ -49,7 +49,7 @@ int picture_check_frames(picture_frames *f, const void *bytes, size_t size) {
 static burnish_status begin(picture_animation *animation, burnish_error *error) {
     const picture_animation_options *o = &animation->options;
     if (o->channels != 3) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "Y4M has no alpha; write PNG or WebP");
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "Y4M has no alpha; write WebP or GIF");
     }
     const picture_frames stream = picture_expect_frames(o->width, o->height, o->fps, o->frames);
     picture_put(&animation->out, stream.head, (size_t)stream.head_size);

@@ -188,18 +188,18 @@ static burnish_status choose_format(render_settings *settings, burnish_error *er
     if (settings->picture.background.transparent &&
         (format == PICTURE_JPEG || format >= PICTURE_Y4M)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--no-background: .%s has no alpha; write PNG or WebP",
-                        picture_extension(format));
+                        "--no-background: .%s has no alpha; write %s", picture_extension(format),
+                        format == PICTURE_JPEG ? "PNG or WebP" : "WebP or GIF");
     }
     if (picture_container(format) &&
         (settings->picture.size[0] < 2 || settings->picture.size[1] < 2)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--resolution: a .%s has at least 2 x 2 pixels; write PNG, WebP or GIF",
+                        "--resolution: a .%s has at least 2 x 2 pixels; write WebP or GIF",
                         picture_extension(format));
     }
     if (format == PICTURE_GIF && settings->output.fps > PICTURE_GIF_FPS_MAX) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--fps: a GIF has at most %d frames per second; write PNG, WebP or Y4M",
+                        "--fps: a GIF has at most %d frames per second; write WebP, MP4 or WebM",
                         PICTURE_GIF_FPS_MAX);
     }
     return BURNISH_STATUS_OK;

@@ -10,13 +10,19 @@
 #include "render/settings/lights.h"
 #include "render/settings/values.h"
 
-static const cli_word format_words[] = {{"auto", PICTURE_AUTO}, {"png", PICTURE_PNG},
-                                        {"jpeg", PICTURE_JPEG}, {"jpg", PICTURE_JPEG},
-                                        {"webp", PICTURE_WEBP}, {"svg", PICTURE_SVG},
-                                        {"pdf", PICTURE_PDF},   {"exr", PICTURE_EXR},
-                                        {"npy", PICTURE_NPY},   {"gif", PICTURE_GIF},
-                                        {"y4m", PICTURE_Y4M},   {"mp4", PICTURE_MP4},
-                                        {"webm", PICTURE_WEBM}, {NULL, 0}};
+static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
+                                        {"png", PICTURE_PNG},
+                                        {"jpeg", PICTURE_JPEG},
+                                        {"jpg", PICTURE_JPEG},
+                                        {"webp", PICTURE_WEBP},
+                                        {"svg", PICTURE_SVG},
+                                        {"pdf", PICTURE_PDF},
+                                        {"exr", PICTURE_EXR},
+                                        {"npy", PICTURE_NPY},
+                                        {"gif", PICTURE_GIF},
+                                        {"mp4", PICTURE_MP4},
+                                        {"webm", PICTURE_WEBM},
+                                        {NULL, 0}};
 static const cli_word sample_words[] = {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {NULL, 0}};
 static const cli_word up_words[] = {
     {"+Y", UP_POSITIVE_Y}, {"-Y", UP_NEGATIVE_Y}, {"+Z", UP_POSITIVE_Z},
@@ -225,16 +231,17 @@ static const cli_flag flags[] = {
          "from 0, *coverage* is the share of the pixel that the object covers, *color* is linear "
          "light. If several triangles share a pixel, the buffers have the values of one of them; "
          "only *coverage* and *color* are averaged. See *PLANES*."},
-    {CLI_FLAG("turntable", "FILE", "animation: .gif .png .webp .mp4 .webm .y4m", cli_flag_text,
+    {CLI_FLAG("turntable", "FILE", "animation: .gif .webp .mp4 .webm", cli_flag_text,
               output.turntable),
      .file = CLI_WRITES,
-     .manual = "Writes an animation instead of a picture: one turn of the camera to the right, "
-               "around the up axis through the focal point. The last frame continues into the "
-               "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
-               "one palette for all frames; *.png* is an animated PNG; *.webp* is lossless unless "
-               "*--quality* is given. *.mp4* and *.webm* are encoded by *ffmpeg*, which must be in "
-               "*PATH*; of an odd width or height one column or row is cut off. *.y4m*, and *-* "
-               "for standard output, is for other video encoders: 4:2:0, limited range, BT.709."},
+     .manual =
+         "Writes an animation instead of a picture: one turn of the camera to the right, "
+         "around the up axis through the focal point. The last frame continues into the "
+         "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
+         "one palette for all frames; *.webp* is lossless unless *--quality* is given. *.mp4* "
+         "and *.webm* are encoded by *ffmpeg*, which must be in *PATH*; of an odd width or "
+         "height one column or row is cut off. *-* writes Y4M to standard output, for other "
+         "video encoders: 4:2:0, limited range, BT.709."},
     {CLI_FLAG("frames", "N", "frames of a turntable", cli_flag_integer, output.frames),
      CLI_RANGE(2, 3600), .default_text = "60", .manual = "Number of frames, from 2 to 3600."},
     {CLI_FLAG("fps", "N", "frames per second of a turntable", cli_flag_integer, output.fps),

@@ -343,9 +343,9 @@ rm camera.gltf with.gif without.gif
 # Names of outputs among inputs, and of formats elsewhere.
 expect 2 'burnish: render: "out.png" is an image, not a mesh; for several pictures, name a folder with -d' \
     render :sphere :torus out.png
-expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' \
+expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in WebP, GIF, MP4 or WebM' \
     render :sphere -o a.gif
-expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in PNG, WebP, GIF, Y4M, MP4 or WebM' \
+expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in WebP, GIF, MP4 or WebM' \
     render :sphere -o a.mp4
 expect 2 'burnish: render: "a.png" is an image, not a mesh; for several pictures, name a folder with -d' a.png :sphere
 nothing_left "names"
@@ -457,7 +457,7 @@ else
     skip "the line for a terminal, no pseudo-terminal here"
 fi
 same "an axis without sign" "$(for up in +Z Z z; do "$burnish" :teapot --up=$up -s 16 -o - | cksum; done | sort -u | wc -l)" 1
-for extension in jpg exr webp gif svg pdf y4m mp4 webm; do
+for extension in jpg exr webp gif svg pdf mp4 webm; do
     ! "$burnish" -q :sphere --look=drawing -s 16 "own.$extension" 2>/dev/null ||
         expect 0 "" :sphere --look=drawing -s 16 "own.$extension" # a build can lack the format
 done

@@ -73,7 +73,7 @@ size 12345'
 for there in yes no; do
     importer "touch '$bin/started'; exit 3"
     [ $there = yes ] || rm "$bin/$name"
-    for extension in fbx dae 3ds amf; do
+    for extension in fbx dae 3ds; do
         printf '%s\n' "$lfs" >p.$extension
         expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" info p.$extension
         expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$extension -o p.png

@@ -56,7 +56,7 @@ expect 2 "burnish: --background-color: an SVG can't show an environment; use a c
 expect 2 'burnish: --edge-width: "0" is not a number from 0.1 to 100' render :sphere --edge-width=0
 expect 2 'burnish: --quality: "0" is not a whole number from 1 to 100' render :sphere --quality=0 -o x.jpg
 expect 2 'burnish: --dpi: "0" is not a number from 1 to 65535' render :sphere --dpi=0
-expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, jpg, webp, svg, pdf, exr, npy, gif, y4m, mp4, webm' render :sphere --output-format=bmp
+expect 2 'burnish: --output-format: "bmp" is not one of auto, png, jpeg, jpg, webp, svg, pdf, exr, npy, gif, mp4, webm' render :sphere --output-format=bmp
 BURNISH_ISA=foo
 export BURNISH_ISA
 run render :sphere --size=16 -o x.png

@@ -1,4 +1,4 @@
-"""Readers of what burnish writes for other programs, from the formats' specifications alone: NPY, PNG, EXR, GIF, APNG, Y4M. Nothing but
+"""Readers of what burnish writes for other programs, from the formats' specifications alone: NPY, PNG, EXR, GIF, Y4M. Nothing but
 Python's own modules, so that no library can share a mistake with the one that wrote."""
 import ast
 import struct
@@ -106,41 +106,6 @@ def exr(path):
                 start = 4 * width * (row * len(names) + k)
                 planes[name] += struct.unpack("<%d%s" % (width, kind), raw[start:start + 4 * width])
     return width, height, planes
-
-
-def apng(path):
-    """(width, height, channels, [(delay in seconds, samples)], plays) of an animated PNG; frames as they are shown."""
-    found = list(chunks(open(path, "rb").read()))
-    names = [name for name, _ in found]
-    assert names[0] == "IHDR" and names[-1] == "IEND" and names.count("acTL") == 1
-    assert names.index("acTL") < names.index("IDAT")
-    width, height, depth, kind = struct.unpack(">IIBB", found[0][1][:10])
-    channels = {2: 3, 6: 4}[kind]
-    count, plays = struct.unpack(">II", dict(found)["acTL"])
-    shown, frames, control, packed, sequence = [0] * (width * height * channels), [], None, b"", 0
-
-    def show():
-        w, h, x, y, up, down, dispose, blend = control
-        assert (dispose, blend) == (0, 0) and x + w <= width and y + h <= height
-        part = unfilter(packed, w, h, channels, depth)
-        for row in range(h):
-            start = ((y + row) * width + x) * channels
-            shown[start:start + w * channels] = part[row * w * channels:(row + 1) * w * channels]
-        frames.append((up / down, list(shown)))
-
-    for name, body in found:
-        if name in ("fcTL", "fdAT"):
-            assert struct.unpack(">I", body[:4])[0] == sequence, "sequence"
-            sequence += 1
-        if name == "fcTL":
-            if control:
-                show()
-            control, packed = struct.unpack(">IIIIHHBB", body[4:]), b""
-        elif name in ("IDAT", "fdAT"):
-            packed += body[4 * (name == "fdAT"):]
-    show()
-    assert len(frames) == count, "%d frames, not %d" % (len(frames), count)
-    return width, height, channels, frames, plays
 
 
 def unpack_lzw(data, size):

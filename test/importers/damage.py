@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 
-EXTENSIONS = (".3ds .3mf .ac .amf .ase .b3d .blend .cob .dae .dxf .fbx .glb .hmp .ifc .iqm .lwo .lxo .md2 .md3 "
+EXTENSIONS = (".3ds .3mf .ac .ase .b3d .blend .cob .dae .dxf .fbx .glb .hmp .ifc .iqm .lwo .lxo .md2 .md3 "
            ".md5mesh .mdc .mdl .ms3d .nff .ogex .q3o .sib .smd .step .igs .brep .brp .x .x3d .xgl .zgl").split()
 CODES = {0, 4, 5, 6}  # a picture, no mesh, a limit, memory
 SECONDS = 2

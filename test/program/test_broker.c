@@ -223,8 +223,7 @@ static void test_large_output(void) {
 static void test_video(void) {
     enum { OTHER = 300 };
     static const char head[] = "YUV4MPEG2 W3 H2 F20:1 Ip A1:1 C420jpeg "
-                               "XYSCSS=420JPEG XCOLORRANGE=LIMITED "
-                               "XBURNISH\n";
+                               "XYSCSS=420JPEG XCOLORRANGE=LIMITED\n";
     static const struct {
         const char *head, *frames[4];
         broker_state state;
@@ -232,7 +231,7 @@ static void test_video(void) {
     } streams[] = {
         {head, {"FRAME\nyyyyyyuuvv", "FRAME\nYYYYYYUUVV"}, BROKER_GONE, 3},
         {head, {"FRAME\nyyy", "yyyuuvvFRA", "ME\nYYYYYYUUVV"}, BROKER_GONE, 4},
-        {"YUV4MPEG2 W4 H2 F20:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED XBURNISH\n",
+        {"YUV4MPEG2 W4 H2 F20:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED\n",
          {"FRAME\n"},
          BROKER_VIOLATION,
          0},

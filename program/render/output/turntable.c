@@ -341,8 +341,8 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
         status = draw_frame(s, s->kept[i], error);
         if (status == BURNISH_STATUS_OK &&
             !(histogram && picture_histogram_add(histogram, image))) {
-            status = cli_fail(error, BURNISH_STATUS_MEMORY,
-                              "out of memory: the palette; write APNG or WebP");
+            status =
+                cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: the palette; write WebP");
         }
         if (status == BURNISH_STATUS_OK && s->kept_pixels) {
             memcpy(s->kept_pixels + (size_t)i * size, image->pixels, size);
