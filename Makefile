@@ -105,11 +105,6 @@ format-check: ## fail if a source is not formatted
 golden: build ## rewrite test/golden/pixels.txt after a deliberate change of pixels
 	@./test/integration/golden.sh build/$(PRESET)/burnish build/golden --update
 
-.PHONY: abi
-abi: ## rewrite test/golden/abi.txt after a deliberate change of the binary interface
-	$(DEPS) check
-	@./test/integration/abi.sh . build/abi --update
-
 .PHONY: clean
 clean: ## remove everything that was built
 	@rm -rf build out
