@@ -14,18 +14,15 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
-#include "base/clock.h"
+#include "base/cli/process.h"
 #include "base/cli/run.h"
-#include "base/cli/write.h"
+#include "base/clock.h"
 #include "sandbox/channel.h"
 
+enum { RUNNER_CHANNEL = 3 }; /* the descriptor of a runner */
 enum { NOTHING = -1, LINE_MAX_BYTES = 1 << 24 };
 
 typedef struct worker {
@@ -56,14 +53,7 @@ static const int ending[] = {SIGHUP, SIGINT, SIGTERM};
 /* ---- Runners ---- */
 
 /* Runs in the forked process. */
-static void become_runner(const pool *p, int channel, pid_t parent) {
-    const int nothing = open("/dev/null", O_RDWR);
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-#endif
-    if (getppid() != parent) {
-        _exit(1);
-    }
+static void become_runner(const pool *p) {
     for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
         struct sigaction before;
         if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler == stop) {
@@ -71,32 +61,21 @@ static void become_runner(const pool *p, int channel, pid_t parent) {
         }
     }
     cli_handle_signals();
-    for (size_t i = 0; i < p->count; ++i) {
-        if (p->workers[i].channel != NOTHING) {
-            close(p->workers[i].channel);
-        }
-    }
-    for (int stream = 0; stream <= 2; ++stream) {
-        dup2(nothing, stream);
-    }
-    batch_runner(p->b, channel);
+    batch_runner(p->b, RUNNER_CHANNEL);
     _exit(0);
 }
 
 static int start_runner(pool *p, worker *w) {
     int ends[2];
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+    if (!cli_channel(ends)) {
         return 0;
     }
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    fflush(NULL);
-    const pid_t self = getpid();
-    w->process = fork();
+    w->process = cli_fork(&(cli_plan){.kept = {CLI_NOTHING, CLI_NOTHING, CLI_NOTHING, ends[1]},
+                                      .count = RUNNER_CHANNEL + 1,
+                                      .ended_by = SIGTERM});
     w->item = NOTHING;
     if (w->process == 0) {
-        close(ends[0]);
-        become_runner(p, ends[1], self);
+        become_runner(p);
     }
     close(ends[1]);
     w->channel = ends[0];
@@ -118,8 +97,7 @@ static int end_runner(worker *w, int number) {
         if (number) {
             kill(w->process, number);
         }
-        while (waitpid(w->process, &state, 0) < 0 && errno == EINTR && !number) {
-        }
+        state = cli_wait(w->process);
     }
     w->process = 0;
     w->channel = NOTHING;

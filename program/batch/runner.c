@@ -19,17 +19,14 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "base/cli/output.h"
+#include "base/cli/process.h"
 #include "base/clock.h"
 #include "cli/limits.h"
-#include "base/cli/output.h"
-#include "base/cli/write.h"
 #include "import/importers.h"
 #include "render/check.h"
 #include "render/output/report.h"
@@ -232,14 +229,8 @@ __attribute__((noreturn)) static void draw(const runner *r, render_settings *set
 /* Runs the worker without a sandbox: it opens files itself. */
 static burnish_status run_plainly(const runner *r, render_settings *settings, int *code,
                                   burnish_error *ended, burnish_error *error) {
-    const pid_t self = getpid(), worker = fork();
+    const pid_t worker = cli_fork(&(cli_plan){.ended_by = SIGKILL});
     if (worker == 0) {
-#ifdef __linux__
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-        if (getppid() != self) {
-            _exit(1);
-        }
         draw(r, settings);
     }
     if (worker < 0) {

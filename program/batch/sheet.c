@@ -12,17 +12,17 @@
 
 #include <errno.h>
 #include <math.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include "base/cli/file.h"
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 #include "cli/limits.h"
 #include "picture/formats.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"
 
+enum { DECODER_CHANNEL = 3 }; /* the descriptor of the process that reads the pictures */
 enum { CELL_MAX = 256, CELL_MIN = 16, LABEL_MIN = 96, FILE_MAX_BYTES = 1 << 28 };
 
 typedef struct sheet {
@@ -136,24 +136,25 @@ __attribute__((noreturn)) static void be_decoder(sheet *s) {
     burnish_status status = BURNISH_STATUS_OK;
     burnish_processor_count(); /* reads files, once */
     const char *wall = "descriptors";
-    int code = dup2(s->channel, 3) == 3 ? 0 : errno;
-    if (code == 0 && s->b->settings->render.job.sandbox) {
-        code = sandbox_lock(4, 0, &wall);
+    int code = 0;
+    if (s->b->settings->render.job.sandbox) {
+        code = sandbox_lock(DECODER_CHANNEL + 1, 0, &wall);
     }
     if (code != 0) {
         status = cli_fail(&error, BURNISH_STATUS_ARGUMENT,
                           "--sheet: this system can't create a sandbox (%s: %s); use --no-sandbox",
                           wall, strerror(code));
     }
-    s->channel = 3;
+    s->channel = DECODER_CHANNEL;
     if (status == BURNISH_STATUS_OK) {
         status = make_sheet(s, &file, &error);
     }
     const uint64_t reply[2] = {(uint64_t)status,
                                status == BURNISH_STATUS_OK ? file.size : strlen(error.text)};
     const int sent =
-        cli_write_all(3, reply, sizeof reply) &&
-        cli_write_all(3, status == BURNISH_STATUS_OK ? (const void *)file.bytes : error.text,
+        cli_write_all(DECODER_CHANNEL, reply, sizeof reply) &&
+        cli_write_all(DECODER_CHANNEL,
+                      status == BURNISH_STATUS_OK ? (const void *)file.bytes : error.text,
                       (size_t)reply[1]);
     _exit(sent ? 0 : 1);
 }
@@ -290,14 +291,13 @@ burnish_status batch_write_sheet(const batch *b, burnish_error *error) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+    if (!cli_channel(ends)) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "--sheet: no socket: %s", strerror(errno));
     }
-    fflush(NULL);
-    const pid_t worker = fork();
+    const pid_t worker = cli_fork(&(cli_plan){.kept = {CLI_SAME, CLI_SAME, CLI_SAME, ends[1]},
+                                              .count = DECODER_CHANNEL + 1,
+                                              .ended_by = SIGKILL});
     if (worker == 0) {
-        close(ends[0]);
-        s.channel = ends[1];
         be_decoder(&s);
     }
     close(ends[1]);
@@ -309,7 +309,8 @@ burnish_status batch_write_sheet(const batch *b, burnish_error *error) {
         status = cli_fail(error, BURNISH_STATUS_MEMORY, "--sheet: no process: %s", strerror(errno));
     }
     close(ends[0]);
-    while (worker > 0 && waitpid(worker, NULL, 0) < 0 && errno == EINTR) {
+    if (worker > 0) {
+        cli_wait(worker);
     }
     return status;
 }

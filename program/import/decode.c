@@ -8,7 +8,7 @@
 #endif
 
 #include "base/cli/options.h"
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 #include "import/decode.h"
 #include "import/importers.h"
 #include "import/run.h"

@@ -18,12 +18,9 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
+#include "base/cli/process.h"
 #include "base/clock.h"
-#include "base/close_descriptors.h"
 #include "cli/limits.h"
 #include "import/decode.h"
 #include "import/folder.h"
@@ -100,61 +97,27 @@ int import_is_installed(const import_program *importer) {
 
 /* ---- The process ---- */
 
-/* The new process, until it becomes the importer. */
-static void become(const run *r, int input, int output, int nothing, pid_t parent, uint64_t memory,
-                   char *const arguments[]) {
-    static const int handled[] = {SIGPIPE, SIGXFSZ, SIGHUP, SIGINT, SIGTERM, SIGALRM};
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-    if (getppid() != parent) {
-        _exit(1);
-    }
-    for (size_t i = 0; i < sizeof handled / sizeof *handled; ++i) {
-        signal(handled[i], SIG_DFL);
-    }
-    setpgid(0, 0);
-    cli_lower_limit(RLIMIT_AS, memory);
-    cli_lower_limit(RLIMIT_CORE, 0);
-    cli_lower_limit(RLIMIT_CPU, (uint64_t)(r->end - burnish_seconds_now()) + 1);
-    /* standard streams may be closed, and so these be below 3 */
-    input = fcntl(input, F_DUPFD, 10);
-    output = fcntl(output, F_DUPFD, 10);
-    nothing = fcntl(nothing, F_DUPFD, 10);
-    if (dup2(input, 0) < 0 || dup2(output, 1) < 0 || dup2(nothing, 2) < 0) {
-        _exit(1);
-    }
-    burnish_close_descriptors(3);
-    execv(r->path, arguments);
-    _exit(127);
-}
-
 static burnish_status start(run *r, int input, uint64_t memory) {
-    char program[64], extension[IMPORT_EXTENSION_SIZE];
-    char *const arguments[] = {program, extension, NULL};
+    const char *const arguments[] = {
+        r->importer->name, r->importer->argument ? r->importer->argument : r->extension, NULL};
     int ends[2];
-    const pid_t self = getpid();
-    snprintf(program, sizeof program, "%s", r->importer->name);
-    snprintf(extension, sizeof extension, "%s",
-             r->importer->argument ? r->importer->argument : r->extension);
-    const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-    if (nothing < 0 || pipe(ends) != 0) {
-        const int code = errno;
-        if (nothing >= 0) {
-            close(nothing);
-        }
-        return fail(r, cli_errno_status(code), strerror(code));
+    if (pipe(ends) != 0) {
+        return fail(r, cli_errno_status(errno), strerror(errno));
     }
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     lseek(input, 0, SEEK_SET);
-    r->process = fork();
+    r->process = cli_fork(
+        &(cli_plan){.kept = {input, ends[1], CLI_NOTHING}, .count = 3, .ended_by = SIGKILL});
     if (r->process == 0) {
-        become(r, input, ends[1], nothing, self, memory, arguments);
+        setpgid(0, 0);
+        cli_lower_limit(RLIMIT_AS, memory);
+        cli_lower_limit(RLIMIT_CORE, 0);
+        cli_lower_limit(RLIMIT_CPU, (uint64_t)(r->end - burnish_seconds_now()) + 1);
+        cli_execute(r->path, arguments);
     }
     const int code = errno;
     close(ends[1]);
-    close(nothing);
     r->pipe = ends[0];
     if (r->process < 0) {
         close(r->pipe);
@@ -228,8 +191,7 @@ static burnish_status end(const run *r, burnish_status status) {
     if (ended == 0) {
         kill(-r->process, SIGKILL);
         kill(r->process, SIGKILL); /* in case it has no process group yet */
-        while (waitpid(r->process, &state, 0) < 0 && errno == EINTR) {
-        }
+        state = cli_wait(r->process);
     }
     if (status != BURNISH_STATUS_OK || (WIFEXITED(state) && WEXITSTATUS(state) == 0)) {
         return status;

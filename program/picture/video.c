@@ -28,12 +28,8 @@ burnish_status picture_write_video(const char *container, const char *path,
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
-#include "base/cli/write.h"
-#include "base/close_descriptors.h"
+#include "base/cli/process.h"
 
 enum { PIECE = 1 << 16 };
 
@@ -68,10 +64,9 @@ typedef struct encoder {
     int frames, video, messages;
 } encoder;
 
-/* The new process, until it becomes ffmpeg. A width or height that is odd loses a row of pixels,
- * since chroma has half the resolution. */
-static void become_ffmpeg(const encoder *e, int frames, pid_t parent, const char *file,
-                          const char *container) {
+/* In the new process. A width or height that is odd loses a row of pixels, since chroma has half the
+ * resolution. */
+static void become_ffmpeg(const char *file, const char *container) {
     const char *const arguments[] = {"ffmpeg",
                                      "-nostdin",
                                      "-loglevel",
@@ -105,37 +100,21 @@ static void become_ffmpeg(const encoder *e, int frames, pid_t parent, const char
                                      "-y",
                                      "/dev/fd/1",
                                      NULL};
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-    if (getppid() != parent) {
-        _exit(1);
-    }
-    signal(SIGPIPE, SIG_DFL);
-    signal(SIGXFSZ, SIG_DFL);
-    /* standard streams may be closed, and so these be below 3 */
-    const int input = fcntl(frames, F_DUPFD, 10), output = fcntl(e->video, F_DUPFD, 10);
-    const int messages = fcntl(e->messages, F_DUPFD, 10);
-    if (dup2(input, 0) < 0 || dup2(output, 1) < 0 || dup2(messages, 2) < 0) {
-        _exit(1);
-    }
-    burnish_close_descriptors(3);
-    execv(file, (char *const *)(uintptr_t)arguments);
-    _exit(127);
+    cli_execute(file, arguments);
 }
 
 static int start(encoder *e, const char *container) {
     char file[4096];
-    const pid_t self = getpid();
     int ends[2] = {-1, -1};
     *e = (encoder){-1, -1, cli_unnamed_file(), cli_unnamed_file()};
     if (e->video < 0 || e->messages < 0 || !find_ffmpeg(file) || pipe(ends) != 0) {
         return 0;
     }
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    e->process = fork();
+    e->process = cli_fork(
+        &(cli_plan){.kept = {ends[0], e->video, e->messages}, .count = 3, .ended_by = SIGKILL});
     if (e->process == 0) {
-        become_ffmpeg(e, ends[0], self, file, container);
+        become_ffmpeg(file, container);
     }
     close(ends[0]);
     e->frames = ends[1];
@@ -144,12 +123,10 @@ static int start(encoder *e, const char *container) {
 
 /* Closes the pipe and waits. Returns 1 if ffmpeg has succeeded and written something. */
 static int finish(encoder *e) {
-    int state = -1;
     if (e->frames >= 0) {
         close(e->frames);
     }
-    while (e->process > 0 && waitpid(e->process, &state, 0) < 0 && errno == EINTR) {
-    }
+    const int state = e->process > 0 ? cli_wait(e->process) : -1;
     return WIFEXITED(state) && WEXITSTATUS(state) == 0 && lseek(e->video, 0, SEEK_END) > 0;
 }
 

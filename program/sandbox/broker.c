@@ -7,7 +7,7 @@
 
 #include "base/beneath.h"
 #include "base/cli/options.h"
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 #include "import/decode.h"
 #include "import/folder.h"
 #include "import/importers.h"

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "base/cli/options.h"
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 
 int channel_read(int channel, void *bytes, size_t size) {
     char *next = bytes;

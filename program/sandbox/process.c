@@ -10,13 +10,11 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/prctl.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/close_descriptors.h"
+#include "base/cli/process.h"
 #include "base/show_text.h"
 #include "cli/limits.h"
 #include "import/folder.h"
@@ -24,6 +22,9 @@
 #include "sandbox/end.h"
 #include "sandbox/lock.h"
 #include "sandbox/worker.h"
+
+/* Descriptors of the worker, besides the standard streams. */
+enum { WORKER_CHANNEL = 3, WORKER_INPUT = 4 };
 
 /* Returns the exit code of a worker that has ended, and reports a worker that was killed. */
 static int describe_end(broker_state reason, int state, burnish_error *ended) {
@@ -63,20 +64,6 @@ static burnish_status open_input(const char *input, int *file, burnish_error *er
     return BURNISH_STATUS_OK;
 }
 
-/* In the worker: the channel becomes descriptor 3 and the input 4; the broker's other descriptors
- * are closed. The worker does not outlive the broker. */
-static void enter_worker(pid_t parent, int channel, int input) {
-    const int first = STDERR_FILENO + 1, is_open = input >= 0;
-    const int held = is_open ? fcntl(input, F_DUPFD_CLOEXEC, first + 16) : -1;
-    const int spoken = fcntl(channel, F_DUPFD_CLOEXEC, first + 16);
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent || dup2(spoken, first) < 0 ||
-        (is_open && dup2(held, first + 1) < 0)) {
-        _exit(1);
-    }
-    burnish_close_descriptors(first + 1 + is_open);
-    sandbox_become_worker(first, is_open ? first + 1 : -1);
-}
-
 /* Serves the worker until it has ended. Returns the exit code. */
 static int be_broker(const sandbox_plan *plan, pid_t worker, int channel, int input) {
     const int folder = folder_open(plan->input);
@@ -97,14 +84,16 @@ burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error 
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    if (!cli_channel(ends)) {
         status =
             cli_fail(error, BURNISH_STATUS_ARGUMENT, "--sandbox: no socket: %s", strerror(errno));
     } else {
-        fflush(NULL);
-        const pid_t self = getpid(), worker = fork();
+        const pid_t worker =
+            cli_fork(&(cli_plan){.kept = {CLI_SAME, CLI_SAME, CLI_SAME, ends[1], input},
+                                 .count = input >= 0 ? WORKER_INPUT + 1 : WORKER_INPUT,
+                                 .ended_by = SIGKILL});
         if (worker == 0) {
-            enter_worker(self, ends[1], input);
+            sandbox_become_worker(WORKER_CHANNEL, input >= 0 ? WORKER_INPUT : -1);
             *code = -1;
             return BURNISH_STATUS_OK;
         }

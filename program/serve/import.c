@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 #include "cli/limits.h"
 #include "import/importers.h"
 #include "import/run.h"

@@ -17,17 +17,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 #include "base/clock.h"
-#include "base/close_descriptors.h"
 #include "cli/limits.h"
 #include "sandbox/channel.h"
 #include "sandbox/end.h"
@@ -89,27 +84,17 @@ static void close_files(slot *s) {
     s->channel = s->request = s->reply = -1;
 }
 
-/* In the forked process: keeps three descriptors, numbered as in serve.h, and closes the rest. */
-static void keep_descriptors(const slot *s, int channel, pid_t parent) {
-    const int first_free = 2 * SERVE_DESCRIPTORS;
-    const int held[] = {fcntl(channel, F_DUPFD_CLOEXEC, first_free),
-                        fcntl(s->request, F_DUPFD_CLOEXEC, first_free),
-                        fcntl(s->reply, F_DUPFD_CLOEXEC, first_free)};
-    const int nothing = open("/dev/null", O_RDWR);
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-    if (getppid() != parent) {
-        _exit(1);
+/* Forks a worker or an importer of it, with the descriptors of serve.h. 0 in the new process. */
+static pid_t fork_worker(const slot *s, int channel) {
+    _Static_assert(SERVE_CHANNEL == 3 && SERVE_REQUEST == 4 && SERVE_REPLY == 5, "the order below");
+    const pid_t process = cli_fork(
+        &(cli_plan){.kept = {CLI_NOTHING, CLI_NOTHING, CLI_NOTHING, channel, s->request, s->reply},
+                    .count = SERVE_DESCRIPTORS,
+                    .ended_by = SIGKILL});
+    if (process == 0) {
+        signal(SIGINT, SIG_IGN); /* Control-C ends the server, which ends its workers */
     }
-    signal(SIGINT, SIG_IGN); /* Control-C ends the server, which ends its workers */
-    for (int i = 0; i < 3; ++i) {
-        dup2(nothing, i);
-    }
-    for (int i = 0; i < 3; ++i) {
-        dup2(held[i], SERVE_CHANNEL + i);
-    }
-    burnish_close_descriptors(SERVE_DESCRIPTORS);
+    return process;
 }
 
 /* Most bytes of a reply: it can't need more memory than the worker has. */
@@ -120,8 +105,7 @@ static uint64_t reply_limit(const server *v) {
 
 /* Memory files do not count as address space, so a compromised worker could fill the memory of the
  * machine through its reply. */
-__attribute__((noreturn)) static void become_worker(server *v, slot *s, int channel, pid_t parent) {
-    keep_descriptors(s, channel, parent);
+__attribute__((noreturn)) static void become_worker(server *v) {
     cli_lower_limit(RLIMIT_FSIZE, reply_limit(v));
     serve_work(v->settings);
 }
@@ -129,18 +113,15 @@ __attribute__((noreturn)) static void become_worker(server *v, slot *s, int chan
 static burnish_status start_worker(server *v, slot *s, burnish_error *error) {
     int ends[2] = {-1, -1};
     *s = (slot){.channel = -1, .request = cli_unnamed_file(), .reply = cli_unnamed_file()};
-    if (s->request < 0 || s->reply < 0 || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+    if (s->request < 0 || s->reply < 0 || !cli_channel(ends)) {
         const int reason = errno;
         close_files(s);
         return cli_fail(error, BURNISH_STATUS_MEMORY, "serve-stdio: no files for a worker: %s",
                         strerror(reason));
     }
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    const pid_t self = getpid();
-    s->process = fork();
+    s->process = fork_worker(s, ends[1]);
     if (s->process == 0) {
-        become_worker(v, s, ends[1], self);
+        become_worker(v);
     }
     close(ends[1]);
     s->channel = ends[0];
@@ -154,11 +135,9 @@ static burnish_status start_worker(server *v, slot *s, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-/* Waits for a process. Returns its wait status. */
+/* Waits for the worker. Returns its wait status. */
 static int wait_for(slot *s) {
-    int state = 0;
-    while (waitpid(s->process, &state, 0) < 0 && errno == EINTR) {
-    }
+    const int state = cli_wait(s->process);
     s->process = 0;
     return state;
 }
@@ -168,14 +147,12 @@ static int wait_for(slot *s) {
 /* A second or an invalid request ends the worker. */
 static void start_importer(server *v, slot *s, const serve_import_request *import) {
     static const char text[] = "serve-stdio: no process for an importer";
-    const pid_t self = getpid();
     if (s->importer > 0) {
         kill(s->process, SIGKILL);
         return;
     }
-    s->importer = fork();
+    s->importer = fork_worker(s, s->channel);
     if (s->importer == 0) {
-        keep_descriptors(s, s->channel, self);
         serve_run_importer(v->settings, import, s->size);
     }
     if (s->importer < 0) {
@@ -188,8 +165,7 @@ static void start_importer(server *v, slot *s, const serve_import_request *impor
 static void end_importer(slot *s) {
     if (s->importer > 0) {
         kill(s->importer, SIGKILL);
-        while (waitpid(s->importer, NULL, 0) < 0 && errno == EINTR) {
-        }
+        cli_wait(s->importer);
         s->importer = 0;
     }
 }

@@ -29,7 +29,7 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 #include <unistd.h>
 
 #include "base/cli/file.h"
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 #include "cli/limits.h"
 #include "cli/memory.h"
 #include "import/importers.h"

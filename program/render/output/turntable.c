@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/clock.h"
 #include "base/cli/file.h"
 #include "base/cli/values.h"
+#include "base/clock.h"
 #include "picture/animation.h"
 #include "picture/formats.h"
 #include "picture/video.h"

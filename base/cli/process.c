@@ -1,0 +1,103 @@
+#include "base/cli/process.h"
+
+#ifndef _WIN32
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdint.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#endif
+
+#include "base/close_descriptors.h"
+
+/* Each one moves above all the others first: the parent may have any of them below. */
+static int keep_descriptors(const cli_plan *plan) {
+    int held[CLI_KEPT_MAX];
+    for (int i = 0; i < plan->count; ++i) {
+        const int opened = plan->kept[i] == CLI_NOTHING ? open("/dev/null", O_RDWR) : plan->kept[i];
+        held[i] = opened < 0 ? CLI_SAME : fcntl(opened, F_DUPFD_CLOEXEC, 2 * CLI_KEPT_MAX);
+        if (held[i] < 0 && plan->kept[i] != CLI_SAME) {
+            return 0;
+        }
+    }
+    for (int i = 0; i < plan->count; ++i) {
+        if (held[i] >= 0 && dup2(held[i], i) < 0) {
+            return 0;
+        }
+    }
+    return plan->count == 0 || burnish_close_descriptors(plan->count) == 0;
+}
+
+pid_t cli_fork(const cli_plan *plan) {
+    const pid_t parent = getpid();
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child != 0) {
+        return child;
+    }
+#ifdef __linux__
+    if (prctl(PR_SET_PDEATHSIG, plan->ended_by) != 0) {
+        _exit(1);
+    }
+#endif
+    if (getppid() != parent || !keep_descriptors(plan)) {
+        _exit(1);
+    }
+    return 0;
+}
+
+int cli_wait(pid_t process) {
+    int state = 0;
+    while (waitpid(process, &state, 0) < 0 && errno == EINTR) {
+    }
+    return state;
+}
+
+int cli_channel(int ends[2]) {
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+        return 0;
+    }
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    return 1;
+}
+
+void cli_execute(const char *path, const char *const *arguments) {
+    static const int handled[] = {SIGPIPE, SIGXFSZ, SIGHUP, SIGINT, SIGTERM, SIGALRM};
+    for (size_t i = 0; i < sizeof handled / sizeof *handled; ++i) {
+        signal(handled[i], SIG_DFL);
+    }
+    execv(path, (char *const *)(uintptr_t)arguments);
+    _exit(127);
+}
+
+int cli_write_all(int descriptor, const void *bytes, size_t size) {
+    const char *next = bytes;
+    while (size > 0) {
+        const ssize_t count = write(descriptor, next, size);
+        if (count < 0 && errno != EINTR) {
+            return 0;
+        }
+        next += count > 0 ? count : 0;
+        size -= count > 0 ? (size_t)count : 0;
+    }
+    return 1;
+}
+
+int cli_unnamed_file(void) {
+#ifdef __linux__
+    return memfd_create("burnish", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+#else
+    FILE *file = tmpfile(); /* its descriptor stays open until the process ends */
+    return file ? dup(fileno(file)) : -1;
+#endif
+}
+
+#endif

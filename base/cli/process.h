@@ -1,0 +1,40 @@
+/* Starts processes. Every child ends with its parent and keeps only the descriptors of its plan. Not on
+ * Windows. */
+#ifndef BASE_CLI_PROCESS_H
+#define BASE_CLI_PROCESS_H
+
+#include <stddef.h>
+#include <sys/types.h>
+
+enum { CLI_SAME = -1, CLI_NOTHING = -2 }; /* the parent's descriptor; /dev/null */
+
+enum { CLI_KEPT_MAX = 8 };
+
+/* What a child keeps. */
+typedef struct cli_plan {
+    int kept[CLI_KEPT_MAX]; /* descriptor i of the child is kept[i] of the parent, or one of these */
+    int count;              /* of them; all others are closed; 0: all descriptors stay open */
+    int ended_by;           /* the signal that ends it when its parent ends */
+} cli_plan;
+
+/* As fork, which returns twice: in the child with 0 and the descriptors of the plan. What the parent has
+ * printed is flushed before. -1: no process. */
+pid_t cli_fork(const cli_plan *plan);
+
+/* Waits for a process that cli_fork started. Returns its wait status. */
+int cli_wait(pid_t process);
+
+/* Two connected sockets that no other program inherits. Returns 1, or 0 and sets errno. */
+int cli_channel(int ends[2]);
+
+/* In the child: the signals that programs handle have their default effects again, and the program at
+ * `path` takes its place. */
+__attribute__((noreturn)) void cli_execute(const char *path, const char *const *arguments);
+
+/* Writes all bytes, also after interrupted calls. Returns 1, or 0 if writing fails. */
+int cli_write_all(int descriptor, const void *bytes, size_t size);
+
+/* A descriptor of an empty unnamed file; -1: failed. */
+int cli_unnamed_file(void);
+
+#endif
