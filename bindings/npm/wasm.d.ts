@@ -341,8 +341,8 @@ export interface Burnish {
   theoryValues(words: string, exponent: number, angles: ArrayLike<number>): Float64Array;
   theory(words: string, exponent: number): Theory;
   convert(name: Conversion, value: number): number;
-  /** The output of `burnish lobe` for words such as ["claims", "--format=csv"]: table, claims, choose, fit, boundary; JSON is not available. */
-  lobe(words: (string | number)[], file?: { name: string; bytes: BufferSource }): string;
+  /** The output of `burnish lobe` for words such as ["claims", "--format=csv"]: table, claims, choose, boundary; JSON is not available. */
+  lobe(words: (string | number)[]): string;
   /** File extensions that open() reads: ".obj". */
   readonly extensions: string[];
 }

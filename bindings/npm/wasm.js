@@ -460,18 +460,15 @@ class Burnish {
     return this.#exports.theory_convert(which, value);
   }
 
-  /** The output of `burnish lobe`: ["claims", "--format=csv"], or table, choose, fit, boundary. A file that the arguments
-   * refer to is passed as { name, bytes }.
-   */
-  lobe(words, { name = "", bytes = new Uint8Array(0) } = {}) {
+  /** The output of `burnish lobe`: ["claims", "--format=csv"], or table, choose, boundary. */
+  lobe(words) {
     const e = this.#exports;
     const texts = words.map(String);
     if (texts.some((word) => /^(--format=)?json$/.test(word))) {
       throw new BurnishError("--format: JSON is not available here; use csv", "ARGUMENT");
     }
-    const content = asBytes(bytes);
-    return this.#with([texts.join("\0"), name, content], (wordsAt, nameAt, bytesAt) => {
-      const text = e.lobe_command(wordsAt, texts.length, nameAt, bytesAt, content.length);
+    return this.#with([texts.join("\0")], (wordsAt) => {
+      const text = e.lobe_command(wordsAt, texts.length);
       if (text === 0) {
         throw this.#failure();
       }

@@ -5,11 +5,9 @@
 
 #include "burnish/kernels.h"
 #include "burnish/theory.h"
-#include "lobe/fit_solve.h"
 #include "lobe/lists.h"
 #include "lobe/lobe.h"
 #include "lobe/metrics.h"
-#include "lobe/samples.h"
 #include "module.h"
 
 /* ---- Values ---- */
@@ -163,88 +161,6 @@ PyObject *lobe_choose(PyObject *module, PyObject *arguments) {
                          "additions", cost.additions, "comparisons", cost.comparisons, "divisions",
                          cost.divisions, "functions", cost.transcendentals, "lookups",
                          cost.lookups);
-}
-
-/* ---- Measured lobes ---- */
-
-static double lambda_of(double x, lobe_unit unit) {
-    if (unit == LOBE_UNIT_COSINE) {
-        return 1 - x;
-    }
-    const double half = sin((unit == LOBE_UNIT_DEGREES ? x * CLI_DEGREE : x) / 2);
-    return 2 * half * half;
-}
-
-static PyObject *describe(const lobe_samples *samples, const lobe_fitted *f) {
-    const int is_family = f->model.lobe.kind == BURNISH_LOBE_FAMILY;
-    const double exponent =
-        is_family ? lobe_exponent_of_slope(BURNISH_FIT_ENERGY, f->model.lobe.order, f->model.zeta)
-                  : f->model.exponent;
-    char name[LOBE_NAME];
-    burnish_lobe_spec lobe = f->model.lobe;
-    if (is_family) {
-        lobe.fit = BURNISH_FIT_ENERGY;
-    }
-    burnish_lobe_spec_name(&lobe, name, sizeof name);
-    return Py_BuildValue("{sssNsNsdsdsdsdsdsN}", "lobe", name, "exponent", number(exponent), "zeta",
-                         number(is_family ? f->model.zeta : NAN), "scale", f->scale, "offset",
-                         f->offset, "rms", f->rms, "max", f->maximum, "explained",
-                         lobe_explained(samples, f), "at_limit", PyBool_FromLong(f->at_limit));
-}
-
-static PyObject *fit(const module_state *state, const lobe_samples *samples, int with_offset) {
-    lobe_fitted fitted[LOBE_FITTED_MAX];
-    size_t count = 0;
-    burnish_error error = {0};
-    burnish_status status;
-    Py_BEGIN_ALLOW_THREADS;
-    status = lobe_fit_samples(samples, with_offset, "samples", fitted, &count, &error);
-    Py_END_ALLOW_THREADS;
-    if (status != BURNISH_STATUS_OK) {
-        return module_fail(state, &error);
-    }
-    PyObject *list = PyList_New(0);
-    for (size_t i = 0; i < count && list; ++i) {
-        PyObject *row = describe(samples, &fitted[i]);
-        if (!row || PyList_Append(list, row) != 0) {
-            Py_CLEAR(list);
-        }
-        Py_XDECREF(row);
-    }
-    return list;
-}
-
-PyObject *lobe_fit(PyObject *module, PyObject *arguments) {
-    PyObject *angles, *intensities, *list = NULL;
-    Py_ssize_t count = 0, others = 0;
-    int unit, with_offset;
-    if (!PyArg_ParseTuple(arguments, "OOip", &angles, &intensities, &unit, &with_offset)) {
-        return NULL;
-    }
-    double *x = read_doubles(angles, &count);
-    double *y = x ? read_doubles(intensities, &others) : NULL;
-    lobe_samples samples = {0};
-    if (y && count != others) {
-        PyErr_Format(PyExc_ValueError, "%zd angles and %zd intensities; give as many", count,
-                     others);
-    } else if (y) {
-        samples.items = calloc((size_t)count + 1, sizeof *samples.items);
-        samples.count = (size_t)count;
-        for (Py_ssize_t i = 0; i < count && samples.items; ++i) {
-            samples.items[i] = (lobe_sample){x[i], lambda_of(x[i], (lobe_unit)unit), y[i]};
-            if (!isfinite(x[i]) || !isfinite(y[i])) {
-                PyErr_Format(PyExc_ValueError, "sample %zd is no finite number", i);
-                break;
-            }
-        }
-        list = PyErr_Occurred() ? NULL
-               : samples.items  ? fit(PyModule_GetState(module), &samples, with_offset)
-                                : PyErr_NoMemory();
-    }
-    free(samples.items);
-    free(x);
-    free(y);
-    return list;
 }
 
 PyObject *lobe_words(PyObject *module, PyObject *unused) {

@@ -159,7 +159,6 @@ static PyMethodDef functions[] = {
     {"lobe_exact", lobe_exact, METH_VARARGS, "lobe_exact(lobe, exponent, angles)"},
     {"lobe_row", lobe_row, METH_VARARGS, "lobe_row(lobe, exponent, metrics)"},
     {"lobe_choose", lobe_choose, METH_VARARGS, "lobe_choose(exponent, epsilon, affine)"},
-    {"lobe_fit", lobe_fit, METH_VARARGS, "lobe_fit(x, intensities, unit, offset)"},
     {"lobe_words", lobe_words, METH_NOARGS, "lobe_words()"},
     {0},
 };

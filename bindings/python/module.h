@@ -96,7 +96,6 @@ PyObject *lobe_values(PyObject *module, PyObject *arguments);
 PyObject *lobe_exact(PyObject *module, PyObject *arguments);
 PyObject *lobe_row(PyObject *module, PyObject *arguments);
 PyObject *lobe_choose(PyObject *module, PyObject *arguments);
-PyObject *lobe_fit(PyObject *module, PyObject *arguments);
 PyObject *lobe_words(PyObject *module, PyObject *unused);
 
 #endif

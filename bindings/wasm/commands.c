@@ -1,4 +1,4 @@
-/* `burnish lobe COMMAND`, which returns its output as a string: the program's tables, claims, fits
+/* `burnish lobe COMMAND`, which returns its output as a string: the program's tables, claims
  * and boundary memories. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,22 +10,9 @@
 #include "module.h"
 
 WASM_EXPORT(lobe_command)
-const char *run_lobe(const char *arguments, int count, const char *name, const void *bytes,
-                     size_t size);
+const char *run_lobe(const char *arguments, int count);
 
-/* Module state during a call: the only file that can be opened, and the output. */
-static struct {
-    const char *name;
-    const void *bytes;
-    size_t size;
-} offered;
-static char *printed;
-
-FILE *fopen(const char *restrict path, const char *restrict mode) {
-    return offered.name && strcmp(path, offered.name) == 0
-               ? fmemopen((void *)offered.bytes, offered.size, mode) /* only read */
-               : NULL;
-}
+static char *printed; /* the last output */
 
 burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
                               burnish_error *error) {
@@ -45,16 +32,14 @@ burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
 
 static const cli_command *find(const char *name, burnish_error *error) {
     static const cli_command *const commands[] = {&lobe_table_command, &lobe_claims_command,
-                                                  &lobe_choose_command, &lobe_fit_command,
-                                                  &lobe_boundary_command};
+                                                  &lobe_choose_command, &lobe_boundary_command};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; ++i) {
         if (strcmp(commands[i]->name + strlen("lobe "), name) == 0) {
             return commands[i];
         }
     }
     cli_fail(error, BURNISH_STATUS_ARGUMENT,
-             "\"lobe %.60s\": not available here; use table, claims, choose, fit or boundary",
-             name);
+             "\"lobe %.60s\": not available here; use table, claims, choose or boundary", name);
     return NULL;
 }
 
@@ -90,18 +75,12 @@ static burnish_status run(const char *words, int count, burnish_error *error) {
     return status;
 }
 
-/* Runs a command of `burnish lobe`, except plot and sample.
- *   arguments          count texts, each with its zero: "table", "--lobes=energy:2" ...
- *   name, bytes, size  a file that the arguments may name; NULL: none
+/* Runs a command of `burnish lobe`, except rough and plot.
+ *   arguments  count texts, each with its zero: "table", "--lobes=energy:2" ...
  * Returns its output, valid until the next call, or NULL after an error. */
-const char *run_lobe(const char *arguments, int count, const char *name, const void *bytes,
-                     size_t size) {
+const char *run_lobe(const char *arguments, int count) {
     free(printed);
     printed = NULL;
-    offered.name = name;
-    offered.bytes = bytes;
-    offered.size = size;
     const burnish_status status = run(arguments, count, module_error());
-    offered.name = NULL;
     return status == BURNISH_STATUS_OK ? printed : NULL;
 }

@@ -1,6 +1,6 @@
 // The page: shows the state and changes it on input. Loaded after the first picture (first.js).
 import { request, latest } from "./request.js";
-import { overlayCurve, overlayName, isOverlay, openOverlay, watchOverlay } from "./overlay.js";
+import { overlayValues, overlayName, isOverlay, openOverlay, watchOverlay } from "./overlay.js";
 import { showClaims } from "./claims.js";
 import { codeOf } from "./code.js";
 import { numberOf, parseCsv } from "./csv.js";
@@ -31,12 +31,7 @@ const compute = latest(async () => {
   const steps = Array.from({ length: POINTS }, (_, i) => (i * end) / (POINTS - 1));
   const lobes = [lobeOf(state), state.against, "power"];
   const [lobe, other, power] = await request("theory", { lobes, exponent, angles: radians(steps) });
-  const overlay = overlayCurve(steps);
-  if (overlay) {
-    const [exact] = await request("theory", { lobes: ["power"], exponent, angles: radians(overlay.angles) });
-    overlay.power = [...exact.values];
-  }
-  (await curves).overAngle(steps, [...lobe.values], [...other.values], [...power.values], overlay);
+  (await curves).overAngle(steps, [...lobe.values], [...other.values], [...power.values], overlayValues(steps));
   at("cost").innerHTML = ROWS.map(([name, text]) =>
     `<tr><th scope="row">${name}</th><td>${text(lobe.facts, power.facts)}</td><td>${text(other.facts, power.facts)}</td></tr>`).join("");
   showSoftbox({ zeta: lobe.facts.zeta, order: WITHOUT_ORDER.includes(state.fit) ? 2 : Number(state.order), exponent, isBlinn: state.equation === "blinn" });
@@ -175,10 +170,6 @@ divideByHand((percent) => change("divider", percent));
 watchOverlay(() => {
   settle();
   compute();
-}, (lobe) => {
-  Object.assign(state, lobe);
-  change("n", lobe.n);
-  tabulate();
 });
 
 // ---- Files ----
@@ -195,7 +186,7 @@ at("mesh").addEventListener("click", ({ target }) => {
 let extensions = []; // of meshes, from the module
 const isMesh = (name) => extensions.some((extension) => name.toLowerCase().replace(/\.gz$/, "").endsWith(extension));
 
-// Samples and .brdf files are overlays; otherwise one file is the mesh and the others are its references.
+// .brdf files are overlays; otherwise one file is the mesh and the others are its references.
 async function openFiles(list) {
   const files = [...list];
   const overlay = files.find(({ name }) => isOverlay(name));

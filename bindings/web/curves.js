@@ -18,10 +18,8 @@ const round = (steps) => (u, i, low, high) =>
 
 const short = (y) => String(Number(y.toPrecision(3)));
 const line = (name, dash) => ({ stroke: () => color(name), width: 2, dash, points: { show: false }, spanGaps: true });
-const dots = (name) => ({ stroke: () => color(name), paths: () => null, points: { show: true, size: 6, width: 1.5, fill: () => color("--paper") } });
 const LOBE = line("--lobe");
 const OTHER = line("--other", [6, 4]);
-const OVERLAY = dots("--overlay");
 const POWER = { ...line("--soft", [2, 3]), width: 1.5 };
 
 /** One plot: id of its element, series, ranges, formats; `read` formats the numbers at the pointer for the caption. */
@@ -77,9 +75,9 @@ export function makeCurves() {
   const angle = { range: () => [0, end], format: degrees, read: (a) => `${a.toFixed(1)}°` };
   const power = { range: () => [1, 4096], format: String, read: (n) => `n ${n < 10 ? n.toFixed(1) : n.toFixed(0)}` };
   const over = (id, series, y) => plot({ id, series, y, x: power, isLogarithmic: true, marks: () => Math.min(exponent, 4096) });
-  const value = plot({ id: "plot-value", series: [LOBE, OTHER, OVERLAY, line("--overlay")], x: angle,
+  const value = plot({ id: "plot-value", series: [LOBE, OTHER, line("--overlay")], x: angle,
     y: { range: [0, 1.03], format: (v) => v.toFixed(1), read: (v) => v.toFixed(3) } });
-  const error = plot({ id: "plot-error", series: [LOBE, OTHER, OVERLAY, line("--overlay")], x: angle,
+  const error = plot({ id: "plot-error", series: [LOBE, OTHER, line("--overlay")], x: angle,
     y: { range: reach(1e-4), format: (v) => (v === 0 ? "0" : v.toFixed(3)), read: (v) => v.toFixed(4) } });
   const largest = over("plot-largest", [LOBE, OTHER], { range: (u, low, high) => [0, Math.max(1e-3, high ?? 0) * 1.12], format: short, read: (v) => v.toFixed(4) });
   const energy = over("plot-energy", [LOBE, OTHER], {
@@ -88,20 +86,11 @@ export function makeCurves() {
   const boundary = over("plot-boundary", [LOBE, OTHER, POWER], { range: decade(0.1), isLogarithmic: true, format: degrees, read: (v) => `${v.toFixed(2)}°` });
 
   return {
-    /** Values at angles in degrees; overlay: { angles, values, isLine }, or null. */
+    /** Values at angles in degrees; overlay: an array of them, or null. */
     overAngle(angles, lobe, other, power, overlay) {
       end = angles.at(-1);
-      const side = (minus) => {
-        const main = [angles, lobe.map(minus), other.map(minus)];
-        if (!overlay) {
-          return [...main, angles.map(() => null), angles.map(() => null)];
-        }
-        const column = overlay.values.map((v, i) => (Number.isFinite(v) ? v - (minus === same ? 0 : overlay.power[i]) : null));
-        const none = column.map(() => null);
-        return uPlot.join([main, [overlay.angles, overlay.isLine ? none : column, overlay.isLine ? column : none]]);
-      };
-      const same = (v) => v;
-      value.setData(side(same));
+      const side = (minus) => [angles, lobe.map(minus), other.map(minus), angles.map((_, i) => (Number.isFinite(overlay?.[i]) ? minus(overlay[i], i) : null))];
+      value.setData(side((v) => v));
       error.setData(side((v, i) => v - power[i]));
     },
     /** Rows of `burnish lobe table` over the exponent, of lobe, other and power. */

@@ -37,7 +37,7 @@ const calls = {
   },
 
   // The output of `burnish lobe`.
-  lobe: (burnish, { words, file }) => burnish.lobe(words, file),
+  lobe: (burnish, { words }) => burnish.lobe(words),
 
   // Values at angles in radians, and the facts of each lobe at the exponent.
   theory(burnish, { lobes, exponent, angles }) {

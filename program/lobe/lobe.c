@@ -2,9 +2,13 @@
 #include "lobe/lobe.h"
 
 static const cli_command *const parts[] = {
-    &lobe_table_command, &lobe_claims_command,   &lobe_choose_command,
-    &lobe_fit_command,   &lobe_boundary_command, &lobe_sample_command,
-    &lobe_rough_command, &lobe_plot_command,     NULL,
+    &lobe_table_command,
+    &lobe_claims_command,
+    &lobe_choose_command,
+    &lobe_boundary_command,
+    &lobe_rough_command,
+    &lobe_plot_command,
+    NULL,
 };
 
 static const cli_example examples[] = {
@@ -13,7 +17,6 @@ static const cli_example examples[] = {
     {"burnish lobe claims core-w", "a claim of the paper"},
     {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest sufficient lobe"},
     {"burnish lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "a memory for Verilog"},
-    {"burnish lobe sample --lobe=energy:2 --exponent=50 -o rays.csv", "directions to trace"},
     {"burnish lobe rough --roughness=0.3,0.6", "sums of lobes for GGX"},
     {NULL, NULL},
 };
@@ -53,7 +56,7 @@ static const cli_section sections[] = {
 const cli_command lobe_command = {
     .name = "lobe",
     .operand = "COMMAND",
-    .summary = "properties of lobes: numbers, claims, fits, figures",
+    .summary = "properties of lobes: numbers, claims, figures",
     .operand_help =
         "burnish lobe COMMAND --help lists the flags; burnish help --man explains them.",
     .manual =

@@ -12,8 +12,6 @@ extern const cli_command lobe_table_command;
 extern const cli_command lobe_claims_command;
 extern const cli_command lobe_boundary_command;
 extern const cli_command lobe_choose_command;
-extern const cli_command lobe_sample_command;
-extern const cli_command lobe_fit_command;
 extern const cli_command lobe_rough_command;
 extern const cli_command lobe_plot_command;
 

@@ -6,7 +6,7 @@
 # fits FILE: at most 40 lines of at most 100 columns, no blanks at the ends of lines.
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
 
-lobe="table claims choose fit boundary rough sample plot"
+lobe="table claims choose boundary rough plot"
 screens="--help;-h;help;--help=render;--help=lobe;render --help;render -h;view --help;help render;info --help;help info;batch --help;help batch;serve-stdio --help;help serve-stdio;compare --help;compare -h;help compare;help --help;lobe --help;lobe -h;help lobe"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
@@ -132,7 +132,7 @@ check "the man page describes no flags" [ -s described.txt ]
 while read -r flag; do
     check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag"
 done <described.txt
-for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE '"LOBE TABLE"' '"LOBE FIT"' COLOURS MATERIALS \
+for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE '"LOBE TABLE"' '"LOBE BOUNDARY"' COLOURS MATERIALS \
     LOBES METRICS LIGHTS INFO '"JSON OUTPUT"' '"FACTS IN JSON"' \
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1

@@ -187,11 +187,11 @@ expect 2 'burnish: --roughness: "0" is not a number from 0.001 to 1' lobe rough 
 
 # ---- Usage ----
 
-expect 2 'burnish: lobe: what comes next is one of table, claims, choose, fit, boundary, sample, rough or plot; "burnish lobe --help" explains them' lobe
+expect 2 'burnish: lobe: what comes next is one of table, claims, choose, boundary, rough or plot; "burnish lobe --help" explains them' lobe
 expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' lobe tabel
 expect 2 'burnish: "lobe tabel": unknown command; did you mean lobe table?' help lobe tabel
 expect 2 'burnish: "lobe frobnicate": unknown command; "burnish lobe --help" lists the commands' lobe frobnicate
-expect 2 'burnish: lobe --format: one of table, claims, choose, fit, boundary, sample, rough or plot comes first' lobe --format
+expect 2 'burnish: lobe --format: one of table, claims, choose, boundary, rough or plot comes first' lobe --format
 expect 2 'burnish: help: "x": render has no subcommands; try burnish help render' help render x
 expect 2 'burnish: lobe table: "x" is not a flag; "burnish lobe table --help" lists the flags' lobe table x
 expect 2 'burnish: --metric: unknown flag; did you mean --metrics?' lobe table --metric=zeta

@@ -1,6 +1,5 @@
 #!/bin/sh
-# burnish lobe boundary and sample: words against closed forms, C that compiles, Verilog that loads,
-# directions that are distributed as stated; and that -o writes the whole file or none.
+# burnish lobe boundary: words against closed forms, C that compiles, Verilog that loads; and that -o writes the whole file or none.
 # usage: cli_lobe_files.sh BURNISH SCRATCH
 . "$(dirname "$0")/lib.sh"
 
@@ -94,48 +93,9 @@ expect 2 'burnish: --format-word: "Q40" is not a fixed-point format; use UQ0.15 
 expect 2 'burnish: boundary: 0.5 threshold bits; use 1 to 1024, or 0 for the lobe'"'"'s zero' lobe boundary --bits=0.5
 expect 2 'burnish: --as: "hex" is not one of c, progmem, mem, csv' lobe boundary --as=hex
 
-# ---- Samples ----
-
-# moments SEED...: count, largest | |d| - 1 |, largest | pdf - density |, and z of the cosine's mean
-# from its true value in standard errors, for energy:2, n = 50: zeta 17, u has density 3 u^2.
-moments() {
-    awk -F, 'BEGIN { pi = atan2(0, -1); zeta = 17 } NR == 1 { next }
-        { length2 = $1 * $1 + $2 * $2 + $3 * $3; d = length2 - 1; d = d < 0 ? -d : d; off = d > off ? d : off
-          u = 1 - zeta * (1 - $3); p = zeta * 3 * u * u / (2 * pi) - $4; p = p < 0 ? -p : p; pdf = p > pdf ? p : pdf
-          s += u; x += $1; y += $2; xx += $1 * $1; if (u < 0 || u > 1) out = 1; ++n
-          ++bin[int(u * u * u * 20) > 19 ? 19 : int(u * u * u * 20)] }
-        END { for (i = 0; i < 20; ++i) chi += (bin[i] - n / 20) ^ 2 / (n / 20)
-              z = (s / n - 3 / 4) / sqrt(3 / 80 / n); zx = x / n / sqrt(xx / n / n); zy = y / n / sqrt(xx / n / n)
-              printf "%d %g %g %.4f %.4f %.4f %.3f %d\n", n, off, pdf, z, zx, zy, chi, out }' "$out"
-}
-run lobe sample --lobe=energy:2 --exponent=50 --count=20000
-moments >m.txt
-check "random directions: $(cat m.txt)" awk '{ exit !($1 == 20000 && $2 < 1e-14 && $3 < 1e-9 && $4 * $4 < 12 &&
-    $5 * $5 < 12 && $6 * $6 < 12 && $7 < 45 && $8 == 0) }' m.txt
-cp "$out" first.csv
-run lobe sample --lobe=energy:2 --exponent=50 --count=20000 --seed=1
-check "the same seed, other directions" cmp -s "$out" first.csv
-run lobe sample --lobe=energy:2 --exponent=50 --count=100
-check "a shorter run is no beginning of a longer one" sh -c "head -n 101 first.csv | cmp -s - '$out'"
-run lobe sample --lobe=energy:2 --exponent=50 --count=100 --seed=2
-check "another seed, the same directions" sh -c "! head -n 101 first.csv | cmp -s - '$out'"
-# a wrong lobe fails the same test
-run lobe sample --lobe=energy:2 --exponent=52 --count=20000
-moments >m.txt
-check "a wrong lobe passes: $(cat m.txt)" awk '{ exit !($4 * $4 > 12) }' m.txt
-run lobe sample --lobe=energy:2 --exponent=50 --count=20000 --pattern=stratified
-moments >m.txt
-check "stratified directions: $(cat m.txt)" awk '{ exit !($1 == 20000 && $3 < 1e-9 && $4 * $4 < 1e-4 && $7 < 0.01 && $8 == 0) }' m.txt
-run lobe sample --lobe=power --exponent=10 --measure=cosine --count=5000
-check "power, cosine-weighted: density (n + 2) c^(n + 1) / 2 pi" awk -F, 'NR > 1 { d = $4 - 12 * $3^11 / (2 * atan2(0, -1))
-    if (d > 1e-12 || d < -1e-12) bad = 1; s += $3 } END { m = s / (NR - 1) - 12 / 13; exit bad || NR != 5001 || m * m > 16 * .0051 / 5000 }' "$out"
-expect 2 'burnish: --count: "0" is not a whole number from 1 to 1000000000' lobe sample --count=0
-expect 2 'burnish: --lobe: lobe "taylor:16" at exponent 8: the order is above the exponent: try a lower order' lobe sample --lobe=taylor:16 --exponent=8
-rm -rf ./*
-
 # ---- Whole or nothing ----
 
-for part in "table" "claims peak" "boundary" "sample" "choose --exponent=9 --epsilon=.1"; do
+for part in "table" "claims peak" "boundary" "choose --exponent=9 --epsilon=.1"; do
     # shellcheck disable=SC2086
     gives 0 lobe $part -o whole.txt
     # shellcheck disable=SC2086
@@ -156,25 +116,17 @@ for part in "table" "claims peak" "boundary" "sample" "choose --exponent=9 --eps
     rmdir folder
 done
 echo kept >old.csv
-expect 2 'burnish: --lobe: "nonsense" is not a lobe; use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, schlick, gaussian, gx, nv2x, kuijk-blake, tableN[:linear]' lobe sample --lobe=nonsense -o old.csv
+expect 2 'burnish: --lobe: "nonsense" is not a lobe; use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, schlick, gaussian, gx, nv2x, kuijk-blake, tableN[:linear]' lobe boundary --lobe=nonsense -o old.csv
 check "a failed run touched the file" [ "$(cat old.csv)" = kept ]
 rm old.csv
 if [ "$(id -u)" -ne 0 ]; then
     mkdir locked
     chmod 555 locked
-    expect 7 "burnish: locked/a.csv: can't be written: Permission denied" lobe sample -o locked/a.csv
+    expect 7 "burnish: locked/a.csv: can't be written: Permission denied" lobe table -o locked/a.csv
     check "something in the locked folder" [ -z "$(ls -A locked)" ]
     rmdir locked
 elif [ -d /proc/self ]; then
-    gives 7 lobe sample -o /proc/self/a.csv  # a folder that takes no files
-fi
-# the memory does not grow with the count: this limit holds the program (not a sanitizer's, which
-# needs more), but not half a million directions
-if sh -c "ulimit -v 32768; '$burnish' --version" >/dev/null 2>&1; then
-    check "500000 directions in 32 MB" sh -c "ulimit -v 32768; '$burnish' lobe sample --count=500000 -o big.csv && [ \$(wc -l <big.csv) -eq 500001 ]"
-    rm -f big.csv
-else
-    skip "samples in 32 MB, this build needs more"
+    gives 7 lobe table -o /proc/self/a.csv  # a folder that takes no files
 fi
 nothing_left "all runs"
 

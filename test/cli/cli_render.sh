@@ -81,7 +81,7 @@ if ${CC:-cc} -shared -fPIC -o ../access.so ../access.c 2>/dev/null &&
     preload=$(realpath ../access.so)
 fi
 for name in TERM HUP; do
-    LD_PRELOAD=$preload "$burnish" lobe sample --count=1000000000 -o rays.csv 2>"$err" &
+    LD_PRELOAD=$preload "$burnish" render :sphere --size=800 --turntable=x.gif --frames=2000 2>"$err" &
     writer=$!
     if [ -n "$preload" ]; then
         check "no temporary to leave" await sh -c '[ -n "$(ls -A)" ]'

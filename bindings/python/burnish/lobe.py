@@ -1,4 +1,4 @@
-"""Specular lobes: values, facts, choice and fit, like ``burnish lobe``.
+"""Specular lobes: values, facts and choice, like ``burnish lobe``.
 
 Lobes have the same names: "energy:2", "minimax:4", "power", "schlick" ...; words() lists an example of each kind.
 """
@@ -11,9 +11,7 @@ from typing import Any
 
 from . import _burnish, _shapes
 
-__all__ = ["choose", "exact", "fit", "table", "values", "words"]
-
-_UNITS = {"degrees": 0, "radians": 1, "cosine": 2}
+__all__ = ["choose", "exact", "table", "values", "words"]
 
 
 def values(lobe: str, exponent: float, cosines: Any) -> memoryview:
@@ -61,22 +59,6 @@ def choose(exponent: float, epsilon: float, *, affine: bool = False) -> dict[str
     'minimax:8'
     """
     return _burnish.lobe_choose(exponent, epsilon, affine)
-
-
-def fit(angles: Sequence[float], intensities: Sequence[float], *, unit: str = "degrees", offset: bool = False) -> list[dict[str, Any]]:
-    """Lobes fitted to measured samples by least squares, the best first: intensity = scale * lobe + offset.
-
-    unit  of the angles: "degrees", "radians" or "cosine"
-
-    >>> angles = list(range(0, 40, 2))
-    >>> from math import cos, radians
-    >>> best = burnish.lobe.fit(angles, [3 * cos(radians(angle)) ** 40 for angle in angles])[0]
-    >>> best["lobe"], round(best["exponent"], 6), round(best["scale"], 6)
-    ('power', 40.0, 3.0)
-    """
-    if unit not in _UNITS:
-        raise ValueError(f'unit: "{unit}"; expected one of {", ".join(_UNITS)}')
-    return _burnish.lobe_fit(angles, intensities, _UNITS[unit], offset)
 
 
 def words() -> list[str]:

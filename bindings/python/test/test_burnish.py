@@ -746,16 +746,6 @@ class Lobes(unittest.TestCase):
             self.assertEqual((values.format, len(values)), ("f", 101))
         self.assertEqual(list(burnish.lobe.values("power", 20, [])), [])
 
-    def test_fit(self):
-        angles = [float(x) for x in range(0, 30)]
-        exact = burnish.lobe.exact("energy:4", 50, [x * 0.017453292519943295 for x in angles])
-        best = burnish.lobe.fit(angles, [2 * value + 0.1 for value in exact], offset=True)[0]
-        self.assertEqual(best["lobe"], "energy:4")
-        for key, value in (("exponent", 50), ("scale", 2), ("offset", 0.1)):
-            self.assertAlmostEqual(best[key], value, places=4)
-        for wrong in (([1, 2], [1]), ([1, 2], [1, float("nan")])):
-            with self.assertRaises(ValueError):
-                burnish.lobe.fit(*wrong)
         with self.assertRaises(burnish.Error):
             burnish.lobe.values("enrgy", 64, [1.0])
 

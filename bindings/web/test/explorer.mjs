@@ -23,11 +23,6 @@ const browser = await chromium.launch({
     "--disable-sync", "--disable-gpu", "--enable-unsafe-swiftshader"],
 });
 
-const sampleAt = (a) => 0.1 + 0.8 * Math.max(0, 1 - 3 * (1 - Math.cos((a * Math.PI) / 180))) ** 8;
-const samples = Array.from({ length: 40 }, (_, a) => `${a},${sampleAt(a)}\n`).join("");
-writeFileSync(join(scratch, "samples.csv"), samples);
-writeFileSync(join(scratch, "letters.csv"), `${samples}41,a\n`);
-
 let failures = 0;
 let checks = 0;
 function check(what, found, expected) {
@@ -133,19 +128,7 @@ try {
   check("the picture before it stays", await hashOf(page), whole);
 
   // ---- Overlays ----
-  await page.setInputFiles("#overlay-file", join(scratch, "samples.csv"));
-  await page.waitForFunction(() => document.querySelectorAll("#fits tr").length === 9);
   const printed = (...words) => spawnSync(burnish, ["lobe", ...words], { cwd: scratch, encoding: "utf8" });
-  const best = printed("fit", "samples.csv", "--format=csv").stdout.split("\n")[1].split(",");
-  check("the best fit", await page.textContent("#fits tr:first-child th"), best[0]);
-  check("its exponent", await page.textContent("#fits tr:first-child td"), Number(best[2]).toFixed(2));
-  await page.check("#offset");
-  await page.waitForFunction((before) => document.querySelector("#fits tr td:nth-child(4)").textContent !== before, `${Number(best[7]).toFixed(2)} %`);
-  await changes(page, "a lobe that fits", () => page.click("#fits tr:first-child button"));
-  check("the order that fits", await page.textContent("#order [aria-pressed='true']"), "8");
-  await page.setInputFiles("#overlay-file", join(scratch, "letters.csv"));
-  await page.waitForFunction(() => document.getElementById("overlay-error").textContent);
-  check("broken samples", `burnish: ${await page.textContent("#overlay-error")}\n`, printed("fit", "letters.csv", "--offset").stderr);
   // cos^n as a formula, run by this browser: the difference is rounding
   await page.setInputFiles("#overlay-file", join(data, "power.brdf"));
   await page.waitForFunction(() => document.querySelectorAll("#parameters input").length === 3);
