@@ -38,6 +38,8 @@ static const cli_section environment = {
              "the folder of the programs *burnish-import-assimp* and *burnish-import-occt*, "
              "which read other formats (FBX, COLLADA, STEP ...), instead of the folder in "
              "which they are installed."},
+            {"*BURNISH_FIGURES*",
+             "the gnuplot script of *burnish lobe plot*, instead of the installed figures.gp."},
             {"*BURNISH_ISA*", "the instruction set if *--isa* is *auto*; the same values."},
             {"*PATH*",
              "the folders of gnuplot, for *burnish lobe plot*, and of ffmpeg, for videos."},

@@ -73,6 +73,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/burnish.pc ${CMAKE_CURRENT_BINARY_DIR}
 
 if(BURNISH_CLI)
   install(TARGETS burnish_cli)
+  install(FILES program/lobe/figures.gp DESTINATION ${CMAKE_INSTALL_DATADIR}/burnish)
   add_dependencies(burnish_installed burnish_cli)
 endif()
 

@@ -63,7 +63,6 @@ static const struct layer {
     {"program/info", "base base/cli batch cli import render/scene burnish"},
     {"program/lobe", "base base/cli cli burnish"},
     {"program/picture", "base base/cli cli burnish"},
-    {"program/plot", "base base/cli cli lobe picture burnish"},
     {"program/render",
      "base base/cli cli font picture render/output render/scene render/settings sandbox burnish"},
     {"program/render/output",

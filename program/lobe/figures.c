@@ -5,10 +5,7 @@
 #include <string.h>
 
 #include "base/cli/values.h"
-#include "lobe/lists.h"
-#include "plot/cost.h"
-#include "plot/figures.h"
-#include "plot/light.h"
+#include "lobe/figures.h"
 
 static const double DEGREES = 1 / CLI_DEGREE;
 
@@ -18,7 +15,6 @@ static plot_metric lobe_value, power_error, core_error, extreme_error, extreme_e
 static const plot_figure figures[] = {
     {.name = "error",
      .panel = "2",
-     .script = "error",
      .title = "Absolute error of W against the angle",
      .exponents = "3,10,30,100,300,1000",
      .lobes = "taylor:2",
@@ -28,7 +24,6 @@ static const plot_figure figures[] = {
      .has_paper_names = 1},
     {.name = "curves",
      .panel = "3",
-     .script = "curves",
      .title = "The power, W and Schlick's function against the angle",
      .exponents = "100",
      .lobes = "power,taylor:2,schlick",
@@ -38,7 +33,6 @@ static const plot_figure figures[] = {
     {.name = "core",
      .panel = "4",
      .axis = PLOT_AXIS_EXPONENTS,
-     .script = "core",
      .title = "Largest relative error from the peak to the inflection against the exponent",
      .exponents = "2,1000",
      .lobes = "taylor:2,shift7,schlick",
@@ -48,7 +42,6 @@ static const plot_figure figures[] = {
     {.name = "ratio",
      .panel = "5",
      .axis = PLOT_AXIS_EXPONENTS,
-     .script = "ratio",
      .title = "Ratio R of the angles at which power and lobe fall to 2^-q against the exponent",
      .exponents = "2,1000",
      .lobes = "taylor:2,schlick",
@@ -58,7 +51,6 @@ static const plot_figure figures[] = {
      .has_paper_names = 1},
     {.name = "w1",
      .panel = "6a",
-     .script = "curves",
      .title = "W1 and the power against the angle",
      .exponents = "10",
      .lobes = "power,energy:2",
@@ -68,7 +60,6 @@ static const plot_figure figures[] = {
     {.name = "w1-extreme",
      .panel = "6b",
      .axis = PLOT_AXIS_EXPONENTS,
-     .script = "w1-extreme",
      .title = "Extreme relative error of W1 against the exponent",
      .exponents = "2,1000",
      .lobes = "energy:2",
@@ -76,17 +67,8 @@ static const plot_figure figures[] = {
      .measure = extreme_error,
      .points = extreme_error_searched,
      .has_paper_names = 1},
-    {.name = "object",
-     .panel = "7",
-     .axis = PLOT_AXIS_NONE,
-     .title = "An object shaded with the power, W1 and Schlick's function, and the differences",
-     .exponents = "40",
-     .lobes = "power,energy:2,schlick",
-     .width = 480,
-     .height = 360},
     {.name = "cost",
      .axis = PLOT_AXIS_NONE,
-     .script = "cost",
      .title = "Largest absolute error of every lobe against what it costs",
      .exponents = "64",
      .lobes = "taylor:2,energy:2,shift7,minimax:2,affine:2,energy:4,minimax:4,affine:4,minimax:8,"
@@ -99,7 +81,6 @@ static const plot_figure figures[] = {
      .fill = plot_fill_cost},
     {.name = "energy",
      .axis = PLOT_AXIS_EXPONENTS,
-     .script = "energy",
      .title = "Energy over the hemisphere relative to the power's against the exponent",
      .exponents = "2,1000",
      .lobes = "schlick,gx,energy:2,minimax:2,shift3,shift7,taylor:2",
@@ -108,7 +89,6 @@ static const plot_figure figures[] = {
      .has_paper_names = 1},
     {.name = "orders",
      .axis = PLOT_AXIS_EXPONENTS,
-     .script = "orders",
      .title = "Largest absolute error of every order against the exponent",
      .exponents = "2,5000",
      .lobes = "minimax:2,minimax:4,minimax:8,minimax:16,minimax:32",
@@ -117,7 +97,6 @@ static const plot_figure figures[] = {
      .is_ordered = 1},
     {.name = "widths",
      .axis = PLOT_AXIS_BITS,
-     .script = "widths",
      .title = "Ratio R of the angles at which power and lobe fall to 2^-q against q",
      .exponents = "64",
      .lobes = "taylor:2,shift7,energy:2,minimax:2,shift3,minimax:4,minimax:8,gaussian,schlick",
@@ -126,7 +105,6 @@ static const plot_figure figures[] = {
      .measure = burnish_theory_width_ratio,
      .has_paper_names = 1},
     {.name = "radius",
-     .script = "radius",
      .title = "Radius of curvature of W and the power against the angle",
      .exponents = "10,100,1000",
      .lobes = "taylor:2,power",
@@ -136,7 +114,6 @@ static const plot_figure figures[] = {
      .has_paper_names = 1},
     {.name = "polygon",
      .axis = PLOT_AXIS_NONE,
-     .script = "polygon",
      .title = "Error of the evaluations of a polygon's light against the slope",
      .exponents = "64",
      .lobes = "energy:8",
@@ -144,7 +121,6 @@ static const plot_figure figures[] = {
      .fill = plot_fill_polygon},
     {.name = "rough",
      .axis = PLOT_AXIS_NONE,
-     .script = "rough",
      .title = "GGX around the mirror direction, and sums of lobes",
      .exponents = "64",
      .lobes = "energy:2",

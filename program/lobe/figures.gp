@@ -1,16 +1,94 @@
-# What all figures share. Before it stand the numbers (burnish lobe plot NAME --format=gp shows them
-# all) and the figure's own settings:
-#   panel            its number in the paper, or ""
-#   y_title x_title  texts           names    "end": at the lines' ends, "key", "inside"; "rows"
-#   x_log y_log      1: logarithmic           guide    a line to read against; guide_text above it
-#   low high         of y, in place of those of the data         drawing  in place of the lines
+# Draws the figures of docs/theory.md:
+#   burnish lobe plot curves -o curves.gp              the numbers, which this file loads
+#   gnuplot -c figures.gp curves.gp >curves.svg
+# burnish lobe plot does the same and adds colours for dark pages. To use a changed copy of this file, name it
+# in BURNISH_FIGURES.
+load ARG1
 
-# Inks: text, axis, grid, paper, the power; seven hues for lobes; eight steps for numbers. Hues after
-# Okabe and Ito 2008, which people with any colour vision tell apart, darkened for white and lightened
-# for dark pages to a contrast of at least 3 to 1; the steps run in lightness, so that their order
-# survives in grey. In an SVG burnish replaces each by its dark form where the page is dark.
-light = "#2f363f #6a737d #e7eaee #ffffff #1b1f24 #0072b2 #d55e00 #008561 #aa4f8d #a87400 #6f3b00 #767676 #440154 #463480 #365c8d #277f8e #1a8f78 #2f9a50 #6b951c #c77700"
-dark = "#c9d1d9 #7d8791 #2a313a #161b22 #f0f3f6 #58a6e8 #f5874a #33c39a #de8fc0 #e3ad3e #d8b48c #a0a7ae #c886e0 #a394f2 #79a8f0 #55bcd0 #45cfa8 #7ad97f #b5d64e #ffb454"
+# ---- Each figure -----------------------------------------------------------------------------------
+#   names        of the lines: "end": at their ends, "key", "inside"; "rows"
+#   x_log y_log  1: logarithmic
+#   guide        a line to read against; guide_text above it
+#   low high     of y, in place of those of the data
+#   drawing      in place of the lines
+is(list) = strstrt(" " . list . " ", " " . figure . " ") > 0
+power = "cos^{{/:Italic n}}"
+names = is("cost") ? "rows" : is("w1-extreme") ? "inside" : is("curves error polygon radius rough w1") ? "key" : "end"
+x_log = is("core cost energy orders polygon radius ratio w1-extreme")
+y_log = is("energy orders polygon radius")
+x_title = is("curves error radius w1") ? "lobe angle {/:Italic γ} in degrees" : "specular exponent {/:Italic n}"
+
+if (is("error")) { y_title = "absolute error, |lobe − " . power . "{/:Italic γ}|" . condition }
+if (is("core")) { y_title = "largest relative error in the core, in percent" }
+if (is("curves w1")) { y_title = "value of the lobe" . condition }
+if (is("curves w1 rough")) {
+    low = 0
+    high = 1
+}
+if (is("ratio")) { y_title = "{/:Italic R} = angle of " . power . " / angle of the lobe, at 2^{−{/:Italic q}}" }
+if (is("widths")) {
+    y_title = "{/:Italic R} = angle of " . power . " / angle of the lobe" . condition
+    x_title = "threshold {/:Italic q} in bits: the lobe ends at 2^{−{/:Italic q}}"
+}
+if (is("energy")) { y_title = "integral over the hemisphere / that of " . power }
+if (is("energy ratio widths")) {
+    guide = 1
+    guide_text = is("energy") ? "" : "as wide as " . power
+}
+# Lines by formula, points by search.
+if (is("w1-extreme")) {
+    y_title = "extreme relative error, in percent"
+    half = lines / 2
+    drawing = 'plot for [i = 1:half] $data index i - 1 using 1:2 with lines linewidth 2 linecolor rgb ink(color[i]) title text[i], for [i = half + 1:lines] $data index i - 1 using 1:2 with points pointtype 6 pointsize 0.7 linewidth 1.4 linecolor rgb ink(color[i]) title text[i]'
+}
+if (is("orders")) {
+    y_title = "largest absolute error, angles from 0° to 90°"
+    low = 5e-4
+    high = 0.1
+    guide = 1.0 / 510
+    guide_text = "half a step of 8 bits"
+}
+# A dot where a lobe ends.
+if (is("radius")) {
+    y_title = "radius of curvature, in radians" . condition
+    low = 2e-4
+    high = 20
+    array ends[lines]
+    do for [i = 1:lines] {
+        stats $data index i - 1 using 1:2 nooutput
+        ends[i] = STATS_max_x < 0.999 * x_high ? STATS_records : 0
+    }
+    drawing = 'plot for [i = 1:lines] $data index i - 1 using 1:2 with lines linewidth 2 dashtype dash[i] linecolor rgb ink(color[i]) title text[i], for [i = 1:lines] $data index i - 1 using 1:(int($0) == ends[i] - 1 ? $2 : NaN) with points pointtype 7 pointsize 0.6 linecolor rgb ink(color[i]) notitle'
+}
+if (is("polygon")) {
+    y_title = "largest error, of the whole lobe" . condition
+    x_title = "slope {/:Italic ζ}"
+    low = 1e-7
+    high = 1
+}
+if (is("rough")) {
+    y_title = "value, of the peak of GGX (dashed: 3 lobes, dotted: 1)"
+    x_title = "angle from the mirror direction in degrees"
+}
+# A row per lobe, the cheapest of each kind first; no lobe down to a row lies left of the stairs there.
+if (is("cost")) {
+    y_title = "cost of one value, and lobe"
+    x_title = "largest absolute error, angles from 0° to 90°" . condition
+    set ytics ()
+    do for [i = 2:lines] {
+        if (dash[i] == 5) {
+            set label "" . text[i] at screen 22.0 / width, first i - 1 left textcolor rgb "#6a737d"
+            letters[i] = 0
+        } else {
+            set ytics add ("" . text[i] i - 1)
+        }
+        if (dash[i] == 4) { set label "no error" at graph 0.01, first i - 1 left textcolor rgb "#d55e00" }
+    }
+    drawing = 'plot $data index 0 using 2:1 with lines linewidth 1 linecolor rgb ink(2) notitle, for [i = 2:lines] $data index i - 1 using (dash[i] == 2 ? $2 : NaN):1 with points pointtype 7 pointsize 0.7 linecolor rgb ink(color[i]) notitle, for [i = 2:lines] $data index i - 1 using (dash[i] == 3 ? $2 : NaN):1 with points pointtype 6 pointsize 0.7 linewidth 1.4 linecolor rgb ink(color[i]) notitle'
+}
+
+# ---- What all figures share ------------------------------------------------------------------------
+
 ink(i) = word(light, i)
 
 if (format eq "png") {
@@ -28,8 +106,6 @@ set dashtype 5 (9,4,1,4,1,4)
 set dashtype 6 (4,4)
 
 # Ranges: 1, 2, 5 times a power of ten on logarithmic axes, whole steps on others.
-if (!exists("x_log")) { x_log = 0 }
-if (!exists("y_log")) { y_log = 0 }
 decade(x) = 10**floor(log10(x) + 1e-9)
 up(x) = x <= decade(x) * 1.0001 ? decade(x) : x <= 2.0001 * decade(x) ? 2 * decade(x) : x <= 5.0001 * decade(x) ? 5 * decade(x) : 10 * decade(x)
 down(x) = x >= 4.9999 * decade(x) ? 5 * decade(x) : x >= 1.9999 * decade(x) ? 2 * decade(x) : decade(x)

@@ -1,6 +1,8 @@
 /* Figures, and the charts that they fill. */
-#ifndef TOOL_PLOT_FIGURES_H
-#define TOOL_PLOT_FIGURES_H
+#ifndef TOOL_LOBE_FIGURES_H
+#define TOOL_LOBE_FIGURES_H
+
+#include <stdio.h>
 
 #include "base/cli/options.h"
 #include "burnish/theory.h"
@@ -13,7 +15,7 @@ enum {
     PLOT_TEXT_SIZE = 96
 };
 
-/* Colours: indices into the list of inks in figures/style.gp. */
+/* Colours: indices into the list of inks in gnuplot.c, from 1. */
 typedef enum plot_ink {
     PLOT_INK_TEXT = 1,
     PLOT_INK_AXIS = 2,
@@ -23,7 +25,7 @@ typedef enum plot_ink {
     PLOT_RAMP_INKS = 8
 } plot_ink;
 
-/* Dashes, as figures/style.gp numbers them. */
+/* Dashes, as figures.gp numbers them. */
 typedef enum plot_dash {
     PLOT_LINE = 1,
     PLOT_DASHED,
@@ -37,13 +39,13 @@ typedef struct plot_series {
     char name[PLOT_TEXT_SIZE]; /* for the CSV */
     char text[PLOT_TEXT_SIZE]; /* for the figure, gnuplot's enhanced text; "" for none */
     int ink;
-    int dash; /* plot_dash, or defined by the figure's script */
+    int dash; /* plot_dash, or another number for figures.gp */
     size_t count;
     double x[PLOT_POINTS], y[PLOT_POINTS]; /* y NaN: a gap */
 } plot_series;
 
 typedef struct plot_chart {
-    const char *name, *title;
+    const char *name, *title, *panel;
     char condition[PLOT_TEXT_SIZE];  /* appended to the title of y */
     const char *x_column, *y_column; /* headings in the CSV */
     double x_low, x_high;            /* of the axis */
@@ -75,15 +77,14 @@ typedef enum plot_axis {
     PLOT_AXIS_ANGLES,
     PLOT_AXIS_EXPONENTS,
     PLOT_AXIS_BITS, /* and one exponent only */
-    PLOT_AXIS_NONE  /* with `fill`, and the figure object: one exponent only */
+    PLOT_AXIS_NONE  /* with `fill`: one exponent only */
 } plot_axis;
 
 /* One figure. Defaults have the syntax of the flags; NULL: the figure ignores the flag.
  */
 typedef struct plot_figure {
     const char *name, *title;
-    const char *panel;  /* its number in the paper; NULL: not in it */
-    const char *script; /* figures/SCRIPT.gp; NULL: a picture, see plot_object */
+    const char *panel; /* its number in the paper; NULL: not in it */
     plot_axis axis;
     const char *exponents, *lobes, *bits;
     int width, height; /* px; 0: 720 x 440 */
@@ -118,5 +119,23 @@ void plot_state_exponent(const plot_request *request, plot_chart *chart);
 
 /* All figures; `index` past the end gives NULL. */
 const plot_figure *plot_figure_at(size_t index);
+
+/* The figures `cost`, `polygon` and `rough`: as plot_fill. */
+burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart, burnish_error *error);
+burnish_status plot_fill_polygon(const plot_request *request, plot_chart *chart,
+                                 burnish_error *error);
+burnish_status plot_fill_rough(const plot_request *request, plot_chart *chart,
+                               burnish_error *error);
+
+/* Writes the points as CSV, or all numbers of the drawing for figures.gp. */
+void plot_write_data(const plot_chart *chart, FILE *file);
+void plot_write_numbers(const plot_chart *chart, int is_png, FILE *file);
+
+/* Runs gnuplot and figures.gp on such numbers; *drawing is allocated. */
+burnish_status plot_run(const char *numbers, size_t length, char **drawing, size_t *size,
+                        burnish_error *error);
+
+/* Adds a title and a style sheet for dark pages to gnuplot's SVG; replaces *svg. */
+burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, burnish_error *error);
 
 #endif

@@ -4,11 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/lists.h"
-#include "plot/cost.h"
-#include "plot/figures.h"
+#include "lobe/figures.h"
 
-/* Kinds of series in the script. */
+/* Kinds of series in figures.gp. */
 enum { COST_FRONT = 1, COST_FAMILY, COST_OTHER, COST_EXACT, COST_HEADING };
 
 typedef struct candidate {

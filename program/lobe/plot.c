@@ -4,11 +4,8 @@
 #include <string.h>
 
 #include "burnish/core.h"
-#include "lobe/lists.h"
+#include "lobe/figures.h"
 #include "lobe/lobe.h"
-#include "plot/figures.h"
-#include "plot/gnuplot.h"
-#include "plot/object.h"
 
 typedef struct plot_settings {
     const char *exponents, *lobes, *bits, *output;
@@ -21,13 +18,13 @@ typedef enum plot_format {
     FORMAT_SVG,
     FORMAT_PNG,
     FORMAT_CSV,
-    FORMAT_SCRIPT
+    FORMAT_NUMBERS
 } plot_format;
 
 static const cli_word format_words[] = {{"svg", FORMAT_SVG},
                                         {"png", FORMAT_PNG},
                                         {"csv", FORMAT_CSV},
-                                        {"gp", FORMAT_SCRIPT},
+                                        {"gp", FORMAT_NUMBERS},
                                         {NULL, 0}};
 
 enum {
@@ -54,9 +51,7 @@ static const cli_flag plot_flags[] = {
                "the axis runs from the least to the greatest of them."},
     {CLI_FLAG("lobes", "LIST", "such as power,energy:2,schlick", cli_flag_text, lobes),
      .default_label = "the figure's own",
-     .manual =
-         "Lobes to plot, between commas, in the words of *burnish lobe table*. The figure *object* "
-         "accepts the lobes of *burnish render* and compares the others with the first."},
+     .manual = "Lobes to plot, between commas, in the words of *burnish lobe table*."},
     {CLI_FLAG("bits", "LIST", "thresholds q: a lobe ends at 2^-q; ratio, widths", cli_flag_text,
               bits),
      .default_label = "the figure's own",
@@ -67,19 +62,17 @@ static const cli_flag plot_flags[] = {
      CLI_FLAG("output", "FILE", "output file; - is standard output", cli_flag_text, output),
      .letter = 'o',
      .file = CLI_REPORTS,
-     .default_label = "FIGURE.svg, object.png",
+     .default_label = "FIGURE.svg",
      .manual = "File to write, whole or not at all; *-* is standard output, the default for "
-               "*--format=csv* and *--format=gp*. Extensions: _.svg_, _.csv_, _.gp_, "
-               "_.png_ and, for *object*, _.png_ and _.csv_."},
-    {CLI_FLAG("size", "W,H", "in pixels; for object, of one picture", cli_flag_size, size),
-     CLI_RANGE(SIZE_MIN, SIZE_MAX_PX), .default_label = "by figure, most 720,440",
-     .manual = "Width and height in pixels, from 160 to 4096; for the figure *object*, of one "
-               "picture of the sheet."},
+               "*--format=csv* and *--format=gp*. Extensions: _.svg_, _.png_, _.csv_, _.gp_."},
+    {CLI_FLAG("size", "W,H", "in pixels", cli_flag_size, size), CLI_RANGE(SIZE_MIN, SIZE_MAX_PX),
+     .default_label = "by figure, most 720,440",
+     .manual = "Width and height in pixels, from 400,250 to 4096,4096."},
     {CLI_FLAG("format", "WORD", "output format", cli_flag_word, format),
      .default_label = "by FILE's extension, else the drawing",
-     .manual = "*svg* and *png* write the drawing (*object* only as png; svg has a light and a "
-               "dark theme), *csv* the points of the curves, *gp* the gnuplot script with its "
-               "data. Default: by FILE's extension.",
+     .manual = "*svg* and *png* write the drawing (svg has a light and a dark theme), *csv* the "
+               "points of the curves, *gp* the numbers from which *gnuplot -c figures.gp* draws. "
+               "Default: by FILE's extension.",
      .words = format_words},
 };
 
@@ -94,22 +87,21 @@ const cli_command lobe_plot_command = {
     .name = "lobe plot",
     .operand = "FIGURE",
     .summary = "the paper's figures and our own, as SVG by gnuplot",
-    .operand_help =
-        "the paper's error, curves, core, ratio, w1, w1-extreme, object (figures 2 to 7);\n"
-        "          cost, energy, orders, widths, radius, polygon, rough",
+    .operand_help = "the paper's error, curves, core, ratio, w1, w1-extreme (figures 2 to 6);\n"
+                    "          cost, energy, orders, widths, radius, polygon, rough",
     .manual =
         "Computes and draws a figure. The paper's figures: *error* (2, "
         "absolute error of W against the angle), *curves* (3, cos^n, W and Schlick's function), "
         "*core* (4, largest relative error up to the inflection), *ratio* (5, R "
         "against the exponent), *w1* and *w1-extreme* (6, W1 with cos^n, and its extreme relative "
-        "error), *object* (7, a teapot shaded with each lobe, and the "
-        "differences).\n"
+        "error).\n"
         "Other figures: *cost* (error of every lobe against its cost), *energy* (against the "
         "exponent), *orders* (error of every order), *widths* (R against the threshold), *radius* "
         "(radius of curvature against the angle), *polygon* (error of the evaluations of a "
         "polygon's "
         "light, for the order of the lobe), *rough* (GGX and sums of lobes).\n"
-        "gnuplot draws all figures except *object*; without it the command ends with exit code 7. "
+        "gnuplot draws the figures, by the installed file figures.gp or another one that "
+        "BURNISH_FIGURES names; without it the command ends with exit code 7. "
         "Output is reproducible with the same version of gnuplot.",
     .operands_max = 1,
     .flags = plot_flags,
@@ -206,7 +198,7 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
                  figure->name);
         cli_warn(line.text);
     }
-    if (settings->size[0] > 0 && figure->script &&
+    if (settings->size[0] > 0 &&
         (settings->size[0] < CHART_WIDTH_MIN || settings->size[1] < CHART_HEIGHT_MIN)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--size: the names in the figure %s take %d,%d or more", figure->name,
@@ -240,9 +232,9 @@ static burnish_status make_request(const plot_figure *figure, const plot_setting
     return status;
 }
 
-/* Writes the chart as CSV or as a script, or runs the script and writes the drawing. */
-static burnish_status write_chart(const plot_chart *chart, const plot_figure *figure,
-                                  plot_format format, const char *path, burnish_error *error) {
+/* Writes the chart as CSV or numbers, or the drawing that gnuplot makes of the numbers. */
+static burnish_status write_chart(const plot_chart *chart, plot_format format, const char *path,
+                                  burnish_error *error) {
     cli_output output;
     burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {
@@ -251,9 +243,9 @@ static burnish_status write_chart(const plot_chart *chart, const plot_figure *fi
     if (format == FORMAT_CSV) {
         plot_write_data(chart, output.stream);
     } else {
-        plot_write_script(chart, figure, format == FORMAT_PNG, output.stream);
+        plot_write_numbers(chart, format == FORMAT_PNG, output.stream);
     }
-    if (format == FORMAT_CSV || format == FORMAT_SCRIPT) {
+    if (format == FORMAT_CSV || format == FORMAT_NUMBERS) {
         return cli_output_end(&output, path, status, error);
     }
     char *drawing = NULL;
@@ -281,12 +273,13 @@ static burnish_status draw_chart(const plot_figure *figure, const plot_request *
     }
     chart->name = figure->name;
     chart->title = figure->title;
+    chart->panel = figure->panel;
     chart->y_column = figure->y_column;
     chart->width = request->width;
     chart->height = request->height;
     burnish_status status = plot_fill(figure, request, chart, error);
     if (status == BURNISH_STATUS_OK) {
-        status = write_chart(chart, figure, format, path, error);
+        status = write_chart(chart, format, path, error);
     }
     free(chart);
     return status;
@@ -311,10 +304,10 @@ static const plot_figure *find_figure(const char *name, burnish_error *error) {
 }
 
 /* The format for a file extension; FORMAT_NONE: unknown. */
-static plot_format format_of_path(const char *path, plot_format drawing) {
+static plot_format format_of_path(const char *path) {
     const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
     if (!dot || strcmp(path, "-") == 0) {
-        return drawing;
+        return FORMAT_SVG;
     }
     for (const cli_word *word = format_words; word->name; ++word) {
         if (strcmp(dot + 1, word->name) == 0) {
@@ -324,27 +317,13 @@ static plot_format format_of_path(const char *path, plot_format drawing) {
     return FORMAT_NONE;
 }
 
-static burnish_status choose_format(const plot_figure *figure, const plot_settings *settings,
-                                    plot_format *format, burnish_error *error) {
-    plot_format drawing = figure->script ? FORMAT_SVG : FORMAT_PNG;
-    const char *flag = settings->format ? "--format" : "--output";
-    *format = settings->format   ? (plot_format)settings->format
-              : settings->output ? format_of_path(settings->output, drawing)
-                                 : drawing;
-    int possible = *format == FORMAT_PNG || *format == FORMAT_CSV ||
-                   (figure->script && (*format == FORMAT_SVG || *format == FORMAT_SCRIPT));
-    if (!possible) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "%s: the figure %s is written as %s", flag,
-                        figure->name, figure->script ? "svg, png, csv or gp" : "png or csv");
-    }
-    return BURNISH_STATUS_OK;
-}
-
 static burnish_status plot(void *from, cli_call *call, burnish_error *error) {
     const plot_settings *settings = from;
     plot_request request = {0};
     char default_path[32];
-    plot_format format = FORMAT_NONE;
+    plot_format format = settings->format   ? (plot_format)settings->format
+                         : settings->output ? format_of_path(settings->output)
+                                            : FORMAT_SVG;
     if (call->operand_count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "lobe plot: no FIGURE; try \"burnish lobe plot curves\" or "
@@ -354,17 +333,17 @@ static burnish_status plot(void *from, cli_call *call, burnish_error *error) {
     if (!figure) {
         return error->status;
     }
-    burnish_status status = choose_format(figure, settings, &format, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = make_request(figure, settings, &request, error);
+    if (format == FORMAT_NONE) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--output: the figure %s is written as svg, png, csv or gp", figure->name);
     }
+    burnish_status status = make_request(figure, settings, &request, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     snprintf(default_path, sizeof default_path, "%s.%s", figure->name,
-             figure->script ? "svg" : "png");
+             format == FORMAT_PNG ? "png" : "svg");
     int drawing = format == FORMAT_SVG || format == FORMAT_PNG;
     const char *path = settings->output ? settings->output : drawing ? default_path : "-";
-    return figure->script ? draw_chart(figure, &request, format, path, error)
-                          : plot_object(&request, format == FORMAT_CSV, path, error);
+    return draw_chart(figure, &request, format, path, error);
 }

@@ -1,5 +1,5 @@
-/* Writes charts as CSV and gnuplot scripts, runs gnuplot, and adapts its drawing to light and dark
- * pages. */
+/* Writes charts as CSV and as numbers for figures.gp, runs gnuplot, and adapts its drawing to light
+ * and dark pages. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -12,18 +12,22 @@
 #endif
 
 #include "base/cli/output.h"
-#include "plot/figures.h"
-#include "plot/gnuplot.h"
+#include "lobe/figures.h"
+
+/* Inks on light and on dark pages: text, axis, grid, paper, cos^n; seven hues for lobes; eight steps for
+ * numbers. Source of the hues: Okabe and Ito 2008, which people with any colour vision distinguish;
+ * darkened or lightened to a contrast of at least 3 to 1. The steps differ in lightness, so their order
+ * survives in grey. */
+static const char *const inks[][2] = {
+    {"#2f363f", "#c9d1d9"}, {"#6a737d", "#7d8791"}, {"#e7eaee", "#2a313a"}, {"#ffffff", "#161b22"},
+    {"#1b1f24", "#f0f3f6"}, {"#0072b2", "#58a6e8"}, {"#d55e00", "#f5874a"}, {"#008561", "#33c39a"},
+    {"#aa4f8d", "#de8fc0"}, {"#a87400", "#e3ad3e"}, {"#6f3b00", "#d8b48c"}, {"#767676", "#a0a7ae"},
+    {"#440154", "#c886e0"}, {"#463480", "#a394f2"}, {"#365c8d", "#79a8f0"}, {"#277f8e", "#55bcd0"},
+    {"#1a8f78", "#45cfa8"}, {"#2f9a50", "#7ad97f"}, {"#6b951c", "#b5d64e"}, {"#c77700", "#ffb454"},
+};
+enum { INK_COUNT = sizeof inks / sizeof *inks };
 
 /* ---- Input of gnuplot ---- */
-
-static const char *script_text(const char *name) {
-    const plot_script *script = plot_scripts;
-    while (strcmp(script->name, name) != 0) {
-        ++script;
-    }
-    return script->text;
-}
 
 static void write_integers(const char *name, const plot_chart *chart, size_t offset, FILE *file) {
     fprintf(file, "array %s[%zu] = [", name, chart->series_count);
@@ -80,18 +84,22 @@ static void write_points(const plot_series *series, FILE *file) {
     fprintf(file, "\n\n");
 }
 
-void plot_write_script(const plot_chart *chart, const plot_figure *figure, int is_png, FILE *file) {
+void plot_write_numbers(const plot_chart *chart, int is_png, FILE *file) {
     char id[32]; /* letters, digits and _ */
     snprintf(id, sizeof id, "%s", chart->name);
     for (char *c = id; *c; ++c) {
         *c = *c == '-' ? '_' : *c;
     }
     fprintf(file,
-            "# %s. Made by burnish lobe plot %s; gnuplot 5.4 writes the drawing to standard "
-            "output.\nid = \"%s\"\nformat = \"%s\"\nwidth = %d.0\nheight = %d.0\n"
-            "panel = \"%s\"\ncondition = \"%s\"\nlines = %zu\n",
-            chart->title, chart->name, id, is_png ? "png" : "svg", chart->width, chart->height,
-            figure->panel ? figure->panel : "", chart->condition, chart->series_count);
+            "# %s. Made by burnish lobe plot %s; gnuplot -c figures.gp THIS draws it.\n"
+            "figure = \"%s\"\nid = \"%s\"\nformat = \"%s\"\nwidth = %d.0\nheight = %d.0\n"
+            "panel = \"%s\"\ncondition = \"%s\"\nlines = %zu\nlight = \"",
+            chart->title, chart->name, chart->name, id, is_png ? "png" : "svg", chart->width,
+            chart->height, chart->panel ? chart->panel : "", chart->condition, chart->series_count);
+    for (size_t i = 0; i < INK_COUNT; ++i) {
+        fprintf(file, "%s%s", i > 0 ? " " : "", inks[i][0]);
+    }
+    fprintf(file, "\"\n");
     write_integers("color", chart, offsetof(plot_series, ink), file);
     write_integers("dash", chart, offsetof(plot_series, dash), file);
     for (size_t i = 0; i < chart->series_count; ++i) {
@@ -107,7 +115,7 @@ void plot_write_script(const plot_chart *chart, const plot_figure *figure, int i
     for (size_t i = 0; i < chart->series_count; ++i) {
         write_points(&chart->series[i], file);
     }
-    fprintf(file, "EOD\n\n%s\n%s", script_text(figure->script), script_text("style"));
+    fprintf(file, "EOD\n");
 }
 
 void plot_write_data(const plot_chart *chart, FILE *file) {
@@ -123,7 +131,8 @@ void plot_write_data(const plot_chart *chart, FILE *file) {
 }
 
 static const char advice[] =
-    "install it (Debian: gnuplot-nox), or take --format=gp to another machine, or --format=csv";
+    "install it (Debian: gnuplot-nox), or take --format=gp and figures.gp to another machine, or "
+    "--format=csv";
 
 static burnish_status fail_run(burnish_error *error, int code) {
     if (code == ENOENT) {
@@ -133,10 +142,32 @@ static burnish_status fail_run(burnish_error *error, int code) {
     return cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: can't be started: %s", strerror(code));
 }
 
+/* Finds figures.gp: BURNISH_FIGURES, or the installed file, or the one in the program's own folder, as
+ * in a build. */
+static int find_figures(char *path, size_t size) {
+    static const char *const places[] = {"/" BURNISH_FIGURES_FOLDER, ""};
+    const char *given = getenv("BURNISH_FIGURES");
+    char folder[4000];
+    if (given && *given) {
+        return snprintf(path, size, "%s", given) < (int)size;
+    }
+    const ssize_t length = readlink("/proc/self/exe", folder, sizeof folder - 1);
+    folder[length > 0 ? length : 0] = 0;
+    char *slash = strrchr(folder, '/');
+    for (size_t i = 0; slash && i < sizeof places / sizeof *places; ++i) {
+        *slash = 0;
+        if (snprintf(path, size, "%s%s/figures.gp", folder, places[i]) < (int)size &&
+            access(path, R_OK) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 #ifdef _WIN32
 /* Not supported here: behaves as if gnuplot were not installed. */
-static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
-    (void)streams, (void)child;
+static int spawn_gnuplot(char *figures, FILE *streams[3], pid_t *child) {
+    (void)figures, (void)streams, (void)child;
     return ENOENT;
 }
 
@@ -147,12 +178,13 @@ static int wait_for(pid_t child) {
 #else
 /* Starts gnuplot with files as its three standard streams. The environment is minimal:
  * no locale, start-up file or user default can change the output. */
-static int spawn_gnuplot(FILE *streams[3], pid_t *child) {
+static int spawn_gnuplot(char *figures, FILE *streams[3], pid_t *child) {
     char path[4096] = "PATH=";
     char locale[] = "LC_ALL=C";
     char *environment[] = {path, locale, NULL};
-    char name[] = "gnuplot", defaults[] = "--default-settings", from[] = "-";
-    char *arguments[] = {name, defaults, from, NULL};
+    char name[] = "gnuplot", defaults[] = "--default-settings", with[] = "-c",
+         from[] = "/dev/stdin";
+    char *arguments[] = {name, defaults, with, figures, from, NULL};
     const char *search = getenv("PATH");
     snprintf(path, sizeof path, "PATH=%s", search ? search : "/usr/local/bin:/usr/bin:/bin");
     posix_spawn_file_actions_t actions;
@@ -199,24 +231,31 @@ static char *read_stream(FILE *file, size_t *size) {
     return text;
 }
 
-/* Finds gnuplot's error message: the line that begins with "line N:", else the first non-empty one. */
+/* gnuplot's message is the last line that it prints. */
 static burnish_status fail_gnuplot(FILE *complaints, burnish_error *error) {
     size_t size = 0;
     char *text = read_stream(complaints, &size);
-    const char *line = text ? strstr(text, "line ") : NULL;
-    while (line && strncmp(line + strcspn(line, ":"), ": warning", 9) == 0) {
-        line = strstr(line + 1, "line ");
+    while (size > 0 && strchr("\n\t ^", text[size - 1])) {
+        text[--size] = 0;
     }
-    line = line ? line : text ? text + strspn(text, "\n\t ^") : "";
-    cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: failed: %.*s; version 5.4 is known to work",
-             (int)strcspn(line, "\n"), line);
+    const char *line = text ? strrchr(text, '\n') : NULL;
+    cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: failed: %s; version 5.4 is known to work",
+             line   ? line + 1
+             : text ? text
+                    : "");
     free(text);
     return error->status;
 }
 
 static burnish_status run(FILE *streams[3], char **drawing, size_t *size, burnish_error *error) {
     pid_t child;
-    int code = spawn_gnuplot(streams, &child);
+    char figures[4096];
+    if (!find_figures(figures, sizeof figures)) {
+        return cli_fail(
+            error, BURNISH_STATUS_WRITE,
+            "figures.gp: not found beside the program; name the file in BURNISH_FIGURES");
+    }
+    int code = spawn_gnuplot(figures, streams, &child);
     if (code != 0) {
         return fail_run(error, code);
     }
@@ -236,13 +275,13 @@ static burnish_status run(FILE *streams[3], char **drawing, size_t *size, burnis
                                 "gnuplot: wrote no drawing; version 5.4 is known to work");
 }
 
-burnish_status plot_run(const char *script, size_t length, char **drawing, size_t *size,
+burnish_status plot_run(const char *numbers, size_t length, char **drawing, size_t *size,
                         burnish_error *error) {
     FILE *streams[3] = {tmpfile(), tmpfile(), tmpfile()};
     burnish_status status = BURNISH_STATUS_OK;
     *drawing = NULL;
     if (!streams[0] || !streams[1] || !streams[2] ||
-        fwrite(script, 1, length, streams[0]) != length || fflush(streams[0]) != 0 ||
+        fwrite(numbers, 1, length, streams[0]) != length || fflush(streams[0]) != 0 ||
         fseek(streams[0], 0, SEEK_SET) != 0) {
         status = cli_fail(error, BURNISH_STATUS_WRITE,
                           "temporary file: can't be written: %s; free some space", strerror(errno));
@@ -268,15 +307,15 @@ static void write_rules(const char *light, const char *dark, const char *svg, FI
     snprintf(wide, sizeof wide, "rgb(%3u, %3u, %3u)", red, green, blue);
     snprintf(narrow, sizeof narrow, "rgb(%u,%u,%u)", red, green, blue);
     if (strstr(svg, wide)) {
-        fprintf(file, "[stroke=\"%s\"]{stroke:%.7s}[color=\"%s\"]{color:%.7s}\n", wide, dark, wide,
+        fprintf(file, "[stroke=\"%s\"]{stroke:%s}[color=\"%s\"]{color:%s}\n", wide, dark, wide,
                 dark);
     }
     if (strstr(svg, narrow)) {
-        fprintf(file, "[fill=\"%s\"]{fill:%.7s}\n", narrow, dark);
+        fprintf(file, "[fill=\"%s\"]{fill:%s}\n", narrow, dark);
     }
     if ((strstr(svg, "fill=\"#ffffff\"") || strstr(svg, "fill=\"#FFFFFF\"")) &&
-        strncmp(light, "#ffffff", 7) == 0) {
-        fprintf(file, "[fill=\"#ffffff\"],[fill=\"#FFFFFF\"]{fill:%.7s}\n", dark);
+        strcmp(light, "#ffffff") == 0) {
+        fprintf(file, "[fill=\"#ffffff\"],[fill=\"#FFFFFF\"]{fill:%s}\n", dark);
     }
 }
 
@@ -295,16 +334,6 @@ static void settle_scripts(char *svg) {
                 break;
             }
         }
-    }
-}
-
-/* The two lists of inks in figures/style.gp, side by side. */
-static void write_dark_rules(const char *svg, FILE *file) {
-    const char *style = script_text("style");
-    const char *light = strchr(strstr(style, "\nlight = "), '#');
-    const char *dark = strchr(strstr(style, "\ndark = "), '#');
-    for (; *light == '#' && *dark == '#'; light += 8, dark += 8) {
-        write_rules(light, dark, svg, file);
     }
 }
 
@@ -330,7 +359,9 @@ burnish_status plot_dress(const plot_chart *chart, char **svg, size_t *size, bur
     fprintf(file, "%.*s<title>%s</title>\n<style>\n", (int)(title - body), body, chart->title);
     fprintf(file, "text,tspan{font-family:\"DejaVu Sans\",Verdana,sans-serif}\n"
                   "@media (prefers-color-scheme:dark){\n");
-    write_dark_rules(rest, file);
+    for (size_t i = 0; i < INK_COUNT; ++i) {
+        write_rules(inks[i][0], inks[i][1], rest, file);
+    }
     fprintf(file, "}\n</style>%s", rest + strlen(end));
     status = cli_output_close(&output, error);
     free(raw);

@@ -1,9 +1,0 @@
-y_title = "largest absolute error, angles from 0° to 90°"
-x_title = "specular exponent {/:Italic n}"
-x_log = 1
-y_log = 1
-names = "end"
-low = 5e-4
-high = 0.1
-guide = 1.0 / 510
-guide_text = "half a step of 8 bits"
