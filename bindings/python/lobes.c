@@ -1,13 +1,11 @@
-/* Lobes: their values, with the bits of pictures, and facts of theory.h and `burnish lobe`. */
+/* Lobes: their values, with the bits of pictures, and facts of theory.h. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "burnish/kernels.h"
 #include "burnish/theory.h"
-#include "lobe/lists.h"
-#include "lobe/lobe.h"
-#include "lobe/metrics.h"
 #include "module.h"
 
 /* ---- Values ---- */
@@ -107,37 +105,72 @@ static PyObject *number(double value) {
     return isnan(value) ? Py_NewRef(Py_None) : PyFloat_FromDouble(value);
 }
 
-static PyObject *row_of(const lobe_metric_list *metrics, const lobe_facts *facts) {
-    PyObject *row = PyDict_New();
-    for (size_t i = 0; i < metrics->count && row; ++i) {
-        cli_column column;
-        lobe_metric_column(&metrics->items[i], &column);
-        if (!set(row, column.key, number(lobe_metric_value(&metrics->items[i], facts)))) {
-            Py_CLEAR(row);
+/* Adds the metrics of an item, NAME, NAME:ARGUMENT or a group, to the row. */
+static int add_metrics(PyObject *row, const char *item, const burnish_theory_model *model,
+                       const burnish_theory_difference *difference) {
+    const char *colon = strchr(item, ':');
+    const size_t length = colon ? (size_t)(colon - item) : strlen(item);
+    const burnish_theory_metric *m;
+    int found = 0;
+    for (size_t i = 0; (m = burnish_theory_metric_at(i)) != NULL; ++i) {
+        const int is_it = strlen(m->name) == length && strncmp(m->name, item, length) == 0;
+        char key[80], suffix[16] = "";
+        double argument = m->usual;
+        if (is_it && colon) {
+            argument = m->takes ? PyOS_string_to_double(colon + 1, NULL, NULL) : NAN;
+        } else if (!is_it && strcmp(item, m->group) != 0 &&
+                   (strcmp(item, "all") != 0 || strcmp(m->group, "sums") == 0)) {
+            continue;
         }
+        if (PyErr_Occurred()) {
+            return 0;
+        }
+        const int is_whole = m->takes && strcmp(m->takes, "LOBES") == 0;
+        if (!(argument >= m->low && argument <= m->high) ||
+            (is_whole && argument != floor(argument))) {
+            PyErr_Format(PyExc_ValueError, "metrics: \"%s\": the number is out of range", item);
+            return 0;
+        }
+        if (m->takes) {
+            snprintf(suffix, sizeof suffix, "_%.6g", argument);
+        }
+        snprintf(key, sizeof key, "%s%s", m->key, suffix);
+        if (!set(row, key, number(burnish_theory_metric_value(m, model, argument, difference)))) {
+            return 0;
+        }
+        found = 1;
     }
-    return row;
+    if (!found) {
+        PyErr_Format(PyExc_ValueError, "metrics: \"%s\": unknown metric", item);
+    }
+    return found;
 }
 
 PyObject *lobe_row(PyObject *module, PyObject *arguments) {
     const module_state *state = PyModule_GetState(module);
-    lobe_metric_list metrics;
-    lobe_facts facts;
+    burnish_theory_model model;
+    burnish_theory_difference difference;
     burnish_error error = {0};
-    const char *words, *names;
+    const char *words;
     double exponent;
-    if (!PyArg_ParseTuple(arguments, "sds", &words, &exponent, &names)) {
+    PyObject *names;
+    if (!PyArg_ParseTuple(arguments, "sdO!", &words, &exponent, &PyList_Type, &names)) {
         return NULL;
     }
-    if (burnish_theory_model_parse(words, exponent, &facts.model, &error) != BURNISH_STATUS_OK ||
-        lobe_read_metrics("metrics", names, &metrics, &error) != BURNISH_STATUS_OK) {
+    if (burnish_theory_model_parse(words, exponent, &model, &error) != BURNISH_STATUS_OK) {
         return module_fail(state, &error);
     }
     Py_BEGIN_ALLOW_THREADS;
-    burnish_theory_compare(&facts.model, CLI_RIGHT_ANGLE, &facts.difference);
-    facts.cost = burnish_theory_model_cost(&facts.model);
+    burnish_theory_compare(&model, acos(0), &difference);
     Py_END_ALLOW_THREADS;
-    return row_of(&metrics, &facts);
+    PyObject *row = PyDict_New();
+    for (Py_ssize_t i = 0; row && i < PyList_Size(names); ++i) {
+        const char *item = PyUnicode_AsUTF8AndSize(PyList_GetItem(names, i), NULL);
+        if (!item || !add_metrics(row, item, &model, &difference)) {
+            Py_CLEAR(row);
+        }
+    }
+    return row;
 }
 
 PyObject *lobe_choose(PyObject *module, PyObject *arguments) {
@@ -145,7 +178,7 @@ PyObject *lobe_choose(PyObject *module, PyObject *arguments) {
     burnish_theory_model model;
     burnish_theory_cost cost;
     burnish_error error = {0};
-    char name[LOBE_NAME];
+    char name[32];
     double exponent, epsilon, maximum;
     int affine;
     if (!PyArg_ParseTuple(arguments, "ddp", &exponent, &epsilon, &affine)) {

@@ -536,6 +536,35 @@ BURNISH_THEORY_API burnish_status burnish_theory_memory_fill(const burnish_theor
                                                              const double *exponents, size_t count,
                                                              int64_t *words, burnish_error *error);
 
+/* ---- Metrics ----
+ *
+ * The properties above by name: the columns of `burnish lobe table`. */
+
+typedef struct burnish_theory_metric {
+    const char *group;          /* "shape", "widths", "energies", "errors", "cost", "sums" */
+    const char *name;           /* "max-error" */
+    const char *key;            /* for CSV and JSON: "max_error" */
+    const char *heading, *unit; /* for tables; the unit of the value: "", "deg", "%", "sr" ... */
+    const char *about;          /* what it is; _BITS_ is the argument */
+    int decimals;               /* for reading; below 0: -decimals significant digits */
+    const char *takes;          /* its argument: "BITS", "DEG", "LENGTH", or "LOBES", a whole
+                                   number; NULL: none */
+    double low, high, usual;    /* of the argument */
+    int needs_difference;
+} burnish_theory_metric;
+
+/* All metrics; NULL past the last. */
+BURNISH_THEORY_API const burnish_theory_metric *burnish_theory_metric_at(size_t index);
+
+/* The value of a metric in its unit; NaN where it is not defined.
+ *   metric      from burnish_theory_metric_at(); not NULL
+ *   argument    [low, high]; ignored without an argument
+ *   difference  of the model, from burnish_theory_compare(); may be NULL without needs_difference */
+BURNISH_THEORY_API double burnish_theory_metric_value(const burnish_theory_metric *metric,
+                                                      const burnish_theory_model *model,
+                                                      double argument,
+                                                      const burnish_theory_difference *difference);
+
 /* ---- The paper's claims ----
  *
  * The paper approximates BRDFs by cosine-quadratic functions, order 2 of the family. Its references

@@ -1,4 +1,5 @@
-/* Shared by the subcommands of `burnish lobe`: lists of exponents and lobes, costs as text. */
+/* Shared by the subcommands of `burnish lobe`: lists of exponents, lobes and metrics, costs as text. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -138,4 +139,107 @@ void lobe_cost_text(const burnish_theory_cost *cost, char *text, size_t size) {
                                      parts_of_cost[i].count, parts_of_cost[i].name);
         }
     }
+}
+
+/* ---- Metrics ---- */
+
+void lobe_each_metric(cli_take_term *take) {
+    const burnish_theory_metric *metric;
+    for (size_t i = 0; (metric = burnish_theory_metric_at(i)) != NULL; ++i) {
+        char tag[64];
+        snprintf(tag, sizeof tag, "*%s*%s%s%s", metric->name, metric->takes ? "[:_" : "",
+                 metric->takes ? metric->takes : "", metric->takes ? "_]" : "");
+        take(tag, metric->about);
+    }
+}
+
+void lobe_metric_column(const lobe_metric *choice, cli_column *column) {
+    const burnish_theory_metric *metric = choice->metric;
+    char suffix[16] = "";
+    if (metric->takes) {
+        snprintf(suffix, sizeof suffix, "%.6g", choice->argument);
+    }
+    *column = (cli_column){.decimals = metric->decimals};
+    snprintf(column->key, sizeof column->key, "%s%s%s", metric->key, *suffix ? "_" : "", suffix);
+    snprintf(column->heading, sizeof column->heading, "%s%s%s", metric->heading, *suffix ? ":" : "",
+             suffix);
+    snprintf(column->unit, sizeof column->unit, "%s", metric->unit);
+}
+
+static const char *metric_name_at(const void *list, size_t index) {
+    const burnish_theory_metric *metric = burnish_theory_metric_at(index);
+    (void)list;
+    return metric ? metric->name : NULL;
+}
+
+static int matches(const char *name, const char *item, size_t length) {
+    return strlen(name) == length && memcmp(name, item, length) == 0;
+}
+
+/* Reads the text after the colon; returns 0 if the metric does not take it. */
+static int read_argument(const burnish_theory_metric *metric, const char *text, size_t length,
+                         double *argument) {
+    return metric->takes && cli_read_real(text, length, argument) && *argument >= metric->low &&
+           *argument <= metric->high &&
+           (strcmp(metric->takes, "LOBES") != 0 || *argument == floor(*argument));
+}
+
+static burnish_status fail_argument(const char *flag, const burnish_theory_metric *metric,
+                                    const char *item, size_t length, burnish_error *error) {
+    static const char *const hints[][2] = {
+        {"BITS", "takes bits above 0 and up to 1024, as in angle:8"},
+        {"DEG", "takes degrees from 0 to 90, as in value:10"},
+        {"LENGTH", "takes a length from 0 to 1, as in toksvig:0.9"},
+        {"LOBES", "takes 1, 2 or 3 lobes, as in ggx-moved:2"},
+    };
+    const char *hint = "takes no number; remove the text after the colon";
+    for (size_t i = 0; metric->takes && i < sizeof hints / sizeof *hints; ++i) {
+        hint = strcmp(metric->takes, hints[i][0]) == 0 ? hints[i][1] : hint;
+    }
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.*s\": %s %s", flag,
+                    length < 60 ? (int)length : 60, item, metric->name, hint);
+}
+
+/* Adds the metrics of an item, a name with or without an argument, or a group. */
+static burnish_status add_metrics(const char *flag, const char *item, size_t length,
+                                  lobe_metrics *list, burnish_error *error) {
+    const char *colon = memchr(item, ':', length);
+    const size_t name = colon ? (size_t)(colon - item) : length, before = list->count;
+    const burnish_theory_metric *metric;
+    for (size_t i = 0; (metric = burnish_theory_metric_at(i)) != NULL; ++i) {
+        double argument = metric->usual;
+        if (matches(metric->name, item, name)) {
+            if (colon && !read_argument(metric, colon + 1, length - name - 1, &argument)) {
+                return fail_argument(flag, metric, item, length, error);
+            }
+        } else if (!matches(metric->group, item, length) &&
+                   !(matches("all", item, length) && strcmp(metric->group, "sums") != 0)) {
+            continue;
+        }
+        if (list->count == LOBE_METRICS_MAX) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d metrics", flag,
+                            LOBE_METRICS_MAX);
+        }
+        list->items[list->count++] = (lobe_metric){metric, argument};
+    }
+    if (list->count > before) {
+        return BURNISH_STATUS_OK;
+    }
+    char where[CLI_NAME_MAX + 1], typed[CLI_NAME_MAX + 1];
+    snprintf(where, sizeof where, "--%s", flag);
+    snprintf(typed, sizeof typed, "%.*s", name < CLI_NAME_MAX ? (int)name : CLI_NAME_MAX, item);
+    return cli_fail_unknown(error, where, "metric", typed, metric_name_at, NULL,
+                            "burnish help --man");
+}
+
+burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metrics *list,
+                                 burnish_error *error) {
+    const char *rest = text, *item;
+    burnish_status status = BURNISH_STATUS_OK;
+    list->count = 0;
+    while (rest && status == BURNISH_STATUS_OK) {
+        size_t length = cli_next_item(&rest, ',', &item);
+        status = add_metrics(flag, item, length, list, error);
+    }
+    return status;
 }

@@ -1,12 +1,14 @@
-/* Lists of exponents and of lobes, as flags contain them. */
+/* Lists of exponents, lobes and metrics, as flags contain them. */
 #ifndef TOOL_LOBE_LISTS_H
 #define TOOL_LOBE_LISTS_H
 
 #include "burnish/theory.h"
+#include "base/cli/output.h"
 
 enum {
     LOBE_EXPONENTS_MAX = 65536, /* in one list */
     LOBE_LOBES_MAX = 64,        /* in one list */
+    LOBE_METRICS_MAX = 64,      /* in one list */
     LOBE_NAME = 32
 };
 
@@ -21,6 +23,17 @@ typedef struct lobe_names {
     size_t count;
 } lobe_names;
 
+/* A metric with its argument. */
+typedef struct lobe_metric {
+    const burnish_theory_metric *metric;
+    double argument;
+} lobe_metric;
+
+typedef struct lobe_metrics {
+    lobe_metric items[LOBE_METRICS_MAX];
+    size_t count;
+} lobe_metrics;
+
 /* Numbers and ranges between commas: 10, 1-1023, 10-100:10 (steps), 2-1024x2 (factors), each from 1
  * to 65536. Errors: ARGUMENT, MEMORY. */
 burnish_status lobe_read_exponents(const char *flag, const char *text, lobe_exponents *list,
@@ -30,6 +43,16 @@ burnish_status lobe_read_exponents(const char *flag, const char *text, lobe_expo
  * some exponents is not an error here. */
 burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *list,
                                burnish_error *error);
+
+/* Names, NAME:ARGUMENT, groups, and all (every group but sums) between commas. */
+burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metrics *list,
+                                 burnish_error *error);
+
+/* All metrics for the man page. */
+void lobe_each_metric(cli_take_term *take);
+
+/* The column of a metric. */
+void lobe_metric_column(const lobe_metric *choice, cli_column *column);
 
 /* "3 mul 1 add 1 max", without operations that are not used. */
 void lobe_cost_text(const burnish_theory_cost *cost, char *text, size_t size);

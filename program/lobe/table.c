@@ -5,7 +5,6 @@
 
 #include "lobe/lists.h"
 #include "lobe/lobe.h"
-#include "lobe/metrics.h"
 
 typedef struct table_settings {
     const char *lobes, *exponents, *metrics, *range, *output;
@@ -81,7 +80,7 @@ const cli_command lobe_table_command = {
 typedef struct plan {
     lobe_names lobes;
     lobe_exponents exponents;
-    lobe_metric_list metrics;
+    lobe_metrics metrics;
     int to_inflection;
     double level; /* range level:L; 0: none */
     int needs_difference;
@@ -114,7 +113,7 @@ static burnish_status read_plan(const table_settings *settings, plan *p, burnish
         status = lobe_read_exponents("exponents", settings->exponents, &p->exponents, error);
     }
     for (size_t i = 0; i < p->metrics.count; ++i) {
-        p->needs_difference = p->needs_difference || p->metrics.items[i].metric->difference_at > 0;
+        p->needs_difference = p->needs_difference || p->metrics.items[i].metric->needs_difference;
     }
     return status;
 }
@@ -134,19 +133,18 @@ static double range_end(const plan *p, double exponent) {
 }
 
 static void fill_row(const plan *p, const char *lobe, double exponent, cli_value *row) {
-    lobe_facts facts;
-    int exists =
-        burnish_theory_model_parse(lobe, exponent, &facts.model, NULL) == BURNISH_STATUS_OK;
+    burnish_theory_model model;
+    burnish_theory_difference difference;
+    int exists = burnish_theory_model_parse(lobe, exponent, &model, NULL) == BURNISH_STATUS_OK;
     if (exists && p->needs_difference) {
-        burnish_theory_compare(&facts.model, range_end(p, exponent), &facts.difference);
-    }
-    if (exists) {
-        facts.cost = burnish_theory_model_cost(&facts.model);
+        burnish_theory_compare(&model, range_end(p, exponent), &difference);
     }
     row[0].number = exponent;
     row[1].text = lobe;
     for (size_t i = 0; i < p->metrics.count; ++i) {
-        row[2 + i].number = exists ? lobe_metric_value(&p->metrics.items[i], &facts) : NAN;
+        const lobe_metric *m = &p->metrics.items[i];
+        row[2 + i].number =
+            exists ? burnish_theory_metric_value(m->metric, &model, m->argument, &difference) : NAN;
     }
 }
 

@@ -95,7 +95,7 @@ static const struct layer {
     {"hardware/rtl/demo/test", "../../test burnish/shade_q15.h"},
     {"hardware/rtl/test",
      "burnish/image.h burnish/lobe.h burnish/lobe_q15.h burnish/mesh.h burnish/shade_q15.h"},
-    {"bindings/python", "base base/cli cli lobe burnish"},
+    {"bindings/python", "base base/cli cli burnish"},
 };
 
 /* Templates are included by templates and by ..._isa.c; bench takes those of the kernels, and

@@ -44,7 +44,7 @@ def table(
     """
     lobes = [lobes] if isinstance(lobes, str) else list(lobes)
     exponents = list(exponents) if isinstance(exponents, Iterable) else [exponents]
-    names = metrics if isinstance(metrics, str) else ",".join(metrics)
+    names = metrics.split(",") if isinstance(metrics, str) else list(metrics)
     return [
         {"lobe": lobe, "exponent": float(exponent), **_burnish.lobe_row(lobe, exponent, names)}
         for exponent in exponents
