@@ -559,7 +559,8 @@ BURNISH_THEORY_API const burnish_theory_metric *burnish_theory_metric_at(size_t 
 /* The value of a metric in its unit; NaN where it is not defined.
  *   metric      from burnish_theory_metric_at(); not NULL
  *   argument    [low, high]; ignored without an argument
- *   difference  of the model, from burnish_theory_compare(); may be NULL without needs_difference */
+ *   difference  of the model, from burnish_theory_compare(); may be NULL without
+ *               needs_difference */
 BURNISH_THEORY_API double burnish_theory_metric_value(const burnish_theory_metric *metric,
                                                       const burnish_theory_model *model,
                                                       double argument,

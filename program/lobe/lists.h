@@ -2,8 +2,8 @@
 #ifndef TOOL_LOBE_LISTS_H
 #define TOOL_LOBE_LISTS_H
 
-#include "burnish/theory.h"
 #include "base/cli/output.h"
+#include "burnish/theory.h"
 
 enum {
     LOBE_EXPONENTS_MAX = 65536, /* in one list */
