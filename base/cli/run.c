@@ -106,7 +106,7 @@ static int run_part(const cli_command *whole, int argc, char **argv) {
                              &error);
     }
     const cli_command *part = cli_find_command(whole->parts, whole, argv[0], &error);
-    return part ? cli_run(part, argc - 1, argv + 1) : cli_exit_code(error.status, &error);
+    return part ? cli_run(part, NULL, argc - 1, argv + 1) : cli_exit_code(error.status, &error);
 }
 
 /* The file that an argument names; NULL: none. A value can begin with the name of what it writes. */
@@ -169,7 +169,7 @@ static burnish_status check_files(const cli_call *call, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-int cli_run(const cli_command *command, int argc, char **argv) {
+int cli_run(const cli_command *command, cli_work *work, int argc, char **argv) {
     burnish_error error;
     cli_call call = {0};
     if (command->parts) {
@@ -188,7 +188,7 @@ int cli_run(const cli_command *command, int argc, char **argv) {
     }
     if (status == BURNISH_STATUS_OK) {
         status = call.help ? cli_print_help(command, call.topic, &error)
-                           : command->work(settings, &call, &error);
+                           : (work ? work : command->work)(settings, &call, &error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = cli_finish_output(&error);

@@ -5,8 +5,10 @@
 #include "base/cli/options.h"
 
 /* Runs a command: defaults, parsing, --help, the work, the message of an error. argv[0] is the
- * first argument after the command, or the name of a subcommand. Returns the exit code. */
-int cli_run(const cli_command *command, int argc, char **argv);
+ * first argument after the command, or the name of a subcommand.
+ *   work  NULL: the one in the command's table
+ * Returns the exit code. */
+int cli_run(const cli_command *command, cli_work *work, int argc, char **argv);
 
 /* The command of that name in a list that ends with NULL. A subcommand has its short name: "table"
  * finds "lobe table". The error for an unknown name suggests the most similar one. `whole` is the

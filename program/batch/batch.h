@@ -8,7 +8,7 @@
  *   report.c  a line of JSON per item, from which the next run detects unchanged items
  *   index.c, sheet.c  a page and a contact sheet of all pictures
  *
- *   many.c    the work of `burnish render`, which is a batch if it has many inputs
+ *   many.c    `burnish render` with many inputs
  *
  * Each file has its own worker process. No other process parses what a worker writes. */
 #ifndef TOOL_BATCH_BATCH_H
@@ -18,5 +18,9 @@
 
 /* The whole command. Errors: ARGUMENT, READ, WRITE, MEMORY. */
 burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_error *error);
+
+/* The same for inputs of `burnish render`, without a report unless --json asks for one. */
+burnish_status batch_draw_inputs(const render_settings *settings, cli_call *call,
+                                 burnish_error *error);
 
 #endif

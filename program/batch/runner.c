@@ -203,8 +203,8 @@ static void record_result(void *context, const render_result *result) {
         f->is_closed = measured->is_closed;
         f->is_solid = measured->is_solid;
     }
-    for (size_t i = 0; i < result->warning_count && i < WARNINGS_MAX; ++i) {
-        snprintf(f->warnings[i], WARNING_BYTES, "%s", result->warnings[i]);
+    for (size_t i = 0; i < result->warnings.count && i < WARNINGS_MAX; ++i) {
+        snprintf(f->warnings[i], WARNING_BYTES, "%s", result->warnings.lines[i]);
         f->warning_count = (uint32_t)i + 1;
     }
     f->unmet = result->unmet;

@@ -187,7 +187,7 @@ int main(int argc, char **argv) {
     }
     if (argc == 2 && strncmp(argv[1], "--help=", 7) == 0 && is_command(argv[1] + 7)) {
         char *name = argv[1] + 7;
-        return cli_run(&help_command, 1, &name);
+        return cli_run(&help_command, NULL, 1, &name);
     }
     if (argc > 1 && (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)) {
         printf("burnish %s\n", burnish_version());
@@ -200,8 +200,10 @@ int main(int argc, char **argv) {
             &error);
     }
     if (implies_render(argv[1])) {
-        return cli_run(&render_command, argc - 1, argv + 1);
+        return cli_run(&render_command, render_work, argc - 1, argv + 1);
     }
     const cli_command *command = cli_find_command(commands, NULL, argv[1], &error);
-    return command ? cli_run(command, argc - 2, argv + 2) : cli_exit_code(error.status, &error);
+    cli_work *work = command == &render_command ? render_work : NULL;
+    return command ? cli_run(command, work, argc - 2, argv + 2)
+                   : cli_exit_code(error.status, &error);
 }

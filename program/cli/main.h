@@ -18,4 +18,7 @@
 CLI_COMMAND_LIST(CLI_DECLARE_COMMAND)
 #undef CLI_DECLARE_COMMAND
 
+/* The work of render_command, whose table is also linked without it, into the bindings. */
+cli_work render_work;
+
 #endif

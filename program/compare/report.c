@@ -105,7 +105,8 @@ static void add_side(cJSON *root, const comparison *c, int i, int *failed) {
                      failed);
         cli_json_add(object, "facts", facts_object(side, failed), failed);
         cli_json_add(object, "warnings",
-                     cli_json_texts(side->result.warning_count, side->result.warnings), failed);
+                     cli_json_texts(side->result.warnings.count, side->result.warnings.lines),
+                     failed);
     }
     cli_json_add(root, i == 0 ? "a" : "b", object, failed);
 }

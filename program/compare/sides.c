@@ -51,7 +51,7 @@ static burnish_load_options load_options(const compare_side *side, const burnish
 static burnish_status take_mesh(compare_side *side, burnish_status loaded, burnish_error *error) {
     side->result.mesh = side->owned;
     for (size_t i = 0; i < burnish_mesh_get_warning_count(side->owned); ++i) {
-        render_result_warn(&side->result, 1, "%s", burnish_mesh_get_warning(side->owned, i));
+        render_warn(&side->result.warnings, 1, "%s", burnish_mesh_get_warning(side->owned, i));
     }
     if (loaded == BURNISH_STATUS_OK) {
         render_drop_file_lights(&side->settings, side->owned, &side->options);
@@ -253,6 +253,7 @@ static void describe(comparison *c, int i) {
     side->options = render_make_options(&side->settings);
     side->cell.lobe = side->settings.shading.lobes.items[0];
     side->result.settings = &side->settings;
+    side->result.warnings.print = side->settings.job.quiet ? NULL : cli_warn;
     side->result.options = &side->options;
     side->result.cells = &side->cell;
     side->result.cell_count = 1;
@@ -363,10 +364,7 @@ void compare_release_sides(comparison *c) {
         burnish_image_destroy(&side->picture);
         burnish_image_destroy(&side->cell.image);
         free(side->coverage);
-        for (size_t k = 0; k < side->result.warning_count; ++k) {
-            free(side->result.warnings[k]);
-        }
-        free(side->result.warnings);
+        render_drop_warnings(&side->result.warnings, 0);
         burnish_mesh_destroy(side->owned);
     }
 }

@@ -8,18 +8,17 @@ static void warn_open(render_result *result, const burnish_mesh *mesh) {
     const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
     const char *input = result->settings->input.name;
     if (!facts) {
-        render_result_warn(result, 1, "%.300s: cut but not filled: %s have no volume", input,
-                           burnish_mesh_get_info(mesh)->line_count > 0 ? "lines" : "points");
+        render_warn(&result->warnings, 1, "%.300s: cut but not filled: %s have no volume", input,
+                    burnish_mesh_get_info(mesh)->line_count > 0 ? "lines" : "points");
     } else if (!facts->is_closed) {
-        render_result_warn(
-            result, 1,
-            "%.300s: cut but not filled: the mesh is not closed; %zu of its edges are open", input,
-            facts->open_edge_count);
+        render_warn(&result->warnings, 1,
+                    "%.300s: cut but not filled: the mesh is not closed; %zu of its edges are open",
+                    input, facts->open_edge_count);
     } else {
-        render_result_warn(result, 1,
-                           "%.300s: cut but not filled: the mesh is not a solid; its winding is "
-                           "inconsistent or it has no volume",
-                           input);
+        render_warn(&result->warnings, 1,
+                    "%.300s: cut but not filled: the mesh is not a solid; its winding is "
+                    "inconsistent or it has no volume",
+                    input);
     }
 }
 
@@ -36,10 +35,10 @@ burnish_status render_cut(render_result *result, burnish_mesh *mesh, burnish_err
             cli_fail(error, status, "--%s", reason.text);
         }
         if (status == BURNISH_STATUS_OK && view->cut_count == before) {
-            render_result_warn(result, 1,
-                               "%.300s: no part of the mesh is beyond the plane %g,%g,%g,%g",
-                               result->settings->input.name, plane->normal[0], plane->normal[1],
-                               plane->normal[2], render_file_offset(plane, view->origin));
+            render_warn(&result->warnings, 1,
+                        "%.300s: no part of the mesh is beyond the plane %g,%g,%g,%g",
+                        result->settings->input.name, plane->normal[0], plane->normal[1],
+                        plane->normal[2], render_file_offset(plane, view->origin));
         }
     }
     if (status == BURNISH_STATUS_OK && view->cut_count > 0 &&

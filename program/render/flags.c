@@ -627,5 +627,4 @@ const cli_command render_command = {
     .sections = render_sections,
     .settings_size = sizeof(render_settings),
     .given = offsetof(render_settings, given),
-    .work = render_work,
 };

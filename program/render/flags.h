@@ -4,9 +4,6 @@
 
 #include "base/cli/options.h"
 
-/* The work of the command, of whoever links its table: batch/many.c, or session/stand_in.c. */
-cli_work render_work;
-
 /* Picture flags for other commands that draw: the flags of the topics picture, files and report
  * that do not name a file or set a limit. */
 #define RENDER_PICTURE_FLAGS                                                                       \

@@ -7,11 +7,13 @@
 
 #include "base/cli/file.h"
 #include "base/clock.h"
+#include "batch/batch.h"
 #include "burnish/core.h"
 #include "burnish/drawing.h"
 #include "burnish/render.h"
 #include "burnish/sheet.h"
 #include "cli/limits.h"
+#include "cli/main.h"
 #include "cli/memory.h"
 #include "picture/formats.h"
 #include "render/check.h"
@@ -259,7 +261,7 @@ static burnish_status load(render_result *result, render_settings *settings,
     result->seconds.read = burnish_mesh_get_info(mesh)->read_seconds;
     result->seconds.build = burnish_mesh_get_info(mesh)->build_seconds;
     for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh); ++i) {
-        render_result_warn(result, 1, "%s", burnish_mesh_get_warning(mesh, i));
+        render_warn(&result->warnings, 1, "%s", burnish_mesh_get_warning(mesh, i));
     }
     status = render_warn_useless(result, mesh, error);
     if (status != BURNISH_STATUS_OK) {
@@ -285,7 +287,7 @@ static burnish_status load(render_result *result, render_settings *settings,
 }
 
 static void warn(void *user_data, const char *line) {
-    render_result_warn(user_data, 1, "%s", line);
+    render_warn(&((render_result *)user_data)->warnings, 1, "%s", line);
 }
 
 static burnish_status make_environment(render_result *result, burnish_render_options *options,
@@ -354,10 +356,7 @@ static void release(render_result *result) {
     render_release_environment(&result->environment);
     font_close(result->font);
     render_release_planes(&result->planes);
-    for (size_t i = 0; i < result->warning_count; ++i) {
-        free(result->warnings[i]);
-    }
-    free(result->warnings);
+    render_drop_warnings(&result->warnings, 0);
     burnish_mesh_destroy(result->mesh);
 }
 
@@ -412,7 +411,8 @@ static void confirm(const render_result *result) {
 }
 
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error) {
-    render_result result = {.settings = settings};
+    render_result result = {.settings = settings,
+                            .warnings = {.print = settings->job.quiet ? NULL : cli_warn}};
     cli_prepare_memory();
     result.seconds.start = processor_seconds();
     result.start = burnish_seconds_now();
@@ -439,7 +439,8 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     return status;
 }
 
-burnish_status render_one(render_settings *settings, cli_call *call, burnish_error *error) {
+/* Draws call->operands[0], in the sandbox if the settings ask for it. */
+static burnish_status draw_input(render_settings *settings, cli_call *call, burnish_error *error) {
     settings->input.name = call->operands[0];
     int code = -1;
     burnish_status status = render_finish(settings, error);
@@ -451,4 +452,13 @@ burnish_status render_one(render_settings *settings, cli_call *call, burnish_err
         return status;
     }
     return render_run(settings, &call->exit_code, error);
+}
+
+burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
+    render_settings *settings = from;
+    int is_many = 0;
+    const burnish_status status = render_read_operands(settings, call, &is_many, error);
+    return status != BURNISH_STATUS_OK ? status
+           : is_many                   ? batch_draw_inputs(settings, call, error)
+                                       : draw_input(settings, call, error);
 }

@@ -190,7 +190,7 @@ burnish_status render_warn_needs(render_result *result, const cli_need *needs, s
             *error = line;
             return line.status;
         }
-        render_result_warn(result, 1, "%s", line.text);
+        render_warn(&result->warnings, 1, "%s", line.text);
     }
     return BURNISH_STATUS_OK;
 }
@@ -213,7 +213,7 @@ void render_warn_lights(render_result *result, const render_light_warnings *warn
     const char *const lines[] = {warnings->spot, warnings->shadow};
     for (int i = 0; i < 2; ++i) {
         if (lines[i]) {
-            render_result_warn(result, 1, "%s", lines[i]);
+            render_warn(&result->warnings, 1, "%s", lines[i]);
         }
     }
 }

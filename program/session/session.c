@@ -264,12 +264,6 @@ session *session_create(burnish_context *context) {
     return s;
 }
 
-static void drop_warnings(render_result *result, size_t kept) {
-    while (result->warning_count > kept) {
-        free(result->warnings[--result->warning_count]);
-    }
-}
-
 static void release_planes(session_planes *planes) {
     free(planes->depth);
     free(planes->normals);
@@ -283,8 +277,7 @@ void session_destroy(session *s) {
         return;
     }
     release_planes(&s->planes);
-    drop_warnings(&s->result, 0);
-    free(s->result.warnings);
+    render_drop_warnings(&s->result.warnings, 0);
     burnish_image_destroy(&s->cell.image);
     burnish_renderer_destroy(s->renderer);
     render_release_environment(&s->environment);
@@ -318,8 +311,8 @@ static burnish_status end(session *s, burnish_status status, session_naming nami
                           burnish_error *error) {
     free(s->texts);
     s->texts = NULL;
-    while (s->final_warnings < s->result.warning_count) {
-        rename_flags(s->result.warnings[s->final_warnings++], s->name, naming);
+    while (s->final_warnings < s->result.warnings.count) {
+        rename_flags(s->result.warnings.lines[s->final_warnings++], s->name, naming);
     }
     if (status != BURNISH_STATUS_OK && strncmp(error->text, "--", 2) == 0) {
         rename_flags(error->text, s->name, naming);
@@ -367,9 +360,9 @@ static burnish_status warn_useless(session *s, burnish_error *error) {
 static burnish_status finish(session *s, burnish_status status, burnish_error *error) {
     burnish_render_options no_lights = {.light_count = 0};
     for (size_t i = 0; i < burnish_mesh_get_warning_count(s->mesh); ++i) {
-        render_result_warn(&s->result, 1, "%s", burnish_mesh_get_warning(s->mesh, i));
+        render_warn(&s->result.warnings, 1, "%s", burnish_mesh_get_warning(s->mesh, i));
     }
-    s->final_warnings = s->result.warning_count;
+    s->final_warnings = s->result.warnings.count;
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);
     }
@@ -385,7 +378,7 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
         s->coloring = s->settings.input.coloring;
         s->coloring.by = s->coloring.by ? strdup(s->coloring.by) : NULL; /* NULL: no legend */
     }
-    s->loading_warnings = s->result.warning_count;
+    s->loading_warnings = s->result.warnings.count;
     s->is_strict = s->settings.input.load.strict;
     if (status == BURNISH_STATUS_OK) {
         status = keep_materials(s, error);
@@ -537,7 +530,7 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     burnish_image_destroy(&s->cell.image);
     s->cell = (render_cell){.hash = 0};
     release_planes(&s->planes);
-    drop_warnings(&s->result, s->loading_warnings);
+    render_drop_warnings(&s->result.warnings, s->loading_warnings);
     s->final_warnings = s->loading_warnings;
     burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
@@ -613,5 +606,5 @@ int session_up_number(const session *s) {
 }
 
 const char *session_warning(const session *s, size_t index) {
-    return index < s->result.warning_count ? s->result.warnings[index] : NULL;
+    return index < s->result.warnings.count ? s->result.warnings.lines[index] : NULL;
 }

@@ -64,7 +64,8 @@ static const struct layer {
     {"program/lobe", "base base/cli cli burnish"},
     {"program/picture", "base base/cli cli burnish"},
     {"program/render",
-     "base base/cli cli font picture render/output render/scene render/settings sandbox burnish"},
+     "base base/cli batch/batch.h cli font picture render/output render/scene render/settings "
+     "sandbox burnish"},
     {"program/render/output",
      "base base/cli cli font import picture render/scene render/settings sandbox burnish"},
     {"program/render/scene", "base base/cli cli render/settings sandbox burnish"},

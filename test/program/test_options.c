@@ -1,16 +1,11 @@
 /* The parser of the command line and its values: both forms of a flag, hints, strict numbers, and
  * defaults that agree with the library's. */
-#include "../program/render/flags.c"
-#include "../program/render/manual.c"
-#include "../program/render/settings/lights.c"
-#include "../program/render/settings/values.c"
-#include "decimal_comma.h"
+#include <stdio.h>
+#include <string.h>
 
-/* The table refers to it, but it never runs. */
-burnish_status render_work(void *settings, cli_call *call, burnish_error *error) {
-    (void)settings, (void)call, (void)error;
-    return BURNISH_STATUS_OK;
-}
+#include "cli/main.h"
+#include "decimal_comma.h"
+#include "render/settings/values.h"
 
 typedef struct parsed {
     burnish_status status;

@@ -68,15 +68,14 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
         burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, &left_out, error);
     if (status == BURNISH_STATUS_OK && (annotations.kinds & BURNISH_ANNOTATION_SCALE) &&
         !(cell->camera.orthographic_height > 0)) {
-        render_result_warn(result, 1,
-                           "%.300s: --annotate: scale: a perspective has no scale, so %s has no "
-                           "bar; use --camera-orthographic, or omit it",
-                           settings->input.name,
-                           result->cell_count > 1 ? cell->label : "the picture");
+        render_warn(&result->warnings, 1,
+                    "%.300s: --annotate: scale: a perspective has no scale, so %s has no "
+                    "bar; use --camera-orthographic, or omit it",
+                    settings->input.name, result->cell_count > 1 ? cell->label : "the picture");
     }
     if (status == BURNISH_STATUS_OK && left_out > 0) {
-        render_result_warn(
-            result, 1,
+        render_warn(
+            &result->warnings, 1,
             "%.300s: %s has no room for %zu of the annotations; enlarge the picture or its margin",
             settings->input.name, result->cell_count > 1 ? cell->label : "the picture", left_out);
     }

@@ -17,29 +17,29 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
         burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
-        render_result_warn(result, 1,
-                           "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
-                           "with a lower order",
-                           input, cell->report.lobe_fallbacks,
-                           burnish_mesh_get_material_count(result->mesh), lobe);
+        render_warn(&result->warnings, 1,
+                    "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
+                    "with a lower order",
+                    input, cell->report.lobe_fallbacks,
+                    burnish_mesh_get_material_count(result->mesh), lobe);
     }
     if (cell->report.layers_dropped > 0) {
-        render_result_warn(result, 1,
-                           "%.300s: some samples have more transparent layers than %d, or than "
-                           "--max-overdraw allows; the farthest ones are omitted",
-                           input, BURNISH_TRANSPARENT_LAYERS_MAX);
+        render_warn(&result->warnings, 1,
+                    "%.300s: some samples have more transparent layers than %d, or than "
+                    "--max-overdraw allows; the farthest ones are omitted",
+                    input, BURNISH_TRANSPARENT_LAYERS_MAX);
     }
     if (cell->report.covered_pixels == 0) {
         ++result->blank_cells;
-        render_result_warn(result, is_printed,
-                           "%.300s: %s is blank: the object is not in it; check the camera", input,
-                           picture);
+        render_warn(&result->warnings, is_printed,
+                    "%.300s: %s is blank: the object is not in it; check the camera", input,
+                    picture);
     } else if (cell->has_one_color) {
         ++result->blank_cells;
-        render_result_warn(result, is_printed,
-                           "%.300s: %s has only one colour: the object is invisible; check "
-                           "colours, lights and background",
-                           input, picture);
+        render_warn(&result->warnings, is_printed,
+                    "%.300s: %s has only one colour: the object is invisible; check "
+                    "colours, lights and background",
+                    input, picture);
     }
 }
 

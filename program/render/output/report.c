@@ -1,4 +1,4 @@
-/* The report of `burnish render`: JSON, times, warnings. */
+/* The report of `burnish render`: JSON and times. */
 #include "render/output/report.h"
 
 #include "render/output/projection.h"
@@ -6,7 +6,6 @@
 #include <cjson/cJSON.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,28 +17,6 @@
 #include "render/scene/camera.h"
 #include "render/scene/origin.h"
 #include "render/settings/values.h"
-
-void render_result_warn(render_result *result, int printed, const char *format, ...) {
-    burnish_error line;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(line.text, sizeof line.text, format, arguments);
-    va_end(arguments);
-    cli_clean(line.text);
-    if (printed && !result->settings->job.quiet) {
-        cli_warn(line.text);
-    }
-    char **grown = realloc(result->warnings, (result->warning_count + 1) * sizeof *grown);
-    char *copy = strdup(line.text);
-    if (grown) {
-        result->warnings = grown;
-    }
-    if (!grown || !copy) {
-        free(copy); /* the line is already printed, but missing in the JSON */
-        return;
-    }
-    result->warnings[result->warning_count++] = copy;
-}
 
 static cJSON *hash_text(uint64_t hash) {
     char text[17];
@@ -288,7 +265,8 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "hash_algorithm", cJSON_CreateString("xxh64"), failed);
     cli_json_add(root, "blank", cJSON_CreateBool(result->blank_cells > 0), failed);
     render_add_reference(root, result, failed);
-    cli_json_add(root, "warnings", cli_json_texts(result->warning_count, result->warnings), failed);
+    cli_json_add(root, "warnings", cli_json_texts(result->warnings.count, result->warnings.lines),
+                 failed);
 }
 
 static burnish_status print_json(FILE *stream, const render_result *result, burnish_error *error) {

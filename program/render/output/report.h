@@ -1,4 +1,4 @@
-/* The result and the report of `burnish render`: JSON, times, warnings. */
+/* The result and the report of `burnish render`: JSON and times. */
 #ifndef TOOL_RENDER_REPORT_H
 #define TOOL_RENDER_REPORT_H
 
@@ -9,6 +9,7 @@
 #include "render/output/planes.h"
 #include "render/output/tones.h"
 #include "render/scene/environment.h"
+#include "render/scene/warnings.h"
 #include "render/settings/settings.h"
 
 /* The only picture, or a cell of a sheet. */
@@ -54,17 +55,12 @@ typedef struct render_result {
         burnish_image image;     /* empty without --reference */
         picture_verdict verdict; /* with 0 pixels if the sizes differ */
     } reference;
-    unsigned unmet;  /* needs of the input, by number, of a picture of a batch */
-    char **warnings; /* warning_count lines, owned */
-    size_t warning_count;
+    unsigned unmet; /* needs of the input, by number, of a picture of a batch */
+    render_warnings warnings;
 } render_result;
 
 /* 1: the object is not in the picture, or looks like the background. */
 int render_is_blank(const render_cell *cell);
-
-/* Adds a line to the result. If printed is 1, and without --quiet, prints it on standard error. */
-__attribute__((format(printf, 3, 4))) void render_result_warn(render_result *result, int printed,
-                                                              const char *format, ...);
 
 /* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 if a part
  * of it is missing. */

@@ -104,16 +104,16 @@ burnish_status render_open_font(render_result *result, burnish_error *error) {
         return BURNISH_STATUS_OK;
     }
     if (!file && (!font_is_available || result->settings->picture.opens_no_font)) {
-        render_result_warn(result, 1, "--labels: %s; letters beyond ASCII are drawn as ?",
-                           font_is_available ? "no font may be opened here"
-                                             : "this program was built without HarfBuzz, FriBidi "
-                                               "and fontconfig");
+        render_warn(&result->warnings, 1, "--labels: %s; letters beyond ASCII are drawn as ?",
+                    font_is_available ? "no font may be opened here"
+                                      : "this program was built without HarfBuzz, FriBidi "
+                                        "and fontconfig");
         return BURNISH_STATUS_OK;
     }
     const burnish_status status = font_open(file, &result->font, error);
     if (status != BURNISH_STATUS_OK && !file) {
-        render_result_warn(result, 1, "--labels: %.300s; letters beyond ASCII are drawn as ?",
-                           error->text);
+        render_warn(&result->warnings, 1, "--labels: %.300s; letters beyond ASCII are drawn as ?",
+                    error->text);
         return BURNISH_STATUS_OK;
     }
     return status;
@@ -122,8 +122,8 @@ burnish_status render_open_font(render_result *result, burnish_error *error) {
 static void warn_about_font(render_result *result) {
     const unsigned missing = (unsigned)font_missing(result->font);
     if (missing > 0) {
-        render_result_warn(
-            result, 1,
+        render_warn(
+            &result->warnings, 1,
             "--labels: no font has U+%04X; it and other missing characters are drawn as boxes",
             missing);
     }
