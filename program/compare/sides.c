@@ -12,7 +12,7 @@
 #include "render/output/report.h"
 #include "render/scene/camera.h"
 #include "render/scene/options.h"
-#include "render/scene/origin.h"
+#include "render/scene/prepare.h"
 #include "render/scene/up.h"
 #include "render/useless.h"
 
@@ -48,17 +48,10 @@ static burnish_load_options load_options(const compare_side *side, const burnish
     return options;
 }
 
-static burnish_status take_mesh(compare_side *side, burnish_status loaded, burnish_error *error) {
+static burnish_status take_mesh(compare_side *side, burnish_status loaded) {
     side->result.mesh = side->owned;
-    for (size_t i = 0; i < burnish_mesh_get_warning_count(side->owned); ++i) {
-        render_warn(&side->result.warnings, 1, "%s", burnish_mesh_get_warning(side->owned, i));
-    }
-    if (loaded == BURNISH_STATUS_OK) {
-        render_drop_file_lights(&side->settings, side->owned, &side->options);
-    }
-    return loaded == BURNISH_STATUS_OK
-               ? render_adjust_materials(&side->settings.shading, side->owned, error)
-               : loaded;
+    render_warn_of_mesh(&side->result.warnings, side->owned);
+    return loaded;
 }
 
 /* Standard input is a PNG or a mesh, depending on its first bytes. */
@@ -73,7 +66,7 @@ static burnish_status read_standard(compare_side *side, const burnish_load_optio
     } else if (status == BURNISH_STATUS_OK) {
         status =
             burnish_mesh_load_memory(bytes, size, "standard input", options, &side->owned, error);
-        status = take_mesh(side, status, error);
+        status = take_mesh(side, status);
     }
     free(bytes);
     return status;
@@ -88,7 +81,7 @@ static burnish_status read_side(compare_side *side, const burnish_mesh *first,
     if (is_picture(side->input)) {
         return picture_read_png(side->input, options.max_input_bytes, &side->picture, error);
     }
-    return take_mesh(side, import_load(side->input, &options, &side->owned, error), error);
+    return take_mesh(side, import_load(side->input, &options, &side->owned, error));
 }
 
 /* ---- Drawing ---- */
@@ -217,11 +210,7 @@ static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
 
 static burnish_status draw(comparison *c, burnish_error *error) {
     burnish_renderer *renderer = NULL;
-    render_environment environment = {0};
     burnish_status status = choose_size(c, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = render_load_environment(&c->settings->render, NULL, &environment, error);
-    }
     if (status == BURNISH_STATUS_OK) {
         status = aim(c, error);
     }
@@ -230,13 +219,11 @@ static burnish_status draw(comparison *c, burnish_error *error) {
     }
     for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
         compare_side *side = &c->sides[i];
-        side->options.environment = environment.environment;
         if (compare_is_mesh(side)) {
             status = draw_side(side, renderer, error);
         }
     }
     burnish_renderer_destroy(renderer);
-    render_release_environment(&environment);
     return status;
 }
 
@@ -318,6 +305,22 @@ static burnish_status warn_useless(comparison *c, burnish_error *error) {
                                        : status;
 }
 
+/* Prepares meshes, with one environment. Two lobes share a mesh, which is prepared once. */
+static burnish_status prepare(comparison *c, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    for (int i = 0; i < (c->lobes ? 1 : 2) && status == BURNISH_STATUS_OK; ++i) {
+        compare_side *side = &c->sides[i];
+        render_scene scene = {&side->settings, side->result.mesh,      &side->options,
+                              &c->environment, &side->result.warnings, side->result.color_range};
+        status = compare_is_mesh(side) ? render_prepare(&scene, error) : BURNISH_STATUS_OK;
+    }
+    if (c->lobes) {
+        c->sides[1].settings.camera = c->sides[0].settings.camera;
+        c->sides[1].options = c->sides[0].options;
+    }
+    return status;
+}
+
 burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < 2; ++i) {
@@ -339,17 +342,8 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
         status = warn_useless(c, error);
     }
     choose_up(c);
-    for (int i = 0; i < 2 && status == BURNISH_STATUS_OK; ++i) {
-        compare_side *side = &c->sides[i];
-        if (side->result.mesh) {
-            render_light_warnings warnings;
-            render_subtract_origin(&side->settings.camera, &side->settings.input.clip,
-                                   &side->options,
-                                   burnish_mesh_get_view(side->result.mesh)->origin);
-            status = render_add_own_lights(&side->settings, side->result.mesh, &side->options,
-                                           &warnings, error);
-            render_warn_lights(&side->result, &warnings);
-        }
+    if (status == BURNISH_STATUS_OK) {
+        status = prepare(c, error);
     }
     if (status == BURNISH_STATUS_OK &&
         (compare_is_mesh(&c->sides[0]) || compare_is_mesh(&c->sides[1]))) {
@@ -359,6 +353,7 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
 }
 
 void compare_release_sides(comparison *c) {
+    render_release_environment(&c->environment);
     for (int i = 0; i < 2; ++i) {
         compare_side *side = &c->sides[i];
         burnish_image_destroy(&side->picture);

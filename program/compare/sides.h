@@ -34,7 +34,8 @@ typedef struct compare_side {
 typedef struct comparison {
     const compare_settings *settings;
     compare_side sides[2];
-    int lobes; /* 1: one mesh with two lobes */
+    int lobes;                      /* 1: one mesh with two lobes */
+    render_environment environment; /* of both */
     picture_verdict verdict;
     float *flip_map; /* NULL: not wanted */
 } comparison;

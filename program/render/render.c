@@ -17,7 +17,6 @@
 #include "cli/memory.h"
 #include "picture/formats.h"
 #include "render/check.h"
-#include "render/cut.h"
 #include "render/output/annotate.h"
 #include "render/output/cells.h"
 #include "render/output/legend.h"
@@ -28,10 +27,8 @@
 #include "render/output/turntable.h"
 #include "render/render.h"
 #include "render/scene/camera.h"
-#include "render/scene/color.h"
 #include "render/scene/options.h"
-#include "render/scene/origin.h"
-#include "render/scene/up.h"
+#include "render/scene/prepare.h"
 #include "render/useless.h"
 #include "sandbox/process.h"
 #include "sandbox/worker.h"
@@ -247,7 +244,7 @@ static burnish_status make_picture(render_result *result, burnish_renderer *rend
                                               : write_picture(result, error);
 }
 
-/* Loads the mesh, prints its warnings and finds the up axis. */
+/* Loads the mesh and prepares the scene. */
 static burnish_status load(render_result *result, render_settings *settings,
                            burnish_render_options *options, burnish_error *error) {
     burnish_mesh *mesh = NULL;
@@ -260,49 +257,14 @@ static burnish_status load(render_result *result, render_settings *settings,
     }
     result->seconds.read = burnish_mesh_get_info(mesh)->read_seconds;
     result->seconds.build = burnish_mesh_get_info(mesh)->build_seconds;
-    for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh); ++i) {
-        render_warn(&result->warnings, 1, "%s", burnish_mesh_get_warning(mesh, i));
-    }
+    render_warn_of_mesh(&result->warnings, mesh);
     status = render_warn_useless(result, mesh, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    render_light_warnings warnings;
-    render_drop_file_lights(settings, mesh, options);
-    render_subtract_origin(&settings->camera, &settings->input.clip, options,
-                           burnish_mesh_get_view(mesh)->origin);
-    status = render_add_own_lights(settings, mesh, options, &warnings, error);
-    render_warn_lights(result, &warnings);
-    render_set_stance(mesh, &settings->camera);
-    if (status == BURNISH_STATUS_OK) {
-        status = render_cut(result, mesh, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_color(settings, mesh, result->color_range, error);
-    }
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    return render_adjust_materials(&settings->shading, mesh, error);
-}
-
-static void warn(void *user_data, const char *line) {
-    render_warn(&((render_result *)user_data)->warnings, 1, "%s", line);
-}
-
-static burnish_status make_environment(render_result *result, burnish_render_options *options,
-                                       burnish_error *error) {
-    burnish_context_options logging = burnish_context_options_default();
-    burnish_context *context;
-    logging.log = warn;
-    logging.log_user_data = result;
-    burnish_status status = burnish_context_create(&logging, &context, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = render_make_environment(result->settings, context, &result->environment, error);
-        options->environment = result->environment.environment;
-        burnish_context_destroy(context);
-    }
-    return status;
+    render_scene scene = {
+        settings, mesh, options, &result->environment, &result->warnings, result->color_range};
+    return render_prepare(&scene, error);
 }
 
 static burnish_status render(render_result *result, render_settings *settings,
@@ -328,9 +290,6 @@ static burnish_status render(render_result *result, render_settings *settings,
     }
     if (status == BURNISH_STATUS_OK) {
         status = load(result, settings, options, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = make_environment(result, options, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(NULL, &renderer, error);

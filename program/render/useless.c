@@ -208,12 +208,3 @@ burnish_status render_warn_useless(render_result *result, const burnish_mesh *me
     }
     return BURNISH_STATUS_OK;
 }
-
-void render_warn_lights(render_result *result, const render_light_warnings *warnings) {
-    const char *const lines[] = {warnings->spot, warnings->shadow};
-    for (int i = 0; i < 2; ++i) {
-        if (lines[i]) {
-            render_warn(&result->warnings, 1, "%s", lines[i]);
-        }
-    }
-}

@@ -3,7 +3,6 @@
 #define TOOL_RENDER_USELESS_H
 
 #include "render/output/report.h"
-#include "render/scene/origin.h"
 
 enum { RENDER_NEEDS_MAX = 32 };
 
@@ -28,8 +27,5 @@ burnish_status render_warn_useless(render_result *result, const burnish_mesh *me
 /* ARGUMENT for flags that a drawing, or an SVG or PDF, can not show. Call it when the format is
  * known. */
 burnish_status render_check_drawing(render_settings *settings, burnish_error *error);
-
-/* Warns about lights. */
-void render_warn_lights(render_result *result, const render_light_warnings *warnings);
 
 #endif

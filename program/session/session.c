@@ -8,14 +8,11 @@
 
 #include "cli/main.h"
 #include "render/check.h"
-#include "render/cut.h"
 #include "render/output/cells.h"
 #include "render/output/report.h"
 #include "render/scene/camera.h"
-#include "render/scene/color.h"
 #include "render/scene/options.h"
-#include "render/scene/origin.h"
-#include "render/scene/up.h"
+#include "render/scene/prepare.h"
 #include "render/useless.h"
 
 struct session {
@@ -24,7 +21,7 @@ struct session {
     char *texts; /* of the last call's options */
     cli_companions companions;
     burnish_mesh *mesh;
-    render_camera_settings stance; /* stands_otherwise and sheet of the mesh */
+    render_camera_settings stance; /* up, stands_otherwise and sheet of the mesh */
     render_coloring coloring;      /* of the mesh; has the name itself */
     burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
     int is_strict;                 /* as the mesh was opened */
@@ -356,25 +353,23 @@ static burnish_status warn_useless(session *s, burnish_error *error) {
     return status == BURNISH_STATUS_OK ? render_warn_useless(&s->result, s->mesh, error) : status;
 }
 
-/* Prepares a loaded mesh for drawing. */
+static render_scene list_scene(session *s, burnish_render_options *options) {
+    return (render_scene){
+        &s->settings,         s->mesh, options, &s->environment, &s->result.warnings,
+        s->result.color_range};
+}
+
+/* Prepares a loaded mesh for pictures. */
 static burnish_status finish(session *s, burnish_status status, burnish_error *error) {
-    burnish_render_options no_lights = {.light_count = 0};
-    for (size_t i = 0; i < burnish_mesh_get_warning_count(s->mesh); ++i) {
-        render_warn(&s->result.warnings, 1, "%s", burnish_mesh_get_warning(s->mesh, i));
-    }
+    render_scene scene = list_scene(s, NULL);
+    render_warn_of_mesh(&s->result.warnings, s->mesh);
     s->final_warnings = s->result.warnings.count;
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &no_lights,
-                               burnish_mesh_get_view(s->mesh)->origin);
-        s->stance.up = s->settings.camera.up;
-        render_set_stance(s->mesh, &s->stance);
-        status = render_cut(&s->result, s->mesh, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_color(&s->settings, s->mesh, s->result.color_range, error);
+        status = render_prepare_mesh(&scene, error);
+        s->stance = s->settings.camera;
         s->coloring = s->settings.input.coloring;
         s->coloring.by = s->coloring.by ? strdup(s->coloring.by) : NULL; /* NULL: no legend */
     }
@@ -428,15 +423,14 @@ burnish_status session_build(session *s, const burnish_mesh_description *descrip
 
 /* ---- Drawing ---- */
 
-static burnish_status set_materials(session *s, burnish_error *error) {
+/* Undoes what the options of the last picture have changed. */
+static burnish_status restore_materials(session *s, burnish_error *error) {
     const size_t count = burnish_mesh_get_material_count(s->mesh);
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         status = burnish_mesh_set_material(s->mesh, i, &s->materials[i], error);
     }
-    return status == BURNISH_STATUS_OK
-               ? render_adjust_materials(&s->settings.shading, s->mesh, error)
-               : status;
+    return status;
 }
 
 void session_request_planes(session *s, unsigned kinds) {
@@ -475,27 +469,21 @@ static burnish_status draw_planes(session *s, const burnish_render_options *opti
     return burnish_renderer_draw_into(s->renderer, s->mesh, options, &target, NULL, error);
 }
 
-/* Makes the environment unless the last picture had the same. */
-static burnish_status choose_environment(session *s, burnish_error *error) {
+/* Drops the environment unless this picture has the same. */
+static void keep_environment(session *s) {
     const char *name = s->settings.shading.environment.name;
-    if (s->environment_name && name && strcmp(s->environment_name, name) == 0) {
-        return BURNISH_STATUS_OK;
+    if (!s->environment_name || !name || strcmp(s->environment_name, name) != 0) {
+        render_release_environment(&s->environment);
+        free(s->environment_name);
+        s->environment_name = name ? strdup(name) : NULL;
     }
-    render_release_environment(&s->environment);
-    free(s->environment_name);
-    s->environment_name = NULL;
-    const burnish_status status =
-        render_load_environment(&s->settings, s->context, &s->environment, error);
-    s->environment_name = status == BURNISH_STATUS_OK && name ? strdup(name) : NULL;
-    return status;
 }
 
 static burnish_status draw(session *s, burnish_error *error) {
-    burnish_render_options options = render_make_options(&s->settings);
+    burnish_render_options options;
+    render_scene scene = list_scene(s, &options);
     render_room room = {.is_given = 0};
     render_cell *cell = &s->cell;
-    render_subtract_origin(&s->settings.camera, &s->settings.input.clip, &options,
-                           burnish_mesh_get_view(s->mesh)->origin);
     cell->view =
         s->settings.picture.views.count > 0 ? s->settings.picture.views.items[0] : VIEW_FREE;
     cell->lobe = s->settings.shading.lobes.items[0];
@@ -503,13 +491,10 @@ static burnish_status draw(session *s, burnish_error *error) {
     s->result.options = &options;
     s->result.cells = cell;
     s->result.cell_count = 1;
-    render_light_warnings warnings;
-    burnish_status status =
-        render_add_own_lights(&s->settings, s->mesh, &options, &warnings, error);
-    render_warn_lights(&s->result, &warnings);
+    keep_environment(s);
+    burnish_status status = restore_materials(s, error);
     if (status == BURNISH_STATUS_OK) {
-        status = choose_environment(s, error);
-        options.environment = s->environment.environment;
+        status = render_prepare_picture(&scene, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = render_camera(s->mesh, &s->settings, cell->view, &room, &cell->camera, error);
@@ -526,7 +511,6 @@ static burnish_status draw(session *s, burnish_error *error) {
 }
 
 burnish_status session_draw(session *s, session_options options, burnish_error *error) {
-    const int up = s->settings.camera.up;
     burnish_image_destroy(&s->cell.image);
     s->cell = (render_cell){.hash = 0};
     release_planes(&s->planes);
@@ -536,17 +520,12 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     s->settings.input.name = s->name;
     s->coloring.no_legend = s->settings.input.coloring.no_legend;
     s->settings.input.coloring = s->coloring;
-    s->settings.camera.up = up; /* the mesh's */
+    s->settings.camera.up = s->stance.up;
     s->settings.camera.stands_otherwise = s->stance.stands_otherwise;
     s->settings.camera.sheet = s->stance.sheet;
     s->settings.input.load.strict = s->is_strict;
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        burnish_render_options unused;
-        render_drop_file_lights(&s->settings, s->mesh, &unused);
-        status = set_materials(s, error);
     }
     return end(s, status == BURNISH_STATUS_OK ? draw(s, error) : status, options.naming, error);
 }

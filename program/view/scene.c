@@ -11,8 +11,7 @@
 
 #include "base/cli/output.h"
 #include "cli/main.h"
-#include "render/scene/origin.h"
-#include "render/scene/up.h"
+#include "render/scene/prepare.h"
 #include "render/useless.h"
 
 static int is_cancelled(void *user_data) {
@@ -52,14 +51,6 @@ static void add_section(const view_scene *scene, render_clip *clip) {
     }
 }
 
-static burnish_status cut(const render_clip *clip, burnish_mesh *mesh, burnish_error *error) {
-    burnish_status status = BURNISH_STATUS_OK;
-    for (int i = 0; i < clip->count && status == BURNISH_STATUS_OK; ++i) {
-        status = burnish_mesh_clip(mesh, &clip->items[i], error);
-    }
-    return status;
-}
-
 /* Flags in vain, once. Keys change views, projection and look: what flags need of those can come. */
 static burnish_status warn_useless(const render_settings *settings, const burnish_mesh *mesh,
                                    burnish_error *error) {
@@ -70,14 +61,32 @@ static burnish_status warn_useless(const render_settings *settings, const burnis
                            error);
 }
 
+/* Prepares a mesh; prints its warnings once for each input. */
+static burnish_status prepare(view_scene *scene, render_scene *prepared, burnish_error *error) {
+    render_warnings warnings = {.print = scene->warned == scene->input ? NULL : cli_warn};
+    prepared->warnings = &warnings;
+    render_warn_of_mesh(&warnings, prepared->mesh);
+    burnish_status status = BURNISH_STATUS_OK;
+    if (!scene->mesh) {
+        status = warn_useless(prepared->settings, prepared->mesh, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = render_prepare(prepared, error);
+    }
+    render_drop_warnings(&warnings, 0);
+    scene->warned = scene->input;
+    return status;
+}
+
 burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
     render_settings settings = scene->given;
+    burnish_render_options options;
     burnish_mesh *mesh = NULL;
     render_environment read = {0};
+    double range[2];
     const int reads = !scene->environment.environment || scene->environment_is_old;
     settings.input.name = scene->input;
     add_section(scene, &settings.input.clip);
-    burnish_render_options options = render_make_options(&settings);
     burnish_status status = render_load(&settings.input, settings.job.threads, &mesh, error);
     const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
     for (int k = 0; k < 3 && view && !scene->section.is_on; ++k) {
@@ -85,30 +94,13 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
         scene->high[k] = view->bounds_max[k] + view->origin[k];
         scene->triangles = view->triangle_count;
     }
-    if (status == BURNISH_STATUS_OK && !scene->mesh) {
-        status = warn_useless(&settings, mesh, error);
-    }
     if (status == BURNISH_STATUS_OK) {
-        render_light_warnings warnings;
-        render_drop_file_lights(&settings, mesh, &options);
-        render_subtract_origin(&settings.camera, &settings.input.clip, &options, view->origin);
-        status = render_add_own_lights(&settings, mesh, &options, &warnings, error);
-        const char *const lines[] = {warnings.spot, warnings.shadow};
-        for (int k = 0; k < 2 && !settings.job.quiet; ++k) {
-            if (lines[k]) {
-                cli_warn(lines[k]);
-            }
-        }
-    }
-    if (status == BURNISH_STATUS_OK) {
-        render_set_stance(mesh, &settings.camera);
-        status = cut(&settings.input.clip, mesh, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_adjust_materials(&settings.shading, mesh, error);
-    }
-    if (status == BURNISH_STATUS_OK && reads) {
-        status = render_load_environment(&settings, NULL, &read, error);
+        render_scene prepared = {.settings = &settings,
+                                 .mesh = mesh,
+                                 .options = &options,
+                                 .environment = reads ? &read : &scene->environment,
+                                 .color_range = range};
+        status = prepare(scene, &prepared, error);
     }
     if (status != BURNISH_STATUS_OK) {
         render_release_environment(&read);
@@ -120,7 +112,6 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
         scene->environment = read;
         scene->environment_is_old = 0;
     }
-    options.environment = scene->environment.environment;
     burnish_mesh_destroy(scene->mesh);
     scene->mesh = mesh;
     scene->settings = settings;

@@ -26,6 +26,7 @@ typedef struct view_scene {
     render_settings given;    /* of flags and keys, in coordinates of the file */
     render_settings settings; /* the same in the mesh's own coordinates */
     const char *input;
+    const char *warned; /* the input whose warnings were printed */
     view_section section;
     burnish_mesh *mesh;
     render_environment environment;

@@ -40,6 +40,14 @@ else
     skip "EXR, this build does not write it"
 fi
 
+# Every command that draws warns of it.
+hdr hot.hdr 1 1 808080ff
+hot='burnish: warning: hot.hdr: 3 values are negative, above 1000000 or not numbers; they are clamped'
+expect 0 "$hot" render :sphere --size=16 --environment=hot.hdr -o x.png
+run compare :sphere :sphere --size=16 --environment=hot.hdr
+same "compare, a hot environment" "$(cat "$err")" "$hot"
+rm -f x.png
+
 head -c 5000 white.hdr >short.hdr
 expect 4 'burnish: short.hdr: scan line 20 of 32 is damaged, or the file is truncated' render :teapot --environment=short.hdr -o x.png
 hdr huge.hdr 1 1 80808081

@@ -26,6 +26,14 @@ SDL_VIDEODRIVER=none run view :sphere --do=quit
 check "no display: exit code $code" [ "$code" = 3 ]
 check "no display: one line: $(cat "$err")" grep -q '^burnish: view: no window can be opened: .*; use burnish render without a display$' "$err"
 
+# Warnings about an input, its lights and cuts: once, although each section loads it again.
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n' >open.stl
+run view open.stl --resolution=64,64 --clip=1,0,0,0.5 --shadow --light=none --do=section-x,section-y,quit
+same "warnings" "$(cat "$err")" 'burnish: warning: open.stl:8: "endsolid" is missing
+burnish: warning: open.stl: cut but not filled: the mesh is not closed; 3 of its edges are open
+burnish: warning: --shadow: no effect: a directional light that comes first casts it, or an area light; use --light=directional:X,Y,Z'
+rm -f open.stl
+
 # SDL starts no other program.
 mkdir bin && printf '#!/bin/sh\ntouch "%s/started"\n' "$PWD" >bin/dbus-launch && chmod +x bin/dbus-launch
 check "a window without a bus" env -u DBUS_SESSION_BUS_ADDRESS DISPLAY=:0 PATH="$PWD/bin:$PATH" \

@@ -1,10 +1,12 @@
-/* The parser of the command line and its values: both forms of a flag, hints, strict numbers, and
- * defaults that agree with the library's. */
+/* The command line of `burnish render`: both forms of a flag, hints, strict numbers, defaults that
+ * agree with the library's, and the scene that settings make of a mesh. */
 #include <stdio.h>
 #include <string.h>
 
 #include "cli/main.h"
 #include "decimal_comma.h"
+#include "render/scene/options.h"
+#include "render/scene/prepare.h"
 #include "render/settings/values.h"
 
 typedef struct parsed {
@@ -245,6 +247,123 @@ static void test_decimal_comma(void) {
     }
 }
 
+/* ---- Scenes ---- */
+
+/* A closed box from (0, 100, 0) to (100, 110, 100) with a spot light at (50, 150, 50). */
+#define BOX(lights)                                                                                \
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":132,\"uri\":\"data:;base64,"    \
+    "AAAAAAAAyEIAAAAAAAAAAAAAyEIAAMhCAAAAAAAA3EIAAAAAAAAAAAAA3EIAAMhCAADIQgAAyEIAAAAAAADIQgAAyEIA" \
+    "AMhCAADIQgAA3EIAAAAAAADIQgAA3EIAAMhCAAEDAAMCBAYHBAcFAAQFAAUBAgMHAgcGAAIGAAYEAQUHAQcD\"}],"    \
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":96},"                                           \
+    "{\"buffer\":0,\"byteOffset\":96,\"byteLength\":36}],"                                         \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":8,\"type\":\"VEC3\"},"      \
+    "{\"bufferView\":1,\"componentType\":5121,\"count\":36,\"type\":\"SCALAR\"}],"                 \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}]," lights "}"
+#define SPOT                                                                                       \
+    "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"spot\",\"intensity\":1}]}}," \
+    "\"nodes\":[{\"mesh\":0},{\"translation\":[50,150,50],"                                        \
+    "\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}]"
+#define DARK "\"nodes\":[{\"mesh\":0}]"
+
+typedef struct prepared {
+    parsed line;
+    burnish_mesh *mesh;
+    burnish_render_options options;
+    render_environment environment;
+    render_warnings warnings;
+    double range[2];
+    burnish_status status;
+} prepared;
+
+/* The scene of a command line; coordinates of the mesh begin at y = 100. */
+static prepared prepare(const char *line, const char *text) {
+    static const double origin[3] = {0, 100, 0};
+    prepared p = {.line = parse(line)};
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    render_settings *settings = &p.line.settings;
+    settings->input.name = "box";
+    burnish_load_options load = render_load_options(&settings->input, 1);
+    load.origin = origin;
+    CHECK_OK(p.line.status, p.line.error);
+    CHECK_OK(burnish_mesh_load_memory(text, strlen(text), "box.gltf", &load, &p.mesh, &error),
+             error);
+    render_scene scene = {settings, p.mesh, &p.options, &p.environment, &p.warnings, p.range};
+    p.status = p.mesh ? render_prepare(&scene, &error) : BURNISH_STATUS_READ;
+    return p;
+}
+
+static void release(prepared *p) {
+    render_drop_warnings(&p->warnings, 0);
+    render_release_environment(&p->environment);
+    burnish_mesh_destroy(p->mesh);
+}
+
+static int warns(const prepared *p, const char *part) {
+    int count = 0;
+    for (size_t i = 0; i < p->warnings.count; ++i) {
+        count += strstr(p->warnings.lines[i], part) != NULL;
+    }
+    return count;
+}
+
+/* Cutting and colouring: planes are the file's, the whole box is not flat, colours are those of
+ * what is left. */
+static void test_cut_scene(void) {
+    prepared p = prepare("x|--clip=0,1,0,100.25|--clip=1,0,0,500|--color-by=height", BOX(SPOT));
+    CHECK_OK(p.status, p.line.error);
+    CHECK(burnish_mesh_get_view(p.mesh)->cut_count == 1 && warns(&p, "1,0,0,500") == 1 &&
+              p.warnings.count == 1,
+          "%d cuts, %zu warnings", burnish_mesh_get_view(p.mesh)->cut_count, p.warnings.count);
+    CHECK(p.line.settings.camera.sheet == 0, "flat along %d", p.line.settings.camera.sheet);
+    CHECK(p.range[1] - p.range[0] == 0.25, "colours from %g to %g", p.range[0], p.range[1]);
+    release(&p);
+}
+
+/* A plate on its edge lies down before its height is coloured. */
+static void test_lying_scene(void) {
+    prepared p =
+        prepare("x|--color-by=height",
+                "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 90 90 0\nv 0 0 5\nv 90 0 5\nv 0 90 5\nv 90 90 5\n"
+                "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+    CHECK_OK(p.status, p.line.error);
+    CHECK1(p.line.settings.camera.stands_otherwise);
+    CHECK(p.range[1] - p.range[0] == 5, "colours from %g to %g", p.range[0], p.range[1]);
+    release(&p);
+}
+
+/* Lights and camera: those of flags are moved, those of the file are added to them. */
+static void test_lit_scene(void) {
+    prepared p = prepare("x|--light=world-point:1,102,3|--light=file|--shadow|--environment=sky|"
+                         "--camera-position=5,107,9|--opacity=0.5",
+                         BOX(SPOT));
+    CHECK_OK(p.status, p.line.error);
+    CHECK(p.options.light_count == 2, "%d lights", p.options.light_count);
+    CHECK(p.options.lights[0].vector[1] == 2, "from %g", p.options.lights[0].vector[1]);
+    CHECK(p.options.lights[1].vector[1] == 50, "from %g", p.options.lights[1].vector[1]);
+    CHECK1(p.line.settings.camera.position.values[1] == 7);
+    CHECK1(!p.options.shadow && p.options.environment &&
+           p.options.environment == p.environment.environment);
+    CHECK(burnish_mesh_get_material(p.mesh, 0)->transparency == 0.5F, "opacity");
+    CHECK1(warns(&p, "spot lights") == 1 && warns(&p, "--shadow") == 1 && p.warnings.count == 2);
+    release(&p);
+    p = prepare("x|--light=file|--shadow|--strict", BOX(SPOT));
+    CHECK1(p.status == BURNISH_STATUS_ARGUMENT);
+    release(&p);
+}
+
+/* Without lights in the file the look's shine, in whose wide light a preset is metallic. */
+static void test_dark_scene(void) {
+    prepared p = prepare("x|--light=file|--material=metal", BOX(DARK)), q;
+    CHECK_OK(p.status, p.line.error);
+    CHECK1(!p.line.settings.shading.lights.given && p.options.area_light_count > 0);
+    CHECK1(burnish_mesh_get_material(p.mesh, 0)->metallic == 1);
+    q = prepare("x|--light=file|--material=metal", BOX(SPOT));
+    CHECK_OK(q.status, q.line.error);
+    CHECK1(burnish_mesh_get_material(q.mesh, 0)->metallic == 0);
+    release(&p);
+    release(&q);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_defaults());
@@ -255,5 +374,9 @@ int main(int count, char **arguments) {
     RUN(test_colors());
     RUN(test_lights());
     RUN(test_table());
+    RUN(test_cut_scene());
+    RUN(test_lying_scene());
+    RUN(test_lit_scene());
+    RUN(test_dark_scene());
     return test_end("options");
 }

@@ -15,7 +15,7 @@
 #include "import/importers.h"
 #include "render/output/reference.h"
 #include "render/scene/camera.h"
-#include "render/scene/origin.h"
+#include "render/scene/prepare.h"
 #include "render/settings/values.h"
 
 static cJSON *hash_text(uint64_t hash) {

@@ -35,26 +35,22 @@ burnish_status render_make_environment(const render_settings *settings,
                                        const burnish_context *context,
                                        render_environment *environment, burnish_error *error) {
     const char *name = settings->shading.environment.name;
-    if (!name) {
+    if (!name || environment->environment) {
         return BURNISH_STATUS_OK;
     }
-    const burnish_status status =
-        is_file(name)
-            ? burnish_environment_decode(context, environment->bytes, environment->size, name,
-                                         &environment->environment, error)
-            : burnish_environment_create_named(context, name, &environment->environment, error);
+    burnish_status status = environment->bytes
+                                ? BURNISH_STATUS_OK
+                                : render_read_environment(settings, environment, error);
+    if (status == BURNISH_STATUS_OK) {
+        status =
+            is_file(name)
+                ? burnish_environment_decode(context, environment->bytes, environment->size, name,
+                                             &environment->environment, error)
+                : burnish_environment_create_named(context, name, &environment->environment, error);
+    }
     free(environment->bytes);
     environment->bytes = NULL;
     return status;
-}
-
-burnish_status render_load_environment(const render_settings *settings,
-                                       const burnish_context *context,
-                                       render_environment *environment, burnish_error *error) {
-    const burnish_status status = render_read_environment(settings, environment, error);
-    return status == BURNISH_STATUS_OK
-               ? render_make_environment(settings, context, environment, error)
-               : status;
 }
 
 void render_release_environment(render_environment *environment) {

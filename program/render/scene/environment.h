@@ -12,19 +12,13 @@ typedef struct render_environment {
 } render_environment;
 
 /* Reads the file, if there is one, but does not parse it: for use before the sandbox is closed.
- * Errors: READ, LIMIT, MEMORY;
- * ARGUMENT if no file may be opened. */
+ * Errors: READ, LIMIT, MEMORY; ARGUMENT if no file may be opened. */
 burnish_status render_read_environment(const render_settings *settings,
                                        render_environment *environment, burnish_error *error);
 
-/* Makes the environment. context: receives warnings; can be NULL.
- * Errors: as for burnish_environment_decode(). */
+/* Makes the environment unless it is made, and reads its file unless that is read. `context`
+ * receives warnings. Errors: also as for burnish_environment_decode(). */
 burnish_status render_make_environment(const render_settings *settings,
-                                       const burnish_context *context,
-                                       render_environment *environment, burnish_error *error);
-
-/* Both. */
-burnish_status render_load_environment(const render_settings *settings,
                                        const burnish_context *context,
                                        render_environment *environment, burnish_error *error);
 
