@@ -43,8 +43,8 @@ typedef struct cli_input {
     uint64_t max_memory; /* of loading and drawing: 0: no limit */
 } cli_input;
 
-/* The library's options for these flags. A cli_foreign is kept as the format, for import_load and
- * sandbox_load: the library does not know it. */
+/* The library's options for these flags. A cli_foreign is kept as the format, for import_load: the
+ * library does not know it. */
 burnish_load_options cli_load_options(const cli_input *input);
 
 #define CLI_INPUT_EXTENSION(name, word, extensions, ...) " " extensions

@@ -6,7 +6,7 @@
 
 #include "cli/main.h"
 #include "compare/sides.h"
-#include "import/run.h"
+#include "import/load.h"
 #include "picture/read_png.h"
 #include "render/output/cells.h"
 #include "render/output/report.h"

@@ -89,7 +89,8 @@ static void release(void *user_data, const uint8_t *decoded, size_t size) {
 }
 
 burnish_stream_decoder import_decoder(const char *name) {
-    return (burnish_stream_decoder){decode, release, (void *)(uintptr_t)name};
+    return decode_function ? (burnish_stream_decoder){decode, release, (void *)(uintptr_t)name}
+                           : (burnish_stream_decoder){0};
 }
 
 #else

@@ -22,10 +22,7 @@
 #include "base/cli/process.h"
 #include "base/clock.h"
 #include "cli/limits.h"
-#include "import/decode.h"
-#include "import/folder.h"
 #include "import/importers.h"
-#include "import/open.h"
 #include "import/recognise.h"
 
 enum {
@@ -89,10 +86,15 @@ static burnish_status find_program(run *r) {
     return fail(r, BURNISH_STATUS_FORMAT, message);
 }
 
+burnish_status import_check_installed(const import_program *importer, const char *name,
+                                      burnish_error *error) {
+    run r = {.importer = importer, .name = name, .error = error};
+    return find_program(&r);
+}
+
 int import_is_installed(const import_program *importer) {
     burnish_error error;
-    run r = {.importer = importer, .name = "", .error = &error};
-    return find_program(&r) == BURNISH_STATUS_OK;
+    return import_check_installed(importer, "", &error) == BURNISH_STATUS_OK;
 }
 
 /* ---- The process ---- */
@@ -261,70 +263,11 @@ burnish_status import_run(const import_program *importer, const char *name, cons
     return status;
 }
 
-/* ---- Loading ---- */
-
-burnish_status import_run_over(const import_program *importer, const char *extension,
-                               const char *path, int held, uint64_t max_bytes, import_sink sink,
-                               burnish_error *error) {
-    run r = {.importer = importer, .name = import_shown(path), .error = error};
-    int input = held;
-    burnish_status status = strcmp(path, "-") == 0 ? find_program(&r) : BURNISH_STATUS_OK;
-    if (status == BURNISH_STATUS_OK && held < 0) {
-        status = import_open(path, max_bytes, &input, error);
-    }
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    status = import_run(importer, r.name, extension, input, max_bytes, sink, error);
-    if (held < 0) {
-        close(input);
-    }
-    return status;
-}
-
-burnish_status import_load(const char *path, const burnish_load_options *options,
-                           burnish_mesh **mesh, burnish_error *error) {
-    char extension[IMPORT_EXTENSION_SIZE];
-    const int format = (int)options->format;
-    const import_program *importer = import_choose(path, format, extension);
-    burnish_load_options handed = *options;
-    import_stream stream = {0};
-    burnish_error native;
-    *mesh = NULL;
-    handed.decoder = import_decoder(path);
-    if (!importer) {
-        handed.format = cli_foreign_extension(format) ? BURNISH_FORMAT_AUTO : options->format;
-        return burnish_mesh_load(path, &handed, mesh, error); /* a built-in object */
-    }
-    burnish_status status = import_run_over(importer, extension, path, -1, options->max_input_bytes,
-                                            (import_sink){import_keep, &stream}, error);
-    if (status == BURNISH_STATUS_OK || stream.is_short) {
-        int folder = folder_open(path);
-        status = import_build(importer, import_shown(path), &stream, options,
-                              folder_loader(&folder), mesh, error);
-        if (folder >= 0) {
-            close(folder);
-        }
-    }
-    free(stream.bytes);
-    return import_may_be_other(status, format) &&
-                   burnish_mesh_load(path, &handed, mesh, &native) == BURNISH_STATUS_OK
-               ? BURNISH_STATUS_OK
-               : status;
-}
-
 #else
 
 int import_is_installed(const import_program *importer) {
     (void)importer;
     return 0;
-}
-
-burnish_status import_load(const char *path, const burnish_load_options *options,
-                           burnish_mesh **mesh, burnish_error *error) {
-    const burnish_status status =
-        *path == ':' ? BURNISH_STATUS_OK : cli_refuse_foreign((int)options->format, error);
-    return status == BURNISH_STATUS_OK ? burnish_mesh_load(path, options, mesh, error) : status;
 }
 
 #endif

@@ -4,8 +4,10 @@
 
 #include "import/importers.h"
 
-/* Whether the importer's program is installed. */
+/* Whether the importer's program is installed; the error for the input `name` if it is not. */
 int import_is_installed(const import_program *importer);
+burnish_status import_check_installed(const import_program *importer, const char *name,
+                                      burnish_error *error);
 
 /* Receives bytes in pieces; take returns 0 to end the importer. */
 typedef int import_taker(void *context, const void *bytes, size_t size);
@@ -26,16 +28,5 @@ typedef struct import_sink {
  * Errors: FORMAT (no such program, it crashed), LIMIT (time, bytes), MEMORY, READ. */
 burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error);
-
-/* Runs import_run on `path`, or on its open descriptor `held`; -1: none. Standard input is not read
- * if the importer is not installed. */
-burnish_status import_run_over(const import_program *importer, const char *extension,
-                               const char *path, int held, uint64_t max_bytes, import_sink sink,
-                               burnish_error *error);
-
-/* As burnish_mesh_load, through the importer that import_choose returns for the path and
- * options->format, if any. */
-burnish_status import_load(const char *path, const burnish_load_options *options,
-                           burnish_mesh **mesh, burnish_error *error);
 
 #endif

@@ -11,7 +11,7 @@
 #include "import/decode.h"
 #include "import/folder.h"
 #include "import/importers.h"
-#include "import/run.h"
+#include "import/load.h"
 #include "picture/video.h"
 #include "sandbox/channel.h"
 #include "sandbox/process.h"

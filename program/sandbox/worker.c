@@ -1,8 +1,7 @@
 #include "sandbox/worker.h"
 
 #include "import/decode.h"
-#include "import/importers.h"
-#include "import/run.h"
+#include "import/load.h"
 
 #if BURNISH_HAS_SECCOMP
 
@@ -13,7 +12,6 @@
 
 #include "base/cli/file.h"
 #include "base/cli/options.h"
-#include "cli/input.h"
 #include "import/folder.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"
@@ -95,12 +93,6 @@ static void release_file(void *user_data, const void *bytes, size_t size) {
 
 /* ---- The worker ---- */
 
-void sandbox_become_worker(int channel, int input) {
-    broker = channel;
-    input_file = input;
-    cli_file_set_writer(write_by_broker);
-}
-
 int sandbox_is_worker(void) {
     return broker >= 0;
 }
@@ -143,50 +135,33 @@ static burnish_status decode_by_broker(const char *name, const void *bytes, size
     return is_there ? take_stream(stream, error) : fail_broker(error);
 }
 
-static burnish_status import(const import_program *importer, const char *input,
-                             const burnish_load_options *options, burnish_mesh **mesh,
-                             burnish_error *error) {
-    import_stream stream = {0};
-    burnish_status status = channel_send(broker, MESSAGE_IMPORT, options->max_input_bytes, NULL, 0)
-                                ? take_stream(&stream, error)
-                                : fail_broker(error);
-    *mesh = NULL;
-    if (status == BURNISH_STATUS_OK) {
-        status =
-            import_build(importer, input, &stream, options, options->referenced_files, mesh, error);
-    }
-    free(stream.bytes);
-    return status;
+static burnish_status import_by_broker(const import_program *importer, const char *extension,
+                                       const char *input, uint64_t max_bytes, import_stream *stream,
+                                       burnish_error *error) {
+    (void)importer, (void)extension, (void)input; /* the broker has chosen them, too */
+    return channel_send(broker, MESSAGE_IMPORT, max_bytes, NULL, 0) ? take_stream(stream, error)
+                                                                    : fail_broker(error);
 }
 
-burnish_status sandbox_load(const char *input, const burnish_load_options *options,
-                            burnish_mesh **mesh, burnish_error *error) {
-    burnish_load_options handed = *options;
-    if (!sandbox_is_worker()) {
-        return import_load(input, options, mesh, error);
-    }
-    handed.decoder = import_decoder(input);
+/* Reads the descriptor that the broker has opened; there is none of standard input. */
+static burnish_status load_input(const char *input, const burnish_load_options *options,
+                                 burnish_mesh **mesh, burnish_error *error) {
+    return input_file < 0 ? burnish_mesh_load(input, options, mesh, error)
+                          : burnish_mesh_load_descriptor(input_file, input, options, mesh, error);
+}
+
+static burnish_file_loader list_files(const char *input) {
+    return strcmp(input, "-") == 0 ? (burnish_file_loader){0}
+                                   : (burnish_file_loader){load_by_broker, release_file, NULL};
+}
+
+void sandbox_become_worker(int channel, int input) {
+    static const import_source source = {load_input, import_by_broker, list_files};
+    broker = channel;
+    input_file = input;
+    cli_file_set_writer(write_by_broker);
+    import_set_source(&source);
     import_set_decode(decode_by_broker);
-    const int format = (int)options->format, is_standard = strcmp(input, "-") == 0;
-    char extension[IMPORT_EXTENSION_SIZE];
-    const import_program *importer = import_choose(input, format, extension);
-    if (!importer && (*input == ':' || is_standard)) {
-        handed.format = cli_foreign_extension(format) ? BURNISH_FORMAT_AUTO : options->format;
-        return burnish_mesh_load(input, &handed, mesh, error);
-    }
-    handed.referenced_files = is_standard
-                                  ? (burnish_file_loader){0}
-                                  : (burnish_file_loader){load_by_broker, release_file, NULL};
-    burnish_error native;
-    burnish_status status =
-        importer ? import(importer, import_shown(input), &handed, mesh, error)
-                 : burnish_mesh_load_descriptor(input_file, input, &handed, mesh, error);
-    if (importer && import_may_be_other(status, format) &&
-        burnish_mesh_load_descriptor(input_file, input, &handed, mesh, &native) ==
-            BURNISH_STATUS_OK) {
-        status = BURNISH_STATUS_OK;
-    }
-    return status;
 }
 
 #else
@@ -198,11 +173,6 @@ int sandbox_is_worker(void) {
 burnish_status sandbox_close(burnish_error *error) {
     (void)error;
     return BURNISH_STATUS_OK;
-}
-
-burnish_status sandbox_load(const char *input, const burnish_load_options *options,
-                            burnish_mesh **mesh, burnish_error *error) {
-    return import_load(input, options, mesh, error);
 }
 
 #endif

@@ -2,9 +2,11 @@
 #ifndef TOOL_SANDBOX_WORKER_H
 #define TOOL_SANDBOX_WORKER_H
 
-#include "burnish/mesh.h"
+#include "burnish/core.h"
 
-/* Makes this process the worker. Affects the whole process, like the sandbox.
+/* Makes this process the worker: import_load uses the descriptor that the broker has opened, and
+ * the broker opens referenced files and runs the importer. Affects the whole process, like the
+ * sandbox.
  *   channel  to the broker
  *   input    the open input, or -1 */
 void sandbox_become_worker(int channel, int input);
@@ -14,10 +16,5 @@ int sandbox_is_worker(void);
 
 /* Sandboxes a worker; does nothing in other processes. */
 burnish_status sandbox_close(burnish_error *error);
-
-/* As import_load. A worker uses the descriptor that the broker has opened, and the broker opens
- * referenced files and runs the importer. */
-burnish_status sandbox_load(const char *input, const burnish_load_options *options,
-                            burnish_mesh **mesh, burnish_error *error);
 
 #endif

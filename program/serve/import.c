@@ -24,30 +24,19 @@
 
 /* ---- The worker ---- */
 
-burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
-                            const burnish_load_options *options, burnish_mesh **mesh,
-                            burnish_error *error) {
-    serve_import_request import = {
-        .offset = offset, .size = size, .format = (int32_t)options->format};
-    char extension[IMPORT_EXTENSION_SIZE];
-    const import_program *importer = import_choose(input, (int)options->format, extension);
+burnish_status serve_import(const char *input, int format, uint64_t offset, uint64_t size,
+                            import_stream *stream, burnish_error *error) {
+    serve_import_request import = {.offset = offset, .size = size, .format = format};
     const size_t length = strlen(input), shown = sizeof import.name - 1;
-    import_stream stream = {0};
-    *mesh = NULL;
     if (length > shown) { /* keep the end, with the extension */
         input += length - shown;
     }
     memcpy(import.name, input, strlen(input));
     burnish_status status;
     if (!cli_write_all(SERVE_CHANNEL, &import, sizeof import) ||
-        !channel_receive_stream(SERVE_CHANNEL, import_keep, &stream, &status, error)) {
+        !channel_receive_stream(SERVE_CHANNEL, import_keep, stream, &status, error)) {
         status = cli_fail(error, BURNISH_STATUS_READ, "the server's importer has ended");
     }
-    if (status == BURNISH_STATUS_OK) {
-        status =
-            import_build(importer, input, &stream, options, options->referenced_files, mesh, error);
-    }
-    free(stream.bytes);
     return status;
 }
 

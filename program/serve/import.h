@@ -2,6 +2,7 @@
 #ifndef TOOL_SERVE_IMPORT_H
 #define TOOL_SERVE_IMPORT_H
 
+#include "import/importers.h"
 #include "serve/serve.h"
 
 /* A worker's request, at most once, to run an importer on part of the frame. The reply has the form
@@ -12,11 +13,9 @@ typedef struct serve_import_request {
     char name[244];        /* of the mesh, or the end of a long name */
 } serve_import_request;
 
-/* In the worker: imports a mesh for which import_choose found an importer. Textures come from
- * options->referenced_files. */
-burnish_status serve_import(const char *input, uint64_t offset, uint64_t size,
-                            const burnish_load_options *options, burnish_mesh **mesh,
-                            burnish_error *error);
+/* In the worker: receives the stream of a mesh for which import_choose found an importer. */
+burnish_status serve_import(const char *input, int format, uint64_t offset, uint64_t size,
+                            import_stream *stream, burnish_error *error);
 
 /* In the server: receives an import request without blocking. PENDING: nothing yet; ENDED: the
  * worker has closed the channel; INVALID: anything else. */

@@ -32,7 +32,8 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 #include "base/cli/process.h"
 #include "cli/limits.h"
 #include "cli/memory.h"
-#include "import/importers.h"
+#include "import/decode.h"
+#include "import/load.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"
 
@@ -78,7 +79,10 @@ typedef struct request {
     cli_companion files[FILES_MAX];
     char *flags[FLAGS_MAX];
     int flag_count;
+    int format; /* of --input-format */
 } request;
+
+static request only; /* of this process */
 
 static burnish_status fail_key(const char *key, const char *what, burnish_error *error) {
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "request: \"%.60s\": %s", key, what);
@@ -180,29 +184,25 @@ static burnish_status parse_request(const char *frame, size_t size, request *r, 
 
 /* ---- Drawing ---- */
 
-static burnish_status load(void *context, const char *input, const burnish_load_options *options,
+/* The input is in memory. */
+static burnish_status load(const char *input, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error) {
-    request *r = context;
-    burnish_load_options handed = *options;
-    handed.referenced_files = cli_companion_loader(&r->companions);
-    const int format = (int)options->format;
-    char extension[IMPORT_EXTENSION_SIZE];
-    burnish_error native;
-    if (*input == ':') {
-        handed.format = cli_foreign_extension(format) ? BURNISH_FORMAT_AUTO : options->format;
-        return burnish_mesh_load(input, &handed, mesh, error);
-    }
-    if (!import_choose(input, format, extension)) {
-        return burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, error);
-    }
-    burnish_status status =
-        serve_import(input, (uint64_t)(r->bytes - r->frame), r->size, &handed, mesh, error);
-    if (import_may_be_other(status, format) &&
-        burnish_mesh_load_memory(r->bytes, r->size, input, &handed, mesh, &native) ==
-            BURNISH_STATUS_OK) {
-        status = BURNISH_STATUS_OK;
-    }
-    return status;
+    return *input == ':'
+               ? burnish_mesh_load(input, options, mesh, error)
+               : burnish_mesh_load_memory(only.bytes, only.size, input, options, mesh, error);
+}
+
+static burnish_status import(const import_program *importer, const char *extension,
+                             const char *input, uint64_t max_bytes, import_stream *stream,
+                             burnish_error *error) {
+    (void)importer, (void)extension, (void)max_bytes; /* the server knows them, too */
+    return serve_import(input, only.format, (uint64_t)(only.bytes - only.frame), only.size, stream,
+                        error);
+}
+
+static burnish_file_loader list_files(const char *input) {
+    (void)input;
+    return cli_companion_loader(&only.companions);
 }
 
 static burnish_status draw(const serve_settings *server, request *r, int *code,
@@ -219,9 +219,7 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
     settings.output.path = "-";
     settings.job.quiet = 1;
     settings.picture.opens_no_font = 1;
-    settings.input.load_mesh = load;
-    settings.input.user_data = r;
-    settings.input.loads_foreign = 1;
+    r->format = settings.input.load.format;
     if (status == BURNISH_STATUS_OK) {
         status = render_finish(&settings, error);
     }
@@ -233,14 +231,13 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
 
 static burnish_status serve(const serve_settings *settings, const char *frame, size_t size,
                             int *code, burnish_error *error) {
-    static request r;
     cJSON *object;
-    burnish_status status = parse_request(frame, size, &r, &object, error);
+    burnish_status status = parse_request(frame, size, &only, &object, error);
     if (status == BURNISH_STATUS_OK) {
-        status = draw(settings, &r, code, error);
+        status = draw(settings, &only, code, error);
     }
     if (status == BURNISH_STATUS_OK && *code != 0) {
-        cli_fail(error, status, "%.300s: the picture is blank (--fail-on-blank)", r.name);
+        cli_fail(error, status, "%.300s: the picture is blank (--fail-on-blank)", only.name);
     }
     return status; /* the process exits, so nothing is released */
 }
@@ -283,7 +280,10 @@ static void warm_up(void) {
 
 static burnish_status get_ready(const serve_settings *settings, burnish_error *error) {
     burnish_processor_count(); /* reads files, once */
+    static const import_source source = {load, import, list_files};
     cli_file_set_writer(keep_output);
+    import_set_source(&source);
+    import_set_decode(NULL); /* only the mesh itself is worth another process */
     burnish_status status = cli_limit_memory(settings->render.job.max_memory, error);
     cli_prepare_memory();
     warm_up();

@@ -68,7 +68,7 @@ static const struct layer {
      "sandbox burnish"},
     {"program/render/output",
      "base base/cli cli font import picture render/scene render/settings sandbox burnish"},
-    {"program/render/scene", "base base/cli cli render/settings sandbox burnish"},
+    {"program/render/scene", "base base/cli cli import render/settings burnish"},
     {"program/render/settings", "base base/cli cli picture burnish"},
     {"program/sandbox", "base base/cli cli import picture/video.h burnish"},
     {"program/serve", "base base/cli cli import render render/settings sandbox burnish"},

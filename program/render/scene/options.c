@@ -3,9 +3,9 @@
 
 #include <string.h>
 
+#include "import/load.h"
 #include "render/scene/color.h"
 #include "render/settings/values.h"
-#include "sandbox/worker.h"
 
 burnish_load_options render_load_options(const render_input_settings *input, int threads) {
     burnish_load_options options = cli_load_options(&input->load);
@@ -25,14 +25,7 @@ burnish_load_options render_load_options(const render_input_settings *input, int
 burnish_status render_load(const render_input_settings *input, int threads, burnish_mesh **mesh,
                            burnish_error *error) {
     const burnish_load_options options = render_load_options(input, threads);
-    if (!input->load_mesh) {
-        return sandbox_load(input->name, &options, mesh, error);
-    }
-    const burnish_status status =
-        input->loads_foreign ? BURNISH_STATUS_OK : cli_refuse_foreign(input->load.format, error);
-    return status == BURNISH_STATUS_OK
-               ? input->load_mesh(input->user_data, input->name, &options, mesh, error)
-               : status;
+    return import_load(input->name, &options, mesh, error);
 }
 
 int render_has_own_lobe(const render_shading_settings *shading) {

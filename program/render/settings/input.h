@@ -9,11 +9,6 @@ typedef struct render_clip {
     int count;
 } render_clip;
 
-/* Loads a mesh that the caller has in memory. */
-typedef burnish_status render_load_mesh(void *user_data, const char *input,
-                                        const burnish_load_options *options, burnish_mesh **mesh,
-                                        burnish_error *error);
-
 /* --color-by, --color-map, --color-range. */
 typedef struct render_coloring {
     const char *by; /* "height", "normal" or a property; NULL: the colours of the input */
@@ -30,10 +25,6 @@ typedef struct render_input_settings {
     render_clip clip;
     render_coloring coloring;
     int measure; /* 1: the mesh gets its facts, also without a cut */
-
-    render_load_mesh *load_mesh; /* NULL: sandbox_load */
-    void *user_data;             /* of load_mesh */
-    int loads_foreign;           /* 1: load_mesh reads the formats of importers */
 } render_input_settings;
 
 #endif
