@@ -8,7 +8,7 @@
 #include "compare/sides.h"
 #include "import/load.h"
 #include "picture/read_png.h"
-#include "render/output/cells.h"
+#include "render/output/draw.h"
 #include "render/output/report.h"
 #include "render/scene/camera.h"
 #include "render/scene/options.h"
@@ -192,7 +192,8 @@ static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
     burnish_render_options *options = &side->options;
     burnish_target target = burnish_target_default();
     const size_t pixels = (size_t)options->width * (size_t)options->height;
-    burnish_status status = render_draw_cell(&side->result, renderer, options, &side->cell, error);
+    side->result.renderer = renderer;
+    burnish_status status = render_draw_cell(&side->result, &side->cell, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

@@ -18,15 +18,12 @@
 #include "picture/formats.h"
 #include "render/check.h"
 #include "render/output/annotate.h"
-#include "render/output/cells.h"
-#include "render/output/legend.h"
-#include "render/output/projection.h"
+#include "render/output/draw.h"
 #include "render/output/reference.h"
 #include "render/output/report.h"
 #include "render/output/sheet.h"
 #include "render/output/turntable.h"
 #include "render/render.h"
-#include "render/scene/camera.h"
 #include "render/scene/options.h"
 #include "render/scene/prepare.h"
 #include "render/useless.h"
@@ -60,95 +57,6 @@ static void report_blank(const render_result *result) {
                  input, unseen > 0 ? "has one colour" : "is blank", cure);
     }
     fprintf(stderr, "burnish: %s\n", error.text);
-}
-
-/* Draws a frame of a turntable, without annotations and report. */
-static burnish_status draw_frame(render_result *result, burnish_renderer *renderer,
-                                 burnish_render_options *options, render_cell *cell,
-                                 burnish_error *error) {
-    float *depth = NULL;
-    options->counts = BURNISH_COUNTS_PIXELS;
-    burnish_status status = render_draw_pixels(result, renderer, options, cell, &depth, error);
-    free(depth);
-    if (status == BURNISH_STATUS_OK) {
-        render_draw_legend(result, options->background, &cell->image);
-    }
-    return status;
-}
-
-/* Passes for cells with one scale: the room that annotations need on each side, the height of the
- * picture, the cameras. Other cells need only the last pass. */
-enum { AIM_ROOM, AIM_HEIGHT, AIM_CAMERA, AIM_PASSES };
-
-static void widen(render_room *shared, const render_room *room, double height) {
-    shared->height = height > shared->height ? height : shared->height;
-    for (int k = 0; k < 4; ++k) {
-        shared->inset[k] = room->inset[k] > shared->inset[k] ? room->inset[k] : shared->inset[k];
-    }
-}
-
-/* The cameras of all cells. */
-static burnish_status aim_cells(render_result *result, burnish_error *error) {
-    const render_settings *settings = result->settings;
-    if (render_is_projection(settings)) {
-        return render_lay_out_projection(result, error);
-    }
-    const int is_shared = settings->camera.same_scale || settings->camera.orthographic_height.given;
-    burnish_status status = BURNISH_STATUS_OK;
-    render_room shared = {.is_given = 0};
-    for (int pass = is_shared ? AIM_ROOM : AIM_CAMERA; pass < AIM_PASSES; ++pass) {
-        render_room widest = shared;
-        for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
-            burnish_camera *camera = &result->cells[i].camera;
-            render_room room = shared;
-            status = (settings->output.turntable ? render_turntable_camera : render_camera)(
-                result->mesh, settings, result->cells[i].view, &room, camera, error);
-            widen(&widest, &room, camera->orthographic_height * settings->camera.zoom.value);
-        }
-        if (pass == AIM_ROOM) {
-            widest.height = 0;
-        }
-        shared = widest;
-        shared.is_given = 1;
-    }
-    return status;
-}
-
-/* Draws the planes of the output and of --plane, for a single picture. */
-static burnish_status draw_planes(render_result *result, burnish_renderer *renderer,
-                                  const burnish_render_options *options, burnish_error *error) {
-    const render_settings *settings = result->settings;
-    unsigned kinds = settings->output.format == PICTURE_EXR   ? (1U << PLANE_KINDS) - 1
-                     : settings->output.format == PICTURE_NPY ? 1U << PLANE_COLOR
-                                                              : 0;
-    for (size_t i = 0; i < settings->output.planes.count; ++i) {
-        kinds |= 1U << settings->output.planes.items[i].kind;
-    }
-    return kinds == 0
-               ? BURNISH_STATUS_OK
-               : render_draw_planes(renderer, result->mesh, options, kinds, &result->planes, error);
-}
-
-static burnish_status draw_cells(render_result *result, burnish_renderer *renderer,
-                                 burnish_render_options *options, burnish_error *error) {
-    const render_settings *settings = result->settings;
-    int progress = result->cell_count > 1 && !settings->job.quiet && isatty(STDERR_FILENO);
-    burnish_status status = aim_cells(result, error);
-    for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
-        render_cell *cell = &result->cells[i];
-        if (progress) {
-            fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
-                    cell->label);
-        }
-        status = render_draw_cell(result, renderer, options, cell, error);
-    }
-    if (progress) {
-        fprintf(stderr, "\r\033[K");
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = draw_planes(result, renderer, options, error);
-    }
-    return status;
 }
 
 /* Called when the output's bytes are on disk under a temporary name: if printing the report fails,
@@ -218,92 +126,85 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
     return status;
 }
 
-/* Draws, composes and writes; result receives the facts of the report. */
-static burnish_status make_picture(render_result *result, burnish_renderer *renderer,
-                                   burnish_render_options *options, burnish_image *sheet,
-                                   burnish_error *error) {
-    burnish_status status = draw_cells(result, renderer, options, error);
-    result->picture = &result->cells[0].image;
-    result->hash = result->cells[0].hash;
-    if (status == BURNISH_STATUS_OK && result->cell_count > 1) {
-        status = render_compose(result, sheet, error);
-        result->picture = sheet;
-        result->hash = status == BURNISH_STATUS_OK &&
-                               (result->settings->output.json || result->settings->job.on_result)
-                           ? burnish_image_hash(sheet)
-                           : 0;
-    }
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    if (result->blank_cells > 0 && result->settings->output.fail_on_blank) {
-        return report(result, error);
-    }
-    const render_turntable turntable = {result, renderer, options, draw_frame, report};
-    return result->settings->output.turntable ? render_write_turntable(&turntable, error)
-                                              : write_picture(result, error);
+static burnish_status write_output(render_result *result, burnish_error *error) {
+    const render_output_settings *output = &result->settings->output;
+    return result->blank_cells > 0 && output->fail_on_blank ? report(result, error)
+           : output->turntable ? render_write_turntable(result, report, error)
+                               : write_picture(result, error);
 }
 
+/* ---- The scene ---- */
+
 /* Loads the mesh and prepares the scene. */
-static burnish_status load(render_result *result, render_settings *settings,
-                           burnish_render_options *options, burnish_error *error) {
-    burnish_mesh *mesh = NULL;
+static burnish_status load_scene(render_result *result, burnish_error *error) {
+    render_settings *settings = result->settings;
     settings->input.load.max_memory = settings->job.max_memory;
-    burnish_status status = render_load(&settings->input, settings->job.threads, &mesh, error);
-    result->mesh = mesh;
+    burnish_status status =
+        render_load(&settings->input, settings->job.threads, &result->mesh, error);
     result->seconds.load = burnish_seconds_now() - result->start;
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    result->seconds.read = burnish_mesh_get_info(mesh)->read_seconds;
-    result->seconds.build = burnish_mesh_get_info(mesh)->build_seconds;
-    render_warn_of_mesh(&result->warnings, mesh);
-    status = render_warn_useless(result, mesh, error);
+    result->seconds.read = burnish_mesh_get_info(result->mesh)->read_seconds;
+    result->seconds.build = burnish_mesh_get_info(result->mesh)->build_seconds;
+    render_warn_of_mesh(&result->warnings, result->mesh);
+    status = render_warn_useless(result, result->mesh, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    render_scene scene = {
-        settings, mesh, options, &result->environment, &result->warnings, result->color_range};
+    render_scene scene = {settings,          result->mesh,
+                          result->options,   &result->environment,
+                          &result->warnings, result->color_range};
     return render_prepare(&scene, error);
 }
 
-static burnish_status render(render_result *result, render_settings *settings,
-                             burnish_render_options *options, burnish_error *error) {
-    burnish_image sheet = {0};
-    burnish_renderer *renderer = NULL;
+/* ---- All ---- */
+
+static burnish_status plan_cells(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const size_t views = settings->picture.views.count > 0 ? settings->picture.views.count : 1;
+    result->cell_count = views * settings->shading.lobes.count;
+    result->columns = render_sheet_columns(settings, result->cell_count);
+    result->cells = calloc(result->cell_count, sizeof *result->cells);
+    if (!result->cells) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %zu pictures",
+                        result->cell_count);
+    }
     render_describe_cells(result);
-    burnish_status status = render_warn_useless(result, NULL, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = render_open_font(result, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_check_sheet(result, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_read_environment(settings, &result->environment, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = sandbox_close(error); /* fonts are open */
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_read_reference(result, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = load(result, settings, options, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_renderer_create(NULL, &renderer, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = make_picture(result, renderer, options, &sheet, error);
-    }
-    if (status == BURNISH_STATUS_OK && settings->job.timing) {
-        render_print_timing(&result->seconds);
-    }
-    burnish_renderer_destroy(renderer);
-    burnish_image_destroy(&sheet);
-    return status;
+    return BURNISH_STATUS_OK;
 }
+
+static burnish_status warn_of_flags(render_result *result, burnish_error *error) {
+    return render_warn_useless(result, NULL, error);
+}
+
+static burnish_status read_environment(render_result *result, burnish_error *error) {
+    return render_read_environment(result->settings, &result->environment, error);
+}
+
+static burnish_status close_sandbox(render_result *result, burnish_error *error) {
+    (void)result;
+    return sandbox_close(error);
+}
+
+static burnish_status create_renderer(render_result *result, burnish_error *error) {
+    return burnish_renderer_create(NULL, &result->renderer, error);
+}
+
+/* From settings to files. */
+static burnish_status (*const steps[])(render_result *result, burnish_error *error) = {
+    plan_cells,
+    warn_of_flags,
+    render_open_font,
+    render_check_sheet,
+    read_environment,
+    close_sandbox, /* nothing was parsed so far, and no file is opened any more */
+    render_read_reference,
+    load_scene,
+    create_renderer,
+    render_draw_picture,
+    write_output,
+};
 
 static void release(render_result *result) {
     for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
@@ -311,6 +212,8 @@ static void release(render_result *result) {
         burnish_image_destroy(&result->cells[i].image);
     }
     free(result->cells);
+    burnish_image_destroy(&result->sheet);
+    burnish_renderer_destroy(result->renderer);
     burnish_image_destroy(&result->reference.image);
     render_release_environment(&result->environment);
     font_close(result->font);
@@ -370,28 +273,27 @@ static void confirm(const render_result *result) {
 }
 
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error) {
+    burnish_render_options options = render_make_options(settings);
     render_result result = {.settings = settings,
+                            .options = &options,
                             .warnings = {.print = settings->job.quiet ? NULL : cli_warn}};
+    burnish_status status = BURNISH_STATUS_OK;
     cli_prepare_memory();
     result.seconds.start = processor_seconds();
     result.start = burnish_seconds_now();
-    burnish_render_options options = render_make_options(settings);
-    result.options = &options;
-    result.cell_count = (settings->picture.views.count > 0 ? settings->picture.views.count : 1) *
-                        settings->shading.lobes.count;
-    result.columns = render_sheet_columns(settings, result.cell_count);
-    result.cells = calloc(result.cell_count, sizeof *result.cells);
-    burnish_status status = result.cells
-                                ? render(&result, settings, &options, error)
-                                : cli_fail(error, BURNISH_STATUS_MEMORY,
-                                           "out of memory for %zu pictures", result.cell_count);
-    if (status == BURNISH_STATUS_OK && result.blank_cells > 0 && settings->output.fail_on_blank) {
-        report_blank(&result);
-        *exit_code = CLI_EXIT_BLANK;
-    } else if (status == BURNISH_STATUS_OK && render_report_difference(&result)) {
-        *exit_code = CLI_EXIT_DIFFERENT;
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && status == BURNISH_STATUS_OK; ++i) {
+        status = steps[i](&result, error);
     }
     if (status == BURNISH_STATUS_OK) {
+        if (settings->job.timing) {
+            render_print_timing(&result.seconds);
+        }
+        if (result.blank_cells > 0 && settings->output.fail_on_blank) {
+            report_blank(&result);
+            *exit_code = CLI_EXIT_BLANK;
+        } else if (render_report_difference(&result)) {
+            *exit_code = CLI_EXIT_DIFFERENT;
+        }
         confirm(&result);
     }
     release(&result);

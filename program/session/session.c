@@ -8,7 +8,7 @@
 
 #include "cli/main.h"
 #include "render/check.h"
-#include "render/output/cells.h"
+#include "render/output/draw.h"
 #include "render/output/report.h"
 #include "render/scene/camera.h"
 #include "render/scene/options.h"
@@ -489,6 +489,7 @@ static burnish_status draw(session *s, burnish_error *error) {
     cell->lobe = s->settings.shading.lobes.items[0];
     s->result.mesh = s->mesh;
     s->result.options = &options;
+    s->result.renderer = s->renderer;
     s->result.cells = cell;
     s->result.cell_count = 1;
     keep_environment(s);
@@ -500,7 +501,7 @@ static burnish_status draw(session *s, burnish_error *error) {
         status = render_camera(s->mesh, &s->settings, cell->view, &room, &cell->camera, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = render_draw_cell(&s->result, s->renderer, &options, cell, error);
+        status = render_draw_cell(&s->result, cell, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = draw_planes(s, &options, error);

@@ -1,49 +1,16 @@
-/* Drawing a cell with its annotations, into pixels and into a drawing. */
+/* Annotations of a cell, and drawings: lines and areas instead of pixels. */
 #include "render/output/annotate.h"
 #include "burnish/drawing.h"
 #include "burnish/sheet.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "render/output/projection.h"
 #include "render/scene/camera.h"
 
-burnish_status render_draw(const render_result *result, burnish_renderer *renderer,
-                           const burnish_render_options *options, render_cell *cell, float **depth,
-                           burnish_error *error) {
-    const unsigned hidden = BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID;
-    *depth = NULL;
-    if (!(result->settings->picture.annotations & hidden)) {
-        return burnish_renderer_draw(renderer, result->mesh, options, &cell->image, &cell->report,
-                                     error);
-    }
-    burnish_status status = burnish_image_create(
-        NULL, &cell->image, options->width, options->height, options->transparent ? 4 : 3, error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    burnish_target target = burnish_target_default();
-    target.pixels = burnish_image_get_pixels(&cell->image);
-    target.depth_stride = (size_t)options->width * sizeof **depth;
-    target.depth = *depth = malloc(target.depth_stride * (size_t)options->height);
-    if (!*depth) {
-        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %d x %d distances",
-                        options->width, options->height);
-    }
-    status =
-        burnish_renderer_draw_into(renderer, result->mesh, options, &target, &cell->report, error);
-    if (status != BURNISH_STATUS_OK) {
-        free(*depth);
-        *depth = NULL;
-    }
-    return status;
-}
-
 static burnish_annotate_options make_annotations(const render_result *result,
-                                                 const burnish_render_options *options,
                                                  const render_cell *cell, const float *depth) {
+    const burnish_render_options *options = result->options;
     burnish_annotate_options annotations = render_make_annotations(result->mesh, result->settings);
     memcpy(annotations.background, options->background, sizeof annotations.background);
     if (render_is_projection(result->settings)) {
@@ -55,14 +22,14 @@ static burnish_annotate_options make_annotations(const render_result *result,
     return annotations;
 }
 
-burnish_status render_annotate(render_result *result, const burnish_render_options *options,
-                               render_cell *cell, const float *depth, burnish_error *error) {
+burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
+                               burnish_error *error) {
     const render_settings *settings = result->settings;
     if (!settings->picture.annotations) {
         return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);
-    const burnish_annotate_options annotations = make_annotations(result, options, cell, depth);
+    const burnish_annotate_options annotations = make_annotations(result, cell, depth);
     size_t left_out = 0;
     const burnish_status status =
         burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, &left_out, error);
@@ -84,14 +51,15 @@ burnish_status render_annotate(render_result *result, const burnish_render_optio
 
 /* ---- Drawings ---- */
 
-burnish_status render_trace(const render_result *result, burnish_renderer *renderer,
-                            const burnish_render_options *options, render_cell *cell,
-                            const float *depth, burnish_error *error) {
-    const burnish_annotate_options annotations = make_annotations(result, options, cell, depth);
+burnish_status render_trace(const render_result *result, render_cell *cell, const float *depth,
+                            burnish_error *error) {
+    const burnish_render_options *options = result->options;
+    const burnish_annotate_options annotations = make_annotations(result, cell, depth);
     burnish_status status =
         burnish_drawing_create(NULL, options->width, options->height, &cell->drawing, error);
     if (status == BURNISH_STATUS_OK) {
-        status = burnish_renderer_trace(renderer, result->mesh, options, cell->drawing, error);
+        status =
+            burnish_renderer_trace(result->renderer, result->mesh, options, cell->drawing, error);
     }
     if (status == BURNISH_STATUS_OK && annotations.kinds) {
         status = burnish_annotate_drawing(result->mesh, &annotations, &cell->camera, cell->drawing,
@@ -132,7 +100,7 @@ burnish_status render_encode_drawing(const render_result *result, const burnish_
         drawings[i] = result->cells[i].drawing;
     }
     burnish_status status = render_is_projection(result->settings)
-                                ? render_draw_projection(result, ink, &sheet, error)
+                                ? render_join_projection(result, ink, &sheet, error)
                                 : burnish_drawing_sheet(cells, drawings, result->cell_count,
                                                         result->columns, ink, &sheet, error);
     if (status == BURNISH_STATUS_OK) {

@@ -1,4 +1,4 @@
-/* Drawing a cell with its annotations. */
+/* Annotations of a cell, and drawings. */
 #ifndef TOOL_RENDER_ANNOTATE_H
 #define TOOL_RENDER_ANNOTATE_H
 
@@ -6,16 +6,9 @@
 #include "picture/formats.h"
 #include "render/output/report.h"
 
-/* Draws the mesh. *depth receives the distances for render_annotate, or NULL if it needs none; free
- * it. It is NULL after an error. */
-burnish_status render_draw(const render_result *result, burnish_renderer *renderer,
-                           const burnish_render_options *options, render_cell *cell, float **depth,
-                           burnish_error *error);
-
 /* Makes the cell's drawing with annotations, from the last frame of the renderer. */
-burnish_status render_trace(const render_result *result, burnish_renderer *renderer,
-                            const burnish_render_options *options, render_cell *cell,
-                            const float *depth, burnish_error *error);
+burnish_status render_trace(const render_result *result, render_cell *cell, const float *depth,
+                            burnish_error *error);
 
 /* The drawing of the only cell, or a sheet of all drawings, as SVG.
  *   cells  as the sheet of their images takes them
@@ -24,8 +17,9 @@ burnish_status render_encode_drawing(const render_result *result, const burnish_
                                      const uint8_t ink[3], picture_file *file,
                                      burnish_error *error);
 
-/* Draws the annotations over the cell, and warns about those without room. */
-burnish_status render_annotate(render_result *result, const burnish_render_options *options,
-                               render_cell *cell, const float *depth, burnish_error *error);
+/* Draws the annotations over the cell, and warns about those without room.
+ *   depth  distances of the mesh; NULL if no annotation is behind it */
+burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
+                               burnish_error *error);
 
 #endif

@@ -51,8 +51,8 @@ static void write_title(const render_result *result, char title[64]) {
              is_length ? unit : "");
 }
 
-void render_draw_legend(const render_result *result, const uint8_t background[3],
-                        burnish_image *image) {
+void render_draw_legend(const render_result *result, burnish_image *image) {
+    const uint8_t *background = result->options->background;
     static const uint8_t inks[2][3] = {{34, 36, 40}, {242, 243, 245}};
     const render_coloring *coloring = &result->settings->input.coloring;
     const int smaller = image->width < image->height ? image->width : image->height;

@@ -5,7 +5,6 @@
 #include "render/output/report.h"
 
 /* Draws it over the image, on the right; nothing if the colours have none. */
-void render_draw_legend(const render_result *result, const uint8_t background[3],
-                        burnish_image *image);
+void render_draw_legend(const render_result *result, burnish_image *image);
 
 #endif

@@ -125,7 +125,7 @@ burnish_status render_compose_projection(const render_result *result, const uint
                                     result->options->background, ink, image, error);
 }
 
-burnish_status render_draw_projection(const render_result *result, const uint8_t ink[3],
+burnish_status render_join_projection(const render_result *result, const uint8_t ink[3],
                                       burnish_drawing **drawing, burnish_error *error) {
     burnish_drawing *views[BURNISH_SHEET_VIEWS];
     for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {

@@ -28,10 +28,11 @@ size_t render_projection_place(const render_result *result, size_t cell);
 void render_limit_annotations(const render_result *result, const render_cell *cell,
                               burnish_annotate_options *annotations);
 
+/* The sheet of all views: of their images, and of their drawings. */
 burnish_status render_compose_projection(const render_result *result, const uint8_t ink[3],
                                          burnish_image *image, burnish_error *error);
 
-burnish_status render_draw_projection(const render_result *result, const uint8_t ink[3],
+burnish_status render_join_projection(const render_result *result, const uint8_t ink[3],
                                       burnish_drawing **drawing, burnish_error *error);
 
 #endif

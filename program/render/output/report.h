@@ -34,11 +34,13 @@ typedef struct render_seconds {
 
 /* The results of a run. */
 typedef struct render_result {
-    const render_settings *settings;
+    render_settings *settings;
     burnish_mesh *mesh;
-    const burnish_render_options *options;
+    burnish_render_options *options;
+    burnish_renderer *renderer;
     render_cell *cells;
     size_t cell_count;
+    burnish_image sheet;          /* of several cells */
     const burnish_image *picture; /* the only cell's image or the sheet */
     render_plane_data planes;     /* of the only cell */
     uint64_t hash;

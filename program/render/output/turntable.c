@@ -15,6 +15,7 @@
 #include "picture/animation.h"
 #include "picture/formats.h"
 #include "picture/video.h"
+#include "render/output/draw.h"
 #include "render/scene/camera.h"
 #include "sandbox/worker.h"
 
@@ -223,7 +224,8 @@ enum { KEPT_BYTES = 64 << 20 };
 
 /* A turntable that is being written. */
 typedef struct stream {
-    const render_turntable *turntable;
+    render_result *result;
+    burnish_file_check *ready; /* receives the result */
     picture_animation *animation;
     burnish_camera first; /* the first frame's camera */
     int kept[SAMPLED];    /* numbers of the frames for the palette, whose pixels are in ... */
@@ -246,16 +248,16 @@ typedef struct stream {
 
 /* Draws a frame into the cell. */
 static burnish_status draw_frame(stream *s, int frame, burnish_error *error) {
-    const render_turntable *t = s->turntable;
-    render_cell *cell = &t->result->cells[0];
+    render_result *result = s->result;
+    render_cell *cell = &result->cells[0];
     const burnish_render_report first = cell->report;
     if (s->drawn == frame) {
         return BURNISH_STATUS_OK;
     }
     s->drawn = frame;
     cell->camera = s->first;
-    orbit(t->result->mesh, t->result->settings, frame, &cell->camera);
-    burnish_status status = t->draw(t->result, t->renderer, t->options, cell, error);
+    orbit(result->mesh, result->settings, frame, &cell->camera);
+    const burnish_status status = render_draw_frame(result, cell, error);
     cell->camera = s->first; /* the report is about the first frame */
     cell->report = first;
     return status;
@@ -267,7 +269,7 @@ static size_t image_size(const burnish_image *image) {
 
 /* Draws a frame, or copies it if it was drawn for the palette. */
 static burnish_status make_frame(stream *s, int frame, burnish_error *error) {
-    burnish_image *image = &s->turntable->result->cells[0].image;
+    burnish_image *image = &s->result->cells[0].image;
     for (int i = 0; i < SAMPLED && s->kept_pixels && s->drawn != frame; ++i) {
         if (s->kept[i] == frame) {
             memcpy(image->pixels, s->kept_pixels + (size_t)i * image_size(image),
@@ -307,7 +309,7 @@ static void wait_for_next(stream *s) {
 /* Makes a frame, and has the next one made while it is encoded. */
 static burnish_status take_frame(stream *s, int frame, const burnish_image **image,
                                  burnish_error *error) {
-    const render_result *result = s->turntable->result;
+    const render_result *result = s->result;
     burnish_status status = BURNISH_STATUS_OK;
     *image = &result->cells[0].image;
     wait_for_next(s);
@@ -328,10 +330,10 @@ static burnish_status take_frame(stream *s, int frame, const burnish_image **ima
 
 /* A palette from frames of the whole turn. */
 static burnish_status choose_palette(stream *s, picture_palette *palette, burnish_error *error) {
-    const render_turntable *t = s->turntable;
-    const int count = t->result->settings->output.frames;
+    const render_result *result = s->result;
+    const int count = result->settings->output.frames;
     const int sampled = count < SAMPLED ? count : SAMPLED;
-    const burnish_image *image = &t->result->cells[0].image;
+    const burnish_image *image = &result->cells[0].image;
     const size_t size = image_size(image);
     s->kept_pixels = size <= KEPT_BYTES / SAMPLED ? malloc(SAMPLED * size) : NULL;
     picture_histogram *histogram = picture_histogram_create();
@@ -349,7 +351,7 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
         }
     }
     if (status == BURNISH_STATUS_OK) {
-        status = picture_palette_choose(histogram, t->options->background, palette, error);
+        status = picture_palette_choose(histogram, result->options->background, palette, error);
     }
     picture_histogram_destroy(histogram);
     return status;
@@ -357,7 +359,7 @@ static burnish_status choose_palette(stream *s, picture_palette *palette, burnis
 
 /* Makes and encodes the next frame, and the end of the file after the last one. */
 static burnish_status encode_next(stream *s, burnish_error *error) {
-    render_result *result = s->turntable->result;
+    render_result *result = s->result;
     const burnish_image *image = NULL;
     const int count = result->settings->output.frames;
     burnish_status status = BURNISH_STATUS_OK;
@@ -382,7 +384,7 @@ static size_t take_bytes(void *context, char *buffer, size_t size) {
     stream *s = context;
     const picture_bytes *out = &s->animation->out;
     while (s->taken == out->size && s->write_status == BURNISH_STATUS_OK &&
-           s->written <= s->turntable->result->settings->output.frames) {
+           s->written <= s->result->settings->output.frames) {
         s->write_status = encode_next(s, &s->write_error);
     }
     if (s->write_status != BURNISH_STATUS_OK) {
@@ -399,18 +401,18 @@ static size_t take_bytes(void *context, char *buffer, size_t size) {
 /* burnish_file_check */
 static burnish_status finish_file(void *context, burnish_error *error) {
     const stream *s = context;
-    render_result *result = s->turntable->result;
+    render_result *result = s->result;
     if (s->write_status != BURNISH_STATUS_OK) {
         *error = s->write_error;
         return s->write_status;
     }
     result->encoded = burnish_seconds_now();
     result->written = 1;
-    return s->turntable->ready(result, error);
+    return s->ready(result, error);
 }
 
 static burnish_status write_frames(stream *s, burnish_error *error) {
-    const render_settings *settings = s->turntable->result->settings;
+    const render_settings *settings = s->result->settings;
     const char *path = render_output_path(&settings->output);
     const char *container = picture_container((picture_format)settings->output.format);
     s->has_progress = !settings->job.quiet && isatty(STDERR_FILENO);
@@ -429,12 +431,12 @@ static burnish_status write_frames(stream *s, burnish_error *error) {
     return status;
 }
 
-burnish_status render_write_turntable(const render_turntable *turntable, burnish_error *error) {
-    render_result *result = turntable->result;
+burnish_status render_write_turntable(render_result *result, burnish_file_check *ready,
+                                      burnish_error *error) {
     const render_settings *settings = result->settings;
     const burnish_image *image = &result->cells[0].image;
     picture_palette palette;
-    stream s = {.turntable = turntable, .first = result->cells[0].camera};
+    stream s = {.result = result, .ready = ready, .first = result->cells[0].camera};
     const picture_animation_options options = {.format = (picture_format)settings->output.format,
                                                .width = image->width,
                                                .height = image->height,

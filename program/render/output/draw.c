@@ -1,0 +1,229 @@
+#include "render/output/draw.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "picture/formats.h"
+#include "render/output/annotate.h"
+#include "render/output/legend.h"
+#include "render/output/projection.h"
+#include "render/output/sheet.h"
+#include "render/output/turntable.h"
+#include "render/scene/camera.h"
+
+/* ---- A cell ---- */
+
+/* Draws the mesh. *depth receives the distances that annotations behind it need, or NULL; free it.
+ * It is NULL after an error. */
+static burnish_status draw_mesh(const render_result *result, render_cell *cell, float **depth,
+                                burnish_error *error) {
+    const burnish_render_options *options = result->options;
+    const unsigned hidden = BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID;
+    *depth = NULL;
+    if (!(result->settings->picture.annotations & hidden)) {
+        return burnish_renderer_draw(result->renderer, result->mesh, options, &cell->image,
+                                     &cell->report, error);
+    }
+    burnish_status status = burnish_image_create(
+        NULL, &cell->image, options->width, options->height, options->transparent ? 4 : 3, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    burnish_target target = burnish_target_default();
+    target.pixels = burnish_image_get_pixels(&cell->image);
+    target.depth_stride = (size_t)options->width * sizeof **depth;
+    target.depth = *depth = malloc(target.depth_stride * (size_t)options->height);
+    if (!*depth) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %d x %d distances",
+                        options->width, options->height);
+    }
+    status = burnish_renderer_draw_into(result->renderer, result->mesh, options, &target,
+                                        &cell->report, error);
+    if (status != BURNISH_STATUS_OK) {
+        free(*depth);
+        *depth = NULL;
+    }
+    return status;
+}
+
+/* Warns about the facts of its report. */
+static void warn_about_cell(render_result *result, const render_cell *cell) {
+    const char *input = result->settings->input.name;
+    const char *picture = result->cell_count > 1 ? cell->label : "the picture";
+    const int is_printed =
+        !result->settings->output.fail_on_blank && result->settings->picture.rows.count == 0;
+    if (cell->report.lobe_fallbacks > 0) {
+        char lobe[32];
+        burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
+        render_warn(&result->warnings, 1,
+                    "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
+                    "with a lower order",
+                    input, cell->report.lobe_fallbacks,
+                    burnish_mesh_get_material_count(result->mesh), lobe);
+    }
+    if (cell->report.layers_dropped > 0) {
+        render_warn(&result->warnings, 1,
+                    "%.300s: some samples have more transparent layers than %d, or than "
+                    "--max-overdraw allows; the farthest ones are omitted",
+                    input, BURNISH_TRANSPARENT_LAYERS_MAX);
+    }
+    if (cell->report.covered_pixels == 0) {
+        ++result->blank_cells;
+        render_warn(&result->warnings, is_printed,
+                    "%.300s: %s is blank: the object is not in it; check the camera", input,
+                    picture);
+    } else if (cell->has_one_color) {
+        ++result->blank_cells;
+        render_warn(&result->warnings, is_printed,
+                    "%.300s: %s has only one colour: the object is invisible; check "
+                    "colours, lights and background",
+                    input, picture);
+    }
+}
+
+/* Draws the pixels; *depth as in draw_mesh. */
+static burnish_status draw_pixels(render_result *result, render_cell *cell, float **depth,
+                                  burnish_error *error) {
+    burnish_render_options *options = result->options;
+    if (render_is_projection(result->settings)) {
+        render_aim_projection(result, cell, options);
+    }
+    options->lobe = cell->lobe;
+    options->camera = cell->camera;
+    render_upward(result->mesh, &result->settings->camera, options->up);
+    const burnish_status status = draw_mesh(result, cell, depth, error);
+    result->seconds.transform += cell->report.seconds_transform;
+    result->seconds.draw += cell->report.seconds_draw;
+    return status;
+}
+
+/* Whether the report has a hash. */
+static int is_hashed(const render_result *result) {
+    return result->settings->output.json || result->settings->job.on_result;
+}
+
+burnish_status render_draw_frame(render_result *result, render_cell *cell, burnish_error *error) {
+    float *depth = NULL;
+    result->options->counts = BURNISH_COUNTS_PIXELS;
+    const burnish_status status = draw_pixels(result, cell, &depth, error);
+    free(depth);
+    if (status == BURNISH_STATUS_OK) {
+        render_draw_legend(result, &cell->image);
+    }
+    return status;
+}
+
+burnish_status render_draw_cell(render_result *result, render_cell *cell, burnish_error *error) {
+    const render_output_settings *output = &result->settings->output;
+    burnish_render_options *options = result->options;
+    float *depth = NULL;
+    options->counts = output->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
+    burnish_status status = draw_pixels(result, cell, &depth, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    if (output->json) {
+        cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
+    }
+    if (is_hashed(result) || output->fail_on_blank) {
+        cell->has_one_color = render_has_one_color(&cell->image);
+    }
+    warn_about_cell(result, cell);
+    status = render_annotate(result, cell, depth, error);
+    if (status == BURNISH_STATUS_OK) {
+        render_draw_legend(result, &cell->image);
+    }
+    if (status == BURNISH_STATUS_OK && picture_is_drawing((picture_format)output->format)) {
+        status = render_trace(result, cell, depth, error);
+    }
+    free(depth);
+    if (is_hashed(result) && status == BURNISH_STATUS_OK) {
+        cell->hash = burnish_image_hash(&cell->image);
+    }
+    return status;
+}
+
+/* ---- All cells ---- */
+
+/* Passes for cells with one scale: the room that annotations need on each side, the height of the
+ * picture, the cameras. Other cells need only the last pass. */
+enum { AIM_ROOM, AIM_HEIGHT, AIM_CAMERA, AIM_PASSES };
+
+static void widen(render_room *shared, const render_room *room, double height) {
+    shared->height = height > shared->height ? height : shared->height;
+    for (int k = 0; k < 4; ++k) {
+        shared->inset[k] = room->inset[k] > shared->inset[k] ? room->inset[k] : shared->inset[k];
+    }
+}
+
+/* The cameras of all cells. */
+static burnish_status aim_cells(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    if (render_is_projection(settings)) {
+        return render_lay_out_projection(result, error);
+    }
+    const int is_shared = settings->camera.same_scale || settings->camera.orthographic_height.given;
+    burnish_status status = BURNISH_STATUS_OK;
+    render_room shared = {.is_given = 0};
+    for (int pass = is_shared ? AIM_ROOM : AIM_CAMERA; pass < AIM_PASSES; ++pass) {
+        render_room widest = shared;
+        for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+            burnish_camera *camera = &result->cells[i].camera;
+            render_room room = shared;
+            status = (settings->output.turntable ? render_turntable_camera : render_camera)(
+                result->mesh, settings, result->cells[i].view, &room, camera, error);
+            widen(&widest, &room, camera->orthographic_height * settings->camera.zoom.value);
+        }
+        if (pass == AIM_ROOM) {
+            widest.height = 0;
+        }
+        shared = widest;
+        shared.is_given = 1;
+    }
+    return status;
+}
+
+/* Draws the planes of the output and of --plane, for a single picture. */
+static burnish_status draw_planes(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    unsigned kinds = settings->output.format == PICTURE_EXR   ? (1U << PLANE_KINDS) - 1
+                     : settings->output.format == PICTURE_NPY ? 1U << PLANE_COLOR
+                                                              : 0;
+    for (size_t i = 0; i < settings->output.planes.count; ++i) {
+        kinds |= 1U << settings->output.planes.items[i].kind;
+    }
+    return kinds == 0 ? BURNISH_STATUS_OK
+                      : render_draw_planes(result->renderer, result->mesh, result->options, kinds,
+                                           &result->planes, error);
+}
+
+burnish_status render_draw_picture(render_result *result, burnish_error *error) {
+    const render_settings *settings = result->settings;
+    const int progress = result->cell_count > 1 && !settings->job.quiet && isatty(STDERR_FILENO);
+    burnish_status status = aim_cells(result, error);
+    for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+        render_cell *cell = &result->cells[i];
+        if (progress) {
+            fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
+                    cell->label);
+        }
+        status = render_draw_cell(result, cell, error);
+    }
+    if (progress) {
+        fprintf(stderr, "\r\033[K");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = draw_planes(result, error);
+    }
+    result->picture = &result->cells[0].image;
+    result->hash = result->cells[0].hash;
+    if (status == BURNISH_STATUS_OK && result->cell_count > 1) {
+        status = render_compose(result, &result->sheet, error);
+        result->picture = &result->sheet;
+        result->hash = status == BURNISH_STATUS_OK && is_hashed(result)
+                           ? burnish_image_hash(&result->sheet)
+                           : 0;
+    }
+    return status;
+}
