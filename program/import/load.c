@@ -18,7 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/cli/write.h"
+#include "base/cli/process.h"
 
 enum { PIECE = 1 << 16 };
 #define STREAM_MOST ((uint64_t)1 << 30)
