@@ -22,8 +22,8 @@
 #include "base/clock.h"
 #include "cli/main.h"
 #include "picture/formats.h"
-#include "render/check.h"
 #include "render/flags.h"
+#include "render/render.h"
 #include "render/useless.h"
 #include "sandbox/lock.h"
 

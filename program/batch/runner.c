@@ -28,7 +28,6 @@
 #include "base/clock.h"
 #include "cli/limits.h"
 #include "import/importers.h"
-#include "render/check.h"
 #include "render/output/report.h"
 #include "render/render.h"
 #include "sandbox/channel.h"

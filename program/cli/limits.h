@@ -1,4 +1,4 @@
-/* Limits of a run that the system enforces. */
+/* Limits of a run that the system enforces, and its memory. */
 #ifndef TOOL_CLI_LIMITS_H
 #define TOOL_CLI_LIMITS_H
 
@@ -39,5 +39,9 @@ void cli_limit_child_seconds(double seconds);
 
 /* 1: the last limit of cli_limit_child_seconds expired before the process ended. */
 int cli_child_was_late(void);
+
+/* For commands that draw: makes memory cheap to allocate. Call it before the first large
+ * allocation, with one thread. */
+void cli_prepare_memory(void);
 
 #endif

@@ -1,7 +1,7 @@
 /* Memory for a process that lives for milliseconds, where page faults cost more than writing the
  * pages: freed memory is reused instead of returned, and large pages are requested (figures:
  * bench/NOTES.md). These are hints to the C library; nothing depends on them. */
-#include "cli/memory.h"
+#include "cli/limits.h"
 
 #include <stdint.h>
 #include <stdlib.h>

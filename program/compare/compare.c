@@ -1,6 +1,5 @@
 /* `burnish compare`: two pictures, two meshes under one camera, or two lobes on one mesh. */
 #include "burnish/compare.h"
-#include "compare/report.h"
 #include "compare/sides.h"
 
 #include <stdlib.h>
@@ -9,11 +8,11 @@
 
 #include "base/cli/output.h"
 #include "base/cli/platform.h"
+#include "cli/limits.h"
 #include "cli/main.h"
-#include "cli/memory.h"
 #include "picture/formats.h"
 #include "picture/panels.h"
-#include "render/check.h"
+#include "render/render.h"
 
 static cli_work work;
 

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/cli/output.h"
-#include "compare/report.h"
 #include "compare/sides.h"
 #include "render/output/report.h"
 #include "render/scene/camera.h"

@@ -1,4 +1,4 @@
-/* The two sides of a comparison. */
+/* The two sides of a comparison, and its report. */
 #ifndef TOOL_COMPARE_SIDES_H
 #define TOOL_COMPARE_SIDES_H
 
@@ -51,5 +51,8 @@ static inline int compare_is_mesh(const compare_side *side) {
 /* Reads both inputs and draws meshes, with one camera that frames all of them. */
 burnish_status compare_draw_sides(comparison *c, burnish_error *error);
 void compare_release_sides(comparison *c);
+
+/* Writes text, or JSON to the file of --json. */
+burnish_status compare_write_report(const comparison *c, burnish_error *error);
 
 #endif

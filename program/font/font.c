@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "font/libraries.h"
-#include "font/utf8.h"
 
 const int font_is_available = 1;
 

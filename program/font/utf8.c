@@ -1,5 +1,5 @@
 /* UTF-8, as Unicode defines it. */
-#include "font/utf8.h"
+#include "font/font.h"
 
 #include <string.h>
 

@@ -7,9 +7,7 @@
 #include "base/cli/platform.h"
 #include "cli/input.h"
 #include "picture/formats.h"
-#include "picture/jpeg.h"
 #include "picture/video.h"
-#include "picture/webp.h"
 
 typedef struct format_row {
     const char *name, *extension, *other_extension;

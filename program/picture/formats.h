@@ -99,4 +99,12 @@ burnish_status picture_encode(picture_format format, const burnish_pixels *pixel
                               const picture_options *options, picture_file *file,
                               burnish_error *error);
 
+/* As picture_encode; always fails if the build lacks libjpeg. */
+burnish_status picture_encode_jpeg(const burnish_pixels *pixels, const picture_options *options,
+                                   picture_file *file, burnish_error *error);
+
+/* As picture_encode; always fails if the build lacks libwebp. */
+burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
+                                   picture_file *file, burnish_error *error);
+
 #endif

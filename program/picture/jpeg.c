@@ -1,6 +1,5 @@
 /* JPEG by libjpeg-turbo: baseline sequential, colour at full resolution, since the edges of a drawn
  * object would otherwise get coloured fringes. */
-#include "picture/jpeg.h"
 #include "picture/formats.h"
 
 #if BURNISH_HAS_JPEG

@@ -1,6 +1,6 @@
 /* WebP by libwebp: lossless, or lossy with a given quality. */
-#include "picture/webp.h"
 #include "picture/animation.h"
+#include "picture/formats.h"
 
 #if BURNISH_HAS_WEBP
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-#include "render/check.h"
 #include "burnish/look.h"
+#include "render/render.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 #include "base/cli/platform.h"
 #include "cli/main.h"
-#include "font/utf8.h"
+#include "font/font.h"
 #include "picture/animation.h"
 #include "render/output/projection.h"
 #include "render/scene/options.h"

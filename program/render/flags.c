@@ -5,9 +5,7 @@
 #include "cli/main.h"
 #include "picture/formats.h"
 #include "render/flags.h"
-#include "render/manual.h"
 #include "render/render.h"
-#include "render/settings/lights.h"
 #include "render/settings/values.h"
 
 static const cli_word format_words[] = {{"auto", PICTURE_AUTO},

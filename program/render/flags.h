@@ -12,4 +12,7 @@
     "normals,crease-angle,tessellation,animation-time,animation,point-size,strict,no-textures,"    \
     "no-libraries,fail-on-blank"
 
+/* Sections of the man page. */
+extern const cli_section render_sections[];
+
 #endif

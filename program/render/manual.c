@@ -1,7 +1,7 @@
 /* The sections of the man page of `burnish render`, in addition to its flags. */
 #include <stdio.h>
 
-#include "render/manual.h"
+#include "render/flags.h"
 #include "render/settings/values.h"
 
 static void each_material(cli_take_term *take) {

@@ -14,12 +14,9 @@
 #include "burnish/sheet.h"
 #include "cli/limits.h"
 #include "cli/main.h"
-#include "cli/memory.h"
 #include "picture/formats.h"
-#include "render/check.h"
 #include "render/output/annotate.h"
 #include "render/output/draw.h"
-#include "render/output/reference.h"
 #include "render/output/report.h"
 #include "render/output/sheet.h"
 #include "render/output/turntable.h"
@@ -191,21 +188,6 @@ static burnish_status create_renderer(render_result *result, burnish_error *erro
     return burnish_renderer_create(NULL, &result->renderer, error);
 }
 
-/* From settings to files. */
-static burnish_status (*const steps[])(render_result *result, burnish_error *error) = {
-    plan_cells,
-    warn_of_flags,
-    render_open_font,
-    render_check_sheet,
-    read_environment,
-    close_sandbox, /* nothing was parsed so far, and no file is opened any more */
-    render_read_reference,
-    load_scene,
-    create_renderer,
-    render_draw_picture,
-    write_output,
-};
-
 static void release(render_result *result) {
     for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
         burnish_drawing_destroy(result->cells[i].drawing);
@@ -224,7 +206,8 @@ static void release(render_result *result) {
 
 /* Sets the system's limits and enters the sandbox. *code is the exit code if the worker has done
  * everything, else -1. */
-static burnish_status begin(const render_settings *settings, int *code, burnish_error *error) {
+static burnish_status enter_sandbox(const render_settings *settings, int *code,
+                                    burnish_error *error) {
     sandbox_plan plan = {.input = settings->input.name,
                          .format = settings->input.load.format,
                          .outputs = {render_output_path(&settings->output)},
@@ -272,6 +255,21 @@ static void confirm(const render_result *result) {
     }
 }
 
+/* From settings to files. */
+static burnish_status (*const steps[])(render_result *result, burnish_error *error) = {
+    plan_cells,
+    warn_of_flags,
+    render_open_font,
+    render_check_sheet,
+    read_environment,
+    close_sandbox, /* fonts are open; environment and mesh are parsed in it */
+    render_read_reference,
+    load_scene,
+    create_renderer,
+    render_draw_picture,
+    write_output,
+};
+
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error) {
     burnish_render_options options = render_make_options(settings);
     render_result result = {.settings = settings,
@@ -306,7 +304,7 @@ static burnish_status draw_input(render_settings *settings, cli_call *call, burn
     int code = -1;
     burnish_status status = render_finish(settings, error);
     if (status == BURNISH_STATUS_OK) {
-        status = begin(settings, &code, error);
+        status = enter_sandbox(settings, &code, error);
     }
     if (status != BURNISH_STATUS_OK || code >= 0) {
         call->exit_code = code;

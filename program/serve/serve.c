@@ -1,7 +1,7 @@
 /* `burnish serve-stdio`: its flags. */
 #include "serve/serve.h"
-#include "render/check.h"
 #include "render/flags.h"
+#include "render/render.h"
 #include "serve/server.h"
 
 #include <string.h>

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/cli/output.h"
-#include "render/check.h"
 #include "render/render.h"
 #include "serve/import.h"
 #include "serve/serve.h"
@@ -31,7 +30,6 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 #include "base/cli/file.h"
 #include "base/cli/process.h"
 #include "cli/limits.h"
-#include "cli/memory.h"
 #include "import/decode.h"
 #include "import/load.h"
 #include "sandbox/channel.h"

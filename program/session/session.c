@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "cli/main.h"
-#include "render/check.h"
 #include "render/output/draw.h"
 #include "render/output/report.h"
+#include "render/render.h"
 #include "render/scene/camera.h"
 #include "render/scene/options.h"
 #include "render/scene/prepare.h"

@@ -1,7 +1,6 @@
 /* The effects of keys, --do and files. */
 #if BURNISH_HAS_VIEW
 
-#include "view/act.h"
 #include "render/flags.h"
 #include "render/settings/values.h"
 #include "view/show.h"

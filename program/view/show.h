@@ -76,4 +76,16 @@ void viewer_set_title(viewer *v);
 /* The name without its folders. */
 const char *viewer_base_name(const char *path);
 
+/* ---- Actions (act.c) ---- */
+
+/* Performs an action. */
+void viewer_act(viewer *v, const view_action_row *row);
+
+/* Reloads a changed file when it stops changing. */
+void viewer_look_at_file(viewer *v);
+void viewer_mark_file(viewer *v);
+
+/* Shows another file; takes ownership of the name, which SDL_free releases. */
+void viewer_open(viewer *v, char *name);
+
 #endif

@@ -1,14 +1,13 @@
 /* `burnish view`: flags and the manual. */
 #include "view/view.h"
-#include "render/check.h"
+#include "render/render.h"
 
 #include <string.h>
 
+#include "cli/limits.h"
 #include "cli/main.h"
-#include "cli/memory.h"
 #include "picture/formats.h"
 #include "view/actions.h"
-#include "view/window.h"
 
 static cli_work work;
 static cli_handler read_actions;

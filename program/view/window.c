@@ -1,9 +1,8 @@
 /* The window, its events and its loop. */
-#include "view/window.h"
+#include "view/view.h"
 
 #if BURNISH_HAS_VIEW
 
-#include "view/act.h"
 #include "view/show.h"
 
 #include <math.h>

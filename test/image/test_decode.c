@@ -5,8 +5,6 @@
 #include "gltf_input.h"
 #include "mesh_arrays.h"
 #include "picture/formats.h"
-#include "picture/jpeg.h"
-#include "picture/webp.h"
 #include "support.h"
 
 enum { SIDE = 24 };

@@ -7,8 +7,6 @@
 #include "environment/environment.h"
 #include "picture/exr.h"
 #include "picture/formats.h"
-#include "picture/jpeg.h"
-#include "picture/webp.h"
 #include "support.h"
 
 #ifdef __GLIBC__

@@ -1,5 +1,5 @@
 /* UTF-8 against the table of well-formed byte sequences of the Unicode standard (table 3-7). */
-#include "font/utf8.h"
+#include "font/font.h"
 #include "support.h"
 
 static int in(unsigned byte, unsigned low, unsigned high) {

@@ -1,4 +1,4 @@
-/* Annotations of a cell, and drawings. */
+/* Annotations and the legend of a cell, and drawings. */
 #ifndef TOOL_RENDER_ANNOTATE_H
 #define TOOL_RENDER_ANNOTATE_H
 
@@ -21,5 +21,8 @@ burnish_status render_encode_drawing(const render_result *result, const burnish_
  *   depth  distances of the mesh; NULL if no annotation is behind it */
 burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
                                burnish_error *error);
+
+/* Draws the legend of --color-by over the image, on the right; nothing if the colours have none. */
+void render_draw_legend(const render_result *result, burnish_image *image);
 
 #endif

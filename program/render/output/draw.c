@@ -6,7 +6,6 @@
 
 #include "picture/formats.h"
 #include "render/output/annotate.h"
-#include "render/output/legend.h"
 #include "render/output/projection.h"
 #include "render/output/sheet.h"
 #include "render/output/turntable.h"

@@ -3,7 +3,7 @@
 #define TOOL_RENDER_PLANES_H
 
 #include "burnish/render.h"
-#include "render/settings/output.h"
+#include "render/settings/settings.h"
 
 /* The buffers, width * height items each; NULL if not requested. */
 typedef struct render_plane_data {

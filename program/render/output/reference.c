@@ -1,5 +1,5 @@
-#include "render/output/reference.h"
 #include "burnish/compare.h"
+#include "render/output/report.h"
 
 #include <stdio.h>
 #include <string.h>

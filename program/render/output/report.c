@@ -13,7 +13,6 @@
 #include "base/cli/output.h"
 #include "cli/origin.h"
 #include "import/importers.h"
-#include "render/output/reference.h"
 #include "render/scene/camera.h"
 #include "render/scene/prepare.h"
 #include "render/settings/values.h"

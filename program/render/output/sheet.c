@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "font/utf8.h"
+#include "font/font.h"
 #include "render/output/projection.h"
 #include "render/scene/camera.h"
 

@@ -3,7 +3,7 @@
 #define TOOL_RENDER_UP_H
 
 #include "burnish/mesh.h"
-#include "render/settings/camera.h"
+#include "render/settings/settings.h"
 
 /* How an object stands on the format's up axis and on the other one of +Y and +Z. */
 typedef struct render_stance {

@@ -35,5 +35,7 @@ cli_handler render_flag_edges;         /* render_edges */
 cli_handler render_flag_projection;    /* int: render_projection */
 cli_handler render_flag_no_sandbox;    /* int: 0 */
 cli_handler render_flag_annotate;      /* unsigned: sum of burnish_annotation */
+cli_handler render_flag_light;         /* render_lights */
+cli_handler render_flag_ambient;       /* render_ambient */
 
 #endif
