@@ -1,4 +1,4 @@
-/* burnish/sheet.h: contact sheets of images or drawings, and their labels.
+/* burnish/sheet.h: contact sheets and aligned views of images or drawings, and their labels.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
@@ -108,22 +108,22 @@ typedef enum burnish_projection_method {
     BURNISH_PROJECTION_FIRST_ANGLE
 } burnish_projection_method;
 
-/* The views of a sheet. SIDE is the right view in third angle, the left view in first angle. */
+/* The views. SIDE is the right view in third angle, the left view in first angle. */
 enum {
-    BURNISH_SHEET_FRONT,
-    BURNISH_SHEET_TOP,
-    BURNISH_SHEET_SIDE,
-    BURNISH_SHEET_PICTORIAL, /* in the free corner */
-    BURNISH_SHEET_VIEWS
+    BURNISH_PROJECTION_FRONT,
+    BURNISH_PROJECTION_TOP,
+    BURNISH_PROJECTION_SIDE,
+    BURNISH_PROJECTION_PICTORIAL, /* in the free corner */
+    BURNISH_PROJECTION_VIEWS
 };
 
 /* A rectangle of pixels. */
-typedef struct burnish_sheet_area {
+typedef struct burnish_projection_area {
     int x, y, width, height;
-} burnish_sheet_area;
+} burnish_projection_area;
 
-/* A sheet of three aligned views at one scale and a pictorial view. */
-typedef struct burnish_projection_sheet {
+/* A page with three aligned views at one scale and a pictorial view. */
+typedef struct burnish_projection {
     burnish_projection_method method;
     int width, height; /* pixels, from 240 */
     double extents[3]; /* of the object: width, height and depth in the front view; >= 0, with a sum
@@ -132,19 +132,20 @@ typedef struct burnish_projection_sheet {
                                      5 times a power of 10, or 1 divided by that (ISO 5455); 0: the
                                      largest scale that fits */
     /* Set by burnish_projection_lay_out(): */
-    double pixels_per_unit;                        /* of the three views */
-    char scale[16];                                /* "1:2"; "": not a scale on paper */
-    double text_height;                            /* of a capital, pixels */
-    burnish_sheet_area cells[BURNISH_SHEET_VIEWS]; /* the object is in the middle of its cell */
-} burnish_projection_sheet;
+    double pixels_per_unit; /* of the three views */
+    char scale[16];         /* "1:2"; "": not a scale on paper */
+    double text_height;     /* of a capital, pixels */
+    burnish_projection_area
+        cells[BURNISH_PROJECTION_VIEWS]; /* the object is in the middle of its cell */
+} burnish_projection;
 
 /* Computes scale and positions. Errors: ARGUMENT. */
-BURNISH_API burnish_status burnish_projection_lay_out(burnish_projection_sheet *sheet,
+BURNISH_API burnish_status burnish_projection_lay_out(burnish_projection *projection,
                                                       burnish_error *error);
 
 /* Composes views into an image, with a frame, a title, the scale and the symbol of the method (a
  * truncated cone, ISO 5456-2).
- *   sheet       laid out
+ *   projection  laid out
  *   title       ASCII; NULL: none
  *   views       of the sizes of the cells, with equal channels
  *   background  sRGB
@@ -152,17 +153,17 @@ BURNISH_API burnish_status burnish_projection_lay_out(burnish_projection_sheet *
  *   image       receives the image, empty on error. It uses the context of the first view
  * Errors: MEMORY. */
 BURNISH_API burnish_status burnish_projection_image(
-    const burnish_projection_sheet *sheet, const char *title,
-    const burnish_image *const views[BURNISH_SHEET_VIEWS], const uint8_t background[3],
+    const burnish_projection *projection, const char *title,
+    const burnish_image *const views[BURNISH_PROJECTION_VIEWS], const uint8_t background[3],
     const uint8_t ink[3], burnish_image *image, burnish_error *error);
 
 /* The same of drawings, which are copied.
  *   drawing  receives the drawing, NULL on error. It uses the context of the first view
  * Other parameters and errors as for burnish_projection_image(). */
 BURNISH_API burnish_status
-burnish_projection_drawing(const burnish_projection_sheet *sheet, const char *title,
-                           burnish_drawing *const views[BURNISH_SHEET_VIEWS], const uint8_t ink[3],
-                           burnish_drawing **drawing, burnish_error *error);
+burnish_projection_drawing(const burnish_projection *projection, const char *title,
+                           burnish_drawing *const views[BURNISH_PROJECTION_VIEWS],
+                           const uint8_t ink[3], burnish_drawing **drawing, burnish_error *error);
 
 #ifdef __cplusplus
 }

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/cli/output.h"
-#include "cli/origin.h"
+#include "cli/coordinates.h"
 #include "import/importers.h"
 
 /* The facts to print. */
@@ -54,7 +54,7 @@ static void add_sizes(cJSON *root, const info_report *r, int *failed) {
         cli_json_add(tipping, "+Z", cli_json_real(r->stance.tipping[2]), failed);
     }
     cli_json_add(root, "tipping_angles", tipping, failed);
-    cli_json_add(root, "sheet", cJSON_CreateBool(r->stance.sheet > 0), failed);
+    cli_json_add(root, "sheet", cJSON_CreateBool(r->stance.flat_axis > 0), failed);
     cli_json_add(root, "area", cli_json_real(f ? f->area : NAN), failed);
     cli_json_add(root, "volume", cli_json_real(f ? f->volume : NAN), failed);
     cli_json_add(root, "center_of_mass", center, failed);
@@ -246,9 +246,9 @@ static void print_tipping(FILE *stream, const render_stance *stance, int axis) {
 /* The up axis of pictures, and why. */
 static void print_up(FILE *stream, const info_report *r) {
     fprintf(stream, "  %-20s  %s, ", "up", up_name(r));
-    if (r->stance.usual == 0 || r->stance.sheet) {
+    if (r->stance.usual == 0 || r->stance.flat_axis) {
         fprintf(stream, "the axis of the format%s\n",
-                r->stance.sheet ? ": a sheet, drawn face on" : "");
+                r->stance.flat_axis ? ": a sheet, drawn face on" : "");
         return;
     }
     fprintf(stream, r->stance.is_other ? "guessed: " : "the axis of the format: ");

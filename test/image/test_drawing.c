@@ -403,37 +403,39 @@ static void test_sheet(void) {
 }
 
 /* Views fit their cells at one scale, in rows and columns of the method. */
-static void check_layout(const burnish_projection_sheet *sheet) {
-    const burnish_sheet_area *cells = sheet->cells;
-    const burnish_sheet_area *front = &cells[BURNISH_SHEET_FRONT], *top = &cells[BURNISH_SHEET_TOP];
-    const burnish_sheet_area *side = &cells[BURNISH_SHEET_SIDE];
-    const burnish_sheet_area *free = &cells[BURNISH_SHEET_PICTORIAL];
-    const int is_first = sheet->method == BURNISH_PROJECTION_FIRST_ANGLE;
+static void check_layout(const burnish_projection *projection) {
+    const burnish_projection_area *cells = projection->cells;
+    const burnish_projection_area *front = &cells[BURNISH_PROJECTION_FRONT],
+                                  *top = &cells[BURNISH_PROJECTION_TOP];
+    const burnish_projection_area *side = &cells[BURNISH_PROJECTION_SIDE];
+    const burnish_projection_area *free = &cells[BURNISH_PROJECTION_PICTORIAL];
+    const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
     CHECK1(front->x == top->x && front->width == top->width && front->y == side->y &&
            front->height == side->height && side->x == front->x + front->width &&
            free->x == side->x && free->y == top->y && free->width == side->width &&
            free->height == top->height);
     CHECK1(top->y == (is_first ? front->y + front->height : front->y - top->height));
-    CHECK1(front->x >= 0 && side->x + side->width <= sheet->width &&
-           (is_first ? top : front)->y + (is_first ? top : front)->height <= sheet->height);
-    const double s = sheet->pixels_per_unit;
-    CHECK1(s * sheet->extents[0] < front->width && s * sheet->extents[1] < front->height &&
-           s * sheet->extents[2] < side->width && s * sheet->extents[2] < top->height);
+    CHECK1(front->x >= 0 && side->x + side->width <= projection->width &&
+           (is_first ? top : front)->y + (is_first ? top : front)->height <= projection->height);
+    const double s = projection->pixels_per_unit;
+    CHECK1(s * projection->extents[0] < front->width &&
+           s * projection->extents[1] < front->height && s * projection->extents[2] < side->width &&
+           s * projection->extents[2] < top->height);
 }
 
 /* Layouts of many objects and sheets. Scales on paper are those of ISO 5455. */
 static void test_projection_layout(void) {
     uint64_t state = test_seed(1);
     for (int i = 0; i < 400; ++i) {
-        burnish_projection_sheet sheet = {.method = i % 2, .width = 300 + 7 * i, .height = 900};
+        burnish_projection projection = {.method = i % 2, .width = 300 + 7 * i, .height = 900};
         for (int k = 0; k < 3; ++k) {
-            sheet.extents[k] =
+            projection.extents[k] =
                 i % 7 == k ? 0 : pow(10, (double)(test_random32(&state) % 1000) / 200 - 2);
         }
-        sheet.pixels_per_millimetre = i % 4 == 0 ? 5 : 0;
-        CHECK_OK(burnish_projection_lay_out(&sheet, &error), error);
-        check_layout(&sheet);
-        CHECK1((sheet.scale[0] != 0) == (i % 4 == 0));
+        projection.pixels_per_millimetre = i % 4 == 0 ? 5 : 0;
+        CHECK_OK(burnish_projection_lay_out(&projection, &error), error);
+        check_layout(&projection);
+        CHECK1((projection.scale[0] != 0) == (i % 4 == 0));
     }
     const struct {
         double size;
@@ -442,34 +444,34 @@ static void test_projection_layout(void) {
     } rows[] = {{30, "2:1", 2}, {60, "1:1", 1}, {100, "1:2", 0.5}, {300, "1:5", 0.2}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         const double size = rows[i].size;
-        burnish_projection_sheet sheet = {.width = 1684,
-                                          .height = 1190,
-                                          .extents = {size, size, size},
-                                          .pixels_per_millimetre = 144 / 25.4};
-        CHECK_OK(burnish_projection_lay_out(&sheet, &error), error);
-        CHECK(strcmp(sheet.scale, rows[i].scale) == 0, "%g: %s", size, sheet.scale);
-        CHECK1(fabs(sheet.pixels_per_unit - rows[i].value * 144 / 25.4) < 1e-9);
+        burnish_projection projection = {.width = 1684,
+                                         .height = 1190,
+                                         .extents = {size, size, size},
+                                         .pixels_per_millimetre = 144 / 25.4};
+        CHECK_OK(burnish_projection_lay_out(&projection, &error), error);
+        CHECK(strcmp(projection.scale, rows[i].scale) == 0, "%g: %s", size, projection.scale);
+        CHECK1(fabs(projection.pixels_per_unit - rows[i].value * 144 / 25.4) < 1e-9);
     }
-    burnish_projection_sheet sheet = {.width = 239, .height = 900, .extents = {1, 1, 1}};
-    CHECK1(burnish_projection_lay_out(&sheet, &error) == BURNISH_STATUS_ARGUMENT);
-    sheet = (burnish_projection_sheet){.width = 900, .height = 900};
-    CHECK1(burnish_projection_lay_out(&sheet, &error) == BURNISH_STATUS_ARGUMENT);
+    burnish_projection projection = {.width = 239, .height = 900, .extents = {1, 1, 1}};
+    CHECK1(burnish_projection_lay_out(&projection, &error) == BURNISH_STATUS_ARGUMENT);
+    projection = (burnish_projection){.width = 900, .height = 900};
+    CHECK1(burnish_projection_lay_out(&projection, &error) == BURNISH_STATUS_ARGUMENT);
 }
 
 /* Frame, title, scale and symbol of a drawing are those of the picture. */
-static void test_projection_sheet(void) {
+static void test_projection(void) {
     static const uint8_t white[3] = {255, 255, 255}, ink[3] = {20, 30, 40};
-    burnish_projection_sheet sheet = {.width = 800,
-                                      .height = 600,
-                                      .extents = {40, 20, 30},
-                                      .pixels_per_millimetre = 3,
-                                      .method = BURNISH_PROJECTION_FIRST_ANGLE};
-    burnish_image images[BURNISH_SHEET_VIEWS] = {{0}}, picture = {0}, drawn = {0};
-    const burnish_image *views[BURNISH_SHEET_VIEWS];
-    burnish_drawing *drawings[BURNISH_SHEET_VIEWS], *drawing;
-    CHECK_OK(burnish_projection_lay_out(&sheet, &error), error);
-    for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
-        const burnish_sheet_area *cell = &sheet.cells[i];
+    burnish_projection projection = {.width = 800,
+                                     .height = 600,
+                                     .extents = {40, 20, 30},
+                                     .pixels_per_millimetre = 3,
+                                     .method = BURNISH_PROJECTION_FIRST_ANGLE};
+    burnish_image images[BURNISH_PROJECTION_VIEWS] = {{0}}, picture = {0}, drawn = {0};
+    const burnish_image *views[BURNISH_PROJECTION_VIEWS];
+    burnish_drawing *drawings[BURNISH_PROJECTION_VIEWS], *drawing;
+    CHECK_OK(burnish_projection_lay_out(&projection, &error), error);
+    for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+        const burnish_projection_area *cell = &projection.cells[i];
         CHECK_OK(burnish_image_create(NULL, &images[i], cell->width, cell->height, 3, &error),
                  error);
         fill_white(&images[i]);
@@ -477,10 +479,13 @@ static void test_projection_sheet(void) {
         CHECK_OK(burnish_drawing_create(NULL, cell->width, cell->height, &drawings[i], &error),
                  error);
     }
-    CHECK_OK(burnish_projection_image(&sheet, "a<b", views, white, ink, &picture, &error), error);
-    CHECK_OK(burnish_projection_drawing(&sheet, "a<b", drawings, ink, &drawing, &error), error);
+    CHECK_OK(burnish_projection_image(&projection, "a<b", views, white, ink, &picture, &error),
+             error);
+    CHECK_OK(burnish_projection_drawing(&projection, "a<b", drawings, ink, &drawing, &error),
+             error);
     char *text = svg_of(drawing, 0);
-    CHECK_OK(burnish_image_create(NULL, &drawn, sheet.width, sheet.height, 3, &error), error);
+    CHECK_OK(burnish_image_create(NULL, &drawn, projection.width, projection.height, 3, &error),
+             error);
     fill_white(&drawn);
     draw_groups(text, &drawn);
     CHECK(count_differences(&picture, &drawn, 8) < 40, "%zu values differ",
@@ -488,7 +493,7 @@ static void test_projection_sheet(void) {
     CHECK1(strstr(text, "aria-label=\"a&lt;b\"") && strstr(text, "aria-label=\"2:1\""));
     burnish_release(NULL, text);
     burnish_drawing_destroy(drawing);
-    for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
+    for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
         burnish_drawing_destroy(drawings[i]);
         burnish_image_destroy(&images[i]);
     }
@@ -706,7 +711,7 @@ int main(int count, char **arguments) {
     RUN(test_areas(1));
     RUN(test_sheet());
     RUN(test_projection_layout());
-    RUN(test_projection_sheet());
+    RUN(test_projection());
     RUN(test_pdf());
     RUN(test_font());
     RUN(test_arguments());

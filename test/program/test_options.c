@@ -314,7 +314,7 @@ static void test_cut_scene(void) {
     CHECK(burnish_mesh_get_view(p.mesh)->cut_count == 1 && warns(&p, "1,0,0,500") == 1 &&
               p.warnings.count == 1,
           "%d cuts, %zu warnings", burnish_mesh_get_view(p.mesh)->cut_count, p.warnings.count);
-    CHECK(p.line.settings.camera.sheet == 0, "flat along %d", p.line.settings.camera.sheet);
+    CHECK(p.line.settings.camera.flat_axis == 0, "flat along %d", p.line.settings.camera.flat_axis);
     CHECK(p.range[1] - p.range[0] == 0.25, "colours from %g to %g", p.range[0], p.range[1]);
     release(&p);
 }

@@ -5,8 +5,8 @@
 #include "cli/main.h"
 #include "render/scene/camera.h"
 
-/* The size of a sheet without --resolution: A4 at 144 dots per inch. */
-enum { SHEET_WIDTH = 1684, SHEET_HEIGHT = 1190 };
+/* The size of the page without --resolution: A4 at 144 dots per inch. */
+enum { PAPER_WIDTH = 1684, PAPER_HEIGHT = 1190 };
 
 burnish_status render_check_projection(render_settings *settings, burnish_error *error) {
     static const char *const sizes[] = {"resolution", "size", "width", "height"};
@@ -31,8 +31,8 @@ burnish_status render_check_projection(render_settings *settings, burnish_error 
         has_size |= cli_is_given(&render_command, settings, sizes[i]);
     }
     if (!has_size) {
-        settings->picture.size[0] = SHEET_WIDTH;
-        settings->picture.size[1] = SHEET_HEIGHT;
+        settings->picture.size[0] = PAPER_WIDTH;
+        settings->picture.size[1] = PAPER_HEIGHT;
     }
     return BURNISH_STATUS_OK;
 }
@@ -41,20 +41,20 @@ burnish_status render_check_projection(render_settings *settings, burnish_error 
  * if it fits its cell. */
 static burnish_status aim(render_result *result, size_t i, burnish_error *error) {
     render_settings settings = *result->settings;
-    const burnish_projection_sheet *sheet = &result->projection;
+    const burnish_projection *projection = &result->projection;
     render_cell *cell = &result->cells[i];
     render_room room = {.is_given = 1};
-    cell->image.width = settings.picture.size[0] = sheet->cells[i].width;
-    cell->image.height = settings.picture.size[1] = sheet->cells[i].height;
+    cell->image.width = settings.picture.size[0] = projection->cells[i].width;
+    cell->image.height = settings.picture.size[1] = projection->cells[i].height;
     settings.picture.annotations = 0;
-    if (i == BURNISH_SHEET_PICTORIAL) {
+    if (i == BURNISH_PROJECTION_PICTORIAL) {
         room.is_given = 0;
     } else {
-        room.height = sheet->cells[i].height / sheet->pixels_per_unit;
+        room.height = projection->cells[i].height / projection->pixels_per_unit;
     }
     const burnish_status status =
         render_camera(result->mesh, &settings, cell->view, &room, &cell->camera, error);
-    const double height = sheet->cells[i].height / sheet->pixels_per_unit;
+    const double height = projection->cells[i].height / projection->pixels_per_unit;
     if (cell->camera.orthographic_height < height) {
         cell->camera.orthographic_height = height;
     }
@@ -64,7 +64,7 @@ static burnish_status aim(render_result *result, size_t i, burnish_error *error)
 /* A pictorial view has neither hidden lines nor centre lines. */
 void render_aim_projection(const render_result *result, const render_cell *cell,
                            burnish_render_options *options) {
-    const int is_pictorial = cell - result->cells == BURNISH_SHEET_PICTORIAL;
+    const int is_pictorial = cell - result->cells == BURNISH_PROJECTION_PICTORIAL;
     options->width = cell->image.width;
     options->height = cell->image.height;
     const burnish_edge_flags hidden =
@@ -75,16 +75,16 @@ void render_aim_projection(const render_result *result, const render_cell *cell,
 
 burnish_status render_lay_out_projection(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
-    burnish_projection_sheet *sheet = &result->projection;
-    *sheet = (burnish_projection_sheet){.method = settings->picture.views.layout == VIEW_FIRST_ANGLE
-                                                      ? BURNISH_PROJECTION_FIRST_ANGLE
-                                                      : BURNISH_PROJECTION_THIRD_ANGLE,
-                                        .width = settings->picture.size[0],
-                                        .height = settings->picture.size[1],
-                                        .pixels_per_millimetre =
-                                            settings->output.dots_per_inch.value / 25.4};
-    render_extents(result->mesh, &settings->camera, sheet->extents);
-    burnish_status status = burnish_projection_lay_out(sheet, error);
+    burnish_projection *projection = &result->projection;
+    *projection =
+        (burnish_projection){.method = settings->picture.views.layout == VIEW_FIRST_ANGLE
+                                           ? BURNISH_PROJECTION_FIRST_ANGLE
+                                           : BURNISH_PROJECTION_THIRD_ANGLE,
+                             .width = settings->picture.size[0],
+                             .height = settings->picture.size[1],
+                             .pixels_per_millimetre = settings->output.dots_per_inch.value / 25.4};
+    render_extents(result->mesh, &settings->camera, projection->extents);
+    burnish_status status = burnish_projection_lay_out(projection, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         status = aim(result, i, error);
     }
@@ -98,15 +98,16 @@ void render_limit_annotations(const render_result *result, const render_cell *ce
     int axes[3]; /* of width, height, depth */
     render_axes(result->mesh, &result->settings->camera, axes);
     annotations->text_height = result->projection.text_height;
-    annotations->kinds &= i == BURNISH_SHEET_FRONT  ? ~(unsigned)BURNISH_ANNOTATION_AXES
-                          : i == BURNISH_SHEET_SIDE ? BURNISH_ANNOTATION_DIMENSIONS
-                          : i == BURNISH_SHEET_TOP  ? 0
-                                                    : BURNISH_ANNOTATION_AXES;
-    annotations->lengths = i == BURNISH_SHEET_SIDE ? 1U << axes[2] : 1U << axes[0] | 1U << axes[1];
+    annotations->kinds &= i == BURNISH_PROJECTION_FRONT  ? ~(unsigned)BURNISH_ANNOTATION_AXES
+                          : i == BURNISH_PROJECTION_SIDE ? BURNISH_ANNOTATION_DIMENSIONS
+                          : i == BURNISH_PROJECTION_TOP  ? 0
+                                                         : BURNISH_ANNOTATION_AXES;
+    annotations->lengths =
+        i == BURNISH_PROJECTION_SIDE ? 1U << axes[2] : 1U << axes[0] | 1U << axes[1];
 }
 
 size_t render_projection_place(const render_result *result, size_t cell) {
-    static const uint8_t places[2][BURNISH_SHEET_VIEWS] = {{2, 0, 3, 1}, {0, 2, 1, 3}};
+    static const uint8_t places[2][BURNISH_PROJECTION_VIEWS] = {{2, 0, 3, 1}, {0, 2, 1, 3}};
     return places[result->projection.method == BURNISH_PROJECTION_FIRST_ANGLE][cell];
 }
 
@@ -117,8 +118,8 @@ static const char *title(const render_result *result) {
 
 burnish_status render_compose_projection(const render_result *result, const uint8_t ink[3],
                                          burnish_image *image, burnish_error *error) {
-    const burnish_image *views[BURNISH_SHEET_VIEWS];
-    for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
+    const burnish_image *views[BURNISH_PROJECTION_VIEWS];
+    for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
         views[i] = &result->cells[i].image;
     }
     return burnish_projection_image(&result->projection, title(result), views,
@@ -127,8 +128,8 @@ burnish_status render_compose_projection(const render_result *result, const uint
 
 burnish_status render_join_projection(const render_result *result, const uint8_t ink[3],
                                       burnish_drawing **drawing, burnish_error *error) {
-    burnish_drawing *views[BURNISH_SHEET_VIEWS];
-    for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
+    burnish_drawing *views[BURNISH_PROJECTION_VIEWS];
+    for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
         views[i] = result->cells[i].drawing;
     }
     return burnish_projection_drawing(&result->projection, title(result), views, ink, drawing,

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "base/cli/output.h"
-#include "cli/origin.h"
+#include "cli/coordinates.h"
 #include "import/importers.h"
 #include "render/scene/camera.h"
 #include "render/scene/prepare.h"

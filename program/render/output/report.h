@@ -46,7 +46,7 @@ typedef struct render_result {
     uint64_t hash;
     double color_range[2]; /* of --color-by */
     int columns;
-    burnish_projection_sheet projection; /* of --views=third-angle and first-angle */
+    burnish_projection projection; /* of --views=third-angle and first-angle */
     render_environment environment;
     font *font;            /* of labels; NULL: burnish's own */
     size_t blank_cells;    /* blank cells */

@@ -312,11 +312,11 @@ static void turn_default(request *from) {
     }
 }
 
-/* The default view: three-quarter, or the standard view that shows a sheet face on. */
+/* The default view: three-quarter, or the standard view that shows a flat object face on. */
 static render_view default_view(request *from) {
     const render_camera_settings *camera = &from->settings->camera;
     const frame *axes = from->axes;
-    const int k = camera->sheet - 1;
+    const int k = camera->flat_axis - 1;
     if (camera->direction.given || camera->view_up.given || camera->azimuth.value != 0 ||
         camera->elevation.value != 0) {
         return VIEW_FREE;

@@ -27,8 +27,8 @@ enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
  * below -DOUBTED. */
 #define OPEN_SHARE 0.05
 
-/* The largest extent of a sheet along its normal, in its longest extents. */
-#define SHEET 0.005
+/* The largest extent of a flat object along its normal, in its longest extents. */
+#define FLAT 0.005
 
 /* Centroid of the surface. Returns 1 if the surface is open. */
 static int find_center(const burnish_mesh_view *view, double center[3]) {
@@ -99,7 +99,7 @@ static double tipping(const burnish_mesh_view *view, int axis, const double cent
 }
 
 /* 1 + the axis on which the object has no extent, or 0. */
-static int find_sheet(const burnish_mesh *mesh) {
+static int find_flat_axis(const burnish_mesh *mesh) {
     float low[3], high[3];
     int thin = 0, long_axis = 0;
     burnish_mesh_get_bounds(mesh, low, high);
@@ -108,7 +108,7 @@ static int find_sheet(const burnish_mesh *mesh) {
         long_axis = high[k] - low[k] > high[long_axis] - low[long_axis] ? k : long_axis;
     }
     const double extent = (double)high[thin] - (double)low[thin];
-    return extent <= SHEET * ((double)high[long_axis] - (double)low[long_axis]) ? 1 + thin : 0;
+    return extent <= FLAT * ((double)high[long_axis] - (double)low[long_axis]) ? 1 + thin : 0;
 }
 
 render_stance render_find_stance(const burnish_mesh *mesh) {
@@ -119,7 +119,7 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     render_stance stance = {0};
     double center[3];
     const int has_faces = info->point_count + info->line_count == 0;
-    stance.sheet = has_faces ? find_sheet(mesh) : 0;
+    stance.flat_axis = has_faces ? find_flat_axis(mesh) : 0;
     const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
     const int is_doubted = is_stl || format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
                            format == BURNISH_FORMAT_OFF || format == BURNISH_FORMAT_ARRAYS;
@@ -134,12 +134,13 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     const double doubted = is_stl ? DOUBTED_STL : is_open ? -DOUBTED : DOUBTED;
     const double here = stance.tipping[stance.usual];
     const double believed = is_stl ? BELIEVED_STL : here < FALLEN ? BELIEVED_FALLEN : BELIEVED;
-    stance.is_other = !stance.sheet && here < doubted && stance.tipping[stance.other] >= believed;
+    stance.is_other =
+        !stance.flat_axis && here < doubted && stance.tipping[stance.other] >= believed;
     return stance;
 }
 
 void render_set_stance(const burnish_mesh *mesh, render_camera_settings *camera) {
     const render_stance stance = render_find_stance(mesh);
     camera->stands_otherwise = camera->up == UP_AUTO && stance.is_other;
-    camera->sheet = stance.sheet;
+    camera->flat_axis = stance.flat_axis;
 }

@@ -12,13 +12,13 @@ typedef struct render_stance {
         tipping[3]; /* for these axes: the angle in degrees by which the object can lean before it
                           falls, below 0 if it falls; 90 for a flat object that lies */
     int is_other;   /* 1: it would fall over on the usual axis and is stable on the other one */
-    int sheet;      /* 1 + the axis on which a flat object has no extent; 0: it is not flat */
+    int flat_axis;  /* 1 + the axis on which a flat object has no extent; 0: it is not flat */
 } render_stance;
 
 /* OBJ, PLY, OFF and arrays take the other axis if the object can lean by less than 5.7 degrees on
  * the usual one, or -5.7 if its surface is open, and by 21.8 or more on the other; if it falls over
- * on the usual one, 10 are enough. STL, whose axis is more reliable: less than 2, and 60. A sheet, an
- * object with an extent of at most 0.5 % of its longest one, keeps the usual axis: it is a drawing,
+ * on the usual one, 10 are enough. STL, whose axis is more reliable: less than 2, and 60. A flat
+ * object, with an extent of at most 0.5 % of its longest one, keeps the usual axis: it is a drawing,
  * which does not need to stand. */
 render_stance render_find_stance(const burnish_mesh *mesh);
 

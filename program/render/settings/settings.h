@@ -58,7 +58,7 @@ typedef enum render_projection {
 typedef struct render_camera_settings {
     int up;               /* render_up */
     int stands_otherwise; /* 1: UP_AUTO has chosen the other axis than the format's */
-    int sheet;            /* 1 + the axis on which the object has no extent; 0: none */
+    int flat_axis;        /* 1 + the axis on which the object has no extent; 0: none */
     cli_vector direction, position, focal_point, view_up;
     const char *own; /* name or number of a camera of the input; NULL: none */
     cli_real azimuth, elevation, view_angle, zoom, margin;

@@ -12,11 +12,11 @@
 #include "image/text/text.h"
 
 /* In heights of a capital. */
-#define BORDER 1.4      /* from the edge of the sheet to its frame */
+#define BORDER 1.4      /* from the edge of the page to its frame */
 #define STRIP 3.2       /* height of the title's strip */
 #define ROOM 4.0        /* around a view, for dimensions */
 #define SYMBOL 0.75     /* radius of the symbol's larger circle */
-#define TEXT_SHARE 60.0 /* a capital is the shorter side of the sheet by this, ... */
+#define TEXT_SHARE 60.0 /* a capital is the shorter side of the page by this, ... */
 #define TEXT_LEAST 9    /* ... at least so many pixels */
 
 /* The pictorial view has at least this share of both sides. */
@@ -65,17 +65,18 @@ static double standard_scale(double limit, char *text, size_t size) {
     return limit;
 }
 
-static burnish_status check_sheet(const burnish_projection_sheet *sheet, burnish_error *error) {
+static burnish_status check(const burnish_projection *projection, burnish_error *error) {
     double sum = 0;
-    if (sheet->width < LEAST_SIDE || sheet->height < LEAST_SIDE ||
-        sheet->width > BURNISH_IMAGE_MAX_SIZE || sheet->height > BURNISH_IMAGE_MAX_SIZE) {
+    if (projection->width < LEAST_SIDE || projection->height < LEAST_SIDE ||
+        projection->width > BURNISH_IMAGE_MAX_SIZE || projection->height > BURNISH_IMAGE_MAX_SIZE) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "sheet: %d x %d pixels; aligned views need %d to %d a side",
-                            sheet->width, sheet->height, LEAST_SIDE, BURNISH_IMAGE_MAX_SIZE);
+                            projection->width, projection->height, LEAST_SIDE,
+                            BURNISH_IMAGE_MAX_SIZE);
     }
     for (int k = 0; k < 3; ++k) {
-        sum += sheet->extents[k];
-        if (!(sheet->extents[k] >= 0 && sheet->extents[k] < 1e300)) {
+        sum += projection->extents[k];
+        if (!(projection->extents[k] >= 0 && projection->extents[k] < 1e300)) {
             sum = -1;
             break;
         }
@@ -85,43 +86,47 @@ static burnish_status check_sheet(const burnish_projection_sheet *sheet, burnish
                                   "sheet: an object without extent; aligned views need a size");
 }
 
-static void lay_out(burnish_projection_sheet *sheet) {
-    const double shorter = sheet->width < sheet->height ? sheet->width : sheet->height;
+static void lay_out(burnish_projection *projection) {
+    const double shorter =
+        projection->width < projection->height ? projection->width : projection->height;
     const double text = shorter / TEXT_SHARE;
-    const double *size = sheet->extents;
-    sheet->text_height = text > TEXT_LEAST ? (double)(int)(text + 0.5) : TEXT_LEAST;
-    const double border = BORDER * sheet->text_height, room = ROOM * sheet->text_height;
-    const double wide = sheet->width - 2 * border;
-    const double high = sheet->height - 2 * border - STRIP * sheet->text_height;
+    const double *size = projection->extents;
+    projection->text_height = text > TEXT_LEAST ? (double)(int)(text + 0.5) : TEXT_LEAST;
+    const double border = BORDER * projection->text_height, room = ROOM * projection->text_height;
+    const double wide = projection->width - 2 * border;
+    const double high = projection->height - 2 * border - STRIP * projection->text_height;
     const double x = fit(wide, room, size[0], size[2]), y = fit(high, room, size[1], size[2]);
-    sheet->pixels_per_unit = x < y ? x : y;
-    sheet->scale[0] = 0;
-    if (sheet->pixels_per_millimetre > 0) {
-        sheet->pixels_per_unit =
-            sheet->pixels_per_millimetre *
-            standard_scale(sheet->pixels_per_unit / sheet->pixels_per_millimetre, sheet->scale,
-                           sizeof sheet->scale);
+    projection->pixels_per_unit = x < y ? x : y;
+    projection->scale[0] = 0;
+    if (projection->pixels_per_millimetre > 0) {
+        projection->pixels_per_unit =
+            projection->pixels_per_millimetre *
+            standard_scale(projection->pixels_per_unit / projection->pixels_per_millimetre,
+                           projection->scale, sizeof projection->scale);
     }
-    const double s = sheet->pixels_per_unit;
+    const double s = projection->pixels_per_unit;
     const int left = (int)border, top = (int)border;
     const int column = divide(wide, room, s * size[0], s * size[2]);
     const int row = divide(high, room, s * size[1], s * size[2]);
-    const int is_first = sheet->method == BURNISH_PROJECTION_FIRST_ANGLE;
+    const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
     const int other = (int)high - row;
     const int front = is_first ? top : top + other, behind = is_first ? top + row : top;
     const int right = (int)wide - column;
-    sheet->cells[BURNISH_SHEET_FRONT] = (burnish_sheet_area){left, front, column, row};
-    sheet->cells[BURNISH_SHEET_SIDE] = (burnish_sheet_area){left + column, front, right, row};
-    sheet->cells[BURNISH_SHEET_TOP] = (burnish_sheet_area){left, behind, column, other};
-    sheet->cells[BURNISH_SHEET_PICTORIAL] =
-        (burnish_sheet_area){left + column, behind, right, other};
+    projection->cells[BURNISH_PROJECTION_FRONT] =
+        (burnish_projection_area){left, front, column, row};
+    projection->cells[BURNISH_PROJECTION_SIDE] =
+        (burnish_projection_area){left + column, front, right, row};
+    projection->cells[BURNISH_PROJECTION_TOP] =
+        (burnish_projection_area){left, behind, column, other};
+    projection->cells[BURNISH_PROJECTION_PICTORIAL] =
+        (burnish_projection_area){left + column, behind, right, other};
 }
 
-burnish_status burnish_projection_lay_out(burnish_projection_sheet *sheet, burnish_error *error) {
+burnish_status burnish_projection_lay_out(burnish_projection *projection, burnish_error *error) {
     const burnish_float_mode before = burnish_float_mode_enter();
-    const burnish_status status = check_sheet(sheet, error);
+    const burnish_status status = check(projection, error);
     if (status == BURNISH_STATUS_OK) {
-        lay_out(sheet);
+        lay_out(projection);
     }
     burnish_float_mode_leave(before);
     return status;
@@ -160,10 +165,10 @@ static void push_circle(burnish_stroke_list *to, double x, double y, double radi
 
 /* The views of a truncated cone whose small end is on the left: from the front, and from the left.
  * The latter is on the right in first angle, on the left in third angle. */
-static void push_symbol(burnish_stroke_list *to, const burnish_projection_sheet *sheet,
-                        double right, double middle, double width) {
-    const double r = SYMBOL * sheet->text_height, cone = 3 * r, gap = r;
-    const int is_first = sheet->method == BURNISH_PROJECTION_FIRST_ANGLE;
+static void push_symbol(burnish_stroke_list *to, const burnish_projection *projection, double right,
+                        double middle, double width) {
+    const double r = SYMBOL * projection->text_height, cone = 3 * r, gap = r;
+    const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
     const double left = right - (cone + gap + 2 * r);
     const double at = is_first ? left : left + 2 * r + gap, x = is_first ? right - r : left + r;
     const double points[4][2] = {{at, middle - r / 2},
@@ -179,16 +184,16 @@ static void push_symbol(burnish_stroke_list *to, const burnish_projection_sheet 
 }
 
 /* Centred in the strip. */
-static void push_text(burnish_stroke_list *to, const burnish_projection_sheet *sheet, double left,
+static void push_text(burnish_stroke_list *to, const burnish_projection *projection, double left,
                       double middle, const char *text) {
-    burnish_text_strokes((float)left, (float)(int)(middle + sheet->text_height / 2),
-                         (float)sheet->text_height, text, strlen(text), burnish_stroke_list_append,
-                         to);
+    burnish_text_strokes((float)left, (float)(int)(middle + projection->text_height / 2),
+                         (float)projection->text_height, text, strlen(text),
+                         burnish_stroke_list_append, to);
 }
 
-static void push_frame(burnish_stroke_list *to, const burnish_projection_sheet *sheet) {
-    const double text = sheet->text_height, left = (int)(BORDER * text) + 0.5, top = left;
-    const double right = sheet->width - left, bottom = sheet->height - top;
+static void push_frame(burnish_stroke_list *to, const burnish_projection *projection) {
+    const double text = projection->text_height, left = (int)(BORDER * text) + 0.5, top = left;
+    const double right = projection->width - left, bottom = projection->height - top;
     const double line = (double)(int)(bottom - STRIP * text) + 0.5;
     const double points[4][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
     const double width = text > 16 ? (double)(int)(text / 8) : 1;
@@ -202,22 +207,22 @@ typedef struct parts {
     const char *name;
 } parts;
 
-static void make_parts(const burnish_projection_sheet *sheet, const char *title,
+static void make_parts(const burnish_projection *projection, const char *title,
                        burnish_memory *memory, parts *made) {
     static const uint8_t unused[3] = {0};
-    const double text = sheet->text_height, border = BORDER * text;
-    const double middle = sheet->height - border - STRIP * text / 2;
-    const double symbol = sheet->width - border - 2 * text;
+    const double text = projection->text_height, border = BORDER * text;
+    const double middle = projection->height - border - STRIP * text / 2;
+    const double symbol = projection->width - border - 2 * text;
     *made = (parts){{.memory = memory}, {.memory = memory}, {.memory = memory}, title};
-    push_frame(&made->frame, sheet);
-    push_symbol(&made->frame, sheet, symbol, middle, text > 16 ? text / 8 : 1.5);
+    push_frame(&made->frame, projection);
+    push_symbol(&made->frame, projection, symbol, middle, text > 16 ? text / 8 : 1.5);
     if (title) {
-        push_text(&made->title, sheet, border + text, middle, title);
+        push_text(&made->title, projection, border + text, middle, title);
     }
-    const double wide = (double)burnish_text_draw(NULL, 0, 0, (float)text, unused, sheet->scale,
-                                                  strlen(sheet->scale));
-    push_text(&made->scale, sheet, symbol - 7 * SYMBOL * text - 2 * text - wide, middle,
-              sheet->scale);
+    const double wide = (double)burnish_text_draw(NULL, 0, 0, (float)text, unused,
+                                                  projection->scale, strlen(projection->scale));
+    push_text(&made->scale, projection, symbol - 7 * SYMBOL * text - 2 * text - wide, middle,
+              projection->scale);
 }
 
 static void release_parts(parts *made) {
@@ -229,15 +234,15 @@ static void release_parts(parts *made) {
 
 /* ---- Of images ---- */
 
-burnish_status burnish_projection_image(const burnish_projection_sheet *sheet, const char *title,
-                                        const burnish_image *const views[BURNISH_SHEET_VIEWS],
+burnish_status burnish_projection_image(const burnish_projection *projection, const char *title,
+                                        const burnish_image *const views[BURNISH_PROJECTION_VIEWS],
                                         const uint8_t background[3], const uint8_t ink[3],
                                         burnish_image *image, burnish_error *error) {
     const burnish_float_mode before = burnish_float_mode_enter();
     burnish_memory memory = burnish_memory_of(views[0]->context, error);
     *image = (burnish_image){0};
-    burnish_status status = burnish_image_create(views[0]->context, image, sheet->width,
-                                                 sheet->height, views[0]->channels, error);
+    burnish_status status = burnish_image_create(views[0]->context, image, projection->width,
+                                                 projection->height, views[0]->channels, error);
     if (status == BURNISH_STATUS_OK) {
         parts made;
         const burnish_pixels pixels = burnish_image_get_pixels(image);
@@ -248,10 +253,10 @@ burnish_status burnish_projection_image(const burnish_projection_sheet *sheet, c
             pixel[image->channels - 1] = image->channels == 4 ? 255 : background[2];
             pixel += image->channels;
         }
-        for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
-            burnish_image_copy(image, sheet->cells[i].x, sheet->cells[i].y, views[i]);
+        for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+            burnish_image_copy(image, projection->cells[i].x, projection->cells[i].y, views[i]);
         }
-        make_parts(sheet, title, &memory, &made);
+        make_parts(projection, title, &memory, &made);
         burnish_stroke_list *const all[] = {&made.frame, &made.title, &made.scale};
         for (int i = 0; i < 3 && memory.status == BURNISH_STATUS_OK; ++i) {
             burnish_strokes_draw(&pixels, all[i]->items, all[i]->count, &color, NULL, &memory);
@@ -268,26 +273,26 @@ burnish_status burnish_projection_image(const burnish_projection_sheet *sheet, c
 
 /* ---- Of drawings ---- */
 
-burnish_status burnish_projection_drawing(const burnish_projection_sheet *sheet, const char *title,
-                                          burnish_drawing *const views[BURNISH_SHEET_VIEWS],
+burnish_status burnish_projection_drawing(const burnish_projection *projection, const char *title,
+                                          burnish_drawing *const views[BURNISH_PROJECTION_VIEWS],
                                           const uint8_t ink[3], burnish_drawing **drawing,
                                           burnish_error *error) {
     const burnish_float_mode before = burnish_float_mode_enter();
     *drawing = NULL;
-    burnish_status status =
-        burnish_drawing_create(views[0]->context, sheet->width, sheet->height, drawing, error);
+    burnish_status status = burnish_drawing_create(views[0]->context, projection->width,
+                                                   projection->height, drawing, error);
     if (status == BURNISH_STATUS_OK) {
         burnish_drawing *to = *drawing;
         parts made;
         burnish_drawing_use(to, error);
-        for (int i = 0; i < BURNISH_SHEET_VIEWS; ++i) {
-            burnish_drawing_place(to, views[i], sheet->cells[i].x, sheet->cells[i].y);
+        for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+            burnish_drawing_place(to, views[i], projection->cells[i].x, projection->cells[i].y);
         }
-        make_parts(sheet, title, &to->memory, &made);
+        make_parts(projection, title, &to->memory, &made);
         burnish_drawing_open(to, ink, 1);
         burnish_drawing_strokes(to, made.frame.items, made.frame.count, NULL);
         burnish_drawing_strokes(to, made.title.items, made.title.count, title);
-        burnish_drawing_strokes(to, made.scale.items, made.scale.count, sheet->scale);
+        burnish_drawing_strokes(to, made.scale.items, made.scale.count, projection->scale);
         burnish_drawing_close(to);
         release_parts(&made);
         status = to->memory.status;

@@ -1,6 +1,6 @@
 /* Coordinates of the input file: coordinates of a mesh plus its origin. */
-#ifndef BURNISH_CLI_ORIGIN_H
-#define BURNISH_CLI_ORIGIN_H
+#ifndef TOOL_CLI_COORDINATES_H
+#define TOOL_CLI_COORDINATES_H
 
 #include "base/cli/output.h"
 

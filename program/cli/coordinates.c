@@ -1,4 +1,4 @@
-#include "cli/origin.h"
+#include "cli/coordinates.h"
 
 #include <stdio.h>
 #include <stdlib.h>
