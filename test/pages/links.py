@@ -3,7 +3,6 @@
 links.py FOLDER FILE...      Markdown files below FOLDER, their names relative to it
 links.py --site FOLDER       every .html below FOLDER; pages load nothing from other servers, and each is linked from another
 """
-import json
 import os
 import re
 import sys
@@ -84,30 +83,12 @@ def check(paths, read, outside):
     return problems, count, reached
 
 
-def index_problems():
-    """The search index refers to pages and headings that exist, and has enough entries."""
-    with open("index.js", encoding="utf-8") as file:
-        text = file.read()
-    rows = json.loads("[" + text[text.index("[") + 1:text.rindex("]")].rstrip().rstrip(",") + "]")
-    problems, pages = [], {}
-    for title, address, *_ in rows:
-        path, _, anchor = address.partition("#")
-        if path not in pages:
-            pages[path] = Page(path) if os.path.exists(path) else None
-        if not pages[path] or anchor and anchor not in pages[path].anchors:
-            problems.append(f"index.js: {title}: {address} does not exist")
-    if len(rows) < 300:
-        problems.append(f"index.js: {len(rows)} entries are too few")
-    return problems
-
-
 def main():
     if sys.argv[1] == "--site":
         os.chdir(sys.argv[2])
         paths = sorted(os.path.normpath(os.path.join(folder, name)) for folder, _, names in os.walk(".")
                        for name in names if name.endswith(".html") and not folder.startswith("./explorer"))
         problems, count, reached = check(paths, Page, True)
-        problems += index_problems()
         problems += [f"{path}: no page links to it" for path in paths if path not in reached]
     else:
         os.chdir(sys.argv[1])
