@@ -28,7 +28,7 @@
 #include "base/clock.h"
 #include "cli/limits.h"
 #include "import/importers.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 #include "render/render.h"
 #include "sandbox/channel.h"
 #include "sandbox/process.h"

@@ -4,7 +4,7 @@
 
 #include "base/cli/output.h"
 #include "compare/sides.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 #include "render/scene/camera.h"
 
 /* ---- Facts of meshes ---- */

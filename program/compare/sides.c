@@ -9,7 +9,7 @@
 #include "import/load.h"
 #include "picture/read_png.h"
 #include "render/output/draw.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 #include "render/scene/camera.h"
 #include "render/scene/options.h"
 #include "render/scene/prepare.h"

@@ -3,7 +3,7 @@
 #define TOOL_COMPARE_SIDES_H
 
 #include "picture/verdict.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 typedef struct compare_settings {
     render_settings render; /* first: its flags are shared */

@@ -68,8 +68,13 @@ static void list(int use, int extensions, char *text, size_t size) {
     }
 }
 
-picture_names picture_list_names(int uses) {
-    picture_names names;
+/* "PNG, JPEG or WebP": the formats for one of these uses. */
+typedef struct format_names {
+    char text[96];
+} format_names;
+
+static format_names list_names(int uses) {
+    format_names names;
     list(uses, 0, names.text, sizeof names.text);
     return names;
 }
@@ -94,18 +99,18 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: \"%.200s\": only a turntable moves; write one with "
                         "--turntable=FILE, in %s",
-                        flag, path, picture_list_names(PICTURE_ANIMATION).text);
+                        flag, path, list_names(PICTURE_ANIMATION).text);
     }
     if (use == PICTURE_ANIMATION && is_extension(path, moving, sizeof moving / sizeof *moving)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--%s: \"%.200s\": turntables are written as %s; for other videos use "
                         "--turntable=- | ffmpeg -i - FILE",
-                        flag, path, picture_list_names(use).text);
+                        flag, path, list_names(use).text);
     }
     list(use, 1, extensions, sizeof extensions);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path, what,
-                    picture_list_names(use).text, extensions);
+                    list_names(use).text, extensions);
 }
 
 /* The format for a path's extension; AUTO: no extension, COUNT: one that burnish does not write. */
@@ -122,14 +127,14 @@ static picture_format find_extension(const char *path) {
     return dot && dot > base && dot[1] ? PICTURE_COUNT : PICTURE_AUTO;
 }
 
-int picture_is_written_name(const char *path) {
+/* Whether a name has an extension of files that burnish writes. */
+static int is_written_name(const char *path) {
     const picture_format format = find_extension(path);
     return format != PICTURE_AUTO && format != PICTURE_COUNT;
 }
 
 int picture_is_name(const char *path) {
-    return picture_is_written_name(path) ||
-           is_extension(path, foreign, sizeof foreign / sizeof *foreign) ||
+    return is_written_name(path) || is_extension(path, foreign, sizeof foreign / sizeof *foreign) ||
            is_extension(path, moving, sizeof moving / sizeof *moving);
 }
 
@@ -195,7 +200,7 @@ static int is_own_picture(const char *path) {
 burnish_status picture_check_existing(const char *path, int is_derived, burnish_error *error) {
     struct stat status;
     const int is_there = is_derived ? cli_name_exists(path)
-                                    : !picture_is_written_name(path) && stat(path, &status) == 0 &&
+                                    : !is_written_name(path) && stat(path, &status) == 0 &&
                                           S_ISREG(status.st_mode) && status.st_size > 0;
     return is_there && !is_own_picture(path)
                ? cli_fail(error, BURNISH_STATUS_ARGUMENT,

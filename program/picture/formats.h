@@ -42,18 +42,9 @@ const char *picture_extension(picture_format format);
 /* The container of a video, for picture_write_video(): "mp4"; NULL for other formats. */
 const char *picture_container(picture_format format);
 
-/* "PNG, JPEG or WebP": the formats for one of these uses. */
-typedef struct picture_names {
-    char text[96];
-} picture_names;
-picture_names picture_list_names(int uses);
-
 /* Whether a name has an extension of pictures or videos, known to burnish or not, so it is not a
  * mesh. */
 int picture_is_name(const char *path);
-
-/* Whether a name has an extension of files that burnish writes. */
-int picture_is_written_name(const char *path);
 
 /* Whether it has an extension of videos and other moving pictures. */
 int picture_is_animation(const char *path);

@@ -191,8 +191,8 @@ static void annotate(const layout *l, const picture_panels *panels, double end,
     write_numbers(l, panels->numbers, (float)foot, made);
 }
 
-burnish_status picture_compose(const picture_panels *panels, burnish_image *made,
-                               burnish_error *error) {
+static burnish_status compose_panels(const picture_panels *panels, burnish_image *made,
+                                     burnish_error *error) {
     layout l;
     burnish_image difference = {0};
     const double end = panels->flip_map ? 1 : choose_end(panels->numbers);
@@ -223,7 +223,7 @@ burnish_status picture_write_panels(const picture_panels *panels, const char *pa
                                     burnish_error *error) {
     burnish_image image;
     picture_file file = {0};
-    burnish_status status = picture_compose(panels, &image, error);
+    burnish_status status = compose_panels(panels, &image, error);
     if (status == BURNISH_STATUS_OK) {
         const burnish_pixels pixels = burnish_image_get_pixels(&image);
         status = picture_encode(format, &pixels, options, &file, error);

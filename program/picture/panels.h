@@ -12,11 +12,9 @@ typedef struct picture_panels {
     const float *flip_map; /* FLIP of each pixel, shown instead of differences of codes; or NULL */
 } picture_panels;
 
-/* Composes a new picture. Small pictures are enlarged by a whole factor; wide panels are stacked. Errors: LIMIT (too large a picture), MEMORY. */
-burnish_status picture_compose(const picture_panels *panels, burnish_image *made,
-                               burnish_error *error);
-
-/* Composes and writes a file. Errors: as picture_compose, picture_encode and burnish_file_write. */
+/* Composes a new picture and writes its file. Small pictures are enlarged by a whole factor; wide
+ * panels are stacked. Errors: LIMIT (too large a picture), MEMORY; as for picture_encode and
+ * writing. */
 burnish_status picture_write_panels(const picture_panels *panels, const char *path,
                                     picture_format format, const picture_options *options,
                                     burnish_error *error);

@@ -17,7 +17,7 @@
 #include "picture/formats.h"
 #include "render/output/annotate.h"
 #include "render/output/draw.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 #include "render/output/sheet.h"
 #include "render/output/turntable.h"
 #include "render/render.h"

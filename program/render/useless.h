@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_USELESS_H
 #define TOOL_RENDER_USELESS_H
 
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 enum { RENDER_NEEDS_MAX = 32 };
 

@@ -8,7 +8,7 @@
 
 #include "cli/main.h"
 #include "render/output/draw.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 #include "render/render.h"
 #include "render/scene/camera.h"
 #include "render/scene/options.h"

@@ -4,7 +4,7 @@
 
 #include "burnish/sheet.h"
 #include "picture/formats.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 /* Makes the cell's drawing with annotations, from the last frame of the renderer. */
 burnish_status render_trace(const render_result *result, render_cell *cell, const float *depth,

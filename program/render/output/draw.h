@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_OUTPUT_DRAW_H
 #define TOOL_RENDER_OUTPUT_DRAW_H
 
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 /* Aims and draws all cells, composes them, and draws planes: sets result->picture, its hash and
  * result->planes. Errors: as for cameras and drawing. */

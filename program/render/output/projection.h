@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_OUTPUT_PROJECTION_H
 #define TOOL_RENDER_OUTPUT_PROJECTION_H
 
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 /* 1: the views of the run are aligned. */
 static inline int render_is_projection(const render_settings *settings) {

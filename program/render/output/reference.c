@@ -1,5 +1,5 @@
 #include "burnish/compare.h"
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 #include <stdio.h>
 #include <string.h>

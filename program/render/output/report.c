@@ -1,5 +1,5 @@
 /* The report of `burnish render`: JSON and times. */
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 #include "render/output/projection.h"
 
@@ -60,7 +60,8 @@ static cJSON *exponents_array(const burnish_mesh *mesh) {
     return array;
 }
 
-int render_is_blank(const render_cell *cell) {
+/* 1: the object is not in the picture, or looks like the background. */
+static int is_blank(const render_cell *cell) {
     return cell->report.covered_pixels == 0 || cell->has_one_color;
 }
 
@@ -104,7 +105,7 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
         cli_json_add(object, "width", cJSON_CreateNumber(cell->image.width), failed);
         cli_json_add(object, "height", cJSON_CreateNumber(cell->image.height), failed);
         add_picture(object, result, cell, failed);
-        cli_json_add(object, "blank", cJSON_CreateBool(render_is_blank(cell)), failed);
+        cli_json_add(object, "blank", cJSON_CreateBool(is_blank(cell)), failed);
         cli_json_add(object, "hash", hash_text(cell->hash), failed);
         cli_json_add(cells, NULL, object, failed);
     }

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_SHEET_H
 #define TOOL_RENDER_SHEET_H
 
-#include "render/output/report.h"
+#include "render/output/result.h"
 
 /* The cells as arguments of the library. */
 typedef struct render_sheet {

@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_TURNTABLE_H
 #define TOOL_RENDER_TURNTABLE_H
 
-#include "render/output/report.h"
+#include "render/output/result.h"
 #include "render/scene/camera.h"
 
 /* The camera of the first frame, which keeps the object in the picture for the whole turn. Errors:

@@ -1,6 +1,6 @@
-/* The result and the report of `burnish render`: JSON and times. */
-#ifndef TOOL_RENDER_REPORT_H
-#define TOOL_RENDER_REPORT_H
+/* The result of `burnish render`, its report (JSON and times), and its reference. */
+#ifndef TOOL_RENDER_OUTPUT_RESULT_H
+#define TOOL_RENDER_OUTPUT_RESULT_H
 
 #include "burnish/drawing.h"
 #include "burnish/sheet.h"
@@ -61,8 +61,7 @@ typedef struct render_result {
     render_warnings warnings;
 } render_result;
 
-/* 1: the object is not in the picture, or looks like the background. */
-int render_is_blank(const render_cell *cell);
+/* ---- The report (report.c) ---- */
 
 /* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 if a part
  * of it is missing. */
@@ -74,7 +73,7 @@ burnish_status render_write_json(const render_result *result, burnish_error *err
 /* Prints one line of milliseconds on standard error. */
 void render_print_timing(const render_seconds *seconds);
 
-/* ---- --reference: an older picture ---- */
+/* ---- --reference, an older picture (reference.c) ---- */
 
 /* Reads the reference, if there is one, before anything is drawn. Errors: READ, FORMAT, LIMIT,
  * MEMORY. */
