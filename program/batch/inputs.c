@@ -4,7 +4,6 @@
 #include "batch/types.h"
 #include "cli/input.h"
 #include "import/importers.h"
-#include "import/recognise.h"
 #include "import/run.h"
 
 #ifndef _WIN32

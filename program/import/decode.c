@@ -9,7 +9,6 @@
 
 #include "base/cli/options.h"
 #include "base/cli/process.h"
-#include "import/decode.h"
 #include "import/importers.h"
 #include "import/run.h"
 
@@ -22,12 +21,13 @@ static const import_program draco = {.name = "burnish-import-draco",
                                      .otherwise =
                                          "export the file without KHR_draco_mesh_compression"};
 
-burnish_status import_decode(const char *name, int file, import_sink sink, burnish_error *error) {
+burnish_status import_decode_file(const char *name, int file, import_sink sink,
+                                  burnish_error *error) {
     return import_run(&draco, name, "", file, UINT64_MAX, sink, error);
 }
 
-static burnish_status decode_here(const char *name, const void *bytes, size_t size,
-                                  import_stream *stream, burnish_error *error) {
+burnish_status import_decode_bytes(const char *name, const void *bytes, size_t size,
+                                   import_stream *stream, burnish_error *error) {
     const int file = cli_unnamed_file();
     if (file < 0 || !cli_write_all(file, bytes, size)) {
         if (file >= 0) {
@@ -36,15 +36,10 @@ static burnish_status decode_here(const char *name, const void *bytes, size_t si
         return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: no room for %s: %s", name,
                         draco.name, strerror(errno));
     }
-    burnish_status status = import_decode(name, file, (import_sink){import_keep, stream}, error);
+    burnish_status status =
+        import_decode_file(name, file, (import_sink){import_keep, stream}, error);
     close(file);
     return status == BURNISH_STATUS_MEMORY && stream->is_short ? BURNISH_STATUS_OK : status;
-}
-
-static import_decode_function *decode_function = decode_here;
-
-void import_set_decode(import_decode_function *function) {
-    decode_function = function;
 }
 
 /* Reads the error message from the stream of an importer that failed. */
@@ -63,10 +58,11 @@ static burnish_status take_error(const char *name, const import_stream *stream,
 
 static burnish_status decode(void *user_data, const char *form, const void *bytes, size_t size,
                              const uint8_t **decoded, size_t *decoded_size, burnish_error *error) {
-    const char *name = user_data;
+    const import_decoding *decoding = user_data;
+    const char *name = decoding->name;
     import_stream stream = {0};
     (void)form; /* there is one */
-    burnish_status status = decode_function(name, bytes, size, &stream, error);
+    burnish_status status = decoding->decode(name, bytes, size, &stream, error);
     if (status == BURNISH_STATUS_OK && (stream.is_short || stream.size < 4 ||
                                         memcmp(stream.bytes,
                                                "\x89"
@@ -88,15 +84,15 @@ static void release(void *user_data, const uint8_t *decoded, size_t size) {
     free((void *)(uintptr_t)decoded);
 }
 
-burnish_stream_decoder import_decoder(const char *name) {
-    return decode_function ? (burnish_stream_decoder){decode, release, (void *)(uintptr_t)name}
-                           : (burnish_stream_decoder){0};
+burnish_stream_decoder import_decoder(const import_decoding *decoding) {
+    return decoding->decode ? (burnish_stream_decoder){decode, release, (void *)(uintptr_t)decoding}
+                            : (burnish_stream_decoder){0};
 }
 
 #else
 
-burnish_stream_decoder import_decoder(const char *name) {
-    (void)name;
+burnish_stream_decoder import_decoder(const import_decoding *decoding) {
+    (void)decoding;
     return (burnish_stream_decoder){0};
 }
 

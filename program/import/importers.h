@@ -60,4 +60,14 @@ const char *import_shown(const char *path);
  * wrong, but --input-format decides. */
 int import_may_be_other(burnish_status status, int format);
 
+/* ---- First bytes of files ---- */
+
+/* Whether a file in a folder may be a mesh for an importer. Extensions with other uses (.ac, .mdl,
+ * .x ...) need the signature of the mesh format, .dxf needs faces. */
+int import_may_hold_mesh(const char *path);
+
+/* Describes a file that is not a mesh, by its first bytes: it is empty, a Git LFS pointer or a web
+ * page. NULL: it is none of these. */
+const char *import_describe_other(const unsigned char *bytes, size_t size);
+
 #endif

@@ -6,8 +6,8 @@
 
 #include "base/cli/options.h"
 #include "cli/input.h"
-#include "import/decode.h"
 #include "import/folder.h"
+#include "import/run.h"
 
 /* ---- Files of this process ---- */
 
@@ -114,7 +114,7 @@ static burnish_status import_path(const import_program *importer, const char *ex
                            (import_sink){import_keep, stream}, error);
 }
 
-static const import_source files = {burnish_mesh_load, import_path, NULL};
+static const import_source files = {burnish_mesh_load, import_path, NULL, import_decode_bytes};
 static const import_source *source = &files;
 
 /* ---- Any source ---- */
@@ -141,7 +141,7 @@ static burnish_status import(const import_program *importer, const char *extensi
 
 #else /* no importers */
 
-static const import_source files = {burnish_mesh_load, NULL, NULL};
+static const import_source files = {burnish_mesh_load, NULL, NULL, NULL};
 static const import_source *source = &files;
 
 static burnish_status import(const import_program *importer, const char *extension,
@@ -162,11 +162,12 @@ burnish_status import_load(const char *input, const burnish_load_options *option
     char extension[IMPORT_EXTENSION_SIZE];
     const int format = (int)options->format;
     const import_program *importer = import_choose(input, format, extension);
+    const import_decoding decoding = {source->decode, input};
     burnish_load_options handed = *options;
     burnish_error native;
     burnish_status status = BURNISH_STATUS_OK;
     *mesh = NULL;
-    handed.decoder = import_decoder(input);
+    handed.decoder = import_decoder(&decoding);
     if (source->files) {
         handed.referenced_files = source->files(input);
     }

@@ -7,7 +7,8 @@
 /* Who reads an input: this process, or for a sandboxed one the process that started it.
  *   load    as burnish_mesh_load
  *   import  runs an importer; the stream is empty
- *   files   the files that an input names; NULL: they are opened in the input's folder */
+ *   files   the files that an input names; NULL: they are opened in the input's folder
+ *   decode  decodes compressed streams; NULL: nobody does */
 typedef struct import_source {
     burnish_status (*load)(const char *input, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error);
@@ -15,6 +16,7 @@ typedef struct import_source {
                              const char *input, uint64_t max_bytes, import_stream *stream,
                              burnish_error *error);
     burnish_file_loader (*files)(const char *input);
+    import_decode *decode;
 } import_source;
 
 /* Changes the source from files of this process to another one, which must outlive it. */

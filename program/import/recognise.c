@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "import/importers.h"
-#include "import/recognise.h"
 
 enum { LOOKED_AT = 512 };
 

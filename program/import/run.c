@@ -23,7 +23,6 @@
 #include "base/clock.h"
 #include "cli/limits.h"
 #include "import/importers.h"
-#include "import/recognise.h"
 
 enum {
     SECONDS = 300, /* that an importer may take at least */

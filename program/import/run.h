@@ -29,4 +29,22 @@ typedef struct import_sink {
 burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error);
 
+/* ---- Compressed streams in glTF (decode.c) ---- */
+
+/* Decodes `bytes` of an input into an empty stream. */
+typedef burnish_status import_decode(const char *name, const void *bytes, size_t size,
+                                     import_stream *stream, burnish_error *error);
+
+/* The same with burnish-import-draco, from memory and from a file. */
+import_decode import_decode_bytes;
+burnish_status import_decode_file(const char *name, int file, import_sink sink,
+                                  burnish_error *error);
+
+/* A decoder for load options. *decoding must outlive it. */
+typedef struct import_decoding {
+    import_decode *decode; /* NULL: there is no decoder */
+    const char *name;      /* of the input */
+} import_decoding;
+burnish_stream_decoder import_decoder(const import_decoding *decoding);
+
 #endif

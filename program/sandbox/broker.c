@@ -8,10 +8,10 @@
 #include "base/beneath.h"
 #include "base/cli/options.h"
 #include "base/cli/process.h"
-#include "import/decode.h"
 #include "import/folder.h"
 #include "import/importers.h"
 #include "import/load.h"
+#include "import/run.h"
 #include "picture/video.h"
 #include "sandbox/channel.h"
 #include "sandbox/process.h"
@@ -207,9 +207,10 @@ static void decode(broker *b, uint64_t size) {
     }
     if (b->state == BROKER_SERVES) {
         const burnish_status status =
-            is_kept ? import_decode(b->plan->input, file, (import_sink){reply_piece, b}, &error)
-                    : cli_fail(&error, BURNISH_STATUS_MEMORY,
-                               "%.200s: out of memory for the stream to decode", b->plan->input);
+            is_kept
+                ? import_decode_file(b->plan->input, file, (import_sink){reply_piece, b}, &error)
+                : cli_fail(&error, BURNISH_STATUS_MEMORY,
+                           "%.200s: out of memory for the stream to decode", b->plan->input);
         reply_status(b, status, &error);
     }
     if (file >= 0) {

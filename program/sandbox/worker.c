@@ -1,7 +1,7 @@
 #include "sandbox/worker.h"
 
-#include "import/decode.h"
 #include "import/load.h"
+#include "import/run.h"
 
 #if BURNISH_HAS_SECCOMP
 
@@ -156,12 +156,12 @@ static burnish_file_loader list_files(const char *input) {
 }
 
 void sandbox_become_worker(int channel, int input) {
-    static const import_source source = {load_input, import_by_broker, list_files};
+    static const import_source source = {load_input, import_by_broker, list_files,
+                                         decode_by_broker};
     broker = channel;
     input_file = input;
     cli_file_set_writer(write_by_broker);
     import_set_source(&source);
-    import_set_decode(decode_by_broker);
 }
 
 #else

@@ -30,8 +30,8 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 #include "base/cli/file.h"
 #include "base/cli/process.h"
 #include "cli/limits.h"
-#include "import/decode.h"
 #include "import/load.h"
+#include "import/run.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"
 
@@ -278,10 +278,10 @@ static void warm_up(void) {
 
 static burnish_status get_ready(const serve_settings *settings, burnish_error *error) {
     burnish_processor_count(); /* reads files, once */
-    static const import_source source = {load, import, list_files};
+    /* only the mesh itself is worth another process */
+    static const import_source source = {load, import, list_files, .decode = NULL};
     cli_file_set_writer(keep_output);
     import_set_source(&source);
-    import_set_decode(NULL); /* only the mesh itself is worth another process */
     burnish_status status = cli_limit_memory(settings->render.job.max_memory, error);
     cli_prepare_memory();
     warm_up();

@@ -209,6 +209,10 @@ class Pictures(unittest.TestCase):
         self.assertEqual(mesh.render(size=8, camera="0", light="file").warnings, (
             why, "camera: no effect: INPUT has no cameras; omit the flag", "light=file: no effect: INPUT has no lights; omit the flag"))
         self.assertEqual(mesh.render(size=8, edge_color="red").warnings, (why, "edge_color: no effect: no lines are drawn; use edges"))
+        with open("hot.hdr", "wb") as file:
+            file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\xff")
+        self.assertEqual(mesh.render(size=8, environment="hot.hdr").warnings, (
+            why, "hot.hdr: 3 values are negative, above 1000000 or not numbers; they are clamped"))
         self.assertEqual(mesh.render(size=8, light="file").hash, mesh.render(size=8).hash)
         strict = burnish.load(DATA / "cube.obj", strict=True)
         with self.assertRaisesRegex(burnish.Error, "edge_color: no effect"):
