@@ -219,7 +219,7 @@ static burnish_status write_panels(const comparison *c, burnish_error *error) {
                                 &options, error);
 }
 
-static burnish_status measure(comparison *c, burnish_error *error) {
+static burnish_status measure_difference(comparison *c, burnish_error *error) {
     burnish_compare_options options = burnish_compare_options_default();
     const burnish_image *images[2] = {compare_image(&c->sides[0]), compare_image(&c->sides[1])};
     const burnish_pixels a = burnish_image_get_pixels(images[0]),
@@ -243,7 +243,7 @@ static burnish_status measure(comparison *c, burnish_error *error) {
     return status;
 }
 
-static burnish_status compare(comparison *c, cli_call *call, burnish_error *error) {
+static burnish_status compare_inputs(comparison *c, cli_call *call, burnish_error *error) {
     burnish_status status = compare_draw_sides(c, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -252,7 +252,7 @@ static burnish_status compare(comparison *c, cli_call *call, burnish_error *erro
     if (a->width != b->width || a->height != b->height) {
         return report_sizes(c, call, error);
     }
-    status = measure(c, error);
+    status = measure_difference(c, error);
     if (status == BURNISH_STATUS_OK && c->settings->output) {
         status = write_panels(c, error);
     }
@@ -291,7 +291,7 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     c->lobes = call->operand_count == 1;
     c->sides[0].input = call->operands[0];
     c->sides[1].input = call->operands[c->lobes ? 0 : 1];
-    status = compare(c, call, error);
+    status = compare_inputs(c, call, error);
     compare_release_sides(c);
     free(c->flip_map);
     free(c);

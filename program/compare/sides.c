@@ -114,8 +114,8 @@ static burnish_status choose_size(comparison *c, burnish_error *error) {
 
 /* All triangles of both meshes as one mesh, for framing; points become triangles with their
  * successors. Only positions matter; normals are copied because generating them takes time. */
-static burnish_status join(const burnish_mesh *const meshes[2], burnish_mesh **joined,
-                           burnish_error *error) {
+static burnish_status join_meshes(const burnish_mesh *const meshes[2], burnish_mesh **joined,
+                                  burnish_error *error) {
     const burnish_mesh_view *views[2] = {burnish_mesh_get_view(meshes[0]),
                                          burnish_mesh_get_view(meshes[1])};
     const size_t first = views[0]->vertex_count, vertices = first + views[1]->vertex_count;
@@ -160,7 +160,7 @@ static burnish_status join(const burnish_mesh *const meshes[2], burnish_mesh **j
     return status;
 }
 
-static burnish_status aim(comparison *c, burnish_error *error) {
+static burnish_status aim_sides(comparison *c, burnish_error *error) {
     const burnish_mesh *meshes[2] = {c->sides[0].result.mesh, c->sides[1].result.mesh};
     const render_view view = c->settings->render.picture.views.count > 0
                                  ? c->settings->render.picture.views.items[0]
@@ -170,7 +170,7 @@ static burnish_status aim(comparison *c, burnish_error *error) {
     burnish_mesh *joined = NULL;
     burnish_status status = BURNISH_STATUS_OK;
     if (meshes[0] && meshes[1] && meshes[0] != meshes[1]) {
-        status = join(meshes, &joined, error);
+        status = join_meshes(meshes, &joined, error);
     }
     if (status == BURNISH_STATUS_OK) {
         const int drawn = meshes[0] ? 0 : 1;
@@ -209,11 +209,11 @@ static burnish_status draw_side(compare_side *side, burnish_renderer *renderer,
     return burnish_renderer_draw_into(renderer, side->result.mesh, options, &target, NULL, error);
 }
 
-static burnish_status draw(comparison *c, burnish_error *error) {
+static burnish_status draw_meshes(comparison *c, burnish_error *error) {
     burnish_renderer *renderer = NULL;
     burnish_status status = choose_size(c, error);
     if (status == BURNISH_STATUS_OK) {
-        status = aim(c, error);
+        status = aim_sides(c, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_create(NULL, &renderer, error);
@@ -230,7 +230,7 @@ static burnish_status draw(comparison *c, burnish_error *error) {
 
 /* ---- Both ---- */
 
-static void describe(comparison *c, int i) {
+static void describe_side(comparison *c, int i) {
     compare_side *side = &c->sides[i];
     char lobe[32];
     side->settings = c->settings->render;
@@ -307,7 +307,7 @@ static burnish_status warn_useless(comparison *c, burnish_error *error) {
 }
 
 /* Prepares meshes, with one environment. Two lobes share a mesh, which is prepared once. */
-static burnish_status prepare(comparison *c, burnish_error *error) {
+static burnish_status prepare_meshes(comparison *c, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < (c->lobes ? 1 : 2) && status == BURNISH_STATUS_OK; ++i) {
         compare_side *side = &c->sides[i];
@@ -325,7 +325,7 @@ static burnish_status prepare(comparison *c, burnish_error *error) {
 burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < 2; ++i) {
-        describe(c, i);
+        describe_side(c, i);
     }
     for (int i = 0; i < (c->lobes ? 1 : 2) && status == BURNISH_STATUS_OK; ++i) {
         status = read_side(&c->sides[i], i > 0 ? c->sides[0].owned : NULL, error);
@@ -344,11 +344,11 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
     }
     choose_up(c);
     if (status == BURNISH_STATUS_OK) {
-        status = prepare(c, error);
+        status = prepare_meshes(c, error);
     }
     if (status == BURNISH_STATUS_OK &&
         (compare_is_mesh(&c->sides[0]) || compare_is_mesh(&c->sides[1]))) {
-        status = draw(c, error);
+        status = draw_meshes(c, error);
     }
     return status;
 }

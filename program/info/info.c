@@ -179,8 +179,8 @@ static burnish_status print_object(survey *s, cJSON *root, int failed, burnish_e
                       : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
 }
 
-static burnish_status print(survey *s, const char *input, const burnish_mesh *mesh,
-                            burnish_error *error) {
+static burnish_status print_facts(survey *s, const char *input, const burnish_mesh *mesh,
+                                  burnish_error *error) {
     info_report r = {.input = input,
                      .format = s->settings->load.format,
                      .mesh = mesh,
@@ -216,7 +216,7 @@ static burnish_status print_failure(survey *s, const char *input, burnish_error 
     return print_object(s, root, failed, error);
 }
 
-static burnish_status measure(survey *s, const char *input, burnish_error *error) {
+static burnish_status measure_input(survey *s, const char *input, burnish_error *error) {
     burnish_error failure = {BURNISH_STATUS_OK, ""};
     burnish_mesh *mesh = NULL;
     burnish_status status = import_load(input, &s->options, &mesh, &failure);
@@ -229,7 +229,7 @@ static burnish_status measure(survey *s, const char *input, burnish_error *error
         for (size_t i = 0; i < CLI_INPUT_NEEDS; ++i) {
             s->needs[i].is_met |= needs[i].is_met;
         }
-        status = print(s, input, mesh, error);
+        status = print_facts(s, input, mesh, error);
     } else if (s->is_many) {
         status = print_failure(s, input, &failure, error);
     } else {
@@ -252,7 +252,7 @@ static burnish_status measure_many(survey *s, const cli_call *call, burnish_erro
     s->needs[CLI_INPUT_NEEDS].is_met = b.folders > 0;
     for (size_t i = 0; i < b.list.count; ++i) {
         if (status == BURNISH_STATUS_OK) {
-            status = measure(s, b.list.items[i].input, error);
+            status = measure_input(s, b.list.items[i].input, error);
         }
         free(b.list.items[i].input);
     }
@@ -286,7 +286,8 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     if (settings->csv) {
         info_print_csv_head(s.output.stream);
     }
-    status = s.is_many ? measure_many(&s, call, error) : measure(&s, call->operands[0], error);
+    status =
+        s.is_many ? measure_many(&s, call, error) : measure_input(&s, call->operands[0], error);
     if (status == BURNISH_STATUS_OK && s.done > s.failed) {
         status = cli_check_needs(&info_command, settings, s.needs, CLI_INPUT_NEEDS + 1,
                                  settings->load.strict, settings->quiet, error);

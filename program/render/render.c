@@ -58,7 +58,7 @@ static void report_blank(const render_result *result) {
 
 /* Called when the output's bytes are on disk under a temporary name: if printing the report fails,
  * an older picture stays. */
-static burnish_status report(void *context, burnish_error *error) {
+static burnish_status report_result(void *context, burnish_error *error) {
     render_result *result = context;
     double now = burnish_seconds_now();
     result->seconds.write = now - result->encoded;
@@ -84,7 +84,8 @@ static burnish_status write_planes(const render_result *result, burnish_error *e
     return status;
 }
 
-static burnish_status encode(render_result *result, picture_file *file, burnish_error *error) {
+static burnish_status encode_picture(render_result *result, picture_file *file,
+                                     burnish_error *error) {
     const render_settings *settings = result->settings;
     const picture_format format = (picture_format)settings->output.format;
     if (format == PICTURE_EXR || format == PICTURE_NPY) {
@@ -107,7 +108,7 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
     burnish_status status = render_judge(result, error);
     double start = burnish_seconds_now();
     if (status == BURNISH_STATUS_OK) {
-        status = encode(result, &file, error);
+        status = encode_picture(result, &file, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = write_planes(result, error);
@@ -117,7 +118,7 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
         result->seconds.encode = result->encoded - start;
         result->written = 1;
         status = cli_file_write_checked(render_output_path(&result->settings->output), file.bytes,
-                                        file.size, report, result, error);
+                                        file.size, report_result, result, error);
     }
     picture_release(&file);
     return status;
@@ -125,8 +126,8 @@ static burnish_status write_picture(render_result *result, burnish_error *error)
 
 static burnish_status write_output(render_result *result, burnish_error *error) {
     const render_output_settings *output = &result->settings->output;
-    return result->blank_cells > 0 && output->fail_on_blank ? report(result, error)
-           : output->turntable ? render_write_turntable(result, report, error)
+    return result->blank_cells > 0 && output->fail_on_blank ? report_result(result, error)
+           : output->turntable ? render_write_turntable(result, report_result, error)
                                : write_picture(result, error);
 }
 
@@ -188,7 +189,7 @@ static burnish_status create_renderer(render_result *result, burnish_error *erro
     return burnish_renderer_create(NULL, &result->renderer, error);
 }
 
-static void release(render_result *result) {
+static void release_result(render_result *result) {
     for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
         burnish_drawing_destroy(result->cells[i].drawing);
         burnish_image_destroy(&result->cells[i].image);
@@ -294,7 +295,7 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
         }
         confirm(&result);
     }
-    release(&result);
+    release_result(&result);
     return status;
 }
 

@@ -304,8 +304,8 @@ void session_request_facts(session *s) {
 
 /* Ends a call: messages spell options as the caller does, except for those of the library, which
  * name no flags. */
-static burnish_status end(session *s, burnish_status status, session_naming naming,
-                          burnish_error *error) {
+static burnish_status end_call(session *s, burnish_status status, session_naming naming,
+                               burnish_error *error) {
     free(s->texts);
     s->texts = NULL;
     while (s->final_warnings < s->result.warnings.count) {
@@ -318,8 +318,8 @@ static burnish_status end(session *s, burnish_status status, session_naming nami
 }
 
 /* Sets the options of loading. */
-static burnish_status begin(session *s, const char *name, session_options given,
-                            burnish_load_options *options, burnish_error *error) {
+static burnish_status set_loading(session *s, const char *name, session_options given,
+                                  burnish_load_options *options, burnish_error *error) {
     s->name = strdup(name);
     s->settings.input.name = s->name;
     s->result.settings = &s->settings;
@@ -360,7 +360,7 @@ static render_scene list_scene(session *s, burnish_render_options *options) {
 }
 
 /* Prepares a loaded mesh for pictures. */
-static burnish_status finish(session *s, burnish_status status, burnish_error *error) {
+static burnish_status prepare_mesh(session *s, burnish_status status, burnish_error *error) {
     render_scene scene = list_scene(s, NULL);
     render_warn_of_mesh(&s->result.warnings, s->mesh);
     s->final_warnings = s->result.warnings.count;
@@ -387,15 +387,15 @@ static burnish_status finish(session *s, burnish_status status, burnish_error *e
 burnish_status session_open(session *s, const char *name, const void *bytes, size_t size,
                             session_options given, burnish_error *error) {
     burnish_load_options options;
-    burnish_status status = begin(s, name, given, &options, error);
+    burnish_status status = set_loading(s, name, given, &options, error);
     if (status == BURNISH_STATUS_OK && bytes) {
         options.referenced_files = cli_companion_loader(&s->companions);
         status = burnish_mesh_load_memory(bytes, size, s->name, &options, &s->mesh, error);
-        status = finish(s, status, error);
+        status = prepare_mesh(s, status, error);
     } else if (status == BURNISH_STATUS_OK) {
-        status = finish(s, burnish_mesh_load(s->name, &options, &s->mesh, error), error);
+        status = prepare_mesh(s, burnish_mesh_load(s->name, &options, &s->mesh, error), error);
     }
-    return end(s, status, given.naming, error);
+    return end_call(s, status, given.naming, error);
 }
 
 static int is_given(session_options options, const char *name) {
@@ -411,14 +411,15 @@ burnish_status session_build(session *s, const burnish_mesh_description *descrip
                              session_options given, burnish_error *error) {
     burnish_load_options options;
     burnish_status status =
-        begin(s, description->name ? description->name : "mesh", given, &options, error);
+        set_loading(s, description->name ? description->name : "mesh", given, &options, error);
     if (!is_given(given, "up")) { /* the description's */
         s->settings.camera.up = UP_FORMAT;
     }
     if (status == BURNISH_STATUS_OK) {
-        status = finish(s, burnish_mesh_create(description, &options, &s->mesh, error), error);
+        status =
+            prepare_mesh(s, burnish_mesh_create(description, &options, &s->mesh, error), error);
     }
-    return end(s, status, given.naming, error);
+    return end_call(s, status, given.naming, error);
 }
 
 /* ---- Drawing ---- */
@@ -479,7 +480,7 @@ static void keep_environment(session *s) {
     }
 }
 
-static burnish_status draw(session *s, burnish_error *error) {
+static burnish_status draw_picture(session *s, burnish_error *error) {
     burnish_render_options options;
     render_scene scene = list_scene(s, &options);
     render_room room = {.is_given = 0};
@@ -528,7 +529,8 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);
     }
-    return end(s, status == BURNISH_STATUS_OK ? draw(s, error) : status, options.naming, error);
+    return end_call(s, status == BURNISH_STATUS_OK ? draw_picture(s, error) : status,
+                    options.naming, error);
 }
 
 /* ---- Results ---- */

@@ -41,7 +41,7 @@ void viewer_mark_file(viewer *v) {
 }
 
 /* Loads the scene; shows a message if it fails. */
-static int load(viewer *v) {
+static int load_scene(viewer *v) {
     burnish_error error;
     viewer_mark_file(v);
     if (view_scene_load(&v->scene, &error) != BURNISH_STATUS_OK) {
@@ -56,7 +56,7 @@ static int load(viewer *v) {
  * framed view. */
 static void reload(viewer *v, int is_new) {
     burnish_error error;
-    if (load(v) && is_new && v->scene.is_framed &&
+    if (load_scene(v) && is_new && v->scene.is_framed &&
         view_scene_aim(&v->scene, v->scene.view, &error) != BURNISH_STATUS_OK) {
         viewer_show_message(v, error.text);
     }
@@ -85,7 +85,7 @@ void viewer_open(viewer *v, char *name) {
     burnish_error error;
     v->scene.input = name;
     v->scene.section.is_on = 0;
-    if (!load(v)) {
+    if (!load_scene(v)) {
         v->scene.input = before;
         v->scene.section = section;
         viewer_mark_file(v);
@@ -155,7 +155,7 @@ static void save_picture(viewer *v) {
 static void show_lobes(viewer *v) {
     if (v->scene.given.shading.look == BURNISH_LOOK_STUDIO) {
         v->scene.given.shading.look = BURNISH_LOOK_THREE_POINT;
-        load(v);
+        load_scene(v);
     }
 }
 
@@ -184,7 +184,7 @@ static void change_section(viewer *v, int axis) {
         section->is_on = 0;
     }
     v->scene.is_framed = 0;
-    if (!load(v)) {
+    if (!load_scene(v)) {
         *section = before;
     }
 }
@@ -197,7 +197,7 @@ static void move_section(viewer *v, int step) {
         return;
     }
     section->share = fmin(fmax(section->share + 0.02 * step, 0.01), 0.99);
-    if (!load(v)) {
+    if (!load_scene(v)) {
         section->share = before;
     }
 }
@@ -209,7 +209,7 @@ static void change_look(viewer *v, int step) {
     }
     const cli_word *next = &render_look_words[(at + step + count) % count];
     v->scene.given.shading.look = next->value;
-    if (load(v)) {
+    if (load_scene(v)) {
         viewer_show_message(v, next->name);
     }
 }

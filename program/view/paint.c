@@ -40,7 +40,8 @@ static float cover(int x, int y, int width, int height, float radius) {
 }
 
 /* Paints a light card with a thin border, clipped to the window. Returns 0 if it has no room. */
-static int begin(panel *p, const burnish_pixels *window, int x, int y, int width, int height) {
+static int begin_painting(panel *p, const burnish_pixels *window, int x, int y, int width,
+                          int height) {
     *p = (panel){window, x, y, {0}};
     if (x < 0 || y < 0 || width > window->width - x || height > window->height - y ||
         burnish_image_create(NULL, &p->image, width, height, 3, NULL) != BURNISH_STATUS_OK) {
@@ -65,7 +66,7 @@ static int begin(panel *p, const burnish_pixels *window, int x, int y, int width
     return 1;
 }
 
-static void end(panel *p) {
+static void end_painting(panel *p) {
     for (int row = 0; row < p->image.height; ++row) {
         const uint8_t *from = p->image.pixels + 3 * (size_t)row * (size_t)p->image.width;
         for (int column = 0; column < p->image.width; ++column, from += 3) {
@@ -119,11 +120,11 @@ void view_paint_panel(const burnish_pixels *window, view_anchor anchor, int x, i
         y -= height;
     }
     panel p;
-    if (begin(&p, window, x, y, width, height)) {
+    if (begin_painting(&p, window, x, y, width, height)) {
         for (int i = 0; line_at(text, i, line); ++i) {
             draw_text(&p, PADDING, i, i > 0 && is_title ? grey_ink : dark_ink, line);
         }
-        end(&p);
+        end_painting(&p);
     }
 }
 
@@ -175,8 +176,8 @@ void view_paint_help(const burnish_pixels *window) {
     const int per_column = (rows + columns - 1) / columns;
     panel p;
     height = 2 * PADDING + CAPITAL + (per_column - 1) * LINE;
-    if (!begin(&p, window, (window->width - width) / 2, (window->height - height) / 2, width,
-               height)) {
+    if (!begin_painting(&p, window, (window->width - width) / 2, (window->height - height) / 2,
+                        width, height)) {
         view_paint_panel(window, VIEW_BOTTOM_MIDDLE, window->width / 2, window->height - PADDING,
                          "The window is too small for the keys: enlarge it", 0);
         return;
@@ -186,7 +187,7 @@ void view_paint_help(const burnish_pixels *window) {
         draw_text(&p, x + key_width - text_width(keys), line, dark_ink, keys);
         draw_text(&p, x + key_width + GAP, line, grey_ink, what);
     }
-    end(&p);
+    end_painting(&p);
 }
 
 /* ---- The divider ---- */
@@ -238,12 +239,12 @@ void view_paint_scale(const burnish_pixels *window, int limit, const char *title
     panel p;
     const int room = window->width - 2 * PADDING;
     const int width = room < WIDTH + 2 * SIDES ? room : WIDTH + 2 * SIDES;
-    if (width > 4 * SIDES && begin(&p, window, (window->width - width) / 2,
-                                   window->height - HEIGHT - PADDING, width, HEIGHT)) {
+    if (width > 4 * SIDES && begin_painting(&p, window, (window->width - width) / 2,
+                                            window->height - HEIGHT - PADDING, width, HEIGHT)) {
         picture_draw_centered(&p.image, (float)width / 2, PADDING + CAPITAL, CAPITAL, title);
         const int box[4] = {SIDES, PADDING + CAPITAL + 10, width - 2 * SIDES, BAR};
         picture_draw_scale(&p.image, box, CAPITAL - 1, -limit, limit);
-        end(&p);
+        end_painting(&p);
     }
 }
 
@@ -257,7 +258,7 @@ static int extreme(const uint8_t *a, const uint8_t *b) {
     return result;
 }
 
-static view_difference measure(const burnish_pixels *a, const burnish_pixels *b) {
+static view_difference measure_difference(const burnish_pixels *a, const burnish_pixels *b) {
     view_difference found = {0};
     uint64_t sum = 0, squares = 0;
     for (int y = 0; y < a->height; ++y) {
@@ -285,7 +286,7 @@ static view_difference measure(const burnish_pixels *a, const burnish_pixels *b)
 view_difference view_paint_differences(const burnish_pixels *a, const burnish_pixels *b,
                                        const burnish_pixels *map, int *limit) {
     uint8_t colors[511][4];
-    const view_difference found = measure(a, b);
+    const view_difference found = measure_difference(a, b);
     *limit = 8;
     while (*limit < found.largest && *limit < 128) {
         *limit *= 2;

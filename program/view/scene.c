@@ -62,7 +62,8 @@ static burnish_status warn_useless(const render_settings *settings, const burnis
 }
 
 /* Prepares a mesh; prints its warnings once for each input. */
-static burnish_status prepare(view_scene *scene, render_scene *prepared, burnish_error *error) {
+static burnish_status prepare_scene(view_scene *scene, render_scene *prepared,
+                                    burnish_error *error) {
     render_warnings warnings = {.print = scene->warned == scene->input ? NULL : cli_warn};
     prepared->warnings = &warnings;
     render_warn_of_mesh(&warnings, prepared->mesh);
@@ -100,7 +101,7 @@ burnish_status view_scene_load(view_scene *scene, burnish_error *error) {
                                  .options = &options,
                                  .environment = reads ? &read : &scene->environment,
                                  .color_range = range};
-        status = prepare(scene, &prepared, error);
+        status = prepare_scene(scene, &prepared, error);
     }
     if (status != BURNISH_STATUS_OK) {
         render_release_environment(&read);

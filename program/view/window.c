@@ -227,7 +227,7 @@ static int wait_ms(const viewer *v) {
     return left < 0 ? 0 : left > POLL ? POLL : (int)left + 1;
 }
 
-static burnish_status run(viewer *v, burnish_error *error) {
+static burnish_status run_window(viewer *v, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     double looked = viewer_now();
     int shift = 0;
@@ -290,7 +290,7 @@ static int is_invisible(const viewer *v) {
 }
 
 /* One turn, as dragging does, and the time of each frame until it is in the window. */
-static burnish_status measure(viewer *v, burnish_error *error) {
+static burnish_status measure_turn(viewer *v, burnish_error *error) {
     const int count = v->settings->frames, before = 30; /* warm-up frames */
     double *times = malloc((size_t)count * sizeof *times), up[3], processor = 0;
     burnish_status status =
@@ -398,7 +398,7 @@ burnish_status view_window(const view_settings *settings, burnish_error *error) 
         status = open_window(&v, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = settings->frames > 0 ? measure(&v, error) : run(&v, error);
+        status = settings->frames > 0 ? measure_turn(&v, error) : run_window(&v, error);
     }
     close_window(&v);
     return status;

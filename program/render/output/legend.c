@@ -10,7 +10,7 @@
 enum { TICKS = 5 };
 #define TEXT (1.0 / 44) /* height of letters, in parts of the smaller side */
 
-static void fill(burnish_image *image, const int box[4], const uint8_t srgb[3]) {
+static void fill_box(burnish_image *image, const int box[4], const uint8_t srgb[3]) {
     for (int y = box[1] > 0 ? box[1] : 0; y < box[3] && y < image->height; ++y) {
         for (int x = box[0] > 0 ? box[0] : 0; x < box[2] && x < image->width; ++x) {
             uint8_t *pixel = image->pixels + ((size_t)y * (size_t)image->width + (size_t)x) *
@@ -73,13 +73,13 @@ void render_draw_legend(const render_result *result, burnish_image *image) {
         uint8_t srgb[3];
         const int box[4] = {left, top + y, left + width, top + y + 1};
         burnish_color_map_get((burnish_color_map)coloring->map, 1 - y / (height - 1.0), srgb);
-        fill(image, box, srgb);
+        fill_box(image, box, srgb);
     }
     for (int i = 0; i < TICKS; ++i) {
         const int y = top + (height - 1) * i / (TICKS - 1);
         const int box[4] = {left + width, y, left + width + width / 3, y + 1};
         write_label(range, i, label);
-        fill(image, box, ink);
+        fill_box(image, box, ink);
         burnish_image_draw_text(image, (float)(left + width + width / 2 + 2), (float)y + text / 2,
                                 text, ink, label);
     }

@@ -39,7 +39,7 @@ burnish_status render_check_projection(render_settings *settings, burnish_error 
 
 /* The three views show the same scale with the object in the middle; the pictorial view has it too
  * if it fits its cell. */
-static burnish_status aim(render_result *result, size_t i, burnish_error *error) {
+static burnish_status aim_view(render_result *result, size_t i, burnish_error *error) {
     render_settings settings = *result->settings;
     const burnish_projection *projection = &result->projection;
     render_cell *cell = &result->cells[i];
@@ -86,7 +86,7 @@ burnish_status render_lay_out_projection(render_result *result, burnish_error *e
     render_extents(result->mesh, &settings->camera, projection->extents);
     burnish_status status = burnish_projection_lay_out(projection, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
-        status = aim(result, i, error);
+        status = aim_view(result, i, error);
     }
     return status;
 }

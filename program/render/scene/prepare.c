@@ -12,42 +12,42 @@ void render_warn_of_mesh(render_warnings *warnings, const burnish_mesh *mesh) {
 
 /* ---- Coordinates ---- */
 
-static void subtract(double position[3], const double origin[3]) {
+static void subtract_origin(double position[3], const double origin[3]) {
     for (int k = 0; k < 3; ++k) {
         position[k] -= origin[k];
     }
 }
 
 /* normal . origin: the offset in coordinates of the file minus the offset in the mesh's */
-static double along(const burnish_clip_plane *plane, const double origin[3]) {
+static double dot_origin(const burnish_clip_plane *plane, const double origin[3]) {
     const double *n = plane->normal;
     return n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2];
 }
 
 double render_file_offset(const burnish_clip_plane *plane, const double origin[3]) {
-    return plane->offset + along(plane, origin);
+    return plane->offset + dot_origin(plane, origin);
 }
 
 static void move_cuts(render_clip *clip, const double origin[3]) {
     for (int i = 0; i < clip->count; ++i) {
-        clip->items[i].offset -= along(&clip->items[i], origin);
+        clip->items[i].offset -= dot_origin(&clip->items[i], origin);
     }
 }
 
 static void move_camera_and_lights(render_camera_settings *camera, burnish_render_options *options,
                                    const double origin[3]) {
-    subtract(camera->position.values, origin);
-    subtract(camera->focal_point.values, origin);
+    subtract_origin(camera->position.values, origin);
+    subtract_origin(camera->focal_point.values, origin);
     for (int i = 0; i < options->light_count; ++i) {
         burnish_light *light = &options->lights[i];
         if (light->kind == BURNISH_LIGHT_POINT && !light->follows_camera) {
-            subtract(light->vector, origin);
+            subtract_origin(light->vector, origin);
         }
     }
     for (int i = 0; i < options->area_light_count; ++i) {
         burnish_area_light *light = &options->area_lights[i];
         if (!light->is_distant && !light->follows_camera) {
-            subtract(light->center, origin);
+            subtract_origin(light->center, origin);
         }
     }
 }
@@ -73,7 +73,7 @@ static void warn_open(const render_scene *scene) {
     }
 }
 
-static burnish_status cut(const render_scene *scene, burnish_error *error) {
+static burnish_status cut_mesh(const render_scene *scene, burnish_error *error) {
     const render_clip *clip = &scene->settings->input.clip;
     const burnish_mesh_view *view = burnish_mesh_get_view(scene->mesh);
     burnish_status status = BURNISH_STATUS_OK;
@@ -177,7 +177,7 @@ burnish_status render_prepare_mesh(render_scene *scene, burnish_error *error) {
     render_settings *settings = scene->settings;
     move_cuts(&settings->input.clip, burnish_mesh_get_view(scene->mesh)->origin);
     render_set_stance(scene->mesh, &settings->camera); /* the whole object's */
-    const burnish_status status = cut(scene, error);
+    const burnish_status status = cut_mesh(scene, error);
     return status == BURNISH_STATUS_OK /* colours of what is left, by height above the ground */
                ? render_color(settings, scene->mesh, scene->color_range, error)
                : status;
