@@ -7,7 +7,7 @@
 
 #include "batch/names.h"
 #include "batch/types.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 const char *batch_base_name(const char *path) {
     const char *slash = strrchr(path, '/');

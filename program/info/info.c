@@ -6,7 +6,7 @@
 #include "batch/inputs.h"
 #include "cli/input.h"
 #include "cli/main.h"
-#include "import/load.h"
+#include "import/load_input.h"
 #include "info/facts.h"
 
 typedef struct info_settings {

@@ -11,7 +11,7 @@
 #include "font/font.h"
 #include "picture/animation.h"
 #include "render/output/projection.h"
-#include "render/scene/options.h"
+#include "render/scene/library_options.h"
 #include "render/useless.h"
 
 static int is_standard(const char *path) {

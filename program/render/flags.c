@@ -6,7 +6,7 @@
 #include "picture/formats.h"
 #include "render/flags.h"
 #include "render/render.h"
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 
 static const cli_word format_words[] = {{"auto", PICTURE_AUTO},
                                         {"png", PICTURE_PNG},

@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "render/flags.h"
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 
 static void each_material(cli_take_term *take) {
     for (size_t i = 0; render_preset_words[i].name; ++i) {

@@ -7,7 +7,7 @@
 #include "cli/main.h"
 #include "picture/formats.h"
 #include "render/output/projection.h"
-#include "render/scene/options.h"
+#include "render/scene/library_options.h"
 
 static int is_given(const render_settings *settings, const char *flag) {
     return cli_is_given(&render_command, settings, flag);

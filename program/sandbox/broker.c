@@ -10,7 +10,7 @@
 #include "base/cli/process.h"
 #include "import/folder.h"
 #include "import/importers.h"
-#include "import/load.h"
+#include "import/load_input.h"
 #include "import/run.h"
 #include "picture/video.h"
 #include "sandbox/channel.h"

@@ -1,6 +1,6 @@
 #include "sandbox/worker.h"
 
-#include "import/load.h"
+#include "import/load_input.h"
 #include "import/run.h"
 
 #if BURNISH_HAS_SECCOMP

@@ -30,7 +30,7 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 #include "base/cli/file.h"
 #include "base/cli/process.h"
 #include "cli/limits.h"
-#include "import/load.h"
+#include "import/load_input.h"
 #include "import/run.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"

@@ -10,8 +10,8 @@
 #include "render/output/draw.h"
 #include "render/output/result.h"
 #include "render/render.h"
-#include "render/scene/camera.h"
-#include "render/scene/options.h"
+#include "render/scene/cameras.h"
+#include "render/scene/library_options.h"
 #include "render/scene/prepare.h"
 #include "render/useless.h"
 

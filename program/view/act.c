@@ -2,7 +2,7 @@
 #if BURNISH_HAS_VIEW
 
 #include "render/flags.h"
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 #include "view/show.h"
 
 #include <math.h>

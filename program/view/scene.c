@@ -1,8 +1,8 @@
 #include "view/scene.h"
 #include "burnish/look.h"
 #include "render/flags.h"
-#include "render/scene/options.h"
-#include "render/settings/values.h"
+#include "render/scene/library_options.h"
+#include "render/settings/flag_values.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,8 +3,8 @@
 #ifndef TOOL_VIEW_SCENE_H
 #define TOOL_VIEW_SCENE_H
 
-#include "render/scene/camera.h"
-#include "render/scene/environment.h"
+#include "render/scene/cameras.h"
+#include "render/scene/environments.h"
 #include "render/settings/settings.h"
 
 /* The quality of still pictures, and of moving ones, depending on the available time. */

@@ -5,9 +5,9 @@
 
 #include "cli/main.h"
 #include "decimal_comma.h"
-#include "render/scene/options.h"
+#include "render/scene/library_options.h"
 #include "render/scene/prepare.h"
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 
 typedef struct parsed {
     burnish_status status;

@@ -5,11 +5,11 @@
 #include <unistd.h>
 
 #include "picture/formats.h"
-#include "render/output/annotate.h"
+#include "render/output/annotations.h"
 #include "render/output/projection.h"
-#include "render/output/sheet.h"
+#include "render/output/sheet_cells.h"
 #include "render/output/turntable.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 /* ---- A cell ---- */
 

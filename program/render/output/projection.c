@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cli/main.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 /* The size of the page without --resolution: A4 at 144 dots per inch. */
 enum { PAPER_WIDTH = 1684, PAPER_HEIGHT = 1190 };

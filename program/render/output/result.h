@@ -8,7 +8,7 @@
 #include "picture/verdict.h"
 #include "render/output/planes.h"
 #include "render/output/tones.h"
-#include "render/scene/environment.h"
+#include "render/scene/environments.h"
 #include "render/scene/warnings.h"
 #include "render/settings/settings.h"
 
@@ -61,7 +61,7 @@ typedef struct render_result {
     render_warnings warnings;
 } render_result;
 
-/* ---- The report (report.c) ---- */
+/* ---- The report (render_report.c) ---- */
 
 /* A camera of a mesh with an origin in JSON; NULL when out of memory. *failed becomes 1 if a part
  * of it is missing. */

@@ -16,7 +16,7 @@
 #include "picture/formats.h"
 #include "picture/video.h"
 #include "render/output/draw.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 #include "sandbox/worker.h"
 
 /* ---- The camera's path ---- */

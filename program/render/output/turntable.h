@@ -3,7 +3,7 @@
 #define TOOL_RENDER_TURNTABLE_H
 
 #include "render/output/result.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 /* The camera of the first frame, which keeps the object in the picture for the whole turn. Errors:
  * ARGUMENT, MEMORY. */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 static int is_word(const render_coloring *coloring, const char *word) {
     return coloring->by && strcmp(coloring->by, word) == 0;

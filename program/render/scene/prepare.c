@@ -1,7 +1,7 @@
 #include "render/scene/prepare.h"
 
 #include "render/scene/color.h"
-#include "render/scene/options.h"
+#include "render/scene/library_options.h"
 #include "render/scene/up.h"
 
 void render_warn_of_mesh(render_warnings *warnings, const burnish_mesh *mesh) {

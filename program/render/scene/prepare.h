@@ -2,7 +2,7 @@
 #ifndef TOOL_RENDER_SCENE_PREPARE_H
 #define TOOL_RENDER_SCENE_PREPARE_H
 
-#include "render/scene/environment.h"
+#include "render/scene/environments.h"
 #include "render/scene/warnings.h"
 
 typedef struct render_scene {

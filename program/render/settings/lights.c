@@ -1,5 +1,5 @@
 /* Values of the flags for light. */
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,12 +1,12 @@
 /* Annotations of a cell, and drawings: lines and areas instead of pixels. */
-#include "render/output/annotate.h"
+#include "render/output/annotations.h"
 #include "burnish/drawing.h"
 #include "burnish/sheet.h"
 
 #include <string.h>
 
 #include "render/output/projection.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 static burnish_annotate_options make_annotations(const render_result *result,
                                                  const render_cell *cell, const float *depth) {

@@ -1,11 +1,11 @@
-#include "render/scene/options.h"
+#include "render/scene/library_options.h"
 #include "burnish/look.h"
 
 #include <string.h>
 
-#include "import/load.h"
+#include "import/load_input.h"
 #include "render/scene/color.h"
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 
 burnish_load_options render_load_options(const render_input_settings *input, int threads) {
     burnish_load_options options = cli_load_options(&input->load);

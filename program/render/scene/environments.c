@@ -1,4 +1,4 @@
-#include "render/scene/environment.h"
+#include "render/scene/environments.h"
 
 #include <stdlib.h>
 #include <string.h>

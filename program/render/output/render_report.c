@@ -13,9 +13,9 @@
 #include "base/cli/output.h"
 #include "cli/coordinates.h"
 #include "import/importers.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 #include "render/scene/prepare.h"
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 
 static cJSON *hash_text(uint64_t hash) {
     char text[17];

@@ -5,7 +5,7 @@
 #include "base/cli/output.h"
 #include "compare/sides.h"
 #include "render/output/result.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 /* ---- Facts of meshes ---- */
 

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "render/settings/values.h"
+#include "render/settings/flag_values.h"
 
 /* Chosen by eye on the teapot, in the looks three-point and studio. */
 const render_preset render_presets[] = {

@@ -1,11 +1,11 @@
-#include "render/output/sheet.h"
+#include "render/output/sheet_cells.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "font/font.h"
 #include "render/output/projection.h"
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 static size_t empty_cells(size_t count, size_t columns) {
     return (columns - count % columns) % columns;

@@ -1,5 +1,5 @@
 /* Loads inputs. */
-#include "import/load.h"
+#include "import/load_input.h"
 
 #include <stdlib.h>
 #include <string.h>

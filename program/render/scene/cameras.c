@@ -1,5 +1,5 @@
 /* Cameras from flags. Everything that affects pixels uses plain IEEE operations. */
-#include "render/scene/camera.h"
+#include "render/scene/cameras.h"
 
 #include <math.h>
 #include <string.h>
