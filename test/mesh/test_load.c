@@ -1,9 +1,15 @@
-/* Loading from memory with options and a context: files that the input names come from the caller,
- * allocations fail, calls are cancelled, and the caller's floating-point environment has no effect.
- */
+/* Loading with options and a context: files that the input names come from the caller, allocations
+ * fail, calls are cancelled, and the caller's floating-point environment has no effect. Large files
+ * are read in pieces. */
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "burnish/mesh.h"
 #include "counting_context.h"
+#include "mesh/read/io/pieces.h"
 #include "mesh_arrays.h"
+#include "sheet.h"
+#include "used_bytes.h"
 
 static const char OBJ[] = "mtllib paint.mtl\nmtllib none.mtl\n"
                           "v 0.1 0.2 0.3\nv 1.7 0 1e-40\nv 0 1.3 0.7\nv 1 1 0.33333333333\n"
@@ -251,8 +257,119 @@ static void test_normals_source(void) {
     check_normals(SMOOTH_CONE, "a.obj", automatic, no_angle, 7, NULL);
 }
 
+/* ---- Files that are read in pieces ---- */
+
+static char path[4096];
+
+static void save(const file_bytes *file) {
+    FILE *to = fopen(path, "wb");
+    CHECK(to && fwrite(file->bytes, 1, file->size, to) == file->size && fclose(to) == 0,
+          "can't write %s", path);
+}
+
+/* The most that a context hands out while the file is loaded, from its path or from memory. */
+static size_t peak_of(const file_bytes *file, int is_in_pieces) {
+    used_bytes used;
+    burnish_load_options options = burnish_load_options_default();
+    burnish_context *context = make_counted(&used);
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    used.refused = is_in_pieces ? file->size : 0;
+    options.context = context;
+    options.threads = 1;
+    CHECK((is_in_pieces ? burnish_mesh_load(path, &options, &mesh, &error)
+                        : burnish_mesh_load_memory(file->bytes, file->size, path, &options, &mesh,
+                                                   &error)) == BURNISH_STATUS_OK,
+          "%s", error.text);
+    burnish_mesh_destroy(mesh);
+    burnish_context_destroy(context);
+    return atomic_load(&used.most);
+}
+
+/* A file that is cut when the call first asks whether to go on. */
+static int cut_file(void *user_data) {
+    CHECK1(truncate(path, *(const off_t *)user_data) == 0);
+    return 0;
+}
+
+static void check_cut(const file_bytes *file) {
+    for (off_t size = 0; size < 200000; size += 70000) {
+        burnish_context_options made = burnish_context_options_default();
+        burnish_load_options options = burnish_load_options_default();
+        burnish_mesh *mesh = NULL;
+        burnish_error error = {0};
+        burnish_context *context = NULL;
+        save(file);
+        made.cancelled = cut_file;
+        made.cancelled_user_data = &size;
+        CHECK1(burnish_context_create(&made, &context, NULL) == BURNISH_STATUS_OK);
+        options.context = context;
+        options.threads = 1;
+        const burnish_status status = burnish_mesh_load(path, &options, &mesh, &error);
+        CHECK(status == BURNISH_STATUS_FORMAT && strstr(error.text, "truncated"),
+              "cut to %ld bytes: %d, %s", (long)size, (int)status, error.text);
+        burnish_mesh_destroy(mesh);
+        burnish_context_destroy(context);
+    }
+}
+
+static burnish_status load_path(const void *data, const burnish_load_options *options,
+                                burnish_mesh **mesh, burnish_error *error) {
+    return burnish_mesh_load(data, options, mesh, error);
+}
+
+/* A file that is loaded from its path takes its head or window more than from memory, where its
+ * bytes are the caller's and not counted, and no array has its size. By one thread: the peak of
+ * several depends on which of them work at the same time. */
+static void test_pieces(void) {
+    const sheet s = {.side = 100, .normals = 1, .colors = 1, .newline = "\n", .end = "endsolid\n"};
+    for (int i = 0; i < 4; ++i) {
+        file_bytes file = {0};
+        if (i == 0) {
+            write_binary_ply(&file, &s, &(ply_layout){"uchar", "int", 1, 4, 0, 0});
+        } else if (i == 1) {
+            write_binary_stl(&file, &s, "a part");
+        } else {
+            (i == 2 ? write_ply : write_stl)(&file, &s);
+        }
+        save(&file);
+        const size_t pieces = peak_of(&file, 1), whole = peak_of(&file, 0);
+        CHECK(pieces <= whole + BURNISH_PIECES_HEAD,
+              "file %d of %zu bytes takes %zu, from memory %zu", i, file.size, pieces, whole);
+        if (i < 2) {
+            check_failures(load_path, path, 2, 0);
+        }
+        if (i != 2) { /* a text of rows may end early with another message */
+            check_cut(&file);
+        }
+        free(file.bytes);
+    }
+}
+
+/* A descriptor is read to its end; one that is elsewhere than at the beginning from there. */
+static void test_descriptor(void) {
+    file_bytes file = {0};
+    write_binary_stl(&file, &(sheet){.side = 100}, "a part");
+    save(&file);
+    const int descriptor = open(path, O_RDONLY);
+    burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = NULL;
+    burnish_error error = {0};
+    CHECK_OK(burnish_mesh_load_descriptor(descriptor, "a", &options, &mesh, &error), error);
+    CHECK1(lseek(descriptor, 0, SEEK_CUR) == (off_t)file.size);
+    burnish_mesh_destroy(mesh);
+    CHECK1(lseek(descriptor, 50, SEEK_SET) == 50);
+    CHECK(burnish_mesh_load_descriptor(descriptor, "a", &options, &mesh, &error) !=
+              BURNISH_STATUS_OK,
+          "the end of a file was read as all of it");
+    burnish_mesh_destroy(mesh);
+    CHECK1(close(descriptor) == 0);
+    free(file.bytes);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
+    snprintf(path, sizeof path, TEST_BINARY_DIR "/load-%d.stl", (int)getpid());
     RUN(test_companions());
     RUN(test_log());
     RUN(test_crease_auto());
@@ -261,5 +378,8 @@ int main(int count, char **arguments) {
         RUN(test_stopped(i));
         RUN(test_environment(i));
     }
+    RUN(test_pieces());
+    RUN(test_descriptor());
+    unlink(path);
     return test_end("load");
 }

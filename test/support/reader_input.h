@@ -84,6 +84,36 @@ static inline void compare_meshes(const char *what, const burnish_mesh_data *a,
     }
 }
 
+/* The outcome must be a mesh that fulfils mesh.h, or a one-line error. */
+static inline int is_sound(burnish_status status, const burnish_mesh_data *s,
+                           const burnish_error *e) {
+    if (status != BURNISH_STATUS_OK) {
+        return e->status == status && e->text[0] != 0 && !strchr(e->text, '\n');
+    }
+    for (size_t i = 0; i < 3 * s->triangle_count; ++i) {
+        if (s->streams[BURNISH_POSITION].corners[i] >= s->streams[BURNISH_POSITION].count ||
+            (s->streams[BURNISH_NORMAL].corners &&
+             s->streams[BURNISH_NORMAL].corners[i] != BURNISH_NONE &&
+             s->streams[BURNISH_NORMAL].corners[i] >= s->streams[BURNISH_NORMAL].count)) {
+            return 0;
+        }
+    }
+    for (size_t i = 0; i < 3 * s->streams[BURNISH_POSITION].count; ++i) {
+        if (!(burnish_positions(s)[i] - burnish_positions(s)[i] == 0)) {
+            return 0;
+        }
+    }
+    for (size_t i = 0; s->triangle_materials && i < s->triangle_count; ++i) {
+        if (s->triangle_materials[i] >= s->material_count) {
+            return 0;
+        }
+    }
+    return s->point_count > 0 ? s->triangle_count == 0 && s->point_radius > 0 &&
+                                    s->point_count == s->streams[BURNISH_POSITION].count &&
+                                    s->point_count == s->streams[BURNISH_NORMAL].count
+                              : s->triangle_count > 0;
+}
+
 /* Reads again in another way, which must give the same mesh or error. */
 static inline void check_same_reading(const char *what, const reader_run *run,
                                       burnish_status status, const burnish_mesh_data *mesh,

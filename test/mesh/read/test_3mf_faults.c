@@ -195,30 +195,6 @@ static void test_archives(void) {
     }
 }
 
-static void check_damaged(const uint8_t *bytes, size_t size, size_t at) {
-    const burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data s;
-    burnish_error e;
-    const burnish_status status =
-        run_reader(BURNISH_FORMAT_3MF, bytes, size, &options, NULL, &s, &e);
-    CHECK(status == BURNISH_STATUS_OK || (*e.text && !strchr(e.text, '\n')), "byte %zu", at);
-    burnish_mesh_data_destroy(&s);
-}
-
-/* Every beginning of an archive, and every bit of it turned: an answer in one line, or a mesh. */
-static void test_damaged(void) {
-    zip_list *zip = begin_3mf(small_model);
-    end_zip(zip, 0);
-    for (size_t i = 0; i < zip->size; ++i) {
-        check_damaged(zip->bytes, i, i);
-        for (int bit = 0; bit < 8; ++bit) {
-            zip->bytes[i] ^= (uint8_t)(1 << bit);
-            check_damaged(zip->bytes, zip->size, i);
-            zip->bytes[i] ^= (uint8_t)(1 << bit);
-        }
-    }
-}
-
 /* Every beginning of a model, in a sound archive. */
 static void test_truncated_model(void) {
     char model[sizeof small_model];
@@ -259,7 +235,6 @@ int main(int count, char **arguments) {
     RUN(test_nesting());
     RUN(test_limits());
     RUN(test_archives());
-    RUN(test_damaged());
     RUN(test_truncated_model());
     RUN(test_memory());
     return test_end("3mf_faults");

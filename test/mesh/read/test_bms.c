@@ -1,4 +1,4 @@
-/* The mesh stream: valid streams, messages for damaged ones, and random damage. */
+/* The mesh stream: valid streams, and messages for damaged ones. */
 #include "base/bytes.h"
 #include "burnish/mesh.h"
 #include "counting_context.h"
@@ -255,32 +255,6 @@ static void test_errors(void) {
     }
 }
 
-/* A truncated stream is rejected. With any byte changed, it is rejected in one line or drawn. */
-static void test_damage(void) {
-    const stream s = make("text");
-    burnish_load_options options = burnish_load_options_default();
-    options.format = BURNISH_FORMAT_BMS;
-    options.max_triangles = 1000;
-    options.max_texture_pixels = 1000;
-    options.threads = 1;
-    for (size_t i = 0; i < s.list.size; ++i) {
-        burnish_mesh_data mesh;
-        burnish_error error;
-        CHECK(run_reader(BURNISH_FORMAT_BMS, s.list.bytes, i, &options, NULL, &mesh, &error) !=
-                  BURNISH_STATUS_OK,
-              "%zu bytes", i);
-        burnish_mesh_data_destroy(&mesh);
-        for (int bit = 0; bit < 8; ++bit) {
-            stream damaged = s;
-            damaged.list.bytes[i] ^= (uint8_t)(1 << bit);
-            const burnish_status status = run_reader(BURNISH_FORMAT_BMS, damaged.list.bytes,
-                                                     s.list.size, &options, NULL, &mesh, &error);
-            CHECK((status == BURNISH_STATUS_OK) == !error.text[0], "byte %zu", i);
-            burnish_mesh_data_destroy(&mesh);
-        }
-    }
-}
-
 /* Its textures count towards the limit, and are absent if textures are ignored. */
 static void test_textures(void) {
     const stream s = make("");
@@ -301,24 +275,12 @@ static void test_textures(void) {
     burnish_mesh_destroy(mesh);
 }
 
-static burnish_status make_mesh(const void *data, const burnish_load_options *options,
-                                burnish_mesh **mesh, burnish_error *error) {
-    return load(&((const stream *)data)->list, options, mesh, error);
-}
-
-static void test_memory(void) {
-    const stream s = make("text");
-    check_failures(make_mesh, &s, 1, 0);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_all_parts());
     RUN(test_least());
     RUN(test_messages());
     RUN(test_errors());
-    RUN(test_damage());
     RUN(test_textures());
-    RUN(test_memory());
     return test_end("bms");
 }

@@ -151,32 +151,6 @@ static void test_odd_lines(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* The same in chunks: 20,000 faces that each continue in the next line, with threads. */
-static void test_long_wrapped(void) {
-    enum { FACES = 20000 };
-    char *text = malloc(64 * FACES);
-    size_t size = (size_t)sprintf(text, "OFF\n%d %d 0\n", FACES + 2, FACES);
-    for (int i = 0; i < FACES + 2; ++i) {
-        size += (size_t)sprintf(text + size, "%d %d 0\n", i / 2, i % 2);
-    }
-    for (int i = 0; i < FACES; ++i) {
-        size += (size_t)sprintf(text + size, "3 %d\n%d %d\n", i, i + 1 + i % 2, i + 2 - i % 2);
-    }
-    for (int threads = 1; threads <= 4; threads += 3) {
-        burnish_load_options options = burnish_load_options_default();
-        burnish_mesh *mesh;
-        burnish_error error;
-        options.threads = threads;
-        if (CHECK_OK(burnish_mesh_load_memory(text, size, "a.off", &options, &mesh, &error),
-                     error)) {
-            CHECK1(burnish_mesh_get_view(mesh)->triangle_count == FACES &&
-                   burnish_mesh_get_view(mesh)->bounds_max[0] == FACES / 2);
-            burnish_mesh_destroy(mesh);
-        }
-    }
-    free(text);
-}
-
 static void test_messages(void) {
     static const struct {
         const char *text, *message;
@@ -214,44 +188,6 @@ static void test_messages(void) {
     }
 }
 
-/* Threads and chunks change nothing. */
-static void test_threads(void) {
-    enum { SIDE = 120, ROOM = SIDE * SIDE * 64 };
-    char *text = malloc(ROOM);
-    size_t size = 0;
-    if (!text) {
-        abort();
-    }
-    size += (size_t)snprintf(text, ROOM, "OFF\n%d %d 0\n", SIDE * SIDE, (SIDE - 1) * (SIDE - 1));
-    for (int i = 0; i < SIDE * SIDE; ++i) {
-        size += (size_t)snprintf(text + size, ROOM - size, "%d.5 %d %d\n", i % SIDE, i / SIDE,
-                                 i * i % 7);
-    }
-    for (int i = 0; i < SIDE * (SIDE - 1); ++i) {
-        if (i % SIDE < SIDE - 1) {
-            size += (size_t)snprintf(text + size, ROOM - size, "4 %d %d %d %d %d 0 0\n", i, i + 1,
-                                     i + 1 + SIDE, i + SIDE, i % 256);
-        }
-    }
-    burnish_mesh *meshes[3] = {NULL};
-    for (int i = 0; i < 3; ++i) {
-        static const int threads[] = {1, 2, 7};
-        burnish_load_options options = burnish_load_options_default();
-        options.threads = threads[i];
-        meshes[i] = load_bytes(text, size, "a.off", &options);
-        if (!meshes[i] || !meshes[0]) {
-            continue;
-        }
-        const burnish_mesh_view *a = burnish_mesh_get_view(meshes[0]);
-        CHECK1(a->triangle_count == 2 * (SIDE - 1) * (SIDE - 1) && a->colors);
-        CHECK1(same_meshes(meshes[0], meshes[i]));
-    }
-    for (int i = 0; i < 3; ++i) {
-        burnish_mesh_destroy(meshes[i]);
-    }
-    free(text);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_plain());
@@ -259,8 +195,6 @@ int main(int count, char **arguments) {
     RUN(test_unnamed_values());
     RUN(test_face_colors());
     RUN(test_odd_lines());
-    RUN(test_long_wrapped());
     RUN(test_messages());
-    RUN(test_threads());
     return test_end("off");
 }

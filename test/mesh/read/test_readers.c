@@ -4,6 +4,7 @@
 
 #include "mesh_arrays.h"
 #include "reader_input.h"
+#include "sheet.h"
 
 /* ---- STL ---- */
 
@@ -262,6 +263,55 @@ static void test_ply_elements(void) {
     free(text);
 }
 
+/* ---- Numbers ---- */
+
+/* Numbers of any size in a few forms, and one in eight with a character changed. */
+static void say_numeral(file_bytes *f, uint64_t *random) {
+    static const char *const forms[] = {"%.6e", "%.6E", "%.17g", "%.*f", "%.7e", "%g", "%+.25f"};
+    const unsigned form = test_random32(random) % 7;
+    const int shift = (int)(test_random32(random) % 64), places = (int)(test_random32(random) % 25);
+    double value = (double)(int64_t)test_random64(random) / 4e17;
+    char number[400];
+    if (test_random32(random) % 2) { /* digits around 2^53 */
+        value = (double)(test_random64(random) >> shift) / (1 + test_random32(random) % 100000);
+    } else if (test_random32(random) % 4 == 0) {
+        uint64_t bits = test_random64(random);
+        memcpy(&value, &bits, sizeof value);
+        value = value - value == 0 ? value : 1;
+    }
+    const int is_plain = form == 3 && value < 1e30 && value > -1e30;
+    const int size = is_plain ? snprintf(number, sizeof number, "%.*f", places, value)
+                              : snprintf(number, sizeof number, forms[form == 3 ? 0 : form], value);
+    if (test_random32(random) % 8 == 0 && size < (int)sizeof number) {
+        number[test_random32(random) % (unsigned)size] =
+            "0123456789.-+eEx/:"[test_random32(random) % 18];
+    }
+    add(f, " ", 1);
+    add(f, number, strlen(number));
+}
+
+/* One look at a number and a character at a time must agree. */
+static void test_numbers(void) {
+    uint64_t random = test_seed(5);
+    file_bytes f = {0};
+    size_t fast = 0, all = 0;
+    while (f.size < 2500000) {
+        say_numeral(&f, &random);
+    }
+    burnish_lexer one = burnish_lexer_open(f.bytes, f.size, 0), other = one;
+    for (burnish_token a, b; burnish_lexer_token(&other, &a); ++all) {
+        double x = 0, y = 0;
+        burnish_number_status status, expected = burnish_parse_double(a, &y);
+        int found = burnish_lexer_double(&one, &b, &x, &status);
+        CHECK(found && a.bytes == b.bytes && a.size == b.size && status == expected &&
+                  memcmp(&x, &y, sizeof x) == 0,
+              "%.*s: %.17g %.17g", (int)a.size, (const char *)a.bytes, x, y);
+        fast += one.end - a.bytes > BURNISH_DECIMAL_ROOM && burnish_scan_decimal(a.bytes, &x) > 0;
+    }
+    CHECK(fast > all / 2, "%zu of %zu", fast, all);
+    free(f.bytes);
+}
+
 /* ---- from a file ---- */
 
 static void test_guess(void) {
@@ -440,6 +490,7 @@ int main(int count, char **arguments) {
     RUN(test_ply_plain());
     RUN(test_ply_line_ends());
     RUN(test_ply_elements());
+    RUN(test_numbers());
     RUN(test_guess());
     RUN(test_ply_face_coordinates());
     RUN(test_files());
