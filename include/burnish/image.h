@@ -130,37 +130,6 @@ BURNISH_API burnish_status burnish_png_write(const burnish_pixels *pixels, const
 BURNISH_API burnish_status burnish_image_write_png(const burnish_image *image, const char *path,
                                                    burnish_error *error);
 
-/* A PNG that is encoded row by row from the top, without the whole image in memory. It returns
- * the same bytes as burnish_png_encode(). */
-typedef struct burnish_png_stream burnish_png_stream;
-
-/* Creates a stream.
- *   width, height  of the whole image
- *   format         of all rows
- *   options        NULL: the defaults
- *   stream         receives the stream, NULL on error; release it with burnish_png_stream_destroy()
- * Errors: as for burnish_png_encode(). */
-BURNISH_API burnish_status burnish_png_stream_create(int width, int height,
-                                                     burnish_pixel_format format,
-                                                     const burnish_png_options *options,
-                                                     burnish_png_stream **stream,
-                                                     burnish_error *error);
-
-/* Adds the next rows, any number of them. More than 128 KiB are compressed by several threads. The
- * last row completes the file.
- *   rows   only read; not used after the call
- *   bytes  receives the next bytes of the file, NULL if there are none yet and on error; release
- *          them with burnish_release() and the context of the options
- *   size   receives their number
- * Errors: as for burnish_png_encode(); also ARGUMENT for another width or format and for too many
- * rows. After any error but ARGUMENT, the stream can only be destroyed. */
-BURNISH_API burnish_status burnish_png_stream_add(burnish_png_stream *stream,
-                                                  const burnish_pixels *rows, uint8_t **bytes,
-                                                  size_t *size, burnish_error *error);
-
-/* NULL is allowed. */
-BURNISH_API void burnish_png_stream_destroy(burnish_png_stream *stream);
-
 /* The linear light of an sRGB value in [0, 1] (clamped): exact for 8-bit values, interpolated
  * between them. */
 BURNISH_API float burnish_srgb_decode(float value);

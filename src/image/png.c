@@ -138,28 +138,22 @@ typedef struct band_maker {
     uint8_t *packed;
 } band_maker;
 
-/* A file that is being encoded; the rows of the image come in one piece or in several. */
-struct burnish_png_stream {
+/* A file that is being encoded. */
+typedef struct encoder {
     burnish_tasks tasks;
     const burnish_context *context;
-    burnish_pixels image; /* the whole picture; without pixels */
+    burnish_pixels image;
     burnish_png_options options;
-    burnish_pixels piece; /* the current rows, ... */
-    int piece_row;        /* ... the first of them, ... */
-    uint8_t *kept;        /* ... and earlier rows that are still needed, without gaps */
-    int kept_row;
     int rows; /* per band */
-    int band_count, bands_made;
+    int band_count;
     band *bands;
     int maker_count;
     band_maker *makers;
     atomic_int done; /* bands */
-};
-typedef struct burnish_png_stream encoder;
+} encoder;
 
 static const uint8_t *row_at(const encoder *e, int y) {
-    return y >= e->piece_row ? e->piece.pixels + e->piece.stride * (size_t)(y - e->piece_row)
-                             : e->kept + burnish_pixels_row(&e->image) * (size_t)(y - e->kept_row);
+    return e->image.pixels + e->image.stride * (size_t)y;
 }
 
 /* Every row as its difference from the row above. This filter has the best ratio of size to time
@@ -231,7 +225,6 @@ static void destroy_encoder(encoder *e) {
     }
     burnish_release(e->context, e->bands);
     burnish_release(e->context, e->makers);
-    burnish_release(e->context, e->kept);
 }
 
 /* The chunk of one band; the first one begins the stream, the last one leaves room for its end. */
@@ -268,8 +261,7 @@ static burnish_status make_band(const encoder *e, int index, band_maker *maker) 
 
 static void band_task(void *context, size_t index, int thread) {
     encoder *e = context;
-    const int number = e->bands_made + (int)index;
-    e->bands[number].status = make_band(e, number, &e->makers[thread]);
+    e->bands[index].status = make_band(e, (int)index, &e->makers[thread]);
     const int done = atomic_fetch_add(&e->done, 1) + 1;
     if (thread == 0) {
         burnish_tasks_progress(&e->tasks, BURNISH_STAGE_ENCODE, (double)done / e->band_count);
@@ -294,19 +286,15 @@ static uint32_t whole_adler(const encoder *e) {
     return adler;
 }
 
-/* The file's bytes from the bands [e->bands_made, end), which are released. */
-static void put_bytes(encoder *e, int end, burnish_memory *memory, uint8_t **bytes, size_t *size) {
-    const int first = e->bands_made, is_last = end == e->band_count;
+/* The file's bytes from the bands, which are released. */
+static void put_bytes(encoder *e, burnish_memory *memory, uint8_t **bytes, size_t *size) {
     uint8_t head[HEAD_MAX];
-    const size_t head_size =
-        first == 0 ? (size_t)(put_header(head, &e->image, &e->options) - head) : 0;
-    if (is_last) {
-        band *last = &e->bands[end - 1];
-        put_u32(last->chunk + 8 + last->size - ADLER_SIZE, whole_adler(e));
-        put_chunk_frame(last->chunk, "IDAT", last->size);
-    }
-    size_t sum = head_size + (is_last ? CHUNK_FRAME : 0);
-    for (int i = first; i < end; ++i) {
+    const size_t head_size = (size_t)(put_header(head, &e->image, &e->options) - head);
+    band *last = &e->bands[e->band_count - 1];
+    put_u32(last->chunk + 8 + last->size - ADLER_SIZE, whole_adler(e));
+    put_chunk_frame(last->chunk, "IDAT", last->size);
+    size_t sum = head_size + CHUNK_FRAME;
+    for (int i = 0; i < e->band_count; ++i) {
         sum += CHUNK_FRAME + e->bands[i].size;
     }
     *bytes = burnish_allocate(memory, sum, 1, "the PNG file");
@@ -316,15 +304,13 @@ static void put_bytes(encoder *e, int end, burnish_memory *memory, uint8_t **byt
     *size = sum;
     memcpy(*bytes, head, head_size);
     uint8_t *to = *bytes + head_size;
-    for (int i = first; i < end; ++i) {
+    for (int i = 0; i < e->band_count; ++i) {
         memcpy(to, e->bands[i].chunk, CHUNK_FRAME + e->bands[i].size);
         to += CHUNK_FRAME + e->bands[i].size;
         burnish_release(e->context, e->bands[i].chunk);
         e->bands[i].chunk = NULL;
     }
-    if (is_last) {
-        put_chunk_frame(to, "IEND", 0);
-    }
+    put_chunk_frame(to, "IEND", 0);
 }
 
 static burnish_status fail_bands(burnish_status status, burnish_error *error) {
@@ -334,28 +320,11 @@ static burnish_status fail_bands(burnish_status status, burnish_error *error) {
                             : "PNG: the compressed rows outgrow their bound; write a smaller one");
 }
 
-/* ---- Pieces ---- */
-
-/* Keeps the rows that the next bands need: theirs, and the one above them. */
-static void keep_rows(encoder *e, int end, burnish_memory *memory) {
-    const size_t size = burnish_pixels_row(&e->image);
-    const int first = e->bands_made > 0 ? e->bands_made * e->rows - 1 : 0;
-    if (!e->kept && end < e->image.height) {
-        e->kept = burnish_allocate(memory, (size_t)e->rows, size, "the PNG's rows");
-    }
-    for (int y = first; e->kept && y < end; ++y) {
-        memmove(e->kept + size * (size_t)(y - first), row_at(e, y), size);
-    }
-    e->kept_row = first;
-    e->piece_row = end;
-}
-
 static burnish_status begin(encoder *e, const burnish_pixels *image,
                             const burnish_png_options *options, burnish_error *error) {
     const burnish_png_options defaults = burnish_png_options_default();
     burnish_memory memory = burnish_memory_of(options ? options->context : NULL, error);
     e->image = *image;
-    e->image.pixels = NULL;
     e->options = options ? *options : defaults;
     e->context = e->options.context;
     burnish_tasks_begin(&e->tasks, e->context, e->options.threads);
@@ -364,14 +333,9 @@ static burnish_status begin(encoder *e, const burnish_pixels *image,
     return memory.status;
 }
 
-static burnish_status add_piece(encoder *e, const burnish_pixels *piece, uint8_t **bytes,
-                                size_t *size, burnish_error *error) {
+static burnish_status encode(encoder *e, uint8_t **bytes, size_t *size, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(e->context, error);
-    const int end = e->piece_row + piece->height;
-    const int bands = end == e->image.height ? e->band_count : end / e->rows;
-    const int count = bands - e->bands_made;
-    e->piece = *piece;
-    burnish_tasks_run(&e->tasks, (size_t)count, 1, e->maker_count, band_task, e);
+    burnish_tasks_run(&e->tasks, (size_t)e->band_count, 1, e->maker_count, band_task, e);
     burnish_status status = burnish_tasks_check(&e->tasks, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -380,11 +344,7 @@ static burnish_status add_piece(encoder *e, const burnish_pixels *piece, uint8_t
     if (status != BURNISH_STATUS_OK) {
         return fail_bands(status, error);
     }
-    if (count > 0) {
-        put_bytes(e, bands, &memory, bytes, size);
-        e->bands_made = bands;
-    }
-    keep_rows(e, end, &memory);
+    put_bytes(e, &memory, bytes, size);
     return memory.status;
 }
 
@@ -413,7 +373,7 @@ static burnish_status check_options(const burnish_png_options *options, burnish_
 
 burnish_status burnish_png_encode(const burnish_pixels *pixels, const burnish_png_options *options,
                                   uint8_t **bytes, size_t *size, burnish_error *error) {
-    encoder e = {.bands_made = 0};
+    encoder e = {.band_count = 0};
     *bytes = NULL;
     *size = 0;
     burnish_status status = check_options(options, error);
@@ -423,65 +383,11 @@ burnish_status burnish_png_encode(const burnish_pixels *pixels, const burnish_pn
     if (status == BURNISH_STATUS_OK) {
         status = begin(&e, pixels, options, error);
         if (status == BURNISH_STATUS_OK) {
-            status = add_piece(&e, pixels, bytes, size, error);
+            status = encode(&e, bytes, size, error);
         }
         destroy_encoder(&e);
     }
     return status;
-}
-
-burnish_status burnish_png_stream_create(int width, int height, burnish_pixel_format format,
-                                         const burnish_png_options *options,
-                                         burnish_png_stream **stream, burnish_error *error) {
-    uint8_t none = 0; /* no pixel is read */
-    const burnish_pixels image = {width, height, format, SIZE_MAX, &none};
-    *stream = NULL;
-    burnish_status status = check_options(options, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_pixels_check(&image, "PNG", error);
-    }
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    burnish_memory memory = burnish_memory_of(options ? options->context : NULL, error);
-    encoder *e = burnish_allocate_zeroed(&memory, 1, sizeof *e, "a PNG");
-    if (!e) {
-        return memory.status;
-    }
-    status = begin(e, &image, options, error);
-    if (status != BURNISH_STATUS_OK) {
-        burnish_png_stream_destroy(e);
-        return status;
-    }
-    *stream = e;
-    return BURNISH_STATUS_OK;
-}
-
-burnish_status burnish_png_stream_add(burnish_png_stream *stream, const burnish_pixels *rows,
-                                      uint8_t **bytes, size_t *size, burnish_error *error) {
-    *bytes = NULL;
-    *size = 0;
-    const burnish_status status = burnish_pixels_check(rows, "PNG", error);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    const int left = stream->image.height - stream->piece_row;
-    if (rows->width != stream->image.width || rows->format != stream->image.format ||
-        rows->height > left) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "PNG: rows of %d x %d pixels, format %d; expected %d x at most %d, "
-                            "format %d",
-                            rows->width, rows->height, (int)rows->format, stream->image.width, left,
-                            (int)stream->image.format);
-    }
-    return add_piece(stream, rows, bytes, size, error);
-}
-
-void burnish_png_stream_destroy(burnish_png_stream *stream) {
-    if (stream) {
-        destroy_encoder(stream);
-        burnish_release(stream->context, stream);
-    }
 }
 
 burnish_status burnish_png_write(const burnish_pixels *pixels, const char *path,

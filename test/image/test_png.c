@@ -433,96 +433,10 @@ static void test_write_view(void) {
     burnish_image_destroy(&image);
 }
 
-/* ---- Streams ---- */
-
-/* The whole file from pieces of at most `most` rows. */
-static size_t stream_pieces(const burnish_pixels *pixels, const burnish_png_options *options,
-                            uint32_t most, uint8_t *file, size_t room) {
-    burnish_png_stream *stream = NULL;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    uint64_t state = test_seed(most);
-    size_t size = 0;
-    CHECK_OK(burnish_png_stream_create(pixels->width, pixels->height, pixels->format, options,
-                                       &stream, &error),
-             error);
-    for (int row = 0; row < pixels->height;) {
-        burnish_pixels piece = *pixels;
-        uint8_t *bytes = NULL;
-        size_t count = 0;
-        const int left = pixels->height - row, wanted = 1 + (int)(test_random32(&state) % most);
-        piece.height = wanted < left ? wanted : left;
-        piece.pixels += (size_t)row * piece.stride;
-        CHECK_OK(burnish_png_stream_add(stream, &piece, &bytes, &count, &error), error);
-        if (CHECK1(count <= room - size && (count > 0) == (bytes != NULL)) && bytes) {
-            memcpy(file + size, bytes, count);
-        }
-        burnish_release(NULL, bytes);
-        size += count;
-        row += piece.height;
-    }
-    burnish_png_stream_destroy(stream);
-    return size;
-}
-
-/* Rows that come in pieces make the file of all of them. */
-static void test_streams(void) {
-    static const int sizes[][2] = {{1, 1}, {300, 1}, {1, 300}, {641, 300}, {16384, 7}, {7, 16384}};
-    static const uint32_t pieces[] = {1, 5, 64, 20000};
-    for (size_t i = 0; i < 2 * sizeof sizes / sizeof *sizes; ++i) {
-        burnish_image image = make(sizes[i / 2][0], sizes[i / 2][1], 3 + (int)(i % 2));
-        const burnish_pixels pixels = burnish_image_get_pixels(&image);
-        burnish_png_options options = burnish_png_options_default();
-        uint8_t *whole;
-        size_t size;
-        options.dots_per_inch = 300;
-        CHECK_STATUS(burnish_png_encode(&pixels, &options, &whole, &size, NULL), BURNISH_STATUS_OK);
-        for (size_t k = 0; k < sizeof pieces / sizeof *pieces; ++k) {
-            uint8_t *file = malloc(size);
-            options.threads = 1 + (int)(k % 2) * 2;
-            CHECK(stream_pieces(&pixels, &options, pieces[k], file, size) == size &&
-                      memcmp(file, whole, size) == 0,
-                  "%d x %d: pieces of at most %u rows make another file", image.width, image.height,
-                  (unsigned)pieces[k]);
-            free(file);
-        }
-        burnish_release(NULL, whole);
-        burnish_image_destroy(&image);
-    }
-}
-
-static void test_bad_streams(void) {
-    burnish_image image = make(20, 10, 3);
-    burnish_pixels rows = burnish_image_get_pixels(&image);
-    burnish_png_stream *stream = NULL;
-    burnish_error error;
-    uint8_t *bytes;
-    size_t size;
-    CHECK_STATUS(burnish_png_stream_create(20, 0, BURNISH_PIXELS_RGB8, NULL, &stream, &error),
-                 BURNISH_STATUS_ARGUMENT);
-    CHECK1(stream == NULL);
-    CHECK_STATUS(burnish_png_stream_create(20, 15, BURNISH_PIXELS_RGB8, NULL, &stream, &error),
-                 BURNISH_STATUS_OK);
-    CHECK_STATUS(burnish_png_stream_add(stream, &rows, &bytes, &size, &error), BURNISH_STATUS_OK);
-    CHECK1(bytes == NULL && size == 0); /* a band is longer */
-    CHECK_STATUS(burnish_png_stream_add(stream, &rows, &bytes, &size, &error),
-                 BURNISH_STATUS_ARGUMENT);
-    CHECK_TEXT(error.text,
-               "PNG: rows of 20 x 10 pixels, format 0; expected 20 x at most 5, format 0");
-    rows.height = 5;
-    CHECK_STATUS(burnish_png_stream_add(stream, &rows, &bytes, &size, &error), BURNISH_STATUS_OK);
-    CHECK1(bytes != NULL && size > 0);
-    burnish_release(NULL, bytes);
-    burnish_png_stream_destroy(stream);
-    burnish_png_stream_destroy(NULL);
-    burnish_image_destroy(&image);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_decoding());
     RUN(test_bands());
-    RUN(test_streams());
-    RUN(test_bad_streams());
     RUN(test_chunks());
     RUN(test_views());
     RUN(test_16_bits());
