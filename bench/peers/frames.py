@@ -1,15 +1,13 @@
 #!/usr/bin/env python3
-"""The runner: starts the contestants, times them in turn, compares their pictures, prints a table and writes the ratios as JSON.
+"""The runner: starts the contestants, times them in turn, compares their pictures and prints a table.
 
-Usage: frames.py PROGRAMS BURNISH SCRATCH JSON [ROUNDS]
+Usage: frames.py PROGRAMS BURNISH SCRATCH [ROUNDS]
   PROGRAMS  folder of the contestants
 
 Contestants of one scene and thread count run at the same time, but only one of them draws at a time: each round asks each for a few
 frames in turn, so a busy moment affects all alike. A round waits for a quiet moment first; rounds without one are counted."""
 import array
 import collections
-import json
-import math
 import os
 import shutil
 import subprocess
@@ -26,24 +24,18 @@ VARIANTS = {
     "embree": ("family", "power"),
 }
 PACKAGES = {"burnish": "", "llvmpipe": "libegl-dev libgles-dev libegl-mesa0 libgl1-mesa-dri", "embree": "libembree-dev"}
-RATIOS = (
-    ("llvmpipe", "llvmpipe.power", "family"), ("llvmpipe_srgb", "llvmpipe.power-srgb", "family"),
-    ("llvmpipe_two_sided", "llvmpipe.power-two-sided", "family-two-sided"), ("llvmpipe_family", "llvmpipe.family", "family"),
-    ("embree", "embree.family", "family"), ("two_sided", "burnish.family-two-sided", "family"),    ("vector_pow", "burnish.power", "family"), ("schlick", "burnish.schlick", "family"),
-)
 SCENES = ("bunny", "bunny16")
 SIZES = {"256": "256,256", "1080p": "1920,1080"}
 FRAMES, NOTHING = 3, 0xFFFFFFFF
 
-if not 5 <= len(sys.argv) <= 6:
-    sys.exit("usage: frames.py PROGRAMS BURNISH SCRATCH JSON [ROUNDS]")
-programs, burnish, scratch, json_path = sys.argv[1:5]
-rounds = int(sys.argv[5]) if len(sys.argv) > 5 else 11
+if not 4 <= len(sys.argv) <= 5:
+    sys.exit("usage: frames.py PROGRAMS BURNISH SCRATCH [ROUNDS]")
+programs, burnish, scratch = sys.argv[1:4]
+rounds = int(sys.argv[4]) if len(sys.argv) > 4 else 11
 cores = os.cpu_count()
 patience = [300 if rounds > 1 else 0] # seconds; a single round is a check, not a measurement
 figures = collections.defaultdict(list) # {name: values}
 skipped = {}
-versions = {}
 comparisons = {} # {(scene, contestant): comparison}
 count = collections.Counter() # rounds, busy_rounds
 
@@ -68,8 +60,6 @@ def start(name, scene, threads):
         contestant.stop()
         return None
     print("  " + reply.removeprefix("ready "))
-    if name == "llvmpipe":
-        versions["mesa"] = measure.mesa(reply)
     return contestant
 
 
@@ -177,40 +167,6 @@ def print_comparisons():
         print(f"    {c['other']} pixels of another triangle,{histogram_text(c['other_histogram'])}; {c['coverage']} pixels covered by one only")
 
 
-def number(value):
-    """As JSON has it: three decimals, null for what was not measured."""
-    value = round(value, 3)
-    return None if not math.isfinite(value) else int(value) if value == int(value) else value
-
-
-def ratio(theirs, ours):
-    return number(measure.median(figures.get(theirs)) / measure.median(figures.get(ours)))
-
-
-def collect():
-    """The ratios, with what was skipped."""
-    data = {}
-    for scene in SCENES:
-        for threads in (1, 2):
-            prefix = f"frame.{scene}.t{threads}"
-            for key, theirs, ours in RATIOS:
-                data[f"{prefix}.{key}_over"] = ratio(f"{prefix}.{theirs}", f"{prefix}.burnish.{ours}")
-    for kind in ("process", "memory"):
-        for scene in SCENES:
-            for size in SIZES:
-                for threads in (1, 2): # one core has the plain name
-                    prefix = f"{kind}.{scene}.{size}"
-                    data[f"{prefix}{'.t2' if threads > 1 else ''}.f3d_over"] = ratio(f"{prefix}.t{threads}.f3d", f"{prefix}.t{threads}.burnish")
-    for scene in SCENES:
-        for name in ("llvmpipe", "embree"):
-            c = comparisons.get((scene, name))
-            data[f"picture.{scene}.{name}_difference"] = max(c["histogram"], default=0) if c else None
-    data["skipped"] = {name: skipped[name] for name in (*VARIANTS, "f3d") if name in skipped}
-    if cores < 2:
-        data["skipped"]["t2"] = "this machine offers one core"
-    return dict(data, **versions, busy_rounds=count["busy_rounds"], rounds=count["rounds"])
-
-
 def main():
     sys.stdout.reconfigure(line_buffering=True)
     print(f"{cores} cores, load {os.getloadavg()[0]:.1f} at the start; {rounds} rounds of {FRAMES} frames, 1920x1080, one sample")
@@ -221,13 +177,9 @@ def main():
     print_table()
     print_comparisons()
     print(f"{count['busy_rounds']} of {count['rounds']} rounds began while other programs ran")
-    data = collect()
     for name in (*VARIANTS, "f3d"):
         if name in skipped:
             print(f"skipped: {name}: {skipped[name]}")
-    print("\n" + json.dumps(data, indent="\t", separators=(",", ":\t")))
-    with open(json_path, "w", encoding="utf-8") as file:
-        file.write(json.dumps(data, indent="\t", separators=(",", ":\t")) + "\n")
 
 
 main()

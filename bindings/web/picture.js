@@ -135,7 +135,6 @@ async function drawNow(isDraft) {
   };
   show("");
   paint();
-  performance.mark("picture");
   if (!isDraft) {
     showNumbers();
     return;
