@@ -1,7 +1,6 @@
 /* The mesh stream: valid streams, and messages for damaged ones. */
 #include "base/bytes.h"
 #include "burnish/mesh.h"
-#include "counting_context.h"
 #include "mesh/read/bms.h"
 #include "reader_input.h"
 

@@ -1,28 +1,92 @@
 /* One object in all formats: the same picture, and warnings for files with wrong names. */
 #include "burnish/look.h"
 #include "draw_floats.h"
+#include "gltf_input.h"
 #include "mesh_arrays.h"
-#include "same_mesh.h"
+#include "threemf_input.h"
 
-enum { SIZE = 32, KINDS = SAME_COUNT - !BURNISH_HAS_3MF };
+/* ---- One triangle in each format ---- */
 
-static burnish_mesh *load_kind(same_kind kind, const char *name, int strict) {
+#define FACET_TEXT                                                                                 \
+    "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 "                      \
+    "0\nendloop\nendfacet\n"
+#define PLY_TEXT                                                                                   \
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"                     \
+    "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n"
+
+/* The last one needs expat. */
+static const struct kind {
+    const char *name, *format, *shown;
+    const char *text; /* of the whole file, or before the corners; NULL: 3MF */
+    int has_corners;  /* 1: as floats */
+    const char *end;  /* after them, `end_size` bytes */
+    size_t end_size;
+} kinds[] = {
+    {"text.stl", "stl", "STL", "solid a\n" FACET_TEXT "endsolid a\n", 0, "", 0},
+    {"a.obj", "obj", "OBJ", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n", 0, "", 0},
+    {"a.off", "off", "OFF", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 2 0\n3 0 1 2\n", 0, "", 0},
+    {"text.ply", "ply", "PLY", "ply\nformat ascii 1.0\n" PLY_TEXT "0 0 0\n1 0 0\n0 2 0\n3 0 1 2\n",
+     0, "", 0},
+    {"a.ply", "ply", "PLY", "ply\nformat binary_little_endian 1.0\n" PLY_TEXT, 1, "\3\0\1\2", 4},
+    {"a.stl", "stl", "STL", NULL, 1, "\0\0", 2},
+    {"a.gltf", "gltf", "glTF", "$head$triangle,$node}", 0, "", 0},
+    {"a.glb", "gltf", "glTF",
+     "$head$buffer(36),'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"
+     "$mesh('POSITION':0),$node}",
+     1, "", 0},
+    {"a.3mf", "3mf", "3MF", NULL, 0, "", 0},
+};
+enum { ALL_KINDS = sizeof kinds / sizeof *kinds, KINDS = ALL_KINDS - !BURNISH_HAS_3MF, SIZE = 32 };
+
+static void put_kind(byte_list *list, const struct kind *kind) {
+    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+    static byte_list binary;
+    const int is_gltf = strcmp(kind->format, "gltf") == 0;
+    list->size = binary.size = 0;
+    if (!kind->text && !kind->has_corners) {
+        zip_list *zip = begin_3mf(MODEL("<object id='1'><mesh><vertices><vertex x='0' y='0' z='0'/>"
+                                        "<vertex x='1' y='0' z='0'/><vertex x='0' y='2' z='0'/>"
+                                        "</vertices><triangles><triangle v1='0' v2='1' v3='2'/>"
+                                        "</triangles></mesh></object>",
+                                        ITEM_1));
+        end_zip(zip, 0);
+        put(list, zip->bytes, zip->size);
+        return;
+    }
+    if (!kind->text) { /* binary STL: a title, a count and a normal */
+        const uint8_t head[96] = {[80] = 1};
+        put(list, head, sizeof head);
+    } else if (is_gltf && !kind->has_corners) {
+        put_json(list, kind->text);
+    } else if (!is_gltf) {
+        put_text(list, kind->text);
+    }
+    if (kind->has_corners) {
+        put_floats(is_gltf ? &binary : list, 9, corners);
+    }
+    if (is_gltf && kind->has_corners) {
+        put_glb(list, kind->text, &binary);
+    }
+    put(list, kind->end, kind->end_size);
+}
+
+static burnish_mesh *load_kind(const struct kind *kind, const char *name, int strict) {
     static byte_list list;
     burnish_load_options options = burnish_load_options_default();
     options.strict = strict;
-    same_mesh(&list, kind);
+    put_kind(&list, kind);
     return load_bytes(list.bytes, list.size, name, &options);
 }
 
 /* A file without colours has the grey of the look, whatever its format. */
 static void test_same_grey(burnish_look look) {
-    static float pixels[SAME_COUNT][SIZE * SIZE * 4];
+    static float pixels[ALL_KINDS][SIZE * SIZE * 4];
     burnish_render_options options = burnish_render_options_default();
     burnish_render_options_set_look(&options, look, NULL);
     options.width = options.height = SIZE;
     options.occlusion = 0; /* its sky depends on which way is up */
     for (int i = 0; i < KINDS; ++i) {
-        burnish_mesh *mesh = load_kind((same_kind)i, same_kinds[i].name, 1);
+        burnish_mesh *mesh = load_kind(&kinds[i], kinds[i].name, 1);
         burnish_framing framing = burnish_framing_default();
         if (!mesh) {
             continue;
@@ -35,7 +99,7 @@ static void test_same_grey(burnish_look look) {
         CHECK1(burnish_look_set_materials(look, mesh, NULL) == BURNISH_STATUS_OK);
         draw_floats(mesh, &options, pixels[i], NULL);
         CHECK(memcmp(pixels[i], pixels[0], sizeof *pixels) == 0, "%s, look %d: %g instead of %g",
-              same_kinds[i].name, (int)look, (double)pixels[i][4 * (SIZE / 2 * SIZE + SIZE / 2)],
+              kinds[i].name, (int)look, (double)pixels[i][4 * (SIZE / 2 * SIZE + SIZE / 2)],
               (double)pixels[0][4 * (SIZE / 2 * SIZE + SIZE / 2)]);
         burnish_mesh_destroy(mesh);
     }
@@ -45,23 +109,21 @@ static void test_same_grey(burnish_look look) {
 
 /* Under the name of each other format: read by its contents, with a warning. */
 static void test_misnamed(void) {
-    static const char *const shown[SAME_COUNT] = {"STL", "STL",  "OBJ",  "OFF", "PLY",
-                                                  "PLY", "glTF", "glTF", "3MF"};
     for (int kind = 0; kind < KINDS; ++kind) {
-        for (int name = 0; name < SAME_COUNT; ++name) {
-            const int is_same = strcmp(same_kinds[kind].format, same_kinds[name].format) == 0;
-            burnish_mesh *mesh = load_kind((same_kind)kind, same_kinds[name].name, 0);
+        for (int name = 0; name < ALL_KINDS; ++name) {
+            const int is_same = strcmp(kinds[kind].format, kinds[name].format) == 0;
+            burnish_mesh *mesh = load_kind(&kinds[kind], kinds[name].name, 0);
             char expected[128];
             snprintf(expected, sizeof expected, "%s: the file is %s, not %s as its name says",
-                     same_kinds[name].name, shown[kind], shown[name]);
+                     kinds[name].name, kinds[kind].shown, kinds[name].shown);
             if (!mesh) {
                 continue;
             }
             CHECK_TEXT(burnish_format_get_info(burnish_mesh_get_info(mesh)->format)->name,
-                       same_kinds[kind].format);
-            CHECK1(burnish_mesh_get_view(mesh)->triangle_count == 4);
+                       kinds[kind].format);
+            CHECK1(burnish_mesh_get_view(mesh)->triangle_count == 1);
             if (CHECK(burnish_mesh_get_warning_count(mesh) == !is_same, "%s as %s",
-                      same_kinds[kind].name, same_kinds[name].name) &&
+                      kinds[kind].name, kinds[name].name) &&
                 !is_same) {
                 CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), expected);
             }
