@@ -1,35 +1,16 @@
 /* Small inputs that expand: one rule for all readers rejects them before memory is allocated, for
  * any number of threads. Plain files are drawn. */
-#include <stdarg.h>
-
 #include "image/decode/decode.h"
 #include "mesh/read/formats.h"
 #include "mesh/read/io/budget.h"
+#include "sheet.h"
 #include "support.h"
 #include "used_bytes.h"
 
 #define GLTF_HEAD "{'asset':{'version':'2.0'},"
 
-/* Bytes under construction. All zero: none. */
-typedef struct byte_list {
-    uint8_t *bytes;
-    size_t size, capacity;
-} byte_list;
-
-static void put(byte_list *list, const void *bytes, size_t size) {
-    while (list->size + size > list->capacity) {
-        list->capacity = list->capacity ? 2 * list->capacity : 1 << 16;
-        list->bytes = realloc(list->bytes, list->capacity);
-        if (!list->bytes) {
-            abort();
-        }
-    }
-    memcpy(list->bytes + list->size, bytes, size);
-    list->size += size;
-}
-
 /* Text with ' for ", which is readable in C. */
-__attribute__((format(printf, 2, 3))) static void put_json(byte_list *list, const char *format,
+__attribute__((format(printf, 2, 3))) static void put_json(file_bytes *list, const char *format,
                                                            ...) {
     char text[400];
     va_list arguments;
@@ -37,21 +18,14 @@ __attribute__((format(printf, 2, 3))) static void put_json(byte_list *list, cons
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     for (char *c = text; *c; ++c) {
-        put(list, *c == '\'' ? "\"" : c, 1);
-    }
-}
-
-static void put_word(byte_list *list, uint32_t word, int big_endian) {
-    for (int i = 0; i < 4; ++i) {
-        const uint8_t byte = (uint8_t)(word >> 8 * (big_endian ? 3 - i : i));
-        put(list, &byte, 1);
+        add(list, *c == '\'' ? "\"" : c, 1);
     }
 }
 
 /* ---- Files ---- */
 
 /* Loads on one thread; *most: the largest sum of memory at any time. */
-static burnish_status load(const byte_list *file, const char *name, burnish_load_options options,
+static burnish_status load(const file_bytes *file, const char *name, burnish_load_options options,
                            size_t *most, size_t *triangles, burnish_error *error) {
     used_bytes memory;
     burnish_context *context = make_counted(&memory);
@@ -70,8 +44,8 @@ static burnish_status load(const byte_list *file, const char *name, burnish_load
 }
 
 /* A GLB whose primitives of a mode share some points. */
-static byte_list make_shared(int mode, int points, int times) {
-    byte_list json = {0}, list = {0};
+static file_bytes make_shared(int mode, int points, int times) {
+    file_bytes json = {0}, list = {0};
     const uint32_t binary = 12 * (uint32_t)points;
     put_json(&json,
              GLTF_HEAD "'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'buffers':[{"
@@ -86,20 +60,20 @@ static byte_list make_shared(int mode, int points, int times) {
     }
     put_json(&json, "]}]}");
     while (json.size % 4) {
-        put(&json, " ", 1);
+        add(&json, " ", 1);
     }
-    put(&list, "glTF\2\0\0\0", 8);
-    put_word(&list, 28 + (uint32_t)json.size + binary, 0);
-    put_word(&list, (uint32_t)json.size, 0);
-    put(&list, "JSON", 4);
-    put(&list, json.bytes, json.size);
-    put_word(&list, binary, 0);
-    put(&list, "BIN", 4);
+    add(&list, "glTF\2\0\0\0", 8);
+    add_bits(&list, 28 + (uint32_t)json.size + binary, 4, 0);
+    add_bits(&list, (uint32_t)json.size, 4, 0);
+    add(&list, "JSON", 4);
+    add(&list, json.bytes, json.size);
+    add_bits(&list, binary, 4, 0);
+    add(&list, "BIN", 4);
     for (int i = 0; i < 3 * points; ++i) {
         const float value = (float)((uint32_t)i * (uint32_t)i % 1009);
         uint32_t word;
         memcpy(&word, &value, 4);
-        put_word(&list, word, 0);
+        add_bits(&list, word, 4, 0);
     }
     free(json.bytes);
     return list;
@@ -119,7 +93,7 @@ static void test_solids(void) {
         burnish_load_options options = burnish_load_options_default();
         burnish_error error;
         size_t most, triangles;
-        byte_list list = make_shared(cases[i].mode, POINTS, cases[i].times);
+        file_bytes list = make_shared(cases[i].mode, POINTS, cases[i].times);
         const burnish_status status = load(&list, "a.glb", options, &most, &triangles, &error);
         CHECK(status == cases[i].status && strstr(error.text, "become more than 5242880 vertices "),
               "%s: %d %s", cases[i].kind, (int)status, error.text);
@@ -129,7 +103,7 @@ static void test_solids(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_error error;
     size_t most, triangles;
-    byte_list list = make_shared(3, POINTS, 250);
+    file_bytes list = make_shared(3, POINTS, 250);
     options.max_triangles = 16 * 250 * POINTS;
     CHECK(load(&list, "a.glb", options, &most, &triangles, &error) == BURNISH_STATUS_OK &&
               triangles > 2000000,
@@ -148,13 +122,13 @@ static void test_faces(void) {
     static const char *const names[] = {"a.obj", "a.off", "a.ply"};
     static const int firsts[] = {1, 0, 0};
     for (size_t i = 0; i < 3; ++i) {
-        byte_list list = {0};
-        put(&list, heads[i], strlen(heads[i]));
+        file_bytes list = {0};
+        add(&list, heads[i], strlen(heads[i]));
         for (int k = 0; k < CORNERS; ++k) {
             const char corner[3] = {' ', (char)('0' + firsts[i] + k % 3), 0};
-            put(&list, corner, 2);
+            add(&list, corner, 2);
         }
-        put(&list, "\n", 1);
+        add(&list, "\n", 1);
         burnish_load_options options = burnish_load_options_default();
         char line[200];
         burnish_mesh_data data;
@@ -186,7 +160,7 @@ static void test_faces(void) {
 /* ---- Companions ---- */
 
 typedef struct self_folder {
-    byte_list *file;
+    file_bytes *file;
     size_t asked, now, most;
 } self_folder;
 
@@ -208,9 +182,9 @@ static void release_self(void *user_data, const void *bytes, size_t size) {
 }
 
 /* A file that is its own buffers, by names that mean the same file. */
-static byte_list make_self(int buffers, size_t size) {
+static file_bytes make_self(int buffers, size_t size) {
     static const char *const aliases[] = {"", "./", ".//./"};
-    byte_list list = {0};
+    file_bytes list = {0};
     put_json(&list, GLTF_HEAD "'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'buffers':[");
     for (int i = 0; i < buffers; ++i) {
         put_json(&list, "%s{'byteLength':36,'uri':'%sself.gltf'}", i ? "," : "", aliases[i % 3]);
@@ -230,14 +204,14 @@ static byte_list make_self(int buffers, size_t size) {
     }
     put_json(&list, "]}]}");
     while (list.size < size) {
-        put(&list, " ", 1);
+        add(&list, " ", 1);
     }
     return list;
 }
 
 static void test_self(void) {
     enum { BUFFERS = 700, SIZE = 1 << 20, TIMES = 64 };
-    byte_list list = make_self(BUFFERS, SIZE);
+    file_bytes list = make_self(BUFFERS, SIZE);
     self_folder folder = {.file = &list};
     burnish_load_options options = burnish_load_options_default();
     burnish_error error;
@@ -269,7 +243,7 @@ static void test_crowded(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_error error;
     size_t most, triangles;
-    byte_list few = make_shared(STRIP, POINTS, 40), many = make_shared(STRIP, POINTS, 60);
+    file_bytes few = make_shared(STRIP, POINTS, 40), many = make_shared(STRIP, POINTS, 60);
     CHECK_OK(load(&few, "few.glb", options, &most, &triangles, &error), error);
     CHECK1(triangles > 0);
     CHECK1(load(&many, "many.glb", options, &most, &triangles, &error) == BURNISH_STATUS_LIMIT);
@@ -289,12 +263,12 @@ static void test_sides(void) {
         {0x7FFFFFFF, 1}, {1, 0x7FFFFFFF}, {16385, 1}, {400000000, 9}};
     enum { SMALL = 1 << 16 };
     for (size_t i = 0; i < sizeof sides / sizeof *sides; ++i) {
-        byte_list png = {0};
-        put(&png, "\211PNG\r\n\032\n\0\0\0\rIHDR", 16);
-        put_word(&png, sides[i][0], 1);
-        put_word(&png, sides[i][1], 1);
-        put(&png, "\020\006\0\0\0....", 9); /* 16 bits, RGBA; sums come later */
-        put(&png, "\0\0\0\0IDAT....\0\0\0\0IEND....", 24);
+        file_bytes png = {0};
+        add(&png, "\211PNG\r\n\032\n\0\0\0\rIHDR", 16);
+        add_bits(&png, sides[i][0], 4, 1);
+        add_bits(&png, sides[i][1], 4, 1);
+        add(&png, "\020\006\0\0\0....", 9); /* 16 bits, RGBA; sums come later */
+        add(&png, "\0\0\0\0IDAT....\0\0\0\0IEND....", 24);
         used_bytes memory;
         burnish_context *context = make_counted(&memory);
         burnish_error error = {0};
