@@ -1,5 +1,4 @@
 /* 3MF that is invalid, hostile or damaged. */
-#include "counting_context.h"
 #include "threemf_input.h"
 
 /* ---- What is refused ---- */
@@ -209,22 +208,6 @@ static void test_truncated_model(void) {
     }
 }
 
-static burnish_status make_mesh(const void *data, const burnish_load_options *options,
-                                burnish_mesh **mesh, burnish_error *error) {
-    const zip_list *zip = data;
-    return burnish_mesh_load_memory(zip->bytes, zip->size, "a.3mf", options, mesh, error);
-}
-
-static void test_memory(void) {
-    zip_list *zip =
-        begin_3mf(MODEL(BASES COLORS TEXTURES
-                        "<m:multiproperties id='8' pids='6 5'>"
-                        "<multi pindices='1 1'/></m:multiproperties>" ONE_TRIANGLE("pid='8'", ""),
-                        ITEM_1));
-    end_zip(zip, 0);
-    check_failures(make_mesh, zip, 1, 0);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     if (!BURNISH_HAS_3MF) {
@@ -236,6 +219,5 @@ int main(int count, char **arguments) {
     RUN(test_limits());
     RUN(test_archives());
     RUN(test_truncated_model());
-    RUN(test_memory());
     return test_end("3mf_faults");
 }

@@ -8,6 +8,7 @@
 #include "mesh_arrays.h"
 #include "reader_input.h"
 #include "sheet.h"
+#include "zip_input.h"
 
 /* Sides of sheets. Files of a large one are read in pieces; a huge one has more rows than the readers
  * of binary files take at once. */
@@ -238,7 +239,8 @@ static burnish_status load_file(const void *data, const burnish_load_options *op
 
 /* ---- Seeds ---- */
 
-/* The file after the four bytes for the fuzzer; of OBJ, a library follows a byte 0. */
+/* The file after the four bytes for the fuzzer. A byte 0 ends an OBJ, and its library follows, or a
+ * model of 3MF that has no archive yet, and another part follows. */
 static int open_seed(const char *folder, const char *name, input *in) {
     char from[4500];
     uint8_t bytes[8192];
@@ -258,13 +260,19 @@ static int open_seed(const char *folder, const char *name, input *in) {
     in->is_golden = 1;
     add(&in->file, bytes + 4, size - 3);
     in->file.size -= 1;
-    const char *zero =
-        in->format == BURNISH_FORMAT_OBJ ? memchr(in->file.bytes, 0, size - 4) : NULL;
-    if (zero) {
-        in->library = zero + 1;
-        in->file.size = (size_t)((const uint8_t *)zero - in->file.bytes);
+    const char *text = (const char *)in->file.bytes, *rest = text + strnlen(text, size - 4);
+    const size_t more = (size_t)(text + size - 4 - rest);
+    if (in->format == BURNISH_FORMAT_OBJ && more > 0) {
+        in->library = rest + 1;
+        in->file.size = (size_t)(rest - text);
+    } else if (in->format == BURNISH_FORMAT_3MF && memcmp(text, "PK", 2) != 0) {
+        zip_list *zip = begin_3mf(text);
+        put_part(zip, "b", rest + 1, more > 0 ? more - 1 : 0, 0);
+        end_zip(zip, 0);
+        in->file.size = 0;
+        add(&in->file, zip->bytes, zip->size);
     }
-    return in->format != BURNISH_FORMAT_3MF || memcmp(in->file.bytes, "PK", 2) == 0;
+    return 1;
 }
 
 static void check_seed(input *in) {
