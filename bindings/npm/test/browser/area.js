@@ -24,7 +24,8 @@ const LIGHT = rectangle([-1.5, 1, -0.8], [0.2, 0.3, 0.3], 1.4, 1.2);
 
 // ---- three.js ----
 
-function sceneOf(material, light, { center, target, width, height } = LIGHT) {
+function sceneOf(material, light) {
+  const { center, target, width, height } = LIGHT;
   const floor = new three.Mesh(new three.PlaneGeometry(40, 40).rotateX(-Math.PI / 2), material);
   const sphere = new three.Mesh(new three.SphereGeometry(SPHERE.radius, 384, 192), material);
   sphere.position.set(...SPHERE.center);
@@ -165,22 +166,22 @@ function reference(light, roughness, width, height, samples) {
 // First without three.js' tables.
 const KINDS = { burnish: [BurnishRectLight, {}], three: [three.RectAreaLight, { USE_LTC: "" }] };
 
-const sceneFor = (kind, roughness, light = LIGHT) => {
+const sceneFor = (kind, roughness) => {
   const [Light, defines] = KINDS[kind];
   if (kind === "three") {
     RectAreaLightUniformsLib.init();
   }
-  return sceneOf(metal(roughness, defines), new Light("white", 1, light.width, light.height), light);
+  return sceneOf(metal(roughness, defines), new Light("white", 1, LIGHT.width, LIGHT.height));
 };
 
-/** Errors and pictures under one light: { roughness, expected, burnish: { pixels, rms, most }, three }. */
-function compare(renderer, light, roughness, width, height, samples) {
-  const expected = reference(light, roughness, width, height, samples);
-  const row = { roughness, expected: expected.map(({ value }) => value) };
+/** Errors under the light: { roughness, burnish: { rms, most }, three }. */
+function compare(renderer, roughness, width, height, samples) {
+  const expected = reference(LIGHT, roughness, width, height, samples);
+  const row = { roughness };
   for (const kind of Object.keys(KINDS)) {
-    const pixels = picture(renderer, sceneFor(kind, roughness, light), width, height);
+    const pixels = picture(renderer, sceneFor(kind, roughness), width, height);
     const errors = expected.flatMap(({ value, counts }, i) => (counts ? [Math.abs(pixels[i] - value)] : []));
-    row[kind] = { pixels, rms: Math.sqrt(errors.reduce((sum, e) => sum + e * e, 0) / errors.length), most: Math.max(...errors) };
+    row[kind] = { rms: Math.sqrt(errors.reduce((sum, e) => sum + e * e, 0) / errors.length), most: Math.max(...errors) };
   }
   return row;
 }
@@ -188,84 +189,7 @@ function compare(renderer, light, roughness, width, height, samples) {
 /** The same light at several roughnesses. */
 export function compareAreaLights(roughnesses, width, height, samples) {
   const renderer = new three.WebGLRenderer({ canvas: document.createElement("canvas") });
-  const rows = roughnesses.map((roughness) => compare(renderer, LIGHT, roughness, width, height, samples));
+  const rows = roughnesses.map((roughness) => compare(renderer, roughness, width, height, samples));
   renderer.dispose();
   return rows;
-}
-
-/** RMS errors over lights around the sphere at random, some of them partly below the floor, of roughness 0.1 to 1. */
-export function compareRandomLights(count, width, height, samples) {
-  const renderer = new three.WebGLRenderer({ canvas: document.createElement("canvas") });
-  let seed = 1;
-  const random = (low, high) => low + ((high - low) * (seed = (seed * 16807) % 2147483647)) / 2147483647;
-  const squares = { burnish: 0, three: 0 };
-  for (let i = 0; i < count; ++i) {
-    const center = [random(-2.5, 2.5), random(0, 2), random(-2.5, 2)];
-    const light = rectangle(center, [random(-0.5, 1), random(0, 0.8), random(-0.5, 0.8)], random(0.3, 2), random(0.3, 2));
-    const row = compare(renderer, light, random(0.1, 1), width, height, samples);
-    for (const kind of Object.keys(squares)) {
-      squares[kind] += row[kind].rms ** 2 / count;
-    }
-  }
-  renderer.dispose();
-  return { burnish: Math.sqrt(squares.burnish), three: Math.sqrt(squares.three) };
-}
-
-/** Least milliseconds for a picture, taken in turn: the first round compiles. */
-export function timeAreaLights(width, height, rounds) {
-  const renderer = new three.WebGLRenderer({ canvas: document.createElement("canvas") });
-  const scenes = { none: sceneOf(metal(0.3, {}), new three.Object3D()) };
-  for (const kind of Object.keys(KINDS)) {
-    scenes[kind] = sceneFor(kind, 0.3);
-  }
-  const times = Object.fromEntries(Object.keys(scenes).map((kind) => [kind, []]));
-  for (let round = -1; round < rounds; ++round) {
-    for (const [kind, scene] of Object.entries(scenes)) {
-      const start = performance.now();
-      picture(renderer, scene, width, height);
-      times[kind].push(performance.now() - start);
-    }
-  }
-  renderer.dispose();
-  return Object.fromEntries(Object.entries(times).map(([kind, list]) => [kind, Math.min(...list.slice(1))]));
-}
-
-/** A sheet of pictures and errors as a PNG's data URL. */
-export function drawAreaLights(rows, width, height) {
-  const [left, top, gap, gain] = [168, 34, 4, 4];
-  const canvas = document.createElement("canvas");
-  canvas.width = left + rows.length * (width + gap);
-  canvas.height = top + 5 * (height + gap);
-  const context = canvas.getContext("2d");
-  context.fillStyle = "white";
-  context.fillRect(0, 0, canvas.width, canvas.height);
-  const code = (x) => Math.round(255 * Math.min(1, x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
-  const show = (column, line, value) => {
-    const image = new ImageData(width, height);
-    for (let i = 0; i < width * height; ++i) {
-      const from = (height - 1 - Math.floor(i / width)) * width + (i % width);
-      image.data.set([...value(from), 255], 4 * i);
-    }
-    context.putImageData(image, left + column * (width + gap), top + line * (height + gap));
-  };
-  const grey = (x) => [code(x), code(x), code(x)];
-  const signed = (x) => { // too bright is orange, too dark is blue
-    const y = Math.min(1, gain * Math.abs(x));
-    return x > 0 ? [255, 255 - 125 * y, 255 - 235 * y] : [255 - 225 * y, 255 - 135 * y, 255 - 35 * y];
-  };
-  context.fillStyle = "#222";
-  context.font = "15px sans-serif";
-  context.textBaseline = "middle";
-  const names = ["GGX, sampled", "BurnishRectLight", "RectAreaLight (LTC)", "error of the lobes", "error of LTC"];
-  names.forEach((name, line) => context.fillText(name, 8, top + (line + 0.5) * (height + gap)));
-  context.fillText(`errors times ${gain}`, 8, top / 2);
-  rows.forEach((row, column) => {
-    context.fillText(`roughness ${row.roughness}`, left + column * (width + gap) + 6, top / 2);
-    show(column, 0, (i) => grey(row.expected[i]));
-    show(column, 1, (i) => grey(row.burnish.pixels[i]));
-    show(column, 2, (i) => grey(row.three.pixels[i]));
-    show(column, 3, (i) => signed(row.burnish.pixels[i] - row.expected[i]));
-    show(column, 4, (i) => signed(row.three.pixels[i] - row.expected[i]));
-  });
-  return canvas.toDataURL();
 }

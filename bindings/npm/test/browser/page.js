@@ -4,7 +4,7 @@ import * as GPU from "three/webgpu";
 import { load } from "burnish/wasm";
 import { useBurnish } from "burnish/three";
 import { BurnishPhongMaterial } from "burnish/three/tsl";
-import { compareAreaLights, compareRandomLights, drawAreaLights, timeAreaLights } from "./area.js";
+import { compareAreaLights } from "./area.js";
 
 const SIZE = 128;
 const SHININESS = 30;
@@ -97,12 +97,6 @@ async function run() {
 }
 
 // Called by run.mjs.
-window.area = (roughnesses, width, height, samples) => {
-  const rows = compareAreaLights(roughnesses, width, height, samples);
-  const errors = ({ rms, most }) => ({ rms, most });
-  return { rows: rows.map(({ roughness, burnish, three }) => ({ roughness, burnish: errors(burnish), three: errors(three) })), png: drawAreaLights(rows, width, height) };
-};
-window.areaTimes = timeAreaLights;
-window.randomLights = compareRandomLights;
+window.area = compareAreaLights;
 
 window.results = run().catch((error) => ({ error: String(error?.stack ?? error) }));

@@ -1,8 +1,6 @@
 // Both renderers of three.js in Debian's Chromium, compared with the package's own lobes.
-// Usage: node run.mjs FOLDER [FIGURE]
-//   FOLDER  where burnish, three and playwright-core are installed, and page.html
-//   FIGURE  a PNG to write: area lights by roughness, with their errors and times on standard output
-import { createReadStream, existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+// Usage: node run.mjs FOLDER, where burnish, three and playwright-core are installed, and page.html
+import { createReadStream, existsSync, mkdtempSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { extname, join, normalize } from "node:path";
@@ -49,20 +47,12 @@ try {
   if (!(dark[1] > dark[0])) {
     fail("the lobe of MeshStandardMaterial has no edge");
   }
-  const figure = process.argv[3];
-  const roughnesses = figure ? [0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1] : [0.2, 0.5, 1];
-  const { rows, png } = await page.evaluate(`window.area([${roughnesses}], ${figure ? "150, 100, 4096" : "60, 40, 256"})`);
-  for (const { roughness, burnish, three } of rows) {
+  for (const { roughness, burnish, three } of await page.evaluate("window.area([0.2, 0.5, 1], 60, 40, 256)")) {
     const [lobes, tables] = [burnish, three].map(({ rms, most }) => `${rms.toFixed(4)}, largest ${most.toFixed(3)}`);
     console.log(`area light, roughness ${roughness}: lobes ${lobes}; LTC ${tables}`);
     if (!(burnish.rms < 0.025)) { // 0.016 of it is noise of 256 samples at roughness 0.2
       fail(`area light, roughness ${roughness}: ${burnish.rms}`);
     }
-  }
-  if (figure) {
-    writeFileSync(figure, Buffer.from(png.split(",")[1], "base64"));
-    console.log("RMS errors of 200 random lights:", await page.evaluate("window.randomLights(200, 48, 32, 1024)"));
-    console.log("milliseconds a picture of 512 x 384, without light, by lobes, by LTC:", await page.evaluate("window.areaTimes(512, 384, 15)"));
   }
 } finally {
   await browser.close();
