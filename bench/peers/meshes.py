@@ -2,10 +2,9 @@
 """burnish against llvmpipe on many meshes: one line each, then means and quartiles, for one and two threads, one sample and four,
 1920x1080 and 256x256.
 
-Usage: meshes.py [--short | --one-sample] PROGRAMS [INPUT...]
-  PROGRAMS      folder of the contestants; without inputs: the bunny and the built-in objects
-  --short       one frame each of 256x256, one thread, one sample
-  --one-sample  1920x1080 with one sample only, in a sixth of the time
+Usage: meshes.py [--short] PROGRAMS [INPUT...]
+  PROGRAMS  folder of the contestants; without inputs: the bunny and the built-in objects
+  --short   one frame each of 256x256, one thread, one sample
 
 Both load a file with burnish's reader and draw the same triangles. burnish draws energy:2 in sRGB, llvmpipe pow in linear bytes; four
 samples are 4x MSAA with its resolve. Both cull back faces. The contestants take turns of a few frames while the
@@ -80,12 +79,11 @@ def print_setup(setup, results):
 
 
 def main():
-    flag = sys.argv[1] if sys.argv[1:2] in (["--short"], ["--one-sample"]) else ""
-    if len(sys.argv) < 2 + bool(flag):
-        sys.exit("usage: meshes.py [--short | --one-sample] PROGRAMS [INPUT...]")
-    programs, *inputs = sys.argv[1 + bool(flag):]
-    is_short = flag == "--short"
-    setups = [(1, 1, (256, 256))] if is_short else [setup for setup in SETUPS if not flag or setup[1:] == (1, (1920, 1080))]
+    is_short = sys.argv[1:2] == ["--short"]
+    if len(sys.argv) < 2 + is_short:
+        sys.exit("usage: meshes.py [--short] PROGRAMS [INPUT...]")
+    programs, *inputs = sys.argv[1 + is_short:]
+    setups = [(1, 1, (256, 256))] if is_short else SETUPS
     for name in CONTESTANTS:
         if not os.access(f"{programs}/bench_peers_{name}", os.X_OK):
             sys.exit(f"bench-peers: {programs}/bench_peers_{name} is not built (scripts/install-deps peers)")

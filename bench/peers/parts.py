@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Times whole processes: f3d and burnish draw each file to a PNG in turns, on all cores.
 
-Usage: [SIZES="512,512 ..."] parts.py PROGRAMS BURNISH SCRATCH ROUNDS FILE...
+Usage: parts.py PROGRAMS BURNISH SCRATCH ROUNDS FILE...
 
 Prints one line per file and size: the size; milliseconds of f3d, of burnish with f3d's settings (--look=plain --samples=1) and of
 burnish without flags; the peak memory of each in KiB; the file. Numbers are medians of the rounds, after one that fills the caches.
@@ -19,7 +19,7 @@ CONTESTANTS = ("f3d", "burnish --look=plain", "burnish")
 if len(sys.argv) < 6:
     sys.exit("usage: parts.py PROGRAMS BURNISH SCRATCH ROUNDS FILE...")
 programs, burnish, scratch, rounds, *files = sys.argv[1:]
-sizes = os.environ.get("SIZES", "256,256 1920,1080").split()
+sizes = ("256,256", "1920,1080")
 ratios = {size: [] for size in sizes}
 patience = [300 if int(rounds) > 1 else 0] # seconds; a single round is a check, not a measurement
 
