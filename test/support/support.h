@@ -102,6 +102,24 @@ static inline uint64_t test_add_hash(uint64_t hash, const void *data, size_t siz
     return hash;
 }
 
+/* FNV-1a of numbers of 1, 2 or 4 bytes, the same for both byte orders; items may be NULL. */
+static inline uint64_t test_add_words(uint64_t hash, const void *items, size_t bytes,
+                                      size_t width) {
+    for (size_t at = 0; items && at < bytes; at += width) {
+        const uint8_t *p = (const uint8_t *)items + at;
+        uint32_t word = *p;
+        uint16_t half;
+        if (width == 4) {
+            memcpy(&word, p, 4);
+        } else if (width == 2) {
+            memcpy(&half, p, 2);
+            word = half;
+        }
+        hash = (hash ^ word) * UINT64_C(0x100000001B3);
+    }
+    return hash;
+}
+
 static inline float test_float_of_bits(uint32_t bits) {
     float value;
     memcpy(&value, &bits, sizeof value);

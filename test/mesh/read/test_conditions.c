@@ -14,6 +14,12 @@
  * of binary files take at once. */
 enum { SMALL = 9, LARGE = 100, MANY = 150 };
 
+#ifdef BURNISH_MSAN
+enum { HAS_MSAN = 1 }; /* expat is not built with it */
+#else
+enum { HAS_MSAN = 0 };
+#endif
+
 typedef enum expectation { ANYTHING /* all readings agree */, GOOD, BROKEN } expectation;
 
 typedef struct input {
@@ -41,35 +47,19 @@ static burnish_status open_library(void *user_data, const char *file, uint64_t m
     return BURNISH_STATUS_OK;
 }
 
-/* The same for both byte orders. */
-static uint64_t hash_words(uint64_t hash, const void *items, size_t bytes, size_t width) {
-    for (size_t at = 0; items && at < bytes; at += width) {
-        const uint8_t *p = (const uint8_t *)items + at;
-        uint32_t word = *p;
-        uint16_t half;
-        if (width == 4) {
-            memcpy(&word, p, 4);
-        } else if (width == 2) {
-            memcpy(&half, p, 2);
-            word = half;
-        }
-        hash = (hash ^ word) * UINT64_C(0x100000001B3);
-    }
-    return hash;
-}
-
 static uint64_t hash_mesh(const burnish_mesh_data *mesh) {
     uint64_t hash = UINT64_C(0xCBF29CE484222325);
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         const burnish_stream *stream = &mesh->streams[i];
         const size_t size = burnish_attribute_size((burnish_attribute)i);
-        hash = hash_words(hash, stream->items, stream->count * size, i == BURNISH_COLOR ? 1 : 4);
-        hash = hash_words(hash, stream->corners, 12 * mesh->triangle_count, 4);
+        hash =
+            test_add_words(hash, stream->items, stream->count * size, i == BURNISH_COLOR ? 1 : 4);
+        hash = test_add_words(hash, stream->corners, 12 * mesh->triangle_count, 4);
     }
     for (size_t i = 0; i < mesh->material_count; ++i) {
-        hash = hash_words(hash, mesh->materials[i].diffuse, 12, 4);
+        hash = test_add_words(hash, mesh->materials[i].diffuse, 12, 4);
     }
-    return hash_words(hash, mesh->triangle_materials, 2 * mesh->triangle_count, 2);
+    return test_add_words(hash, mesh->triangle_materials, 2 * mesh->triangle_count, 2);
 }
 
 /* test/golden/meshes.txt has a line "HASH NAME" for each file. After a deliberate change, take the
@@ -317,7 +307,9 @@ static void test_seeds(void) {
     snprintf(command, sizeof command, "sh '" TEST_SOURCE_DIR "/test/fuzz/seeds' '%s'", folder);
     CHECK(system(command) == 0, "%s", command);
     for (burnish_format i = BURNISH_FORMAT_GLTF; i < BURNISH_FORMAT_COUNT; ++i) {
-        check_seeds(folder, i);
+        if (!HAS_MSAN || i != BURNISH_FORMAT_3MF) {
+            check_seeds(folder, i);
+        }
     }
     snprintf(command, sizeof command, "rm -r '%s'", folder);
     CHECK1(system(command) == 0);
@@ -398,31 +390,34 @@ static void test_sheets(int writer) {
     free(in.file.bytes);
 }
 
-static void check_oddity(int writer, const char *middle, const char *end, expectation expected) {
+static void check_oddity(int writer, const sheet *odd, expectation expected) {
     input in = {.format = writers[writer].format};
-    for (int side = SMALL; side <= LARGE; side += LARGE - SMALL) {
-        in.file.size = 0;
-        snprintf(in.name, sizeof in.name, "%.30s|%.30s", middle ? middle : "", end ? end : "");
-        writers[writer].write(
-            &in.file, &(sheet){.side = side, .newline = "\n", .middle = middle, .end = end});
-        if (side == SMALL) {
-            check_all_chunks(&in, expected);
-        } else {
-            check_source(&in, expected);
-        }
+    snprintf(in.name, sizeof in.name, "%.30s|%.30s", odd->middle ? odd->middle : "",
+             odd->end ? odd->end : "");
+    writers[writer].write(&in.file, odd);
+    if (odd->side == SMALL) {
+        check_all_chunks(&in, expected);
+    } else {
+        check_source(&in, expected);
     }
     free(in.file.bytes);
 }
 
 static void test_oddities(int writer) {
-    for (int i = 0; writers[writer].good[i]; ++i) {
-        check_oddity(writer, writers[writer].good[i], NULL, GOOD);
-    }
-    for (int i = 0; writers[writer].broken[i]; ++i) {
-        check_oddity(writer, writers[writer].broken[i], NULL, BROKEN);
-    }
-    for (int i = 0; writers[writer].ends[i]; ++i) {
-        check_oddity(writer, NULL, writers[writer].ends[i], ANYTHING);
+    enum { MOST_BROKEN = 4 }; /* large files: they are read again in memory, whatever is wrong */
+    for (int side = SMALL; side <= LARGE; side += LARGE - SMALL) {
+        sheet s = {.side = side, .newline = "\n"};
+        for (int i = 0; (s.end = writers[writer].ends[i]) != NULL; ++i) {
+            check_oddity(writer, &s, ANYTHING);
+        }
+        for (int i = 0; (s.middle = writers[writer].good[i]) != NULL; ++i) {
+            check_oddity(writer, &s, GOOD);
+        }
+        for (int i = 0;
+             (s.middle = writers[writer].broken[i]) != NULL && (side == SMALL || i < MOST_BROKEN);
+             ++i) {
+            check_oddity(writer, &s, BROKEN);
+        }
     }
 }
 
