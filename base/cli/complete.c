@@ -55,7 +55,7 @@ static void print_quoted(const char *text, const char *escaped) {
 
 /* Whether the value is several of the flag's words, between commas. */
 static int takes_list(const cli_flag *flag) {
-    return flag->value && strcmp(flag->value, "LIST") == 0;
+    return cli_type_of(flag) == CLI_TYPE_WORDS;
 }
 
 /* ---- bash ---- */

@@ -117,19 +117,27 @@ static int in_list(const char *list, const char *name, size_t length) {
     return 0;
 }
 
+/* The flag of this table with this name; NULL: none. */
+static const cli_flag *find_own(const cli_command *command, const char *name) {
+    for (size_t i = 0; i < command->flag_count; ++i) {
+        if (strcmp(command->flags[i].name, name) == 0) {
+            return &command->flags[i];
+        }
+    }
+    return NULL;
+}
+
 const cli_flag *cli_flag_at(const cli_command *command, size_t index) {
     const cli_command *base = command->base;
-    const char *topic = "";
     if (index < command->flag_count) {
         return &command->flags[index];
     }
     index -= command->flag_count;
     for (size_t i = 0; base && i < base->flag_count; ++i) {
         const cli_flag *flag = &base->flags[i];
-        topic = flag->topic ? flag->topic : topic;
-        const int taken = in_list(command->base_topics, topic, strlen(topic)) ||
-                          in_list(command->base_flags, flag->name, strlen(flag->name));
-        if (taken && index-- == 0) {
+        const int is_inherited =
+            flag->phases & command->base_phases && !(flag->not_for & command->heir);
+        if (is_inherited && !find_own(command, flag->name) && index-- == 0) {
             return flag;
         }
     }

@@ -35,6 +35,41 @@ typedef enum cli_file {
     CLI_REPORTS /* text: not under the name of a mesh */
 } cli_file;
 
+/* When a flag acts. A flag of PROCESS changes how or whether a result is made, not the result. */
+typedef enum cli_phase {
+    CLI_PHASE_LOAD = 1,
+    CLI_PHASE_DRAW = 2,
+    CLI_PHASE_FILE = 4,
+    CLI_PHASE_PROCESS = 8
+} cli_phase;
+
+/* X(constant, word in JSON) of every type of a value. */
+#define CLI_TYPE_LIST(X)                                                                           \
+    X(CLI_TYPE_AUTO, "auto") /* that of the handler (cli_type_of) */                               \
+    X(CLI_TYPE_SWITCH, "switch")                                                                   \
+    X(CLI_TYPE_INTEGER, "integer")                                                                 \
+    X(CLI_TYPE_NUMBER, "number")                                                                   \
+    X(CLI_TYPE_BYTES, "bytes")   /* an integer, which can end in K, M or G */                      \
+    X(CLI_TYPE_SIZE, "size")     /* two integers */                                                \
+    X(CLI_TYPE_SQUARE, "square") /* an integer, or two */                                          \
+    X(CLI_TYPE_VECTOR, "vector") /* several numbers */                                             \
+    X(CLI_TYPE_COLOR, "color")                                                                     \
+    X(CLI_TYPE_LIGHT, "number or color")                                                           \
+    X(CLI_TYPE_WORD, "word")   /* one of the flag's words */                                       \
+    X(CLI_TYPE_WORDS, "words") /* several, between commas */                                       \
+    X(CLI_TYPE_TEXT, "text")                                                                       \
+    X(CLI_TYPE_NAME, "name") /* a text, or a number */
+#define CLI_TYPE_CONSTANT(constant, word) constant,
+typedef enum cli_type { CLI_TYPE_LIST(CLI_TYPE_CONSTANT) } cli_type;
+#undef CLI_TYPE_CONSTANT
+
+/* What a picture of lines does with a flag. */
+typedef enum cli_svg {
+    CLI_SVG_DRAWN,
+    CLI_SVG_SAME,   /* it is accepted, and no line changes */
+    CLI_SVG_REFUSED /* it is an error */
+} cli_svg;
+
 typedef struct cli_flag cli_flag;
 
 /* Reads text (NULL for a switch or a missing optional value) into *target. Messages begin with the
@@ -64,6 +99,10 @@ struct cli_flag {
     double low, high;      /* range of a number */
     const cli_word *words; /* the valid values */
     cli_file file;         /* whether the value names a file */
+    cli_type value_type; /* if cli_type_of can not derive it */
+    unsigned phases;       /* sum of cli_phase */
+    unsigned not_for;      /* sum of the `heir` of commands that do not inherit it */
+    cli_svg svg;
 };
 
 /* The fields that every row has, the fields of a switch, and the range of a number. The file of a
@@ -133,10 +172,10 @@ struct cli_command {
     const cli_flag *flags;
     size_t flag_count;
     const cli_command *
-        base; /* a command whose flags it shares and whose settings are the first member of its own;
-                 or NULL */
-    const char *base_topics;         /* the shared flags: topics, between commas ... */
-    const char *base_flags;          /* ... and names. Own flags take precedence */
+        base; /* a command whose flags it inherits and whose settings are the first member of its
+                 own; or NULL */
+    unsigned base_phases;            /* inherits flags of one of these phases, ... */
+    unsigned heir;                   /* ... without this bit in not_for, and not named as its own */
     const cli_example *examples;     /* the last has a NULL command; may be NULL */
     const cli_section *sections;     /* the last has a NULL heading; may be NULL */
     const cli_command *const *parts; /* its subcommands, the last is NULL; or NULL */

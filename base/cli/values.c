@@ -289,3 +289,32 @@ burnish_status cli_flag_word(const cli_flag *flag, const char *text, void *targe
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: \"%.60s\" is not one of %s", flag->name,
                     text, list);
 }
+
+cli_type cli_type_of(const cli_flag *flag) {
+    static const struct {
+        cli_handler *handler;
+        cli_type type;
+    } types[] = {
+        {cli_flag_integer, CLI_TYPE_INTEGER}, {cli_flag_count, CLI_TYPE_INTEGER},
+        {cli_flag_bytes, CLI_TYPE_BYTES},     {cli_flag_size, CLI_TYPE_SIZE},
+        {cli_flag_square, CLI_TYPE_SQUARE},   {cli_flag_real, CLI_TYPE_NUMBER},
+        {cli_flag_angle, CLI_TYPE_NUMBER},    {cli_flag_vector, CLI_TYPE_VECTOR},
+        {cli_flag_nonzero, CLI_TYPE_VECTOR},
+    };
+    if (flag->value_type != CLI_TYPE_AUTO || !flag->value) {
+        return flag->value ? flag->value_type : CLI_TYPE_SWITCH;
+    }
+    for (size_t i = 0; i < sizeof types / sizeof *types; ++i) {
+        if (types[i].handler == flag->handler) {
+            return types[i].type;
+        }
+    }
+    return flag->words ? CLI_TYPE_WORD : CLI_TYPE_TEXT;
+}
+
+const char *cli_type_word(cli_type type) {
+#define WORD(constant, word) word,
+    static const char *const words[] = {CLI_TYPE_LIST(WORD)};
+#undef WORD
+    return words[type];
+}

@@ -33,6 +33,10 @@ cli_handler cli_flag_vector;  /* cli_vector */
 cli_handler cli_flag_nonzero; /* the same, not 0,0,0 */
 cli_handler cli_flag_word;    /* int: value of one of flag->words */
 
+/* The type of a flag's value, never CLI_TYPE_AUTO; and its word. */
+cli_type cli_type_of(const cli_flag *flag);
+const char *cli_type_word(cli_type type);
+
 /* The whole text as a finite decimal number. Returns 0 if it is not one. */
 int cli_read_real(const char *text, size_t length, double *value);
 

@@ -72,8 +72,8 @@ static const cli_flag flags[] = {
                "burnish did not write is replaced only with *--overwrite*."},
     {CLI_FLAG("title", "TEXT", "title of the page", cli_flag_text, title),
      .default_label = "the folder's name", .manual = "Title of *index.html*."},
-    {CLI_SWITCH("facts", "measure volume, area and defects", render.input.measure), .common = 1,
-     .aliases = "measure,volume,info",
+    {CLI_SWITCH("facts", "measure volume, area and defects", render.input.measure),
+     .phases = CLI_PHASE_LOAD, .common = 1, .aliases = "measure,volume,info",
      .manual = "Measures each mesh as *burnish info* does, and adds the results to the report and "
                "to *index.html*, which can then be sorted by volume, area and defects. Meshes "
                "that are not closed get a badge."},
@@ -131,6 +131,7 @@ static const cli_flag flags[] = {
      .topic = "picture",
      CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size,
               render.picture.size),
+     .phases = CLI_PHASE_DRAW,
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
      .default_text = "512,512",
      .common = 1,
@@ -138,8 +139,8 @@ static const cli_flag flags[] = {
      .manual = "Width and height of each picture."},
     {CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
               render.picture.size),
-     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's', .default_label = "512x512", .common = 1,
-     .manual = "The same as *--resolution=*_N_*,*_N_."},
+     .phases = CLI_PHASE_DRAW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's',
+     .default_label = "512x512", .common = 1, .manual = "The same as *--resolution=*_N_*,*_N_."},
 };
 
 static const cli_example examples[] = {
@@ -203,9 +204,8 @@ const cli_command batch_command = {
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
     .base = &render_command,
-    .base_topics = "camera,light",
-    .base_flags = RENDER_PICTURE_FLAGS ",font,overwrite,max-triangles,max-texture-pixels,"
-                                       "max-input-bytes,max-overdraw,quiet,isa",
+    .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_FILE | CLI_PHASE_PROCESS,
+    .heir = RENDER_HEIR_BATCH,
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(batch_settings),
@@ -264,21 +264,9 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
 
 #else
 
-static int is_one_of(const char *name, const char *const *names) {
-    while (*names && strcmp(name, *names) != 0) {
-        ++names;
-    }
-    return *names != NULL;
-}
-
 /* Whether a flag affects pictures. */
 static int is_about_pictures(const cli_flag *flag) {
-    static const char *const own[] = {"size", "resolution", "facts", NULL};
-    static const char *const others[] = {
-        "quiet", "isa", "overwrite", "max-triangles", "max-input-bytes", "max-overdraw", NULL};
-    return flag >= flags && flag < flags + sizeof flags / sizeof *flags
-               ? is_one_of(flag->name, own)
-               : !is_one_of(flag->name, others);
+    return flag->phases != 0 && !(flag->phases & CLI_PHASE_PROCESS);
 }
 
 /* Lists the flags that affect pictures, and hashes the files that they name. b->options stays NULL

@@ -78,53 +78,57 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
 
 /* The rows; `type` has the cli_input `member`. */
 #define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
-    .name = "input-format", .aliases = "format", .value = "NAME", .help = "fbx ... or",            \
-    .default_text = "auto", .manual = cli_input_format_manual, .handler = cli_flag_input_format,   \
-    .words = cli_input_formats, .offset = offsetof(type, member.format)
+    .phases = CLI_PHASE_LOAD, .name = "input-format", .aliases = "format", .value = "NAME",        \
+    .help = "fbx ... or", .default_text = "auto", .manual = cli_input_format_manual,               \
+    .handler = cli_flag_input_format, .words = cli_input_formats,                                  \
+    .offset = offsetof(type, member.format)
 
 #define CLI_TESSELLATION_FLAG(type, member)                                                        \
-    .name = "tessellation", .help = "segments per patch edge of built-in objects", .value = "N",   \
-    .default_text = "16", .low = 1, .high = 256,                                                   \
-    .manual = "Segments along a patch edge of a built-in object.", .handler = cli_flag_integer,    \
-    .offset = offsetof(type, member.tessellation)
+    .phases = CLI_PHASE_LOAD, .name = "tessellation",                                              \
+    .help = "segments per patch edge of built-in objects", .value = "N", .default_text = "16",     \
+    .low = 1, .high = 256, .manual = "Segments along a patch edge of a built-in object.",          \
+    .handler = cli_flag_integer, .offset = offsetof(type, member.tessellation)
 
 #define CLI_STRICT_FLAG(type, member)                                                              \
-    .name = "strict", .help = "treat warnings about INPUT and flags as errors",                    \
+    .phases = CLI_PHASE_LOAD, .svg = CLI_SVG_SAME, .name = "strict",                               \
+    .help = "treat warnings about INPUT and flags as errors",                                      \
     .manual = "A fault of _INPUT_ that is otherwise repaired or ignored with a warning ends the "  \
               "run with exit code 4, and a flag without an effect with exit code 2.",              \
     .handler = cli_flag_switch, .offset = offsetof(type, member.strict)
 
 #define CLI_ANIMATION_TIME_FLAG(type, member)                                                      \
-    .name = "animation-time", .value = "SECONDS", .help = "time in INPUT's animation",             \
-    .default_label = "at rest", .low = 0, .high = 1e9,                                             \
+    .phases = CLI_PHASE_LOAD, .name = "animation-time", .value = "SECONDS",                        \
+    .help = "time in INPUT's animation", .default_label = "at rest", .low = 0, .high = 1e9,        \
     .manual = "Shows _INPUT_ at _SECONDS_ after the start of its animation (glTF). Without "       \
               "this flag and *--animation* it is shown in the rest pose of the file.",             \
     .handler = cli_flag_real, .offset = offsetof(type, member.animation_time)
 
 #define CLI_ANIMATION_FLAG(type, member)                                                           \
-    .name = "animation", .value = "NAME", .help = "which animation, by name or number from 0",     \
-    .default_label = "the first",                                                                  \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "animation", .value = "NAME",   \
+    .help = "which animation, by name or number from 0", .default_label = "the first",             \
     .manual = "The animation of _INPUT_ for *--animation-time*: its name, or its number from "     \
               "0. Without a time, its start is shown.",                                            \
     .handler = cli_flag_text, .offset = offsetof(type, member.animation)
 
 #define CLI_POINT_SIZE_FLAG(type, member)                                                          \
-    .name = "point-size", .value = "SIZE", .help = "diameter of points and lines",                 \
-    .default_label = "by density", .low = 1e-30, .high = 1e30,                                     \
+    .phases = CLI_PHASE_LOAD, .name = "point-size", .value = "SIZE",                               \
+    .help = "diameter of points and lines", .default_label = "by density", .low = 1e-30,           \
+    .high = 1e30,                                                                                  \
     .manual =                                                                                      \
         "Diameter, in the units of _INPUT_, in which the points of a file without faces are "      \
         "drawn, or its lines as rods. By default points close a sampled surface.",                 \
     .handler = cli_flag_real, .offset = offsetof(type, member.point_size)
 
 #define CLI_NO_LIBRARIES_FLAG(type, member)                                                        \
-    .name = "no-libraries", .help = "ignore files that INPUT refers to",                           \
+    .phases = CLI_PHASE_LOAD, .name = "no-libraries", .help = "ignore files that INPUT refers to", \
     .manual = "Reads only _INPUT_, without the material libraries, textures and buffers that it "  \
               "refers to.",                                                                        \
     .handler = cli_flag_switch, .offset = offsetof(type, member.no_libraries)
 
 #define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
-    .name = "max-triangles", .value = "N", .help = "refuse larger meshes",                         \
-    .default_text = "1431655764", .low = 1, .high = 1431655764, .default_label = "5 per byte",     \
+    .phases = CLI_PHASE_LOAD | CLI_PHASE_PROCESS, .name = "max-triangles", .value = "N",           \
+    .help = "refuse larger meshes", .default_text = "1431655764", .low = 1, .high = 1431655764,    \
+    .default_label = "5 per byte",                                                                 \
     .manual =                                                                                      \
         "Refuses meshes with more triangles (exit code 5). By default the limit is 5 vertices "    \
         "and triangles together for each byte of _INPUT_ and the files that it refers to, and "    \
@@ -133,13 +137,15 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
     .handler = cli_flag_count, .offset = offsetof(type, member.max_triangles)
 
 #define CLI_NO_TEXTURES_FLAG(type, member)                                                         \
-    .name = "no-textures", .help = "ignore textures",                                              \
+    .phases = CLI_PHASE_LOAD, .svg = CLI_SVG_SAME, .name = "no-textures",                          \
+    .help = "ignore textures",                                                                     \
     .manual = "Textures are neither loaded nor drawn: materials have only their colours.",         \
     .handler = cli_flag_switch, .offset = offsetof(type, member.no_textures)
 
 #define CLI_MAX_TEXTURE_PIXELS_FLAG(type, member)                                                  \
-    .name = "max-texture-pixels", .value = "N", .help = "limit on the pixels of all textures",     \
-    .default_text = "auto", .low = 0, .high = 1e12,                                                \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_INTEGER, .name = "max-texture-pixels",        \
+    .value = "N", .help = "limit on the pixels of all textures", .default_text = "auto", .low = 0, \
+    .high = 1e12,                                                                                  \
     .manual =                                                                                      \
         "Textures beyond _N_ pixels in total are skipped, with a warning. The default is 32 "      \
         "for each byte of _INPUT_ and the files that it refers to, at least 2^25 and at most "     \
@@ -147,8 +153,9 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
     .handler = cli_flag_texture_pixels, .offset = offsetof(type, member.max_texture_pixels)
 
 #define CLI_MAX_INPUT_BYTES_FLAG(type, member)                                                     \
-    .name = "max-input-bytes", .help = "refuse larger inputs; K, M, G for powers of 1024",         \
-    .value = "N", .default_text = "16G", .low = 1, .high = 9e18,                                   \
+    .phases = CLI_PHASE_LOAD | CLI_PHASE_PROCESS, .name = "max-input-bytes",                       \
+    .help = "refuse larger inputs; K, M, G for powers of 1024", .value = "N",                      \
+    .default_text = "16G", .low = 1, .high = 9e18,                                                 \
     .manual =                                                                                      \
         "Refuses larger inputs (exit code 5). _N_ can end in *K*, *M* or *G*, powers of 1024.",    \
     .handler = cli_flag_bytes, .offset = offsetof(type, member.max_input_bytes)

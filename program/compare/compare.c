@@ -12,7 +12,8 @@
 #include "cli/main.h"
 #include "picture/formats.h"
 #include "picture/panels.h"
-#include "render/render.h"
+#include "render/check.h"
+#include "render/flags.h"
 
 static cli_work work;
 
@@ -130,11 +131,8 @@ const cli_command compare_command = {
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
     .base = &render_command,
-    .base_topics = "camera,light",
-    .base_flags = "samples,background-color,no-background,cull-back-faces,views,input-format,"
-                  "normals,crease-angle,tessellation,animation-time,animation,point-size,strict,"
-                  "no-textures,no-libraries,max-triangles,max-texture-pixels,max-input-bytes,"
-                  "max-overdraw,quiet,threads,isa",
+    .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_PROCESS,
+    .heir = RENDER_HEIR_COMPARE,
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(compare_settings),

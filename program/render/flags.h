@@ -4,13 +4,16 @@
 
 #include "base/cli/options.h"
 
-/* Picture flags for other commands that draw: the flags of the topics picture, files and report
- * that do not name a file or set a limit. */
-#define RENDER_PICTURE_FLAGS                                                                       \
-    "width,height,cull-back-faces,samples,background-color,no-background,views,annotate,columns,"  \
-    "labels,no-labels,quality,dpi,input-format,clip,color-by,color-map,color-range,no-legend,"     \
-    "normals,crease-angle,tessellation,animation-time,animation,point-size,strict,no-textures,"    \
-    "no-libraries,fail-on-blank"
+/* Commands that inherit the flags, for cli_command.heir: a new flag of render is theirs, too, if it
+ * acts in one of their phases (cli_command.base_phases) and does not name them in `not_for`. */
+enum {
+    RENDER_HEIR_BATCH = 1,
+    RENDER_HEIR_SERVE = 2,
+    RENDER_HEIR_REQUEST = 4, /* of serve-stdio: without the operator's limits and without files */
+    RENDER_HEIR_COMPARE = 8,
+    RENDER_HEIR_VIEW = 16,
+    RENDER_HEIR_SESSION = 32 /* the bindings */
+};
 
 /* Sections of the man page. */
 extern const cli_section render_sections[];

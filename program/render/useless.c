@@ -13,17 +13,17 @@ static int is_given(const render_settings *settings, const char *flag) {
     return cli_is_given(&render_command, settings, flag);
 }
 
-/* The first flag of a list that was given, or NULL. */
-static const char *find_given(const render_settings *settings, const char *flags, char *name,
-                              size_t size) {
+/* Whether a flag of a list was given. */
+static int is_any_given(const render_settings *settings, const char *flags) {
+    char name[CLI_NAME_MAX];
     for (const char *item = flags; item; item = strchr(item, ',')) {
         item += *item == ',';
-        snprintf(name, size, "%.*s", (int)strcspn(item, ","), item);
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(item, ","), item);
         if (is_given(settings, name)) {
-            return name;
+            return 1;
         }
     }
-    return NULL;
+    return 0;
 }
 
 /* Whether any picture can have lines. Looks with lines only in views along an axis need a parallel
@@ -50,25 +50,25 @@ static int is_parallel(const render_settings *settings) {
 static int is_shaded(const render_settings *settings) {
     static const char shades[] = "color,material,ambient,environment,occlusion,ground,shadow,clip,"
                                  "background-color,no-background,outline-contrast";
-    char name[32];
-    return settings->shading.look != BURNISH_LOOK_DRAWING ||
-           find_given(settings, shades, name, sizeof name) != NULL;
+    return settings->shading.look != BURNISH_LOOK_DRAWING || is_any_given(settings, shades);
 }
 
-/* Flags that do not affect an SVG. --ambient, --color and --material change areas' colours. */
+/* Refuses flags that do not affect an SVG, except --occlusion=none. */
 static burnish_status check_svg(const render_settings *settings, burnish_error *error) {
-    static const char unshown[] = "light,shadow,ground,opacity,specular,exponent,lobe,equation,"
-                                  "viewer,samples,outline-contrast";
-    char name[32];
-    const char *flag =
-        settings->shading.occlusion.given && settings->shading.occlusion.directions != 0
-            ? "occlusion"
-            : find_given(settings, unshown, name, sizeof name);
-    return flag ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                           "--%s: it does not affect the lines and areas of %s; omit the flag, "
-                           "or use the extension .png",
-                           flag, settings->output.format == PICTURE_PDF ? "a PDF" : "an SVG")
-                : BURNISH_STATUS_OK;
+    const int has_occlusion =
+        settings->shading.occlusion.given && settings->shading.occlusion.directions != 0;
+    for (size_t i = 0; i < render_command.flag_count; ++i) {
+        const cli_flag *flag = &render_command.flags[i];
+        if (flag->svg == CLI_SVG_REFUSED && is_given(settings, flag->name) &&
+            (has_occlusion || strcmp(flag->name, "occlusion") != 0)) {
+            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "--%s: it does not affect the lines and areas of %s; omit the flag, "
+                            "or use the extension .png",
+                            flag->name,
+                            settings->output.format == PICTURE_PDF ? "a PDF" : "an SVG");
+        }
+    }
+    return BURNISH_STATUS_OK;
 }
 
 burnish_status render_check_drawing(render_settings *settings, burnish_error *error) {

@@ -90,8 +90,6 @@ static const cli_section sections[] = {
     {.heading = NULL},
 };
 
-#define OWN_PICTURE_FLAGS "resolution,size,output-format,"
-
 const cli_command serve_command = {
     .name = "serve-stdio",
     .operand = "",
@@ -109,9 +107,8 @@ const cli_command serve_command = {
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
     .base = &render_command,
-    .base_topics = "camera,light",
-    .base_flags = OWN_PICTURE_FLAGS RENDER_PICTURE_FLAGS ",max-triangles,max-texture-pixels,"
-                                                         "max-input-bytes,max-overdraw,isa",
+    .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_FILE,
+    .heir = RENDER_HEIR_SERVE,
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(serve_settings),
@@ -123,8 +120,8 @@ const cli_command serve_request_command = {
     .operand = "",
     .operands_max = 0,
     .base = &render_command,
-    .base_topics = "camera,light",
-    .base_flags = OWN_PICTURE_FLAGS RENDER_PICTURE_FLAGS,
+    .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_FILE,
+    .heir = RENDER_HEIR_REQUEST,
     .settings_size = sizeof(render_settings),
 };
 

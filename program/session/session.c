@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "cli/main.h"
+#include "render/check.h"
+#include "render/flags.h"
 #include "render/output/draw.h"
 #include "render/output/result.h"
 #include "render/render.h"
@@ -43,23 +45,15 @@ struct session {
 static const cli_command open_command = {
     .name = "open",
     .base = &render_command,
-    .base_flags = "input-format,clip,color-by,color-map,color-range,normals,crease-angle,"
-                  "tessellation,animation-time,animation,point-size,"
-                  "strict,no-textures,no-libraries,max-triangles,max-texture-pixels,"
-                  "max-input-bytes,up,threads",
+    .base_phases = CLI_PHASE_LOAD,
+    .heir = RENDER_HEIR_SESSION,
     .settings_size = sizeof(render_settings),
 };
 static const cli_command draw_command = {
     .name = "render",
     .base = &render_command,
-    .base_topics = "light",
-    .base_flags =
-        "resolution,size,width,height,cull-back-faces,samples,background-color,no-background,views,"
-        "no-legend,"
-        "annotate,camera-direction,azimuth,elevation,camera,"
-        "camera-position,camera-focal-point,camera-view-up,camera-view-angle,"
-        "zoom,camera-orthographic,camera-orthographic-height,margin,"
-        "max-overdraw,isa,threads",
+    .base_phases = CLI_PHASE_DRAW,
+    .heir = RENDER_HEIR_SESSION,
     .settings_size = sizeof(render_settings),
 };
 

@@ -1,6 +1,7 @@
 /* `burnish view`: flags and the manual. */
 #include "view/view.h"
-#include "render/render.h"
+#include "render/check.h"
+#include "render/flags.h"
 
 #include <string.h>
 
@@ -71,12 +72,8 @@ const cli_command view_command = {
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
     .base = &render_command,
-    .base_topics = "camera,light",
-    .base_flags =
-        "samples,background-color,cull-back-faces,views,input-format,clip,normals,crease-angle,"
-        "tessellation,animation-time,animation,point-size,strict,no-textures,"
-        "no-libraries,max-triangles,max-texture-pixels,max-input-bytes,max-overdraw,"
-        "threads,isa",
+    .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW,
+    .heir = RENDER_HEIR_VIEW,
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(view_settings),

@@ -70,47 +70,11 @@ check "lobe table --help=all differs" sh -c "'$burnish' lobe table --help=all | 
 check "burnish help render differs from render --help" sh -c "'$burnish' help render | cmp - render.txt"
 check "flags before --help count" sh -c "'$burnish' render --samples=4 --help | cmp - render.txt"
 
-# Every flag of render is a flag of the other commands that draw too, except these.
-sed 's/^--//' all.txt >flags_of_render.txt
-# lacks REASON FLAG...
-lacks() {
-    shift
-    printf '%s\n' "$@" >>exceptions.txt
-}
-# compares COMMAND: with the exceptions so far.
-compares() {
-    run "$1" --help=all
-    sed -n 's/^  \(-[a-z],\|   \) --\([a-z-]*\).*/\2/p' "$out" | sort >flags_of_command.txt
-    sort exceptions.txt >expected.txt
-    comm -23 flags_of_render.txt flags_of_command.txt >missing.txt
-    check "$1: flags of render that are missing, or exceptions that are not: $(diff expected.txt missing.txt | grep '^[<>]' | tr '\n' ' ')" \
-        cmp expected.txt missing.txt
-    rm exceptions.txt
-}
-one_picture="plane reference reference-difference reference-threshold rows turntable fps"
-# shellcheck disable=SC2086
-{
-    lacks "files or parts of one picture" $one_picture frames
-    lacks "the report has it" json timing
-    lacks "the names of the pictures have the format" output-format
-    lacks "the default, and --jobs" sandbox threads
-    compares batch
-    lacks "a request has no files" $one_picture frames output output-dir overwrite files-from recursive font
-    lacks "the reply has it" json timing quiet
-    lacks "the default; --jobs" sandbox
-    compares serve-stdio
-    lacks "files or parts of one picture" $one_picture output-dir output-format overwrite files-from recursive quality dpi frames
-    lacks "both sides have one size, one view and no notes" width height columns labels no-labels font annotate fail-on-blank
-    lacks "cuts and colours of one mesh" clip color-by color-map color-range no-legend
-    lacks "processes of render" max-memory max-seconds no-sandbox sandbox timing
-    compares compare
-    lacks "files or parts of one picture" $one_picture output-dir output-format overwrite files-from recursive quality dpi json
-    lacks "the window has its size, one view and no notes" size width height columns labels no-labels font annotate fail-on-blank
-    lacks "the window's background is opaque" no-background
-    lacks "the actions of the window have no colours by value" color-by color-map color-range no-legend
-    lacks "processes of render" max-memory max-seconds no-sandbox sandbox timing quiet
-    compares view
-}
+# A flag of a command replaces the inherited one.
+for command in batch serve-stdio compare view; do
+    "$burnish" $command --help=all | grep -o '^ *\(-., \)\?--[a-z-]*' | sort | uniq -d >twice.txt
+    check "$command: twice: $(cat twice.txt)" [ ! -s twice.txt ]
+done
 
 run --version
 check "version" grep -qx 'burnish [0-9]*\.[0-9]*\.[0-9]*' "$out"

@@ -222,6 +222,8 @@ static void test_table(void) {
         CHECK(strlen(flag->name) < CLI_NAME_MAX, "--%s", flag->name);
         CHECK(flag->help && *flag->help, "--%s has no row on the help screen", flag->name);
         CHECK(!flag->group == !flag->topic, "--%s: a group has a topic", flag->name);
+        CHECK(flag->phases != 0, "--%s acts in no phase, so no command would inherit it",
+              flag->name);
         const int names_file =
             flag->value && (strstr(flag->value, "FILE") || strstr(flag->value, "FOLDER"));
         CHECK(names_file == (flag->file != CLI_NO_FILE), "--%s: what it names", flag->name);
