@@ -59,6 +59,10 @@ static const cli_flag flags[] = {
      .common = 1,
      .aliases = "width,height,res",
      .manual = "Default width and height of pictures."},
+    {CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
+              render.picture.size),
+     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's', .default_label = "512x512",
+     .manual = "The same as *--resolution=*_N_*,*_N_."},
 };
 
 static const cli_example examples[] = {

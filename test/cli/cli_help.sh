@@ -75,6 +75,10 @@ for command in batch serve-stdio compare view; do
     "$burnish" $command --help=all | grep -o '^ *\(-., \)\?--[a-z-]*' | sort | uniq -d >twice.txt
     check "$command: twice: $(cat twice.txt)" [ ! -s twice.txt ]
 done
+for command in batch serve-stdio; do
+    check "$command: --size and --resolution have the same default" \
+        [ "$("$burnish" $command --help=picture | grep -Ec -- '--(resolution|size)=.*\[512[,x]512\]')" = 2 ]
+done
 
 run --version
 check "version" grep -qx 'burnish [0-9]*\.[0-9]*\.[0-9]*' "$out"
