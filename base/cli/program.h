@@ -10,6 +10,7 @@ typedef struct cli_program {
     const char *description;            /* paragraphs of the man page */
     const cli_command *const *commands; /* the last is NULL; "help" takes the names of others */
     const cli_command *implied;         /* the command of a line that names none; NULL: none */
+    const cli_command *options;         /* its flags are the options of the bindings */
     const cli_example *examples;        /* of the first screen; the last has a NULL command */
     const cli_section *values;          /* of the man page: values of several commands */
     const cli_section *environment;     /* of the man page */
@@ -17,6 +18,9 @@ typedef struct cli_program {
 
 /* Prints the man page in roff on standard output. */
 void cli_print_man(const cli_program *program);
+
+/* Prints all commands and flags as JSON on standard output. Errors: MEMORY. */
+burnish_status cli_print_json(const cli_program *program, burnish_error *error);
 
 /* Prints completions on standard output, for "bash", "zsh" or "fish". */
 void cli_print_completion(const cli_program *program, const char *shell);

@@ -10,6 +10,7 @@
 #include "cli/colors.h"
 #include "cli/input.h"
 #include "cli/main.h"
+#include "render/flags.h"
 
 static const cli_command help_command;
 
@@ -61,6 +62,7 @@ static const cli_program burnish = {
         "common ones; *--help=*_TOPIC_ lists others, and *--help=all* all of them.",
     .commands = commands,
     .implied = &render_command,
+    .options = &render_options_command,
     .examples = examples,
     .values = &cli_color_section,
     .environment = &environment,
@@ -71,7 +73,7 @@ static const cli_program burnish = {
 enum { SHELL_NONE, SHELL_BASH, SHELL_ZSH, SHELL_FISH };
 
 typedef struct help_settings {
-    int man, shell;
+    int man, shell, json;
 } help_settings;
 
 static cli_work help_work;
@@ -95,6 +97,48 @@ static const cli_flag help_flags[] = {
                "--completion=bash)*.",
      .handler = cli_flag_word,
      .offset = offsetof(help_settings, shell)},
+    {.name = "json",
+     .help = "print all commands and flags as JSON",
+     .manual = "Prints the tables of all commands and flags, for generators of bindings, forms and "
+               "other completions; see *FLAGS IN JSON*.",
+     .handler = cli_flag_switch,
+     .offset = offsetof(help_settings, json)},
+};
+
+static const cli_term json_terms[] = {
+    {"*burnish*", "the version"},
+    {"*commands*",
+     "an array with *name* (*render*, *lobe table*), *operand*, *summary* and *flags*, "
+     "which has the inherited ones, too"},
+    {"*options*", "an array of the flags that are options in Python, JavaScript and MCP"},
+    {"*name, letter, also*", "of a flag, without dashes; *also* is an array of other names"},
+    {"*type*",
+     "*switch*, *integer*, *number*, *bytes* (an integer that can end in K, M or G), *size* "
+     "(two integers), *square* (one or two), *vector* (numbers between commas), *color*, "
+     "*number or color*, *word*, *words* (between commas), *text*, or *name* (a text or "
+     "a number)"},
+    {"*value, help*", "the placeholder of the value and the row of the help screen"},
+    {"*optional*", "true: the flag can be given without its value"},
+    {"*repeats*", "true: repeated values add up; otherwise the last one counts"},
+    {"*off*", "the value that switches the flag off, or null"},
+    {"*words, low, high*", "the valid values; null if any value is valid"},
+    {"*default, default_label*", "the value without the flag, and a description of it; or null"},
+    {"*topic*", "of *--help=*_TOPIC_, or null"},
+    {"*phases*", "in which the flag acts, an array: *load*, *draw*, *file*; *process*: it does not "
+                 "change the result, but limits, drives or reports the work. Empty if the flag is "
+                 "not about pictures"},
+    {"*svg*", "what an SVG or PDF does with the flag: *drawn*, *same* (nothing), or *refused*"},
+    {"*file*",
+     "what the value names: *folder*, *reads*, *writes*, *reports* (a file of text), or null"},
+    {NULL, NULL},
+};
+
+static const cli_section help_sections[] = {
+    {.heading = "FLAGS IN JSON",
+     .text = "The output of *burnish help --json* is one object. Keys are added, but never renamed "
+             "or removed within a major version.",
+     .terms = json_terms},
+    {.heading = NULL},
 };
 
 static const cli_command help_command = {
@@ -106,6 +150,7 @@ static const cli_command help_command = {
     .operands_max = 2,
     .flags = help_flags,
     .flag_count = sizeof help_flags / sizeof *help_flags,
+    .sections = help_sections,
     .settings_size = sizeof(help_settings),
     .work = help_work,
 };
@@ -145,6 +190,9 @@ static burnish_status help_work(void *from, cli_call *call, burnish_error *error
     const help_settings *settings = from;
     if (call->operand_count > 0) {
         return help_about(call, error);
+    }
+    if (settings->json) {
+        return cli_print_json(&burnish, error);
     }
     if (settings->man) {
         cli_print_man(&burnish);

@@ -680,3 +680,11 @@ const cli_command render_command = {
     .settings_size = sizeof(render_settings),
     .given = offsetof(render_settings, given),
 };
+
+const cli_command render_options_command = {
+    .name = "options",
+    .base = &render_command,
+    .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW,
+    .heir = RENDER_HEIR_SESSION,
+    .settings_size = sizeof(render_settings),
+};

@@ -125,6 +125,35 @@ grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | 
 check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>]' | tr '\n' ' ')" cmp written.txt told.txt
 check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
 rm -f p.png d.npy t.gif
+# help --json has the flags of the help screens, and the keys that the manual lists.
+gives 0 help --json
+cp "$out" flags.json
+sed -n '/^.SH "FLAGS IN JSON"/,/^.SH/p' page.txt | grep -o '^f[BI][a-z_, ]*fR$' | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort >told.txt
+check "flags in JSON" python3 - "$burnish" <<'END'
+import json, re, subprocess, sys
+with open("flags.json") as file:
+    description = json.load(file)
+def all_keys(value):
+    if isinstance(value, dict):
+        return set(value).union(*map(all_keys, value.values()))
+    return set().union(*map(all_keys, value)) if isinstance(value, list) else set()
+told = set(open("told.txt").read().split())
+assert all_keys(description) == told | {"summary", "operand", "flags"}, all_keys(description) ^ told
+for command in description["commands"]:
+    screen = subprocess.run([sys.argv[1], *command["name"].split(), "--help=all"], capture_output=True, text=True, check=True).stdout
+    listed = re.findall(r"^  (?:-., |    )--([a-z-]+)", screen, re.M)
+    assert sorted([flag["name"] for flag in command["flags"]] + ["help"]) in (sorted(listed), sorted(listed + ["help"])), command["name"]
+render = {flag["name"]: flag for flag in description["commands"][0]["flags"]}
+def picked(name, *keys):
+    return [render[name][key] for key in keys]
+assert picked("output", "letter", "type", "value", "topic", "phases", "file") == ["o", "text", "FILE", "picture", ["file"], "writes"]
+assert picked("zoom", "also", "type", "low", "high", "default", "topic") == [["camera-zoom-factor"], "number", 0.001, 1000, "1", "camera"]
+assert picked("edges", "type", "optional", "off", "phases", "svg") == ["words", True, "none", ["draw"], "drawn"]
+assert picked("light", "repeats", "svg") == [True, "refused"] and render["samples"]["words"] == ["1", "4", "8", "16"]
+assert picked("max-triangles", "type", "phases") == ["integer", ["load", "process"]] and picked("up", "type", "phases") == ["word", ["load"]]
+options = {flag["name"] for flag in description["options"]}
+assert options < set(render) and {"up", "zoom", "threads"} < options and not {"output", "columns", "sandbox"} & options, options
+END
 for variable in BURNISH_ISA PATH; do
     check "the manual's ENVIRONMENT lacks $variable" sh -c "sed -n '/^.SH \"ENVIRONMENT/,/^.SH EXAMPLES/p' page.txt | grep -q $variable"
 done
