@@ -1,5 +1,8 @@
 /** The renderer of burnish in WebAssembly, and facts of its lobes. */
 
+import type { DrawFlags, LoadFlags } from "./options.js";
+export type { Color, Vector, Words } from "./options.js";
+
 /** The source of a mesh: the bytes of a file, or a built-in object. */
 export type Input = BufferSource | ":teapot" | ":sphere" | ":torus" | ":knot";
 
@@ -9,57 +12,14 @@ export type AsyncInput = Input | Blob;
 /** Uint8Array<ArrayBuffer> since TypeScript 5.7, Uint8Array before. */
 export type Bytes = ReturnType<typeof Uint8Array.of>;
 
-/** One word, or several: an array, or with commas between them. */
-export type Words<Word extends string> = Word | `${Word},${string}` | readonly Word[];
-export type Vector = readonly number[] | string;
-/** A name, "#rrggbb", or three numbers in [0, 1]. */
-export type Color = string | readonly number[];
-export type View = "front" | "right" | "top" | "iso" | "back" | "left" | "bottom";
-export type Annotation = "axes" | "box" | "dimensions" | "scale" | "grid" | "none";
-export type Edge = "silhouettes" | "creases" | "boundaries" | "materials" | "none";
-
 /** Options of loading: flags of `burnish render` with the same values. A list can be an array, and false switches an option off. */
-export interface LoadOptions {
+export interface LoadOptions extends LoadFlags {
   /** For messages; the extension chooses the format: "part.stl". */
   name?: string;
   /** Files that the mesh refers to, by name: {"part.mtl": bytes}. */
   files?: Record<string, BufferSource>;
-  /** If the name does not have the right extension. */
-  inputFormat?: "auto" | "gltf" | "obj" | "off" | "ply" | "stl" | "3mf" | "bms";
-  /** The default depends on the format. */
-  up?: "+Y" | "-Y" | "+Z" | "-Z" | "+X" | "-X" | "auto" | "format";
-  /** A plane "X,Y,Z,D" or [X, Y, Z, D]: everything beyond it is cut away. Several planes: an array of planes. */
-  clip?: Vector | readonly Vector[] | false;
-  /** "height", "normal" or a scalar property of a PLY file: colours by these values. */
-  colorBy?: string;
-  /** Default: "viridis". */
-  colorMap?: "viridis" | "coolwarm" | "grey";
-  /** "LO:HI": values with the first and the last colour. By default the range of the values. */
-  colorRange?: string;
-  /** "auto" (default), "file" or "own": whether the normals of the file are used. */
-  normals?: "auto" | "file" | "own";
-  /** Degrees below which edges are smooth. By default each edge depends on its surroundings. */
-  creaseAngle?: number;
-  /** Segments along a patch edge of a built-in object; default 16. */
-  tessellation?: number;
-  /** Seconds after the start of the animation. By default the mesh is in its rest pose. */
-  animationTime?: number;
-  /** Name or number of the animation. */
-  animation?: string | number;
-  /** Diameter of the points and lines of a file without faces. */
-  pointSize?: number;
-  /** Faults that are otherwise repaired with a warning are errors. */
-  strict?: boolean;
-  /** Ignores textures. */
-  noTextures?: boolean;
-  /** Ignores files that the input refers to. */
-  noLibraries?: boolean;
   /** Mesh.facts gets its values. */
   measure?: boolean;
-  maxTriangles?: number;
-  maxTexturePixels?: number;
-  /** Bytes, or "64M". */
-  maxInputBytes?: number | string;
 }
 
 /** Decodes the bytes of an image file to straight RGBA, rows from the top. */
@@ -77,105 +37,10 @@ export interface ReadOptions extends Omit<LoadOptions, "files"> {
   decode?: Decode | null;
 }
 
-/** Options of drawing: flags of `burnish render`, with the same defaults. */
-export interface DrawOptions {
+/** Options of drawing: flags of `burnish render`, with the same values and defaults. */
+export interface DrawOptions extends DrawFlags {
   /** true: always four channels, as for ImageData. */
   rgba?: boolean;
-  /** [width, height]; default [1024, 768]. */
-  resolution?: readonly [number, number] | string;
-  /** Width and height of a square picture, or both. */
-  size?: number | readonly [number, number] | string;
-  /** The height keeps the proportions, unless it is given. */
-  width?: number;
-  height?: number;
-  /** Coverage samples per pixel: 1, 4, 8 or 16. */
-  samples?: 1 | 4 | 8 | 16;
-  cullBackFaces?: boolean;
-  /** A name, "#rrggbb", three numbers in [0, 1], "none", or "environment". */
-  backgroundColor?: Color | false;
-  /** The same. */
-  background?: Color | false;
-  /** The picture has alpha, four channels. */
-  noBackground?: boolean;
-  /** No legend of colorBy. */
-  noLegend?: boolean;
-  /** A standard view. */
-  views?: View | readonly [View];
-  /** Lines and numbers around the object. */
-  annotate?: Words<Annotation> | false;
-
-  /** From the camera to the object. */
-  cameraDirection?: Vector;
-  /** Degrees. */
-  azimuth?: number;
-  /** The same. */
-  cameraAzimuthAngle?: number;
-  /** Degrees. */
-  elevation?: number;
-  /** The same. */
-  cameraElevationAngle?: number;
-  /** A camera of the input, by name or number. */
-  camera?: string | number;
-  cameraPosition?: Vector;
-  cameraFocalPoint?: Vector;
-  cameraViewUp?: Vector;
-  /** Vertical field of view in degrees; default 30. */
-  cameraViewAngle?: number;
-  zoom?: number;
-  /** The same. */
-  cameraZoomFactor?: number;
-  /** true: parallel projection; false or "no": perspective, also in standard views. */
-  cameraOrthographic?: boolean | "no";
-  /** Height of the picture in units of the mesh. */
-  cameraOrthographicHeight?: number;
-  /** Free share of the shorter side at each side; default 0.05. */
-  margin?: number;
-
-  look?: "studio" | "three-point" | "plain" | "clay" | "technical" | "drawing" | "lobes";
-  /** Of all surfaces. */
-  color?: Color;
-  /** Ignores colours, materials and textures of the mesh, but not its opacity. */
-  noColors?: boolean;
-  material?: "matte" | "satin" | "plastic" | "polished" | "metal";
-  /** [0, 1] */
-  opacity?: number;
-  /** Strength of highlights, [0, 1]. */
-  specular?: number;
-  /** Exponent of highlights, [1, 65536]. */
-  exponent?: number;
-  /** "energy:2", "minimax:4", "power", "schlick" ... */
-  lobe?: string;
-  equation?: "blinn" | "phong";
-  viewer?: "local" | "distant";
-  /** One or several lights such as "directional:X,Y,Z[:INTENSITY[:COLOR]]", or "none". */
-  light?: string | readonly string[] | false;
-  /** "sky" or "room": light from all directions. */
-  environment?: "sky" | "room";
-  /** Factor of its light; default 1. */
-  environmentStrength?: number;
-  /** Turn about the up axis in degrees. */
-  environmentTurn?: number;
-  /** A number, or a colour. */
-  ambient?: number | Color;
-  /** Number of directions of ambient occlusion, or "none". */
-  occlusion?: number | "none" | false;
-  ground?: boolean;
-  shadow?: boolean;
-  /** true: all kinds. */
-  edges?: boolean | Words<Edge>;
-  wireframe?: boolean;
-  /** Hidden edges as dashed lines. */
-  hiddenLines?: boolean;
-  /** Axes of holes and cylinders as chain lines. */
-  centerLines?: boolean;
-  edgeWidth?: number;
-  edgeColor?: Color;
-  /** Least contrast of the outline to the background, 0 to 255; 0: no hairline. */
-  outlineContrast?: number;
-  /** Limit on how often large triangles cover the picture; default 1000. */
-  maxOverdraw?: number;
-  /** "auto", or the module's instruction set: "wasm" with SIMD128, "scalar" without. The pixels are the same. */
-  isa?: string;
 }
 
 /** What render() takes. */

@@ -4,7 +4,7 @@
 //   const picture = await render(bytes, { name: "part.stl", size: 256, lobe: "minimax:4" });
 //   picture.width, picture.height, picture.pixels, picture.hash
 //
-// Options are the flags of `burnish render` in camelCase, listed in wasm.d.ts.
+// Options are the flags of `burnish render` in camelCase, listed in options.d.ts.
 
 /** A failure: one line in `message`, a word such as "FORMAT" in `status`. */
 export class BurnishError extends Error {

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/cli/options.h"
+#include "base/cli/values.h"
 #include "module.h"
 
 typedef struct mesh_object {
@@ -332,8 +332,22 @@ PyObject *mesh_check(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-/* (of loading, of drawing, the placeholder of the value, help, other names, words) */
+/* The items of a list with commas, without those of NULL. */
+static PyObject *split(const char *list) {
+    PyObject *text = list ? PyUnicode_FromString(list) : NULL, *comma = PyUnicode_FromString(",");
+    PyObject *items = !list           ? PyList_New(0)
+                      : text && comma ? PyUnicode_Split(text, comma, -1)
+                                      : NULL;
+    Py_XDECREF(text);
+    Py_XDECREF(comma);
+    return items;
+}
+
+/* The keys and values of a flag in `burnish help --json` that types of options need. */
 static PyObject *describe_flag(const cli_flag *flag, unsigned stages) {
+    const char *phases = stages == CLI_PHASE_LOAD   ? "load"
+                         : stages == CLI_PHASE_DRAW ? "draw"
+                                                    : "load,draw";
     PyObject *words = PyList_New(0);
     for (const cli_word *word = flag->words; words && word && word->name; ++word) {
         PyObject *name = PyUnicode_FromString(word->name);
@@ -342,25 +356,26 @@ static PyObject *describe_flag(const cli_flag *flag, unsigned stages) {
         }
         Py_XDECREF(name);
     }
-    return words ? Py_BuildValue("(NNzzzN)", PyBool_FromLong(stages & SESSION_LOADS),
-                                 PyBool_FromLong(stages & SESSION_DRAWS), flag->value, flag->help,
-                                 flag->also, words)
-                 : NULL;
+    return Py_BuildValue("{s:s,s:N,s:s,s:z,s:N,s:N,s:z,s:N,s:N}", "name", flag->name, "also",
+                         split(flag->also), "type", cli_type_word(cli_type_of(flag)), "value",
+                         flag->value, "optional", PyBool_FromLong(flag->optional), "repeats",
+                         PyBool_FromLong(flag->repeats), "off", flag->off, "words", words, "phases",
+                         split(phases));
 }
 
 PyObject *mesh_flags(PyObject *module, PyObject *unused) {
     (void)module, (void)unused;
-    PyObject *names = PyDict_New();
+    PyObject *rows = PyList_New(0);
     const cli_flag *flag;
     unsigned stages;
-    for (size_t i = 0; names && (flag = session_flag_at(i, &stages)) != NULL; ++i) {
+    for (size_t i = 0; rows && (flag = session_flag_at(i, &stages)) != NULL; ++i) {
         PyObject *row = describe_flag(flag, stages);
-        if (!row || PyDict_SetItemString(names, flag->name, row) != 0) {
-            Py_CLEAR(names);
+        if (!row || PyList_Append(rows, row) != 0) {
+            Py_CLEAR(rows);
         }
         Py_XDECREF(row);
     }
-    return names;
+    return rows;
 }
 
 /* ---- Properties ---- */

@@ -47,20 +47,23 @@ class Build(build_ext):
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(folder / "bindings/python/_burnish.abi3.so", target)
+        shutil.copyfile(folder / "bindings/python/_options.py", target.with_name("_options.py"))
 
 
 class Modules(build_py):
     def run(self):
         super().run()
+        self.run_command("build_ext")
+        options = Path(self.get_finalized_command("build_ext").get_ext_fullpath("burnish._burnish")).with_name("_options.py")
         stub = Path(self.build_lib, "burnish/__init__.pyi")
-        stub.write_text(ast.unparse(Stub().visit(ast.parse((HERE / "burnish/__init__.py").read_text()))))
+        stub.write_text(ast.unparse(Stub(options).visit(ast.parse((HERE / "burnish/__init__.py").read_text()))))
 
 
 class Stub(ast.NodeTransformer):
     """__init__.py as a stub whose functions name each option, for type checkers that do not know Unpack."""
 
-    def __init__(self):
-        tree = ast.parse((HERE / "burnish/_options.py").read_text())
+    def __init__(self, options):
+        tree = ast.parse(options.read_text())
         self.classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
         self.types = [node.targets[0].id for node in tree.body if isinstance(node, ast.Assign)][1:]  # not __all__
 
@@ -103,9 +106,9 @@ class Sources(sdist):
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)
         sources = Path(base_dir, "sources")
-        for folder in ("include", "src", "program", "scripts/cmake"):
+        for folder in ("base", "include", "src", "program", "scripts/cmake"):
             shutil.copytree(ROOT / folder, sources / folder)
-        for file in (ROOT / "CMakeLists.txt", HERE / "CMakeLists.txt", *HERE.glob("*.[ch]")):
+        for file in (ROOT / "CMakeLists.txt", ROOT / "bindings/options.py", HERE / "CMakeLists.txt", *HERE.glob("*.[ch]")):
             target = sources / file.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(file, target)

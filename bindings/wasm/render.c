@@ -52,8 +52,8 @@ int open_draw(session *s, const session_option *options, size_t count, session_n
            BURNISH_STATUS_OK;
 }
 
-/* Flag number `index` that is an option: its name, what it is an option of (SESSION_LOADS and
- * SESSION_DRAWS), the kind of its value ("" for a switch, "?" if it can be omitted, "+" if values
+/* Flag number `index` that is an option: its name, what it is an option of (a sum of
+ * cli_phase), the kind of its value ("" for a switch, "?" if it can be omitted, "+" if values
  * add up), its other names and its words, with tabs between them. NULL past the last. */
 const char *flag_row(size_t index) {
     static char row[512];

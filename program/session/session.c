@@ -71,15 +71,8 @@ static void write_flag_name(const char *name, char flag[CLI_NAME_MAX + 1]) {
 }
 
 const cli_flag *session_flag_at(size_t index, unsigned *stages) {
-    const cli_flag *flag;
-    for (size_t i = 0; (flag = cli_flag_at(&render_command, i)) != NULL; ++i) {
-        const size_t length = strlen(flag->name);
-        *stages = (cli_find_flag(&open_command, flag->name, length) ? SESSION_LOADS : 0) |
-                  (cli_find_flag(&draw_command, flag->name, length) ? SESSION_DRAWS : 0);
-        if (*stages && index-- == 0) {
-            break;
-        }
-    }
+    const cli_flag *flag = cli_flag_at(&render_options_command, index);
+    *stages = flag ? flag->phases & (CLI_PHASE_LOAD | CLI_PHASE_DRAW) : 0;
     return flag;
 }
 

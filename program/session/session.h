@@ -35,10 +35,8 @@ typedef struct session_options {
     session_naming naming;
 } session_options;
 
-enum { SESSION_LOADS = 1, SESSION_DRAWS = 2 };
-
-/* Number `index` of the flags that are options, and what it is an option of: a sum of SESSION_LOADS
- * and SESSION_DRAWS. NULL past the last. */
+/* Number `index` of the flags that are options, and what it is an option of: a sum of
+ * CLI_PHASE_LOAD and CLI_PHASE_DRAW. NULL past the last. */
 const cli_flag *session_flag_at(size_t index, unsigned *stages);
 
 /* NULL without memory. The context of loading and drawing must outlive the session; NULL: the

@@ -187,20 +187,11 @@ for (const [options, flags] of program ? [
   check(flags.join(" "), burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64, ...options }).hash, wanted.hash);
 }
 
-// ---- Types: the options and words of the program ----
+// ---- Types: the options of the module ----
 
-const types = readFileSync("node_modules/burnish/wasm.d.ts", "utf8");
-const sheets = ["third-angle", "first-angle"];
-const typeOf = (name) => new RegExp(`^(?:  ${name}\\?:|export type ${name} =) (.*);$`, "m").exec(types)?.[1] ?? "";
-for (const [key, { words }] of Object.entries(burnish.flags).filter(([key]) => key !== "threads")) { // load() has them
-  const type = typeOf(key).replace(/\b(View|Annotation|Edge)\b/, typeOf);
-  check(`type of ${key}`, type !== "", true);
-  if (words.length > 0) {
-    check(`words of ${key}`, Array.from(type.matchAll(/"([^"]+)"|\b(\d+)\b/g), ([, word, number]) => word ?? number).sort().join(), words.filter((word) => !sheets.includes(word)).sort().join());
-  }
-}
-const listed = ["LoadOptions", "DrawOptions"].flatMap((name) => [...new RegExp(`interface ${name} {(.*?)^}`, "ms").exec(types)[1].matchAll(/^  (\w+)\?:/gm)].map(([, key]) => key));
-check("no other options", listed.filter((key) => !(key in burnish.flags)).join(), "name,files,measure,rgba");
+const types = readFileSync("node_modules/burnish/options.d.ts", "utf8");
+const typed = [...types.matchAll(/^  (\w+)\?: /gm)].map(([, key]) => key).sort();
+check("typed options", typed.join(), Object.keys(burnish.flags).filter((key) => key !== "threads").sort().join()); // load() has them
 check("no such object", errorOf(() => burnish.render(":cow")).split(" ")[0], "ARGUMENT");
 
 // ---- Inputs that are not bytes ----

@@ -28,9 +28,7 @@ __all__ = [
 ]  # fmt: skip
 __version__: str = _burnish.version
 
-_FLAGS = {
-    spelling.replace("-", "_"): row for name, row in _burnish.flags().items() for spelling in (name, *(row[4] or name).split(","))
-}
+_FLAGS = {name.replace("-", "_"): row["phases"] for row in _burnish.flags() for name in (row["name"], *row["also"])}
 _PLANES = {"depth": 1, "normal": 2, "triangle": 4, "coverage": 8}  # as in session.h
 _AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1), "-Z": (0, 0, -1)}
 
@@ -61,14 +59,14 @@ def _pairs(options: Mapping[str, Any]) -> list[tuple[str, bool | str | tuple[flo
     return [(key, one) for key, value in options.items() if value is not None for one in _values(key, value)]
 
 
-def _check(function: str, options: Mapping[str, Any], which: int | None, instead: str = "") -> None:
-    """Raises TypeError for unknown options, and for options that are not of loading (which = 0) or drawing (which = 1)."""
+def _check(function: str, options: Mapping[str, Any], phase: str | None, instead: str = "") -> None:
+    """Raises TypeError for unknown options, and for options that do not act in a phase, "load" or "draw"."""
     for key in options:
         if key not in _FLAGS:
             near = difflib.get_close_matches(key, _FLAGS, 1)
             hint = f". Did you mean '{near[0]}'?" if near else ""
             raise TypeError(f"{function}() got an unexpected keyword argument '{key}'{hint}")
-        if which is not None and not _FLAGS[key][which]:
+        if phase and phase not in _FLAGS[key]:
             raise TypeError(f"{function}() does not take '{key}'; {instead} does")
 
 
@@ -134,7 +132,7 @@ class Mesh(_burnish.Mesh):
         name: str = "mesh",
         **options: Unpack[Loading],
     ) -> Mesh:
-        _check("Mesh", options, 0, "render()")
+        _check("Mesh", options, "load", "render()")
         if up != "auto" and up not in _AXES:
             raise ValueError(f'up: "{up}"; expected one of {", ".join(_AXES)} and auto')
         if up == "auto":
@@ -150,7 +148,7 @@ class Mesh(_burnish.Mesh):
 
         planes  of "depth", "normal", "triangle" and "coverage": arrays in the property planes of the image
         """
-        _check("render", options, 1, "load() or Mesh()")
+        _check("render", options, "draw", "load() or Mesh()")
         return self._draw(_kinds(planes), _pairs(options))
 
     def _repr_png_(self) -> bytes:
@@ -191,7 +189,7 @@ def load(
     Traceback (most recent call last):
     burnish.Error: part.stl: ...
     """
-    _check("load", options, 0, "render()")
+    _check("load", options, "load", "render()")
     if hasattr(source, "read") and not isinstance(source, (str, bytes)):
         name = name or os.path.basename(str(getattr(source, "name", ""))) or None
         source = source.read()
@@ -236,8 +234,8 @@ def render(
     if isinstance(source, Mesh):
         return source.render(planes=planes, **options)
     _check("render", options, None)
-    loading = {key: value for key, value in options.items() if _FLAGS[key][0]}
+    loading = {key: value for key, value in options.items() if "load" in _FLAGS[key]}
     kinds = _kinds(planes)
-    pairs = _pairs({key: value for key, value in options.items() if _FLAGS[key][1]})
+    pairs = _pairs({key: value for key, value in options.items() if "draw" in _FLAGS[key]})
     _burnish.check(pairs)
     return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(kinds, pairs)

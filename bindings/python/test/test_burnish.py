@@ -70,14 +70,6 @@ def options_of(flags):
     return options
 
 
-def words_of(type_):
-    """The words of all Literals in a type."""
-    parts = typing.get_args(type_)
-    if typing.get_origin(type_) is typing.Literal:
-        return {part for part in parts if not isinstance(part, bool)}
-    return set().union(*(words_of(part) for part in parts))
-
-
 def decode(png):
     """Pixels of a PNG of 8 bits, by zlib alone."""
     width, height, channels = *struct.unpack(">II", png[16:24]), {2: 3, 6: 4}[png[25]]
@@ -250,18 +242,20 @@ class Pictures(unittest.TestCase):
             mesh.render(samples=3)
         self.assertEqual(mesh.render(size=64).hash, first)
 
-    def test_option_names(self):
-        """Options are the program's flags, no more and no less, and so are their words."""
-        flags, found = _burnish.flags(), {}
-        for name, (loads, draws, _, _, also, words) in flags.items():
-            for spelling in [name, *(also.split(",") if also else [])]:
-                found[spelling.replace("-", "_")] = (loads, draws, {word for word in words if not word.endswith("-angle")})
-        for options, stage in ((_options.Loading, 0), (_options.Drawing, 1), (_options.Options, None)):
-            types = typing.get_type_hints(options)
-            self.assertEqual(set(types), {name for name, row in found.items() if stage is None or row[stage]})
-            for name, type_ in types.items():
-                if found[name][2]:
-                    self.assertEqual({str(word) for word in words_of(type_)}, found[name][2], name)
+    def test_option_types(self):
+        """Types of each kind of value, and each option in the stage that takes it."""
+        loading, drawing, both = (typing.get_type_hints(options) for options in (_options.Loading, _options.Drawing, _options.Options))
+        self.assertEqual(set(loading) & set(drawing), {"threads"})
+        self.assertEqual(both, {**loading, **drawing})
+        for options, name, type_ in (
+            (loading, "up", 'Literal["+Y", "-Y", "+Z", "-Z", "+X", "-X", "auto", "format"]'), (loading, "strict", "bool"),
+            (loading, "max_input_bytes", "Union[int, str]"), (loading, "clip", "Union[Words[Vector], Off]"),
+            (drawing, "samples", "Literal[1, 4, 8, 16]"), (drawing, "camera_orthographic", 'Union[bool, Literal["no"]]'),
+            (drawing, "background", "Union[Color, Off]"), (drawing, "occlusion", 'Union[int, Literal["none"], Off]'),
+            (drawing, "size", "Union[int, str, Iterable[int]]"), (drawing, "light", "Union[Words[str], Off]"),
+            (drawing, "annotate", 'Union[Words[Literal["axes", "box", "dimensions", "scale", "grid", "none"]], Off]'),
+        ):  # fmt: skip
+            self.assertEqual(options[name], eval(type_, vars(_options)), name)
 
 
 class Types(unittest.TestCase):
