@@ -143,9 +143,9 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
     .handler = cli_flag_switch, .offset = offsetof(type, member.no_textures)
 
 #define CLI_MAX_TEXTURE_PIXELS_FLAG(type, member)                                                  \
-    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_INTEGER, .name = "max-texture-pixels",        \
-    .value = "N", .help = "limit on the pixels of all textures", .default_text = "auto", .low = 0, \
-    .high = 1e12,                                                                                  \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_INTEGER, .svg = CLI_SVG_SAME,                 \
+    .name = "max-texture-pixels", .value = "N", .help = "limit on the pixels of all textures",     \
+    .default_text = "auto", .low = 0, .high = 1e12,                                                \
     .manual =                                                                                      \
         "Textures beyond _N_ pixels in total are skipped, with a warning. The default is 32 "      \
         "for each byte of _INPUT_ and the files that it refers to, at least 2^25 and at most "     \
