@@ -6,7 +6,7 @@
 #include "base/cli/output.h"
 #include "base/cli/values.h"
 
-enum { ROW_MAX = 240, NAME_WIDTH = 16, LINE_WIDTH = 100 };
+enum { ROW_MAX = 240, NAME_WIDTH = 16 };
 
 const char *cli_short_name(const cli_command *command) {
     const char *space = strrchr(command->name, ' ');
@@ -47,17 +47,8 @@ static void print_flag(const cli_flag *flag, int width) {
     char names[ROW_MAX], text[ROW_MAX];
     flag_names(flag, names);
     flag_text(flag, text);
-    int length = (int)strlen(text);
-    if (length > LINE_WIDTH - width - 4) {
-        length = LINE_WIDTH - width - 4;
-        while (length > 0 && text[length] != ' ') {
-            --length;
-        }
-    }
-    printf("  %-*s  %.*s\n", width, names, length, text);
-    if (text[length]) {
-        printf("%*s%s\n", width + 3, "", text + length);
-    }
+    printf("  %-*s  ", width, names);
+    cli_print_wrapped(stdout, text, width + 4, CLI_TEXT_WIDTH);
 }
 
 static int has_topics(const cli_command *command) {
@@ -190,8 +181,8 @@ static void print_head(const cli_command *command) {
         cli_print_parts(command->parts);
         printf("\n%s\n", command->operand_help);
     } else if (command->operand_help) {
-        printf("  %s%s%s\n", command->operand, *command->operand ? "  " : "",
-               command->operand_help);
+        const int indent = printf("  %s%s", command->operand, *command->operand ? "  " : "");
+        cli_print_wrapped(stdout, command->operand_help, indent, CLI_TEXT_WIDTH);
     }
 }
 

@@ -2,7 +2,9 @@
  * agree with the library's, and the scene that settings make of a mesh. */
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "base/cli/help.h"
 #include "cli/main.h"
 #include "decimal_comma.h"
 #include "render/scene/library_options.h"
@@ -366,6 +368,51 @@ static void test_dark_scene(void) {
     release(&q);
 }
 
+/* A screen of a command whose rows are longer than a line: as many words as were given, in lines of at
+ * most 100 columns. */
+static void test_long_rows(void) {
+    static const cli_flag flag = {.group = "Options",
+                                  .name = "long",
+                                  .help =
+                                      "a word a word a word a word a word a word a word a word a "
+                                      "word a word a word a word a word a word a word a word a "
+                                      "word a word a word a word a word a word a word a word"};
+    static const cli_command command = {.name = "long",
+                                        .operand = "INPUT",
+                                        .summary = "s",
+                                        .operand_help =
+                                            ".aa .bb .cc .dd .ee .ff .gg .hh .ii .jj .kk .ll .mm "
+                                            ".nn .oo .pp .qq .rr .ss .tt .uu .vv .ww .xx .yy .zz",
+                                        .flags = &flag,
+                                        .flag_count = 1};
+    char line[256];
+    int words = 0, extensions = 0;
+    burnish_error error;
+    FILE *screen = tmpfile();
+    fflush(stdout);
+    const int saved = dup(STDOUT_FILENO);
+    if (!CHECK1(screen && saved >= 0 && dup2(fileno(screen), STDOUT_FILENO) == STDOUT_FILENO)) {
+        return;
+    }
+    const burnish_status status = cli_print_help(&command, NULL, &error);
+    fflush(stdout);
+    dup2(saved, STDOUT_FILENO);
+    close(saved);
+    CHECK1(status == BURNISH_STATUS_OK);
+    rewind(screen);
+    while (fgets(line, sizeof line, screen)) {
+        CHECK(strlen(line) <= 101, "%zu columns: %s", strlen(line) - 1, line);
+        for (const char *at = line; (at = strstr(at, " word")) != NULL; ++at) {
+            ++words;
+        }
+        for (const char *at = line; (at = strstr(at, " .")) != NULL; ++at) {
+            ++extensions;
+        }
+    }
+    CHECK(words == 24 && extensions == 26, "%d words, %d extensions", words, extensions);
+    fclose(screen);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_defaults());
@@ -376,6 +423,7 @@ int main(int count, char **arguments) {
     RUN(test_colors());
     RUN(test_lights());
     RUN(test_table());
+    RUN(test_long_rows());
     RUN(test_cut_scene());
     RUN(test_lying_scene());
     RUN(test_lit_scene());
