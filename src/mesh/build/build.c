@@ -130,14 +130,11 @@ static burnish_mesh *allocate_mesh(burnish_mesh_data *data, burnish_format forma
     return mesh;
 }
 
-/* Normals of OBJ, PLY, OFF and, rarely, glTF come from tools that average them across edges. Normal
- * textures are relative to them, so they stay. Other sources state the normals that they mean, and
- * rods for lines have the right ones. */
+/* Normals that may be averaged across edges are questioned, unless normal textures are relative to
+ * them. Other sources state the normals that they mean, and rods for lines have the right ones. */
 static burnish_normals_source choose_normals(const burnish_load_options *options,
                                              burnish_format format, const burnish_mesh_data *data) {
-    const int is_questioned = format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
-                              format == BURNISH_FORMAT_OFF ||
-                              (format == BURNISH_FORMAT_GLTF && !data->has_normal_textures);
+    const int is_questioned = data->has_average_normals && !data->has_normal_textures;
     if (data->line_count > 0) {
         return BURNISH_NORMALS_FILE;
     }

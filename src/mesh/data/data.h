@@ -65,6 +65,7 @@ typedef struct burnish_mesh_data {
     burnish_material *materials; /* empty: build adds burnish_material_default() */
     size_t material_count, material_capacity;
 
+    int has_average_normals;   /* the format's normals may be averaged across edges */
     int has_normal_textures;   /* a material names one, which need not be loaded */
     burnish_texture *textures; /* with their names and pixels, which are owned */
     size_t texture_count, texture_capacity;

@@ -526,4 +526,4 @@ static int recognise(const uint8_t *bytes, size_t size) {
 }
 
 const burnish_format_reader burnish_reader_off = {
-    .recognise = recognise, .read = read_input, .in_pieces = 1};
+    .recognise = recognise, .read = read_input, .averages_normals = 1, .in_pieces = 1};

@@ -299,4 +299,5 @@ static burnish_status read_input(burnish_reader *reader) {
     return gltf.status;
 }
 
-const burnish_format_reader burnish_reader_gltf = {.recognise = recognise, .read = read_input};
+const burnish_format_reader burnish_reader_gltf = {
+    .recognise = recognise, .read = read_input, .averages_normals = 1};

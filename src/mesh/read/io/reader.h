@@ -86,7 +86,8 @@ typedef struct burnish_format_reader {
     int (*recognise)(const uint8_t *bytes, size_t size);
     /* Fills reader->mesh, with positions less reader->mesh->origin. Errors: as burnish_read. */
     burnish_status (*read)(burnish_reader *reader);
-    int in_pieces; /* 1: the reader also takes inputs of which only the head is in memory */
+    int averages_normals; /* 1: tools that write the format average normals across edges */
+    int in_pieces;        /* 1: the reader also takes inputs of which only the head is in memory */
 } burnish_format_reader;
 
 #define BURNISH_READER_DECLARE(name, word, ...)                                                    \
