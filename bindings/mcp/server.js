@@ -6,6 +6,7 @@ import { parseArgs } from "node:util";
 import { Worker } from "node:worker_threads";
 import { McpServer } from "@modelcontextprotocol/sdk/server/mcp.js";
 import { StdioServerTransport } from "@modelcontextprotocol/sdk/server/stdio.js";
+import { load } from "burnish";
 import { z } from "zod";
 
 const HELP = `Usage: burnish-mcp [FOLDER] [options]   a Model Context Protocol server on standard input and output
@@ -93,9 +94,10 @@ async function run(makeRequest) {
   }
 }
 
-const file = z.string().describe("a model (STL, OBJ, PLY, 3MF, OFF, glTF, GLB), relative to the server's folder; or :teapot, :sphere, :torus, :knot");
+const { extensions, flags } = await load();
+const file = z.string().describe(`a model (${extensions.join(" ")}), relative to the server's folder; or :teapot, :sphere, :torus, :knot`);
 const side = z.number().int().min(16).max(MOST_PIXELS).default(512);
-const view = z.enum(["front", "back", "left", "right", "top", "bottom", "iso"]);
+const view = z.enum(flags.views.words.filter((word) => !word.endsWith("-angle"))); // these are sheets
 const readOnly = { readOnlyHint: true, openWorldHint: false };
 
 const { version } = JSON.parse(readFileSync(new URL("./package.json", import.meta.url)));
@@ -110,8 +112,8 @@ server.registerTool("render", {
     azimuth: z.number().optional().describe("degrees that the camera turns to the right"),
     elevation: z.number().optional().describe("degrees that the camera rises"),
     zoom: z.number().positive().optional(),
-    look: z.enum(["studio", "three-point", "plain", "clay", "technical", "drawing"]).optional().describe("technical and drawing show edges"),
-    annotate: z.array(z.enum(["axes", "box", "dimensions", "scale", "grid"])).optional(),
+    look: z.enum(flags.look.words).optional().describe("technical and drawing show edges"),
+    annotate: z.array(z.enum(flags.annotate.words)).optional(),
     options: z.record(z.string(), z.union([z.string(), z.number(), z.boolean(), z.array(z.number()), z.array(z.string())])).optional()
       .describe('other flags of `burnish render` in camelCase, such as { "clip": "1,0,0,0", "color": "steelblue", "up": "+Z" }'),
   },

@@ -48,9 +48,8 @@ typedef struct cli_input {
 burnish_load_options cli_load_options(const cli_input *input);
 
 #define CLI_INPUT_EXTENSION(name, word, extensions, ...) " " extensions
-#define CLI_INPUT_HELP                                                                             \
-    (&BURNISH_FORMAT_LIST(                                                                         \
-        CLI_INPUT_EXTENSION) "; - standard input; :teapot :sphere :torus :knot"[1])
+#define CLI_INPUT_EXTENSIONS BURNISH_FORMAT_LIST(CLI_INPUT_EXTENSION)
+#define CLI_INPUT_HELP (&CLI_INPUT_EXTENSIONS "; - standard input; :teapot :sphere :torus :knot"[1])
 
 /* Files that an input in memory can refer to. */
 typedef struct cli_companion {

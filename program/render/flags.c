@@ -654,8 +654,8 @@ const cli_command render_command = {
     .summary = "draw a mesh into a picture",
     .operand_help = CLI_INPUT_HELP,
     .manual =
-        "Draws _INPUT_: a glTF, GLB, OBJ (with its material library), OFF, PLY, STL or 3MF file, "
-        "optionally compressed with gzip, *-* for "
+        "Draws _INPUT_: a file with an extension of" CLI_INPUT_EXTENSIONS
+        ", optionally compressed with gzip, *-* for "
         "standard input, or a built-in object: *:teapot*, *:sphere*, *:torus* or *:knot*.\nWithout "
         "flags the picture shows the whole object in a three-quarter view, lit by lights that "
         "follow the camera. The value of a flag follows after *=* or as the next argument. Flags "

@@ -138,8 +138,8 @@ static inline burnish_status run_reader(burnish_format format, const void *bytes
                                         burnish_error *error) {
     reader_run run = {format, bytes, size, options, load_companion, NULL, 0};
     const burnish_status status = read_as(&run, mesh, error);
-    const int is_text = format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_OFF ||
-                        format == BURNISH_FORMAT_PLY || format == BURNISH_FORMAT_STL;
+    const int is_text = format != BURNISH_FORMAT_GLTF && format != BURNISH_FORMAT_3MF &&
+                        format != BURNISH_FORMAT_BMS;
     if (is_text && !options->context) { /* a context may count, or fail */
         run.chunk_size = 64;
         check_same_reading("input of a test", &run, status, mesh, error);

@@ -34,10 +34,14 @@ async function connect(...options) {
 }
 
 const { client, call, fails } = await connect("--max-megabytes=2");
-assert.deepEqual((await client.listTools()).tools.map(({ name }) => name), ["render", "info", "compare"]);
+const { tools } = await client.listTools();
+assert.deepEqual(tools.map(({ name }) => name), ["render", "info", "compare"]);
 
 // render: the pixels of the package, several views, textures and libraries next to the file
 const burnish = await load();
+const { file, look, annotate } = tools[0].inputSchema.properties;
+assert.deepEqual([look.enum, annotate.items.enum], [burnish.flags.look.words, burnish.flags.annotate.words]);
+assert.ok(burnish.extensions.every((extension) => file.description.includes(extension)), file.description);
 const drawn = await call("render", { file: ":teapot", width: 96, height: 64, look: "plain", azimuth: 30 });
 const wanted = burnish.render(":teapot", { resolution: [96, 64], look: "plain", azimuth: 30, rgba: true });
 assert.deepEqual(Buffer.from(drawn.images[0].data), Buffer.from(wanted.pixels));
