@@ -12,8 +12,8 @@
 #include "cli/main.h"
 #include "picture/formats.h"
 #include "picture/panels.h"
-#include "render/check.h"
 #include "render/flags.h"
+#include "render/render.h"
 
 static cli_work work;
 

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "cli/main.h"
-#include "render/check.h"
 #include "render/flags.h"
 #include "render/output/draw.h"
 #include "render/output/result.h"

@@ -1,7 +1,7 @@
 /* `burnish view`: flags and the manual. */
 #include "view/view.h"
-#include "render/check.h"
 #include "render/flags.h"
+#include "render/render.h"
 
 #include <string.h>
 
