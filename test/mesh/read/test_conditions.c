@@ -471,22 +471,22 @@ static void check_odd_ply(input *in, const sheet *s) {
 
 static void test_binary_ply(void) {
     input in = {.format = BURNISH_FORMAT_PLY};
-    for (int i = 0; i < PLANS * LAYOUTS; ++i) {
-        const ply_layout *how = &layouts[i / PLANS];
-        sheet s = plans[i % PLANS];
+    for (int i = 0; i < 2 * LAYOUTS; ++i) { /* each layout with two plans */
+        const ply_layout *how = &layouts[i / 2];
+        sheet s = plans[(i / 2 + i % 2) % PLANS];
         s.newline = "\n";
         s.side = MANY;
-        snprintf(in.name, sizeof in.name, "PLY %d.%d", i / PLANS, i % PLANS);
+        snprintf(in.name, sizeof in.name, "PLY %d.%d", i / 2, i % 2);
         in.file.size = 0;
         write_binary_ply(&in.file, &s, how);
         if (s.far == 0 || how->has_doubles) {
             check_layout(&in, &s);
         }
         check_source(&in, GOOD);
-        if (i / PLANS == i % PLANS) {
+        if (i % 2 == 0) {
             add(&in.file, "!", 1);
             check_source(&in, GOOD);
-            in.file.size -= 2 + (size_t)(9 * (i % PLANS));
+            in.file.size -= 2 + (size_t)(3 * i);
             check_source(&in, BROKEN);
         }
     }
