@@ -1,6 +1,5 @@
-/* The object that the firmware turns: made by scripts/generate/firmware_object.c.
- * A trefoil knot, a tube of 60 rings of 10 points, both closed; for each point x, y, z
- * and the unit normal, 127 being 1. */
+/* The object that the firmware turns: a trefoil knot, a tube of 60 rings of 10 points, both closed;
+ * for each point x, y, z and the unit normal, 127 being 1. */
 #ifndef BURNISH_FIRMWARE_OBJECT_H
 #define BURNISH_FIRMWARE_OBJECT_H
 
