@@ -55,7 +55,7 @@ static const struct layer {
     {"src/render/texture", "base core simd raster render shading burnish/mesh.h"},
     {"program/batch", "base base/cli cli import picture render render/output render/scene "
                       "render/settings sandbox burnish"},
-    {"program/cli", "base base/cli burnish"},
+    {"program/cli", "base base/cli render/flags.h burnish"},
     {"program/compare",
      "base base/cli cli import render render/output render/scene picture burnish"},
     {"program/font", "base base/cli cli burnish"},
