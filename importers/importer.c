@@ -11,7 +11,7 @@
 
 #include "archive.h"
 #include "core/srgb.h"
-#include "mesh/read/io/unpack.h"
+#include "mesh/read/read.h"
 #include "sandbox/lock.h"
 
 enum { STREAM = 3, FIRST_READ = 1 << 20, BUFFER = 1 << 16 };

@@ -6,7 +6,7 @@
 #include <wasi/api.h>
 
 #include "burnish/core.h"
-#include "mesh/read/io/open_beside.h"
+#include "mesh/read/io/beside.h"
 
 /* A WASI call with its name in libc.a, whose parameters are not used. */
 #pragma clang diagnostic ignored "-Wunused-parameter"

@@ -8,12 +8,11 @@
 #include "core/float_mode.h"
 #include "mesh/build/build.h"
 #include "mesh/builtin.h"
-#include "mesh/read/common/origin.h"
-#include "mesh/read/formats.h"
+#include "mesh/read/common/local_origin.h"
+#include "mesh/read/io/beside.h"
 #include "mesh/read/io/budget.h"
-#include "mesh/read/io/open_beside.h"
-#include "mesh/read/io/pieces.h"
-#include "mesh/read/io/unpack.h"
+#include "mesh/read/io/streaming.h"
+#include "mesh/read/read.h"
 
 enum { FIRST_READ = 1 << 16, LARGEST_READ = 1 << 30 };
 
@@ -25,9 +24,9 @@ typedef struct opened_file {
     burnish_memory memory; /* takes errors too */
     uint8_t *bytes;
     size_t size;
-    int may_be_pieces;     /* 1: read only the head of a file that may be read in pieces */
-    burnish_format pieces; /* the format of such a file; AUTO for any other */
-    size_t whole;          /* its size */
+    int may_stream;          /* 1: read only the head of a file that may be streamed */
+    burnish_format streamed; /* the format of such a file; AUTO for any other */
+    size_t whole;            /* its size */
 } opened_file;
 
 static burnish_status fail_errno(opened_file *file, const char *what, int code) {
@@ -215,14 +214,14 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
         return burnish_fail_memory(file->memory.error, file->name, SIZE_MAX);
     }
     file->whole = (size_t)size;
-    if (BURNISH_HAS_PREAD && file->may_be_pieces && size > BURNISH_PIECES_HEAD &&
+    if (BURNISH_HAS_PREAD && file->may_stream && size > BURNISH_STREAMED_HEAD &&
         lseek(descriptor, 0, SEEK_CUR) == 0) {
-        const burnish_status status = read_sized(descriptor, file, BURNISH_PIECES_HEAD);
-        if (status == BURNISH_STATUS_OK && file->size == BURNISH_PIECES_HEAD) {
-            file->pieces =
-                burnish_pieces_format(file->format, file->bytes, file->whole, file->name);
+        const burnish_status status = read_sized(descriptor, file, BURNISH_STREAMED_HEAD);
+        if (status == BURNISH_STATUS_OK && file->size == BURNISH_STREAMED_HEAD) {
+            file->streamed =
+                burnish_streamed_format(file->format, file->bytes, file->whole, file->name);
         }
-        if (status != BURNISH_STATUS_OK || file->pieces != BURNISH_FORMAT_AUTO) {
+        if (status != BURNISH_STATUS_OK || file->streamed != BURNISH_FORMAT_AUTO) {
             return status;
         }
     }
@@ -298,7 +297,7 @@ static burnish_status refuse_warnings(burnish_mesh **mesh, burnish_error *error)
 }
 
 /* Reads and builds. Releases *owned, the bytes of a file, as soon as they have been read. start:
- * when the file was opened. *again becomes 1 if reading in pieces failed and should be retried with
+ * when the file was opened. *again becomes 1 if streaming failed and should be retried with
  * all bytes in memory. */
 static burnish_status load(const burnish_reader_input *input, burnish_format format, uint8_t *owned,
                            double start, burnish_mesh **mesh, int *again, burnish_error *error) {
@@ -317,7 +316,7 @@ static burnish_status load(const burnish_reader_input *input, burnish_format for
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_read(&reader, &format);
-        *again = input->pieces && !burnish_pieces_only(input) &&
+        *again = input->streamed && !burnish_must_stream(input) &&
                  (status == BURNISH_STATUS_OK
                       ? reader.has_warned
                       : status != BURNISH_STATUS_MEMORY && status != BURNISH_STATUS_CANCELLED);
@@ -352,16 +351,16 @@ static burnish_status load_builtin(const char *name, const burnish_load_options 
     return status;
 }
 
-/* Reads a file in pieces. If that fails, *again is 1 and the whole file is in memory. */
-static burnish_status load_pieces(int descriptor, opened_file *file, burnish_reader_input *input,
-                                  double start, burnish_mesh **mesh, int *again,
-                                  burnish_error *error) {
-    const burnish_pieces pieces = {descriptor, file->size};
+/* Streams a file. If that fails, *again is 1 and the whole file is in memory. */
+static burnish_status load_streamed(int descriptor, opened_file *file, burnish_reader_input *input,
+                                    double start, burnish_mesh **mesh, int *again,
+                                    burnish_error *error) {
+    const burnish_streaming streaming = {descriptor, file->size};
     burnish_reader_input head = *input;
     head.bytes = file->bytes;
     head.size = file->whole;
-    head.pieces = &pieces;
-    burnish_status status = load(&head, file->pieces, NULL, start, mesh, again, error);
+    head.streamed = &streaming;
+    burnish_status status = load(&head, file->streamed, NULL, start, mesh, again, error);
     if (!*again) {
         lseek(descriptor, 0, SEEK_END); /* as if it had been read to its end */
         return status;
@@ -380,8 +379,8 @@ static burnish_status load_opened(const char *path, int descriptor, opened_file 
     double told = 0;
     input->told = &told;
     burnish_status status = read_descriptor(descriptor, file, 0);
-    if (BURNISH_HAS_PREAD && status == BURNISH_STATUS_OK && file->pieces != BURNISH_FORMAT_AUTO) {
-        status = load_pieces(descriptor, file, input, start, mesh, &again, error);
+    if (BURNISH_HAS_PREAD && status == BURNISH_STATUS_OK && file->streamed != BURNISH_FORMAT_AUTO) {
+        status = load_streamed(descriptor, file, input, start, mesh, &again, error);
     }
     if (path) {
         close(descriptor);
@@ -405,7 +404,7 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
                         .max_bytes = options->max_input_bytes,
                         .format = options->format,
                         .memory = burnish_memory_of(options->context, error),
-                        .may_be_pieces = 1};
+                        .may_stream = 1};
     burnish_reader_input input = {
         .name = file.name, .options = options, .companions = options->referenced_files};
     const int opened = path ? open_path(path) : descriptor;

@@ -22,7 +22,7 @@
 
 #include "burnish/mesh.h"
 #include "burnish/render.h"
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/streaming.h"
 #include "mesh/read/io/thinning.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -96,7 +96,7 @@ static void load_more(uint8_t choice, size_t size, burnish_load_options *options
     options->scalar_property = choice & 1 ? "_s" : NULL;
     options->keep_texture_coordinates = choice >> 1 & 1;
     options->max_memory =
-        choice & 4 ? BURNISH_PIECES_BASE + PREVIEW_POINTS * BURNISH_ROW_BYTES + size : 0;
+        choice & 4 ? BURNISH_RUN_BYTES + PREVIEW_POINTS * BURNISH_ROW_BYTES + size : 0;
     options->normals = choice & 32 ? BURNISH_NORMALS_OWN : BURNISH_NORMALS_AUTO;
 }
 
@@ -418,7 +418,7 @@ static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
     burnish_mesh_destroy(other);
 }
 
-/* A file, read in pieces if its format allows, gives the same mesh as its bytes in memory, unless
+/* A file, streamed if its format allows, gives the same mesh as its bytes in memory, unless
  * it may reference other files. */
 static void compare_sources(const uint8_t *bytes, size_t size, const burnish_load_options *options,
                             const burnish_mesh *scene, burnish_status expected) {

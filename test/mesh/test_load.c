@@ -6,7 +6,7 @@
 
 #include "burnish/mesh.h"
 #include "counting_context.h"
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/streaming.h"
 #include "mesh_arrays.h"
 #include "sheet.h"
 #include "used_bytes.h"
@@ -334,7 +334,7 @@ static void test_pieces(void) {
         }
         save(&file);
         const size_t pieces = peak_of(&file, 1), whole = peak_of(&file, 0);
-        CHECK(pieces <= whole + BURNISH_PIECES_HEAD,
+        CHECK(pieces <= whole + BURNISH_STREAM_HEAD,
               "file %d of %zu bytes takes %zu, from memory %zu", i, file.size, pieces, whole);
         if (i < 2) {
             check_failures(load_path, path, 2, 0);

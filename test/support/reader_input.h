@@ -6,8 +6,8 @@
 #include <stdarg.h>
 
 #include "core/srgb.h"
-#include "mesh/read/formats.h"
 #include "mesh/read/obj/obj_materials.h"
+#include "mesh/read/read.h"
 #include "support.h"
 
 typedef burnish_status load_function(void *user_data, const char *name, uint64_t max_bytes,

@@ -54,6 +54,12 @@ burnish_status burnish_decode_check(const burnish_encoded *from, uint64_t width,
 burnish_status burnish_decode_reserve(const burnish_encoded *from, uint64_t width, uint64_t height,
                                       int channels, burnish_memory *memory, burnish_image *picture);
 
+/* 5 bits to 8: 31 becomes 255. */
+static inline uint8_t burnish_widen_5_bits(unsigned bits) {
+    bits &= 31;
+    return (uint8_t)(bits << 3 | bits >> 2);
+}
+
 /* ---- Images of floats ---- */
 
 /* Receives an image of linear colours.

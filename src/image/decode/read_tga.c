@@ -64,19 +64,14 @@ int burnish_is_tga(const uint8_t *bytes, size_t size) {
     return read_header(bytes, size, &unused);
 }
 
-static uint8_t widen(unsigned bits) {
-    bits &= 31;
-    return (uint8_t)(bits << 3 | bits >> 2);
-}
-
 /* Blue first; 2 bytes hold 5 bits of each. */
 static void write_color(const tga *t, const uint8_t *from, size_t size, uint8_t rgba[4]) {
     rgba[3] = 255;
     if (size == 2) {
         const unsigned bits = burnish_load16(from);
-        rgba[0] = widen(bits >> 10);
-        rgba[1] = widen(bits >> 5);
-        rgba[2] = widen(bits);
+        rgba[0] = burnish_widen_5_bits(bits >> 10);
+        rgba[1] = burnish_widen_5_bits(bits >> 5);
+        rgba[2] = burnish_widen_5_bits(bits);
         return;
     }
     rgba[0] = from[2];

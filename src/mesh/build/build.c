@@ -7,9 +7,6 @@
 #include "mesh/build/build.h"
 #include "mesh/build/builder.h"
 #include "mesh/build/normals/faces.h"
-#include "mesh/build/order.h"
-#include "mesh/build/textures.h"
-#include "mesh/build/triangles.h"
 #include "mesh/build/vertices.h"
 
 /* Moves the materials to the mesh, and the triangles' material numbers if there is more than one.

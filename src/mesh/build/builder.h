@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "mesh/build/normals/surface.h"
+#include "mesh/build/normals/welded.h"
 #include "mesh/data/mesh.h"
 
 enum {
@@ -62,5 +62,53 @@ static inline const float *burnish_file_normal(const burnish_mesh_data *data, si
     const float *n = number == BURNISH_NONE ? NULL : burnish_normals(data) + 3 * (size_t)number;
     return n && (n[0] != 0 || n[1] != 0 || n[2] != 0) ? n : NULL;
 }
+
+/* ---- triangles.c ---- */
+
+/* Moves the different positions to the head of their array, keeps the triangles with area and fills
+ * corner_positions; triangles whose winding contradicts the file's normals are turned. Makes the
+ * file's normals unit vectors. Errors: FORMAT (nothing is left), MEMORY, CANCELLED. */
+burnish_status burnish_build_triangles(burnish_builder *b);
+
+/* Releases per-corner data, which is most of the memory, except for `extras`, whose corners are
+ * needed until they are written. */
+void burnish_build_release_corners(burnish_builder *b, int extras);
+
+/* Releases all numbers that corners have; the values, and the order, stay. */
+void burnish_build_release_numbers(burnish_builder *b);
+
+/* ---- corners.c ---- */
+
+/* Lists the corners of every position, in the order of the triangles: first_corner, corners and
+ * max_faces. Errors: MEMORY, LIMIT (crowded_max), CANCELLED. */
+burnish_status burnish_build_list_corners(burnish_builder *b);
+
+/* ---- spatial_order.c ---- */
+
+/* Orders the triangles so neighbours in space are neighbours in memory. The order depends on
+ * positions and corners only. Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_order(burnish_builder *b);
+
+/* Moves per-triangle data into the order, and releases the order. corners 0: what only corners have
+ * stays where it is, since it was used in that order
+ * Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_move(burnish_builder *b, int corners);
+
+/* ---- indexed.c ---- */
+
+/* Indices and vertices of a mesh with the file's normals and at most one attribute besides, by
+ * their numbers. For other meshes, and if a position has many vertices, *done becomes 0 and no
+ * vertex is made. Errors: MEMORY, CANCELLED. */
+burnish_status burnish_build_indexed(burnish_builder *b, int *done);
+
+/* ---- tangents.c ---- */
+
+/* Drops textures, coordinates and tangents that the mesh does not need, before it is built. */
+void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_options *options);
+
+/* Generates tangents that are needed but missing from the file. Makes them unit vectors at right
+ * angles to the normals. Mirrored triangles may get separate vertices. Errors: MEMORY, LIMIT,
+ * CANCELLED. */
+burnish_status burnish_build_tangents(burnish_builder *b);
 
 #endif

@@ -1,7 +1,6 @@
 /* The corners of every welded position: a counting sort. Threads count slices of the corners
  *     separately. The corners of a position are listed in the order of the slices, which is the
  *     order of the triangles. */
-#include "mesh/build/corners.h"
 #include "mesh/build/builder.h"
 
 enum {

@@ -4,9 +4,7 @@
  *
  * Threads take slices of the triangles, each with vertices of its own. Vertices that no earlier
  * slice has are numbered after the earlier ones, exactly as a single slice would number them. */
-#include "mesh/build/indexed.h"
 #include "mesh/build/builder.h"
-#include "mesh/build/triangles.h"
 #include "mesh/build/vertices.h"
 
 enum { SLICES_MAX = 4 /* each has heads of all positions */ };

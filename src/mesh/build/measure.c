@@ -4,8 +4,6 @@
  * no digit depends on threads. Coordinates count from the middle of the bounding box: a part far
  * from the origin keeps its digits. */
 #include "mesh/build/measure.h"
-#include "mesh/build/measure_edges.h"
-#include "mesh/build/measure_joins.h"
 
 #include <float.h>
 

@@ -7,7 +7,7 @@
  * Each edge is listed once per triangle with the lesser of its positions, and the list of a
  * position is sorted by the greater. Triangles are joined in sets by union-find, in which each
  * knows whether it is to be turned against the first of its set. */
-#include "mesh/build/measure_edges.h"
+#include "mesh/build/measure.h"
 
 #define SORT_TYPE uint64_t
 #define SORT_NAME(name) sort_side_##name

@@ -9,8 +9,7 @@
  * cost: O(n log n) for any input. */
 #include <float.h>
 
-#include "mesh/build/measure_edges.h"
-#include "mesh/build/measure_joins.h"
+#include "mesh/build/measure.h"
 
 /* An axis has at most 2^20 cells, and a free one at both ends: neighbours never wrap around. */
 enum { AXIS_BITS = 21 };

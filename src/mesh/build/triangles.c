@@ -2,12 +2,10 @@
 #include <stdatomic.h>
 
 #include "mesh/build/builder.h"
-#include "mesh/build/corners.h"
 #include "mesh/build/measure.h"
 #include "mesh/build/normals/creases.h"
 #include "mesh/build/normals/faces.h"
 #include "mesh/build/normals/normals.h"
-#include "mesh/build/triangles.h"
 #include "mesh/build/weld.h"
 
 /* ---- positions ---- */

@@ -1,7 +1,7 @@
 /* A vertex has the number of first corners of vertices before its own, which are counted by bits. */
-#include "mesh/build/vertex_writer.h"
-#include "mesh/build/triangles.h"
 #include "mesh/build/vertices.h"
+
+#include "mesh/build/builder.h"
 
 enum { WORD = 64 };
 

@@ -4,12 +4,8 @@
  * depend on the threads. */
 #include "mesh/build/vertices.h"
 #include "mesh/build/builder.h"
-#include "mesh/build/corners.h"
-#include "mesh/build/indexed.h"
 #include "mesh/build/normals/creases.h"
 #include "mesh/build/normals/fans.h"
-#include "mesh/build/order.h"
-#include "mesh/build/vertex_writer.h"
 #include "mesh/build/weld.h"
 
 enum {

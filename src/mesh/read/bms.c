@@ -10,7 +10,7 @@
 #include "base/numbers.h"
 #include "core/vector.h"
 #include "mesh/data/material.h"
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
 

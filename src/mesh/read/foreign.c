@@ -1,5 +1,5 @@
 /* Recognises unsupported files by their first bytes. */
-#include "mesh/read/foreign.h"
+#include "mesh/read/read.h"
 
 #include <string.h>
 

@@ -4,12 +4,12 @@
  * The first word says what a vertex has: [ST][C][N]OFF. Many files say plain OFF but have colours,
  * as MeshLab writes them, or normals, which settle_values recognises from the rows. Colours count
  * to 255 if written without a decimal point, to 1 with one. */
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/points.h"
-#include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/io/chunks.h"
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/common/triangulate.h"
+#include "mesh/read/io/parallel_text.h"
+#include "mesh/read/io/streaming.h"
 #include "mesh/read/io/thinning.h"
 
 enum { COUNT_MOST = 3, VALUES_MOST = 12, SAMPLE_ROWS = 4096 };
@@ -194,7 +194,7 @@ static void add_row(off_sample *sample, const double *values, const uint8_t *is_
 static off_sample take_sample(const off_state *off, const uint8_t *at) {
     const burnish_reader_input *input = off->reader->input;
     const uint8_t *end = input->bytes + burnish_reader_head(off->reader);
-    while (input->pieces && end > at && end[-1] != '\n') { /* whole rows */
+    while (input->streamed && end > at && end[-1] != '\n') { /* whole rows */
         --end;
     }
     off_parser p = {off, NULL, {at, end, 0}};
@@ -476,8 +476,8 @@ static burnish_status settle_face_colors(off_state *off) {
 static burnish_status read_input(burnish_reader *reader) {
     off_state off = {.reader = reader};
     burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0);
-    if (reader->input->pieces && !burnish_pieces_only(reader->input)) {
-        return burnish_pieces_give_up(reader);
+    if (reader->input->streamed && !burnish_must_stream(reader->input)) {
+        return burnish_stop_streaming(reader);
     }
     burnish_status status = read_head(&off, &lexer);
     const uint8_t *at = lexer.next;
@@ -526,4 +526,4 @@ static int recognise(const uint8_t *bytes, size_t size) {
 }
 
 const burnish_format_reader burnish_reader_off = {
-    .recognise = recognise, .read = read_input, .averages_normals = 1, .in_pieces = 1};
+    .recognise = recognise, .read = read_input, .averages_normals = 1, .can_stream = 1};

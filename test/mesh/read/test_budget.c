@@ -1,9 +1,8 @@
 /* Small inputs that expand: one rule for all readers rejects them before memory is allocated, for
  * any number of threads. Plain files are drawn. */
 #include "image/decode/decode.h"
-#include "mesh/read/formats.h"
 #include "mesh/read/io/budget.h"
-#include "sheet.h"
+#include "mesh/read/read.h"
 #include "support.h"
 #include "used_bytes.h"
 

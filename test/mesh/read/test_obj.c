@@ -1,7 +1,7 @@
 /* Polygons cut into triangles; the readers of OBJ and MTL on well-formed files. */
 #include <math.h>
 
-#include "mesh/read/common/polygon.h"
+#include "mesh/read/common/triangulate.h"
 #include "reader_input.h"
 
 /* ---- polygons ---- */

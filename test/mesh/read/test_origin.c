@@ -4,7 +4,7 @@
 #include <stdarg.h>
 
 #include "burnish/mesh.h"
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 #include "mesh_arrays.h"
 #include "support.h"
 

@@ -2,7 +2,7 @@
  * cylinder of 12 sides (30 degrees) from a chamfer of 30 degrees, but the faces beyond them can.
  * Only edges between SMOOTH and SHARP degrees are examined, so a dense mesh costs nothing. */
 #include "mesh/build/normals/creases.h"
-#include "mesh/build/normals/surface.h"
+#include "mesh/build/normals/welded.h"
 
 /* 40 degrees: an octagon's 45 is an edge, a decagon's 36 a step. */
 #define STEP_COSINE 0.76604444311897804

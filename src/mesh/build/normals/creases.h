@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_BUILD_NORMALS_CREASES_H
 #define BURNISH_MESH_BUILD_NORMALS_CREASES_H
 
-#include "mesh/build/normals/surface.h"
+#include "mesh/build/normals/welded.h"
 
 /* 20 degrees: smooth below, whatever is around. */
 #define BURNISH_SMOOTH_COSINE 0.93969262078590838

@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_BUILD_NORMALS_FACES_H
 #define BURNISH_MESH_BUILD_NORMALS_FACES_H
 
-#include "mesh/build/normals/surface.h"
+#include "mesh/build/normals/welded.h"
 
 enum {
     BURNISH_FACE_LANES = 8, /* results are written up to a multiple of so many */

@@ -2,7 +2,7 @@
 #ifndef BURNISH_MESH_BUILD_NORMALS_NORMALS_H
 #define BURNISH_MESH_BUILD_NORMALS_NORMALS_H
 
-#include "mesh/build/normals/surface.h"
+#include "mesh/build/normals/welded.h"
 
 /* A sum shorter than this share of its weights is rounding noise around zero. */
 #define BURNISH_CANCELLED 1e-9

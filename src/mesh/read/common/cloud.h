@@ -4,6 +4,7 @@
 #define BURNISH_MESH_READ_COMMON_CLOUD_H
 
 #include "base/memory.h"
+#include "core/tasks.h"
 
 typedef struct burnish_cloud_box {
     float low[3], high[3];
@@ -36,5 +37,14 @@ static inline int burnish_cloud_is_inside(const burnish_cloud_box *box, const fl
 burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory);
 
 double burnish_cloud_diagonal(const burnish_cloud_box *box);
+
+/* ---- cloud_normals.c ---- */
+
+/* Estimates unit normals, 3 floats per point, of the plane through the
+ * neighbourhood of a point, blended between neighbourhoods, of either sign. 0, 0, 0 if that is not like a surface.
+ * If that holds for half of the points or more, *are_surface is 0, and all are 0, 0, 0.
+ * Errors: MEMORY, CANCELLED. */
+burnish_status burnish_cloud_normals(const burnish_cloud *cloud, float *normals, int *are_surface,
+                                     burnish_tasks *tasks, burnish_memory *memory);
 
 #endif

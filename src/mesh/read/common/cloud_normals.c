@@ -1,6 +1,6 @@
 /* Normals of a point cloud from the cells of a grid: planes through a cell's points and its
  * neighbours', blended at each point. */
-#include "mesh/read/common/cloud_normals.h"
+#include "mesh/read/common/cloud.h"
 
 #include <string.h>
 

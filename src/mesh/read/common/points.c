@@ -4,7 +4,7 @@
 #include <float.h>
 
 #include "core/vector.h"
-#include "mesh/read/common/cloud_normals.h"
+#include "mesh/read/common/cloud.h"
 #include "mesh/read/io/budget.h"
 
 enum {

@@ -7,15 +7,6 @@
 
 #include "base/bytes.h"
 
-#include "mesh/read/gltf/gltf_buffers.h"
-#include "mesh/read/gltf/gltf_draco.h"
-#include "mesh/read/gltf/gltf_geometry.h"
-#include "mesh/read/gltf/gltf_materials.h"
-#include "mesh/read/gltf/gltf_nodes.h"
-#include "mesh/read/gltf/gltf_primitives.h"
-#include "mesh/read/gltf/gltf_scene.h"
-#include "mesh/read/gltf/gltf_values.h"
-
 enum {
     HEADER_SIZE = 12, /* "glTF", version, length */
     CHUNK_SIZE = 8,   /* length and kind */

@@ -3,10 +3,8 @@
  * Bounds are checked once; reading an element then needs no check. An accessor with sparse values
  * or without a view gets a separate array, made once. The input's size limits all of these
  * together, because many may share one view. */
-#include "mesh/read/gltf/gltf_accessors.h"
 
-#include "mesh/read/gltf/gltf_buffers.h"
-#include "mesh/read/gltf/gltf_values.h"
+#include "mesh/read/gltf/gltf.h"
 
 size_t burnish_gltf_component_size(int component) {
     switch (component) {

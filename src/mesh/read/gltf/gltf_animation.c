@@ -1,11 +1,8 @@
 /* A glTF animation at a given time: the poses of nodes from its channels. Nodes without a channel
  * keep their pose from the file. */
-#include "mesh/read/gltf/gltf_animation.h"
+#include "mesh/read/gltf/gltf.h"
 
 #include "core/elementary.h"
-#include "mesh/read/gltf/gltf_accessors.h"
-#include "mesh/read/gltf/gltf_primitives.h"
-#include "mesh/read/gltf/gltf_values.h"
 
 /* A channel's keyframes around the requested time. */
 typedef struct gltf_keys {

@@ -1,7 +1,6 @@
 /* glTF's bytes: buffers from the binary chunk, from data URIs and from files next to the input. */
-#include "mesh/read/gltf/gltf_buffers.h"
+#include "mesh/read/gltf/gltf.h"
 
-#include "mesh/read/gltf/gltf_values.h"
 #include "mesh/read/gltf/meshopt.h"
 #include "mesh/read/io/beside.h"
 #include "mesh/read/io/budget.h"

@@ -1,10 +1,7 @@
 /* glTF's vertices are moved before their node's matrix: by morph targets and weights, then by
  * joints of a skin. */
-#include "mesh/read/gltf/gltf_deform.h"
 
-#include "mesh/read/gltf/gltf_accessors.h"
-#include "mesh/read/gltf/gltf_nodes.h"
-#include "mesh/read/gltf/gltf_values.h"
+#include "mesh/read/gltf/gltf.h"
 #include "mesh/read/io/budget.h"
 
 /* ---- Morph targets ---- */

@@ -2,11 +2,8 @@
  *
  * The decoder in the load options decodes Draco. It receives all the streams of a file at once, and
  * every number of its answer is checked like a file's. docs/importers.md has the layout of both. */
-#include "mesh/read/gltf/gltf_draco.h"
 
-#include "mesh/read/gltf/gltf_accessors.h"
-#include "mesh/read/gltf/gltf_buffers.h"
-#include "mesh/read/gltf/gltf_values.h"
+#include "mesh/read/gltf/gltf.h"
 
 enum { ANSWER_HEAD = 8, STREAM_HEAD = 12, ATTRIBUTE_HEAD = 12, ATTRIBUTES_MAX = 32 };
 

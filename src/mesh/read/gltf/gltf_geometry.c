@@ -3,20 +3,15 @@
  * Only vertices that a triangle uses are read: files often have one large array of vertices, of
  * which each primitive uses a part. A scene without triangles is drawn as its lines, and a scene
  * without lines as its points: solids of the material's base colour. */
-#include "mesh/read/gltf/gltf_geometry.h"
+#include "mesh/read/gltf/gltf.h"
 
 #include <stdatomic.h>
 
 #include "core/elementary.h"
 #include "core/srgb.h"
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/gltf/gltf_accessors.h"
-#include "mesh/read/gltf/gltf_deform.h"
-#include "mesh/read/gltf/gltf_nodes.h"
-#include "mesh/read/gltf/gltf_primitives.h"
-#include "mesh/read/gltf/gltf_values.h"
 #include "mesh/read/io/budget.h"
 
 enum {

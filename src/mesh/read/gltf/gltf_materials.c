@@ -7,10 +7,8 @@
  *
  * A metal has no diffuse colour, but there is no environment to reflect. Its colour therefore
  * reflects the ambient light, like an OBJ's Ka. */
-#include "mesh/read/gltf/gltf_materials.h"
 
-#include "mesh/read/gltf/gltf_textures.h"
-#include "mesh/read/gltf/gltf_values.h"
+#include "mesh/read/gltf/gltf.h"
 
 enum { MATERIAL_LIMIT = 65535 /* what 16 bits a triangle can tell apart, but for the default */ };
 

@@ -1,10 +1,8 @@
 /* glTF's nodes: a forest whose matrices multiply down to the meshes. Nothing here recurses, and
  * each node is visited once, so a loop of nodes is an error. */
-#include "mesh/read/gltf/gltf_nodes.h"
+#include "mesh/read/gltf/gltf.h"
 
 #include "core/elementary.h"
-#include "mesh/read/gltf/gltf_animation.h"
-#include "mesh/read/gltf/gltf_values.h"
 
 static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 

@@ -1,11 +1,7 @@
 /* glTF's primitives: the attributes of each, and how many triangles, lines or points it makes. Each
  * is read once, however many nodes draw it. */
-#include "mesh/read/gltf/gltf_primitives.h"
 
-#include "mesh/read/gltf/gltf_accessors.h"
-#include "mesh/read/gltf/gltf_draco.h"
-#include "mesh/read/gltf/gltf_textures.h"
-#include "mesh/read/gltf/gltf_values.h"
+#include "mesh/read/gltf/gltf.h"
 
 enum { POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN };
 

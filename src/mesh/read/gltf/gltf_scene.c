@@ -1,9 +1,8 @@
 /* Cameras and lights (KHR_lights_punctual). Both look along -z of their node; y is up. */
-#include "mesh/read/gltf/gltf_scene.h"
+#include "mesh/read/gltf/gltf.h"
 
 #include "base/numbers.h"
 #include "core/elementary.h"
-#include "mesh/read/gltf/gltf_values.h"
 
 /* ---- Cameras ---- */
 

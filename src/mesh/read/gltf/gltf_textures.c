@@ -1,12 +1,10 @@
 /* Textures of glTF's materials: the image, how it repeats, and the texture coordinates. */
-#include "mesh/read/gltf/gltf_textures.h"
+#include "mesh/read/gltf/gltf.h"
 
 #include <stdio.h>
 
 #include "core/elementary.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/gltf/gltf_buffers.h"
-#include "mesh/read/gltf/gltf_values.h"
 
 enum {
     NEAREST = 9728,

@@ -1,6 +1,6 @@
 /* Members of glTF's objects. A member that is not of the specified kind fails, with its location.
  */
-#include "mesh/read/gltf/gltf_values.h"
+#include "mesh/read/gltf/gltf.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* A chunk of text, and what parse() puts into it: chunks.h */
+/* A chunk of text, and what parse() puts into it: parallel_text.h */
 #ifndef BURNISH_MESH_READ_IO_CHUNK_H
 #define BURNISH_MESH_READ_IO_CHUNK_H
 

@@ -11,8 +11,9 @@ typedef struct burnish_reader_input {
     size_t packed_size; /* bytes before unpacking; 0: was not packed */
     const char *name;   /* for messages */
     const burnish_load_options *options;
-    burnish_file_loader companions;      /* load NULL: not available */
-    const struct burnish_pieces *pieces; /* pieces.h: only the head is at `bytes`; NULL: all */
+    burnish_file_loader companions; /* load NULL: not available */
+    const struct burnish_streaming
+        *streamed;     /* streaming.h: only the head is at `bytes`; NULL: all */
     size_t chunk_size; /* bytes of a chunk of text; 0: BURNISH_CHUNK_SIZE. Only tests set it. */
     double *told;      /* the progress last reported to the context; NULL: not reported */
 } burnish_reader_input;
@@ -32,7 +33,7 @@ typedef struct burnish_reader {
     burnish_error *error;
     int is_binary;  /* messages give bytes, not lines */
     int is_wide;    /* 1: the file's coordinates may exceed float precision */
-    int has_warned; /* 1: an input in pieces has a warning, and must be read whole to report it */
+    int has_warned; /* 1: a streamed input has a warning, and must be read whole to report it */
     const uint8_t *counted; /* lines are counted up to here: NULL before the first */
     size_t line;
     burnish_polygon *polygons;
@@ -87,7 +88,7 @@ typedef struct burnish_format_reader {
     /* Fills reader->mesh, with positions less reader->mesh->origin. Errors: as burnish_read. */
     burnish_status (*read)(burnish_reader *reader);
     int averages_normals; /* 1: tools that write the format average normals across edges */
-    int in_pieces;        /* 1: the reader also takes inputs of which only the head is in memory */
+    int can_stream;        /* 1: the reader also takes inputs of which only the head is in memory */
 } burnish_format_reader;
 
 #define BURNISH_READER_DECLARE(name, word, ...)                                                    \

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "core/vector.h"
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/streaming.h"
 
 /* Of a preview; fuzzing takes fewer. */
 #ifndef BURNISH_PREVIEW_ROWS
@@ -14,7 +14,7 @@ enum { LEAST_ROWS = BURNISH_PREVIEW_ROWS };
 /* ---- How many ---- */
 
 static uint64_t base_bytes(const burnish_reader_input *input) {
-    return BURNISH_PIECES_BASE + (input->pieces ? 0 : (uint64_t)input->size);
+    return BURNISH_RUN_BYTES + (input->streamed ? 0 : (uint64_t)input->size);
 }
 
 uint64_t burnish_thinning_room(const burnish_reader_input *input) {

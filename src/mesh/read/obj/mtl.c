@@ -15,7 +15,6 @@
 #include <string.h>
 
 #include "core/srgb.h"
-#include "mesh/read/obj/mtl_maps.h"
 
 /* The statements of the current material, which finish() converts. */
 typedef struct mtl_state {

@@ -31,4 +31,20 @@ burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *libra
 
 void burnish_mtl_destroy(const burnish_context *context, burnish_mtl *library);
 
+/* ---- mtl_maps.c ---- */
+
+/* Whether a statement names a texture. */
+int burnish_mtl_is_map(burnish_token keyword);
+
+/* Reads one; lexer: after the keyword. Unsupported maps go to `unsupported`. Errors: the mesh's
+ * memory. */
+void burnish_mtl_read_map(burnish_reader *reader, burnish_mtl_entry *entry, burnish_token keyword,
+                          burnish_lexer *lexer, burnish_warning_group *unsupported);
+
+/* The material of an entry with its textures, which are loaded. reader: the OBJ's. Errors: the
+ * mesh's memory. */
+burnish_material burnish_mtl_load_maps(burnish_reader *reader, const burnish_mtl_entry *entry);
+
+void burnish_mtl_release_maps(const burnish_context *context, burnish_mtl_entry *entry);
+
 #endif

@@ -1,6 +1,6 @@
 /* Textures of a material library: map_Kd, map_Ks, map_Ns, map_Ke, map_d, bump and norm with their
  * options. The files are loaded once a material is used. */
-#include "mesh/read/obj/mtl_maps.h"
+#include "mesh/read/obj/mtl.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,6 @@
 #include "core/elementary.h"
 #include "mesh/data/material.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/obj/mtl.h"
 
 /* Statements by name, lower case. */
 static const struct {

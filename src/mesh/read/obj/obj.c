@@ -5,11 +5,10 @@
  * o, g, s and other statements that draw nothing are ignored silently. Vertex colours follow the
  * coordinates (v x y z r g b). */
 #include "mesh/read/common/points.h"
-#include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/common/triangulate.h"
+#include "mesh/read/io/streaming.h"
 #include "mesh/read/obj/obj_materials.h"
-#include "mesh/read/obj/obj_statements.h"
 
 typedef struct obj_state {
     burnish_reader *reader;
@@ -145,11 +144,11 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
             note_other(obj, event, &lexer);
             continue;
         }
-        if (burnish_pieces_only(obj->reader->input)) {
+        if (burnish_must_stream(obj->reader->input)) {
             continue;
         }
-        if (obj->reader->input->pieces) { /* names refer to the input's bytes */
-            return burnish_pieces_give_up(obj->reader);
+        if (obj->reader->input->streamed) { /* names refer to the input's bytes */
+            return burnish_stop_streaming(obj->reader);
         }
         status = begin_run(obj, triangle);
         if (status == BURNISH_STATUS_OK && event->kind == BURNISH_OBJ_LIBRARY) {
@@ -292,12 +291,12 @@ static burnish_status read_input(burnish_reader *reader) {
                      .with_texcoords = burnish_reader_keeps_coordinates(reader, has_library),
                      .materials = {.reader = reader, .changed = 1}};
     const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
-    if (reader->input->pieces && has_library && burnish_pieces_only(reader->input)) {
+    if (reader->input->streamed && has_library && burnish_must_stream(reader->input)) {
         burnish_reader_warn(reader, NULL,
                             "materials are not read, as max-memory has no room for "
                             "them");
-    } else if (reader->input->pieces && has_library) {
-        return burnish_pieces_give_up(reader);
+    } else if (reader->input->streamed && has_library) {
+        return burnish_stop_streaming(reader);
     }
     reader->is_wide = 1;
     burnish_status status = burnish_chunks_read(&grammar, &obj, reader, &at, NULL);
@@ -327,4 +326,4 @@ static int recognise(const uint8_t *bytes, size_t size) {
 }
 
 const burnish_format_reader burnish_reader_obj = {
-    .recognise = recognise, .read = read_input, .averages_normals = 1, .in_pieces = 1};
+    .recognise = recognise, .read = read_input, .averages_normals = 1, .can_stream = 1};

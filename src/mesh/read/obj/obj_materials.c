@@ -12,7 +12,6 @@
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/beside.h"
 #include "mesh/read/obj/mtl.h"
-#include "mesh/read/obj/mtl_maps.h"
 
 enum {
     MATERIAL_LIMIT = 65536, /* what 16 bits a triangle can tell apart */

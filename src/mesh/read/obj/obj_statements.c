@@ -1,7 +1,7 @@
 /* OBJ: the statements of a chunk, read as if it were the start of the file. */
-#include "mesh/read/obj/obj_statements.h"
+#include "mesh/read/obj/obj_materials.h"
 
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 
 /* The indices of a corner, by attribute. Corners have no colour index, so the column of colours
  * records which other indices are relative, as bits 1 << attribute. */

@@ -4,17 +4,15 @@
  * decoding to be found: all threads convert vertices column by column, and triangles row by row
  * (ply_binary.c). */
 #include "mesh/read/common/points.h"
-#include "mesh/read/common/polygon.h"
 #include "mesh/read/common/textures.h"
+#include "mesh/read/common/triangulate.h"
 #include "mesh/read/io/budget.h"
-#include "mesh/read/io/chunks.h"
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/parallel_text.h"
+#include "mesh/read/io/streaming.h"
 #include "mesh/read/io/thinning.h"
 #include "mesh/read/ply/ply_binary.h"
-#include "mesh/read/ply/ply_comments.h"
 #include "mesh/read/ply/ply_header.h"
 #include "mesh/read/ply/ply_rows.h"
-#include "mesh/read/ply/ply_triangles.h"
 
 /* ---- Binary rows of one size ---- */
 
@@ -191,13 +189,13 @@ static int may_be_triangles(const burnish_ply_element *element, const burnish_pl
            rows->corners.type < BURNISH_PLY_FLOAT32;
 }
 
-/* Whether all rows of a file in pieces seem to be of one size per element, faces triangles; those
+/* Whether all rows of a streamed file seem to be of one size per element, faces triangles; those
  * of an ASCII file may be anything. */
-static int suits_pieces(burnish_ply_state *ply) {
+static int suits_streaming(burnish_ply_state *ply) {
     const burnish_reader_input *input = ply->reader->input;
     size_t offset = (size_t)(ply->header.body - input->bytes);
     int suits = (ply->header.texture_count == 0 || ply->step > 1) && !ply->reader->has_warned &&
-                offset < input->pieces->head; /* all of the header */
+                offset < input->streamed->head; /* all of the header */
     const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
     for (size_t i = 0; i < ply->header.element_count && suits && !is_ascii; ++i) {
         burnish_ply_rows rows = {.big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN};
@@ -308,7 +306,7 @@ static int first_line_is_row(const burnish_ply_state *ply, const uint8_t *at) {
     const burnish_reader_input *input = ply->reader->input;
     uint8_t buffer[LONG];
     const size_t left = (size_t)(input->bytes + input->size - at),
-                 size = input->pieces && left > LONG ? LONG : left;
+                 size = input->streamed && left > LONG ? LONG : left;
     const uint8_t *text =
         burnish_reader_peek(ply->reader, (size_t)(at - input->bytes), size, buffer);
     burnish_lexer line = {text, text ? text + size : text, 0};
@@ -375,7 +373,7 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
             judge_colors(ply);
         }
     }
-    while (!ply->reader->is_binary && !ply->reader->input->pieces && at < end &&
+    while (!ply->reader->is_binary && !ply->reader->input->streamed && at < end &&
            (burnish_is_blank(*at) || burnish_is_line_end(*at))) {
         ++at;
     }
@@ -480,14 +478,14 @@ static burnish_status read_body(burnish_ply_state *ply) {
         ply->reader, triangles > ply->vertex_count ? triangles : ply->vertex_count,
         ply->vertex_count, &ply->step);
     if (status == BURNISH_STATUS_OK) {
-        status = ply->reader->input->pieces && !suits_pieces(ply)
-                     ? burnish_pieces_give_up(ply->reader)
+        status = ply->reader->input->streamed && !suits_streaming(ply)
+                     ? burnish_stop_streaming(ply->reader)
                      : read_elements(ply, &left);
     }
-    if (ply->reader->input->pieces && status == BURNISH_STATUS_OK && ply->is_odd) {
-        return burnish_pieces_give_up(ply->reader);
+    if (ply->reader->input->streamed && status == BURNISH_STATUS_OK && ply->is_odd) {
+        return burnish_stop_streaming(ply->reader);
     }
-    if (!ply->reader->is_binary && !ply->reader->input->pieces &&
+    if (!ply->reader->is_binary && !ply->reader->input->streamed &&
         (status == BURNISH_STATUS_FORMAT ||
          (status == BURNISH_STATUS_OK && ply->is_odd && left > 0))) {
         status = read_otherwise(ply, status, &left);
@@ -548,4 +546,4 @@ static int recognise(const uint8_t *bytes, size_t size) {
 }
 
 const burnish_format_reader burnish_reader_ply = {
-    .recognise = recognise, .read = read_input, .averages_normals = 1, .in_pieces = 1};
+    .recognise = recognise, .read = read_input, .averages_normals = 1, .can_stream = 1};

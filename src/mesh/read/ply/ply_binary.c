@@ -2,7 +2,7 @@
 #include "mesh/read/ply/ply_binary.h"
 
 #include "base/numbers.h"
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 #include "mesh/read/ply/ply_header.h"
 
 static inline uint32_t load32(const uint8_t *from, int big_endian) {

@@ -1,10 +1,9 @@
 /* PLY: comments among the rows of an ASCII body, which the format does not permit. Rows are first
  * read normally. A body that can't be read is searched for comments, and read again from a
  * copy with blanks in their place, which keeps the line numbers. */
-#include "mesh/read/ply/ply_comments.h"
+#include "mesh/read/ply/ply_rows.h"
 
 #include "mesh/read/ply/ply_header.h"
-#include "mesh/read/ply/ply_rows.h"
 
 /* The first words of header lines without meaning, and comments of other programs. */
 static int is_comment(const uint8_t *line, const uint8_t *end) {

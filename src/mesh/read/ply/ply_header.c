@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/streaming.h"
 
 typedef struct header_state {
     burnish_reader *reader;

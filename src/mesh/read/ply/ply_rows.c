@@ -6,11 +6,10 @@
  * values at the end of a line get defaults, and extra values are ignored. */
 #include "mesh/read/ply/ply_rows.h"
 
-#include "mesh/read/common/origin.h"
-#include "mesh/read/io/chunks.h"
+#include "mesh/read/common/local_origin.h"
+#include "mesh/read/io/parallel_text.h"
 #include "mesh/read/ply/ply_binary.h"
 #include "mesh/read/ply/ply_header.h"
-#include "mesh/read/ply/ply_triangles.h"
 
 /* The events of a chunk; TEXTURE + n: faces from here on show texture n. */
 enum { FEW_CORNERS, FIELDS, TEXTURE };

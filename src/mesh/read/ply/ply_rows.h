@@ -2,8 +2,9 @@
 #ifndef BURNISH_MESH_READ_PLY_PLY_ROWS_H
 #define BURNISH_MESH_READ_PLY_PLY_ROWS_H
 
-#include "mesh/read/ply/ply_header.h"
 #include <string.h>
+
+#include "mesh/read/ply/ply_header.h"
 
 /* The state of reading the body of a file. */
 typedef struct burnish_ply_state {
@@ -49,5 +50,26 @@ static inline const uint8_t *burnish_ply_line_end(const uint8_t *from, const uin
 
 /* Reads `rows` rows of the current element from *at on, and moves *at past them. */
 burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows);
+
+/* ---- ply_comments.c ---- */
+
+/* Gives the reader an input with blanks in place of comments in the body; *any: 1 if there are
+ * some. Errors: MEMORY. */
+burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any);
+
+/* Restores the original input, after the body has been read. */
+void burnish_ply_show_comments(burnish_ply_state *ply);
+
+/* ---- ply_triangles.c ---- */
+
+/* Starts to use texture n of the header at a triangle; BURNISH_PLY_TEXTURES_MAX: no texture. */
+burnish_status burnish_ply_use_texture(burnish_ply_state *ply, size_t triangle, int texture);
+
+/* After all triangles: gives them the colours and texture coordinates that were read for them, if
+ * every triangle has them. */
+burnish_status burnish_ply_settle_triangles(burnish_ply_state *ply);
+
+/* Loads the header's textures, and makes the materials that show them. */
+burnish_status burnish_ply_load_textures(burnish_ply_state *ply);
 
 #endif

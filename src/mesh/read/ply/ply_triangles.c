@@ -1,9 +1,8 @@
 /* PLY: colours, texture coordinates and textures of faces, as MeshLab writes them. */
-#include "mesh/read/ply/ply_triangles.h"
+#include "mesh/read/ply/ply_rows.h"
 
 #include "mesh/read/common/textures.h"
 #include "mesh/read/ply/ply_header.h"
-#include "mesh/read/ply/ply_rows.h"
 
 /* ---- Values ---- */
 

@@ -5,9 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "mesh/read/threemf/threemf_model.h"
-#include "mesh/read/threemf/threemf_scene.h"
-#include "mesh/read/threemf/threemf_values.h"
 #include "mesh/read/threemf/threemf_xml.h"
 
 /* Any ZIP archive, by its first bytes. */

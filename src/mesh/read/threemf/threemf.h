@@ -166,4 +166,31 @@ typedef struct burnish_threemf_place {
 burnish_threemf_place burnish_threemf_show(const burnish_threemf *threemf, uint32_t part,
                                            uint32_t line);
 
+/* ---- threemf_model.c ---- */
+
+/* Reads the model of part `number`. Returns 0 on failure. */
+int burnish_threemf_read_model(burnish_threemf *threemf, uint32_t number);
+
+/* ---- threemf_values.c ---- */
+
+/* Mixes composites, and chooses what is drawn of multiple properties. Returns 0 on failure. */
+int burnish_threemf_mix(burnish_threemf *threemf);
+
+/* Resolves the group and properties of an object's triangles, and gives the mesh the materials and
+ * textures that they use. Returns 0 on failure. */
+int burnish_threemf_use_values(burnish_threemf *threemf, const burnish_threemf_object *object);
+
+/* After all triangles: decides whether their plain material is the look's grey, and warns of
+ * colours with alpha 0. */
+void burnish_threemf_settle_values(burnish_threemf *threemf);
+
+/* The material of a triangle whose group is resolved. */
+uint16_t burnish_threemf_material_of(const burnish_threemf *threemf,
+                                     const burnish_threemf_triangle *triangle);
+
+/* ---- threemf_scene.c ---- */
+
+/* Writes the objects that are built to the mesh. Returns 0 on failure. */
+int burnish_threemf_write_scene(burnish_threemf *threemf);
+
 #endif

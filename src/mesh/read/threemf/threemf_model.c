@@ -1,6 +1,5 @@
 /* A model part of 3MF: its elements become arrays. References are resolved later, when all parts
  * have been read. */
-#include "mesh/read/threemf/threemf_model.h"
 #include "mesh/read/threemf/threemf.h"
 #include "mesh/read/threemf/threemf_xml.h"
 

@@ -1,14 +1,12 @@
 /* 3MF's build: objects placed in it, and in each other. Objects are first counted, each only once,
  * and then written to the mesh. */
-#include "mesh/read/threemf/threemf_scene.h"
+#include "mesh/read/threemf/threemf.h"
 
 #if BURNISH_HAS_3MF
 
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
-#include "mesh/read/threemf/threemf.h"
-#include "mesh/read/threemf/threemf_values.h"
 
 enum {
     NESTING_MOST = 64,     /* objects in objects */

@@ -1,12 +1,11 @@
 /* 3MF's properties in a mesh: materials for bases and textures, colours and texture coordinates of
  * corners. */
-#include "mesh/read/threemf/threemf_values.h"
+#include "mesh/read/threemf/threemf.h"
 
 #if BURNISH_HAS_3MF
 
 #include "core/srgb.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/threemf/threemf.h"
 
 enum { MATERIAL_LIMIT = 65536 /* what 16 bits a triangle can tell apart */ };
 

@@ -7,7 +7,6 @@
  * meshoptimizer's vertex cache order is not used on purpose. It helps hardware that transforms a
  * vertex once per use, while burnish transforms each vertex once. Its cost is quadratic in the
  * faces around a vertex (a fan of 80,000 takes 5 s, version 0.18). */
-#include "mesh/build/order.h"
 #include "mesh/build/builder.h"
 
 enum {

@@ -1,7 +1,7 @@
 /* Polygons to triangles by ear clipping (G. H. Meisters, "Polygons have ears", 1975): a simple
  * polygon always has a convex corner whose neighbours see each other. Clipping one changes only its
  * neighbours (J. O'Rourke, "Computational Geometry in C", 1.5), hence O(n^2) in all. */
-#include "mesh/read/common/polygon.h"
+#include "mesh/read/common/triangulate.h"
 
 enum { CORNERS = BURNISH_POLYGON_CORNERS };
 

@@ -1,6 +1,6 @@
 /* The welded mesh as the faces around a vertex are found in it. */
-#ifndef BURNISH_MESH_BUILD_NORMALS_SURFACE_H
-#define BURNISH_MESH_BUILD_NORMALS_SURFACE_H
+#ifndef BURNISH_MESH_BUILD_NORMALS_WELDED_H
+#define BURNISH_MESH_BUILD_NORMALS_WELDED_H
 
 #include <string.h>
 

@@ -5,8 +5,8 @@
  * before it is known, which gives the message. The first error of the file is therefore the one
  * that is reported, whether it is in a statement or in grammar->accept, for any number of threads.
  */
-#ifndef BURNISH_MESH_READ_IO_CHUNKS_H
-#define BURNISH_MESH_READ_IO_CHUNKS_H
+#ifndef BURNISH_MESH_READ_IO_PARALLEL_TEXT_H
+#define BURNISH_MESH_READ_IO_PARALLEL_TEXT_H
 
 #include "mesh/read/io/chunk.h"
 

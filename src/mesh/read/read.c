@@ -1,17 +1,15 @@
 /* The table of formats, and how an input is read. */
-#include "mesh/read/formats.h"
+#include "mesh/read/read.h"
 
 #include <string.h>
 
 #include "base/bytes.h"
 #include "base/numbers.h"
 #include "image/decode/gunzip.h"
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/foreign.h"
-#include "mesh/read/io/binary_stl.h"
-#include "mesh/read/io/pieces.h"
-#include "mesh/read/io/unpack.h"
+#include "mesh/read/io/streaming.h"
+#include "mesh/read/stl.h"
 
 typedef struct format_row {
     burnish_format_info info;
@@ -93,11 +91,12 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
 /* A binary STL is recognised by its size, which is unknown for a stream. Here it is recognised by
  * its coordinates, which are finite and not all 0. */
 static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
-    enum { HEADER = 84, FACET = 50, VERTICES_AT = 12, COORDINATES = 9 };
+    enum { COORDINATES = 9 };
     uint32_t any = 0;
-    for (size_t at = HEADER; at + FACET <= size; at += FACET) {
+    for (size_t at = BURNISH_STL_HEADER_SIZE; at + BURNISH_STL_FACET_SIZE <= size;
+         at += BURNISH_STL_FACET_SIZE) {
         for (size_t i = 0; i < COORDINATES; ++i) {
-            const uint32_t bits = burnish_load32(bytes + at + VERTICES_AT + 4 * i);
+            const uint32_t bits = burnish_load32(bytes + at + BURNISH_STL_NORMAL_SIZE + 4 * i);
             if (!burnish_is_finite_bits(bits)) {
                 return 0;
             }
@@ -144,24 +143,24 @@ int burnish_may_be(burnish_format format, const uint8_t *bytes, size_t size, con
            ((is_any || format == BURNISH_FORMAT_OBJ) && is_comment);
 }
 
-burnish_format burnish_pieces_format(burnish_format format, const uint8_t *head, size_t size,
-                                     const char *name) {
+burnish_format burnish_streamed_format(burnish_format format, const uint8_t *head, size_t size,
+                                       const char *name) {
     const int is_any = format == BURNISH_FORMAT_AUTO;
     const burnish_format guess =
-        is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, name) : format;
+        is_any ? burnish_guess_format(head, BURNISH_STREAMED_HEAD, name) : format;
     const int is_stl = burnish_is_binary_stl(head, size);
     if (burnish_is_gzip(head, size)) {
         return BURNISH_FORMAT_AUTO;
     }
     if (is_stl) { /* certain by its size, unless its bytes indicate another format */
         const burnish_format other =
-            is_any ? burnish_guess_format(head, BURNISH_PIECES_HEAD, NULL) : format;
+            is_any ? burnish_guess_format(head, BURNISH_STREAMED_HEAD, NULL) : format;
         return other == BURNISH_FORMAT_STL || (is_any && other == BURNISH_FORMAT_AUTO)
                    ? BURNISH_FORMAT_STL
                    : BURNISH_FORMAT_AUTO;
     }
-    const int in_pieces = formats[guess].reader && formats[guess].reader->in_pieces;
-    return in_pieces && !burnish_has_utf16_mark(head, size) ? guess : BURNISH_FORMAT_AUTO;
+    const int can_stream = formats[guess].reader && formats[guess].reader->can_stream;
+    return can_stream && !burnish_has_utf16_mark(head, size) ? guess : BURNISH_FORMAT_AUTO;
 }
 
 /* The usual name of a format. */
@@ -172,7 +171,7 @@ static const char *shown_format(burnish_format format) {
     return format == BURNISH_FORMAT_GLTF ? "glTF" : names[format];
 }
 
-/* Warns of a file whose contents contradict its name. For an input in pieces, this is not a reason
+/* Warns of a file whose contents contradict its name. For a streamed input, this is not a reason
  * to read all of it. */
 static void warn_misnamed(burnish_reader *reader, burnish_format format) {
     const burnish_format named = format_of_name(reader->input->name);

@@ -1,37 +1,37 @@
-/* Files that are read piece by piece, straight into the arrays of the mesh. The file itself takes
+/* Streaming: files that are read piece by piece, straight into the arrays of the mesh. The file itself takes
  * no memory, and each piece stays in the second-level cache.
  *
  * Only the first bytes of such an input are in memory. A reader that finds anything unusual returns
  * an error or a warning, and the input is read again with all its bytes in memory, which gives the
  * mesh or the message. */
-#ifndef BURNISH_MESH_READ_IO_PIECES_H
-#define BURNISH_MESH_READ_IO_PIECES_H
+#ifndef BURNISH_MESH_READ_IO_STREAMING_H
+#define BURNISH_MESH_READ_IO_STREAMING_H
 
 #include "mesh/read/io/reader.h"
 
-typedef struct burnish_pieces {
+typedef struct burnish_streaming {
     int descriptor; /* of a regular file, from its beginning */
     size_t head;    /* bytes at its beginning that are in memory */
-} burnish_pieces;
+} burnish_streaming;
 
 /* Bytes of the head; fuzzing takes fewer. */
-#ifndef BURNISH_PIECES_HEAD
-#define BURNISH_PIECES_HEAD 65536
+#ifndef BURNISH_STREAMED_HEAD
+#define BURNISH_STREAMED_HEAD 65536
 #endif
 
 /* What a run takes without a mesh: the program, an image, depth maps, tile lists, light. */
-enum { BURNISH_PIECES_BASE = 80 << 20 };
+enum { BURNISH_RUN_BYTES = 80 << 20 };
 
-/* Whether an input in pieces stays so, as max_memory has no room for its bytes and its mesh. Its
+/* Whether an input must be streamed, as max_memory has no room for its bytes and its mesh. Its
  * messages have no line then. */
-static inline int burnish_pieces_only(const burnish_reader_input *input) {
-    const uint64_t limit = input->pieces ? input->options->max_memory : 0;
+static inline int burnish_must_stream(const burnish_reader_input *input) {
+    const uint64_t limit = input->streamed ? input->options->max_memory : 0;
     return limit > 0 &&
-           (limit < BURNISH_PIECES_BASE || input->size > (limit - BURNISH_PIECES_BASE) / 2);
+           (limit < BURNISH_RUN_BYTES || input->size > (limit - BURNISH_RUN_BYTES) / 2);
 }
 
-/* Fails an input in pieces, which must then be read whole; MEMORY if that can't be. */
-burnish_status burnish_pieces_give_up(burnish_reader *reader);
+/* Fails a streamed input, which must then be read whole; MEMORY if that can't be. */
+burnish_status burnish_stop_streaming(burnish_reader *reader);
 
 /* How many of the input's bytes are in memory. */
 size_t burnish_reader_head(const burnish_reader *reader);
@@ -41,7 +41,7 @@ size_t burnish_reader_head(const burnish_reader *reader);
 const uint8_t *burnish_reader_peek(const burnish_reader *reader, size_t offset, size_t size,
                                    uint8_t *buffer);
 
-/* Text of an input in pieces: a window that moves over it. */
+/* Text of a streamed input: a window that moves over it. */
 typedef struct burnish_window {
     const burnish_reader_input *input;
     uint8_t *bytes;
@@ -60,7 +60,7 @@ typedef void burnish_rows_task(void *user_data, const uint8_t *rows, size_t firs
  * within the input.
  *
  * offset: of the first row, in bytes from the beginning of the input
- * Errors: MEMORY, CANCELLED; READ if the input is in pieces and can't be read. */
+ * Errors: MEMORY, CANCELLED; READ if the input is streamed and can't be read. */
 burnish_status burnish_reader_rows(burnish_reader *reader, size_t offset, size_t row_size,
                                    size_t count, burnish_rows_task *task, void *user_data);
 

@@ -1,9 +1,9 @@
 /* Gzip and UTF-16, before anything looks at the bytes. */
-#include "mesh/read/io/unpack.h"
+#include "mesh/read/read.h"
 
 #include "image/decode/gunzip.h"
-#include "mesh/read/io/binary_stl.h"
 #include "mesh/read/io/budget.h"
+#include "mesh/read/stl.h"
 
 /* Whether the input is UTF-16 with a byte order mark. A binary STL may begin with any bytes. */
 static int has_mark(const burnish_reader_input *input) {

@@ -1,6 +1,6 @@
 /* Polygons to triangles. */
-#ifndef BURNISH_MESH_READ_COMMON_POLYGON_H
-#define BURNISH_MESH_READ_COMMON_POLYGON_H
+#ifndef BURNISH_MESH_READ_COMMON_TRIANGULATE_H
+#define BURNISH_MESH_READ_COMMON_TRIANGULATE_H
 
 #include "mesh/read/io/reader.h"
 

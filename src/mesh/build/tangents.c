@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "mesh/build/builder.h"
-#include "mesh/build/textures.h"
 #include "mesh/data/material.h"
 
 /* ---- What is kept ---- */

@@ -1,8 +1,8 @@
 /* Text in chunks: cut, parse in parallel, accept in the order of the file, append in parallel. */
-#include "mesh/read/io/chunks.h"
+#include "mesh/read/io/parallel_text.h"
 
 #include "mesh/read/io/budget.h"
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/streaming.h"
 #include "mesh/read/io/thinning.h"
 
 #include <string.h>
@@ -24,7 +24,7 @@ typedef struct chunk_driver {
     size_t chunk_size;     /* bytes */
     int alone;             /* 1: statements cross the starts that were found, so one at a time */
     burnish_window
-        window; /* over a file in pieces: the bytes from next to text_end; otherwise all 0 */
+        window; /* over a streamed file: the bytes from next to text_end; otherwise all 0 */
     const uint8_t *next, *text_end;
     size_t rows_left, rows_done, bytes_done, wave_rows;
     forward_chunk *forward;
@@ -75,7 +75,7 @@ static int ends_input(const chunk_driver *driver) {
 
 /* Bytes of a wave, and bytes after it that are examined to find its end. */
 static size_t wave_size(const chunk_driver *driver) {
-    enum { LONGEST = BURNISH_PIECES_HEAD }; /* statement, or lines without a start */
+    enum { LONGEST = BURNISH_STREAMED_HEAD }; /* statement, or lines without a start */
     return driver->most * driver->chunk_size + LONGEST;
 }
 
@@ -241,7 +241,7 @@ static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *mo
     }
     parse_fewer(driver, chunk);
     if (driver->window.bytes && (!is_in_order(driver, chunk, &known) || chunk->end != chunk->cut)) {
-        return burnish_pieces_give_up(driver->reader);
+        return burnish_stop_streaming(driver->reader);
     }
     if (!is_in_order(driver, chunk, &known)) {
         status = parse_exactly(driver, chunk, &known, NULL);
@@ -471,7 +471,7 @@ static burnish_status read_wave(chunk_driver *driver) {
     const int is_there = !driver->window.bytes || move_window(driver);
     const size_t count = is_there ? cut_wave(driver) : 0;
     if (count == 0) {
-        return burnish_pieces_give_up(driver->reader);
+        return burnish_stop_streaming(driver->reader);
     }
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         before[i] = mesh->streams[i].count;
@@ -502,7 +502,7 @@ static burnish_status read_wave(chunk_driver *driver) {
         append_polygons(driver->reader, &driver->chunks[i]);
     }
     tell_progress(driver);
-    return driver->reader->has_warned ? burnish_pieces_give_up(driver->reader)
+    return driver->reader->has_warned ? burnish_stop_streaming(driver->reader)
                                       : burnish_tasks_check(mesh->tasks, driver->reader->error);
 }
 
@@ -515,7 +515,7 @@ static burnish_status check_forward(chunk_driver *driver) {
             if (!(driver->grammar->lenient >> i & 1) &&
                 forward->highest[i] > mesh->streams[i].count) {
                 if (driver->window.bytes) {
-                    return burnish_pieces_give_up(driver->reader);
+                    return burnish_stop_streaming(driver->reader);
                 }
                 burnish_status status =
                     parse_exactly(driver, &driver->chunks[0], forward, mesh->streams);
@@ -563,8 +563,8 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
                                         .are_facets = grammar->are_facets,
                                         .indexed = grammar->indexed}};
     const int was_begun = driver.thinning.step > 0;
-    if (reader->input->pieces && !grammar->find_start) {
-        return burnish_pieces_give_up(reader);
+    if (reader->input->streamed && !grammar->find_start) {
+        return burnish_stop_streaming(reader);
     }
     const size_t chunks = (size_t)(driver.text_end - *at) / driver.chunk_size + 1;
     const size_t threads = (size_t)burnish_tasks_threads(mesh->tasks);
@@ -580,7 +580,7 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
         chunk->data = burnish_mesh_data_begin(mesh->memory.context, NULL, &chunk->error);
         chunk->most = burnish_budget_triangles(reader);
     }
-    burnish_status status = reader->input->pieces ? open_window(&driver, *at) : BURNISH_STATUS_OK;
+    burnish_status status = reader->input->streamed ? open_window(&driver, *at) : BURNISH_STATUS_OK;
     while (status == BURNISH_STATUS_OK && bytes_left(&driver) > 0 && driver.rows_left > 0) {
         status = read_wave(&driver);
     }

@@ -1,4 +1,4 @@
-#include "mesh/read/common/origin.h"
+#include "mesh/read/common/local_origin.h"
 
 #include <string.h>
 

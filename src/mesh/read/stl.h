@@ -1,16 +1,15 @@
-/* The layout of binary STL. */
-#ifndef BURNISH_MESH_READ_IO_BINARY_STL_H
-#define BURNISH_MESH_READ_IO_BINARY_STL_H
-
-#include <stddef.h>
-#include <stdint.h>
+/* STL: the layout of binary files, and their reader. */
+#ifndef BURNISH_MESH_READ_STL_H
+#define BURNISH_MESH_READ_STL_H
 
 #include "base/bytes.h"
+#include "mesh/read/io/reader.h"
 
 enum {
     BURNISH_STL_TITLE_SIZE = 80,
     BURNISH_STL_HEADER_SIZE = 84, /* the title and the count of facets */
-    BURNISH_STL_FACET_SIZE = 50
+    BURNISH_STL_FACET_SIZE = 50,
+    BURNISH_STL_NORMAL_SIZE = 12 /* before a facet's corners */
 };
 
 /* Whether the size of a file matches the count in its header. */
@@ -19,5 +18,9 @@ static inline int burnish_is_binary_stl(const uint8_t *head, size_t size) {
     return size >= BURNISH_STL_HEADER_SIZE && rest % BURNISH_STL_FACET_SIZE == 0 &&
            rest / BURNISH_STL_FACET_SIZE == burnish_load32(head + BURNISH_STL_TITLE_SIZE);
 }
+
+/* Reads a binary file of at least a header: all facets, or a preview if they exceed the memory
+ * limit. Errors: as burnish_read. */
+burnish_status burnish_stl_read_binary(burnish_reader *reader);
 
 #endif

@@ -1,4 +1,4 @@
-#include "mesh/read/io/pieces.h"
+#include "mesh/read/io/streaming.h"
 
 #include <errno.h>
 #include <string.h>
@@ -6,25 +6,25 @@
 #include "base/platform.h"
 
 enum {
-    PIECE = 4 * BURNISH_PIECES_HEAD, /* bytes that are read at once, by each thread */
-    GRAIN = 1 << 13                  /* rows that a thread takes at once if all are in memory */
+    PIECE = 4 * BURNISH_STREAMED_HEAD, /* bytes that are read at once, by each thread */
+    GRAIN = 1 << 13                    /* rows that a thread takes at once if all are in memory */
 };
 
 size_t burnish_reader_head(const burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
-    return input->pieces ? input->pieces->head : input->size;
+    return input->streamed ? input->streamed->head : input->size;
 }
 
-burnish_status burnish_pieces_give_up(burnish_reader *reader) {
-    return !burnish_pieces_only(reader->input)
+burnish_status burnish_stop_streaming(burnish_reader *reader) {
+    return !burnish_must_stream(reader->input)
                ? burnish_reader_fail(reader, BURNISH_STATUS_READ, NULL, "to be read whole")
-               : burnish_reader_fail(reader, BURNISH_STATUS_MEMORY, NULL,
-                                     "a preview can't be read in pieces; repair the file, or raise "
-                                     "max-memory to %llu MB",
-                                     (unsigned long long)((2 * (uint64_t)reader->input->size +
-                                                           BURNISH_PIECES_BASE) /
-                                                              1000000 +
-                                                          1));
+               : burnish_reader_fail(
+                     reader, BURNISH_STATUS_MEMORY, NULL,
+                     "a preview can't be read in pieces; repair the file, or raise "
+                     "max-memory to %llu MB",
+                     (unsigned long long)((2 * (uint64_t)reader->input->size + BURNISH_RUN_BYTES) /
+                                              1000000 +
+                                          1));
 }
 
 /* Returns 0 if the file has become shorter or can't be read. */
@@ -49,11 +49,11 @@ static int read_at(int descriptor, size_t offset, uint8_t *bytes, size_t size) {
 
 const uint8_t *burnish_reader_peek(const burnish_reader *reader, size_t offset, size_t size,
                                    uint8_t *buffer) {
-    const burnish_pieces *pieces = reader->input->pieces;
-    if (!pieces || offset + size <= pieces->head) {
+    const burnish_streaming *streaming = reader->input->streamed;
+    if (!streaming || offset + size <= streaming->head) {
         return reader->input->bytes + offset;
     }
-    return read_at(pieces->descriptor, offset, buffer, size) ? buffer : NULL;
+    return read_at(streaming->descriptor, offset, buffer, size) ? buffer : NULL;
 }
 
 int burnish_window_move(burnish_window *window, size_t offset) {
@@ -62,7 +62,7 @@ int burnish_window_move(burnish_window *window, size_t offset) {
     memmove(window->bytes, window->bytes + passed, kept);
     window->offset = offset;
     window->size = left < window->capacity ? left : window->capacity;
-    return read_at(window->input->pieces->descriptor, offset + kept, window->bytes + kept,
+    return read_at(window->input->streamed->descriptor, offset + kept, window->bytes + kept,
                    window->size - kept);
 }
 
@@ -71,7 +71,7 @@ typedef struct rows_context {
     const burnish_reader_input *input;
     size_t offset, row_size, count;
     size_t piece_rows, piece_size;
-    uint8_t *pieces; /* one per thread */
+    uint8_t *buffers; /* one per thread */
     atomic_int failed;
     burnish_rows_task *task;
     void *user_data;
@@ -86,11 +86,11 @@ static void take_piece(void *context, size_t index, int thread) {
     rows_context *c = context;
     const size_t first = index * c->piece_rows, left = c->count - first;
     const size_t count = left < c->piece_rows ? left : c->piece_rows;
-    uint8_t *rows = c->pieces + (size_t)thread * c->piece_size;
+    uint8_t *rows = c->buffers + (size_t)thread * c->piece_size;
     if (atomic_load_explicit(&c->failed, memory_order_relaxed)) {
         return;
     }
-    if (read_at(c->input->pieces->descriptor, c->offset + first * c->row_size, rows,
+    if (read_at(c->input->streamed->descriptor, c->offset + first * c->row_size, rows,
                 count * c->row_size)) {
         c->task(c->user_data, rows, first, first + count);
     } else {
@@ -104,15 +104,15 @@ static burnish_status read_rows(burnish_reader *reader, rows_context *c) {
     c->piece_rows = c->row_size < PIECE ? PIECE / c->row_size : 1;
     const size_t pieces = (c->count + c->piece_rows - 1) / c->piece_rows;
     c->piece_size = c->piece_rows * c->row_size;
-    c->pieces = burnish_allocate(&mesh->memory, threads < pieces ? threads : pieces, c->piece_size,
-                                 "a piece of the file");
-    if (!c->pieces) {
+    c->buffers = burnish_allocate(&mesh->memory, threads < pieces ? threads : pieces, c->piece_size,
+                                  "a piece of the file");
+    if (!c->buffers) {
         return mesh->memory.status;
     }
     burnish_tasks_run(mesh->tasks, pieces, 1, (int)(threads < pieces ? threads : pieces),
                       take_piece, c);
-    burnish_release(mesh->memory.context, c->pieces);
-    return atomic_load(&c->failed) ? burnish_pieces_give_up(reader) : BURNISH_STATUS_OK;
+    burnish_release(mesh->memory.context, c->buffers);
+    return atomic_load(&c->failed) ? burnish_stop_streaming(reader) : BURNISH_STATUS_OK;
 }
 
 burnish_status burnish_reader_rows(burnish_reader *reader, size_t offset, size_t row_size,
@@ -125,7 +125,7 @@ burnish_status burnish_reader_rows(burnish_reader *reader, size_t offset, size_t
                             .user_data = user_data};
     burnish_status status = BURNISH_STATUS_OK;
     atomic_init(&context.failed, 0);
-    if (reader->input->pieces && count > 0) {
+    if (reader->input->streamed && count > 0) {
         status = read_rows(reader, &context);
     } else {
         burnish_tasks_ranges(reader->mesh->tasks, count, GRAIN, take_rows, &context);

@@ -4,8 +4,8 @@
  * Such a file is read once more, with an origin near its middle subtracted in double precision
  * before coordinates are rounded. The difference of two doubles that are within a factor of 2 is
  * exact: the mesh has the same bits as one that was made at that origin. */
-#ifndef BURNISH_MESH_READ_COMMON_ORIGIN_H
-#define BURNISH_MESH_READ_COMMON_ORIGIN_H
+#ifndef BURNISH_MESH_READ_COMMON_LOCAL_ORIGIN_H
+#define BURNISH_MESH_READ_COMMON_LOCAL_ORIGIN_H
 
 #include "mesh/read/io/reader.h"
 
