@@ -1,6 +1,6 @@
 /* A map is the sum of a dome, an environment and polygons. The polygons' light through each lobe is
  * computed in a smaller map, because it costs the most time. */
-#include "environment/map_cells.h"
+#include "environment/map_fill.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -38,7 +38,7 @@ typedef struct cubic {
 } cubic;
 
 /* A map, or the polygons' light through one lobe. */
-typedef struct sheet {
+typedef struct grid {
     int size, border, stride; /* texels per side, around them, and per row */
     int across;               /* cells per row of cells */
     texel *texels;
@@ -46,10 +46,10 @@ typedef struct sheet {
     float *coordinates; /* p of the columns, q of the rows of a half; up to a multiple of 4 */
     cubic *cubics;      /* of a lobe: for the rows and the columns of the map that it is added to */
     burnish_map_light light;
-} sheet;
+} grid;
 
 struct burnish_map_cells {
-    sheet map, lobes[BURNISH_LIGHT_LOBES_MAX];
+    grid map, lobes[BURNISH_LIGHT_LOBES_MAX];
     int lobe_count;
 };
 
@@ -71,7 +71,7 @@ typedef struct area {
     int top, bottom, left, right;
 } area;
 
-static area area_of(const sheet *s, int cell) {
+static area area_of(const grid *s, int cell) {
     const int top = cell / s->across * SIDE, left = cell % s->across * SIDE;
     const int bottom = top + SIDE < 2 * s->stride ? top + SIDE : 2 * s->stride;
     const int right = left + SIDE < s->stride ? left + SIDE : s->stride;
@@ -80,7 +80,7 @@ static area area_of(const sheet *s, int cell) {
 
 /* Adds the needed texels of a cell, and their directions, to the first `count`; the others become 0.
  * Returns the new count. */
-static int add_texels(const sheet *s, int cell, int count, int *numbers, float *const w[3]) {
+static int add_texels(const grid *s, int cell, int count, int *numbers, float *const w[3]) {
     const area a = area_of(s, cell);
     for (int row = a.top; row < a.bottom; ++row) {
         const int from = row * s->stride, in_half = row < s->stride ? row : row - s->stride;
@@ -116,8 +116,8 @@ static int add_texels(const sheet *s, int cell, int count, int *numbers, float *
 
 /* ---- Cells ---- */
 
-/* Computes the sheet's own light in some cells. */
-static void light_cells(sheet *s, const int *cells, int cell_count) {
+/* Computes the grid's own light in some cells. */
+static void light_cells(grid *s, const int *cells, int cell_count) {
     float vectors[3][BURNISH_MAP_POINTS], colors[3][BURNISH_MAP_POINTS];
     float *const to[3] = {vectors[0], vectors[1], vectors[2]};
     const float *const w[3] = {vectors[0], vectors[1], vectors[2]};
@@ -135,9 +135,9 @@ static void light_cells(sheet *s, const int *cells, int cell_count) {
     }
 }
 
-/* Takes the cells of a sheet that have some rows and columns, the last ones included, and are empty.
+/* Takes the cells of a grid that have some rows and columns, the last ones included, and are empty.
  * Returns how many. */
-static int take_cells(sheet *s, area a, int *cells) {
+static int take_cells(grid *s, area a, int *cells) {
     int count = 0;
     for (int y = a.top >> BITS; y <= a.bottom >> BITS; ++y) {
         for (int x = a.left >> BITS; x <= a.right >> BITS; ++x) {
@@ -154,7 +154,7 @@ static int take_cells(sheet *s, area a, int *cells) {
 
 /* Marks cells that were taken, and waits for those that other threads have taken: they wait for
  * nothing, or only for such cells of a lobe. */
-static void finish_cells(sheet *s, area a, const int *cells, int count) {
+static void finish_cells(grid *s, area a, const int *cells, int count) {
     for (int i = 0; i < count; ++i) {
         atomic_store_explicit(&s->states[cells[i]], BURNISH_LIGHT_FILLED, memory_order_release);
     }
@@ -185,7 +185,7 @@ static cubic find_cubic(int at, int size, int smaller) {
 }
 
 /* Fills the texels of a lobe that rows and columns of a half of the map read; the last ones are included. */
-static void need_lobe(const sheet *map, sheet *lobe, area a) {
+static void need_lobe(const grid *map, grid *lobe, area a) {
     const int half = a.top >= map->stride, above = half * lobe->stride;
     int cells[CELLS_MAX];
     const area needed = {above + lobe->cubics[a.top - half * map->stride].first,
@@ -199,7 +199,7 @@ static void need_lobe(const sheet *map, sheet *lobe, area a) {
 }
 
 /* Adds a lobe to rows and columns of a half of the map; the last ones are included. */
-static void add_lobe(sheet *map, const sheet *lobe, area a) {
+static void add_lobe(grid *map, const grid *lobe, area a) {
     const int half = a.top >= map->stride, less = lobe->stride;
     const int left = lobe->cubics[a.left].first, right = lobe->cubics[a.right].first + 3;
     texel line[LARGEST_SIZE + 2 * WIDE_BORDER];
@@ -227,7 +227,7 @@ static void add_lobe(sheet *map, const sheet *lobe, area a) {
 
 /* The rows and columns of cells that were taken, if they are a rectangle; else of the first one, and *count
  * becomes 1. */
-static area join_cells(const sheet *s, const int *cells, int *count) {
+static area join_cells(const grid *s, const int *cells, int *count) {
     area all = area_of(s, cells[0]);
     for (int i = 1; i < *count; ++i) {
         const area a = area_of(s, cells[i]);
@@ -245,7 +245,7 @@ static area join_cells(const sheet *s, const int *cells, int *count) {
 
 /* Fills at most four neighbouring cells of the map. */
 static void fill_cells(burnish_map_cells *cells, const int *taken, int count) {
-    sheet *map = &cells->map;
+    grid *map = &cells->map;
     light_cells(map, taken, count);
     for (int done = 0, some = count; cells->lobe_count > 0 && done < count; done += some) {
         some = count - done;
@@ -264,7 +264,7 @@ static void fill_cells(burnish_map_cells *cells, const int *taken, int count) {
 
 static void make_ready(void *context, int number) {
     burnish_map_cells *cells = context;
-    sheet *map = &cells->map;
+    grid *map = &cells->map;
     area a = area_of(map, number);
     int taken[CELLS_MAX];
     a.bottom -= a.bottom == 2 * map->stride;
@@ -288,7 +288,7 @@ static int size_for(const burnish_map_filler *filler, const burnish_light_lobe *
     return size < least ? least : size > most ? most : size;
 }
 
-static void allocate_sheet(sheet *s, burnish_memory *memory) {
+static void allocate_grid(grid *s, burnish_memory *memory) {
     const size_t rows = (size_t)s->size + 2 * (size_t)s->border, across = (rows + SIDE - 1) / SIDE;
     s->stride = (int)rows;
     s->across = (int)across;
@@ -303,7 +303,7 @@ static void allocate_sheet(sheet *s, burnish_memory *memory) {
     }
 }
 
-static void make_cubics(const sheet *map, sheet *lobe, burnish_memory *memory) {
+static void make_cubics(const grid *map, grid *lobe, burnish_memory *memory) {
     lobe->cubics =
         burnish_allocate(memory, (size_t)map->stride, sizeof *lobe->cubics, "a map of light");
     for (int i = 0; i < map->stride && lobe->cubics; ++i) {
@@ -311,10 +311,10 @@ static void make_cubics(const sheet *map, sheet *lobe, burnish_memory *memory) {
     }
 }
 
-/* The map, and a sheet for each lobe unless no polygon shines. */
+/* The map, and a grid for each lobe unless no polygon shines. */
 static void prepare(burnish_map_cells *cells, const burnish_map_filler *filler, float alpha,
                     burnish_memory *memory) {
-    sheet *map = &cells->map;
+    grid *map = &cells->map;
     map->size = alpha > 0 ? LEAST_SIZE : DIFFUSE_SIZE;
     map->border = BORDER;
     map->light.filler = filler;
@@ -324,20 +324,20 @@ static void prepare(burnish_map_cells *cells, const burnish_map_filler *filler, 
         const int own = size_for(filler, &map->light.lobes.lobe[j], MAP_TEXELS);
         map->size = own > map->size ? own : map->size;
     }
-    allocate_sheet(map, memory);
+    allocate_grid(map, memory);
     if (alpha <= 0) {
         burnish_map_light_add_polygons(&map->light);
         return;
     }
     cells->lobe_count = filler->sources.distant_count > 0 ? map->light.lobes.count : 0;
     for (int j = 0; j < cells->lobe_count; ++j) {
-        sheet *lobe = &cells->lobes[j];
+        grid *lobe = &cells->lobes[j];
         lobe->light.lobes = (burnish_light_lobes){1, {map->light.lobes.lobe[j]}};
         lobe->light.filler = filler;
         lobe->size = size_for(filler, &lobe->light.lobes.lobe[0], LOBE_TEXELS);
         lobe->border = WIDE_BORDER;
         burnish_map_light_add_polygons(&lobe->light);
-        allocate_sheet(lobe, memory);
+        allocate_grid(lobe, memory);
         make_cubics(map, lobe, memory);
     }
 }
@@ -355,7 +355,7 @@ burnish_status burnish_map_cells_create(const burnish_map_filler *filler, float 
     return memory->status;
 }
 
-static void release_sheet(sheet *s, const burnish_context *context) {
+static void release_grid(grid *s, const burnish_context *context) {
     burnish_release(context, s->texels);
     burnish_release(context, s->states);
     burnish_release(context, s->coordinates);
@@ -364,9 +364,9 @@ static void release_sheet(sheet *s, const burnish_context *context) {
 
 void burnish_map_cells_destroy(burnish_map_cells *cells, const burnish_context *context) {
     if (cells) {
-        release_sheet(&cells->map, context);
+        release_grid(&cells->map, context);
         for (int j = 0; j < cells->lobe_count; ++j) {
-            release_sheet(&cells->lobes[j], context);
+            release_grid(&cells->lobes[j], context);
         }
         burnish_release(context, cells);
     }

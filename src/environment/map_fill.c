@@ -4,7 +4,7 @@
 
 #include "base/numbers.h"
 #include "core/vector.h"
-#include "environment/areas.h"
+#include "environment/area_lights.h"
 #include "environment/environment_ops.h"
 #include "shading/shading_ops.h"
 

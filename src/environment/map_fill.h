@@ -3,8 +3,9 @@
 #ifndef BURNISH_ENVIRONMENT_MAP_FILL_H
 #define BURNISH_ENVIRONMENT_MAP_FILL_H
 
-#include "environment/lobes.h"
-#include "environment/maps.h"
+#include "base/memory.h"
+#include "environment/area_lights.h"
+#include "environment/light_maps.h"
 #include "shading/polygon.h"
 
 /* The most directions at once; BURNISH_MAP_GROUP in turn should be neighbours. */
@@ -46,5 +47,20 @@ void burnish_map_light_add(const burnish_map_light *light, const float *const w[
 
 /* The radius of a cap with the integral of the lobe. */
 float burnish_map_lobe_radius(const burnish_light_lobe *lobe);
+
+/* ---- map_cells.c ---- */
+
+typedef struct burnish_map_cells burnish_map_cells;
+
+/* filler: must outlive the cells.
+ *   alpha  0: the diffuse map
+ * *cells: NULL on error. Errors: MEMORY. */
+burnish_status burnish_map_cells_create(const burnish_map_filler *filler, float alpha,
+                                        burnish_memory *memory, burnish_map_cells **cells);
+
+/* NULL is allowed. */
+void burnish_map_cells_destroy(burnish_map_cells *cells, const burnish_context *context);
+
+burnish_light_map burnish_map_cells_map(burnish_map_cells *cells);
 
 #endif

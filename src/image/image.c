@@ -2,6 +2,9 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "burnish/image.h"
+#include "core/float_mode.h"
+#include "core/srgb.h"
 #include "image/pixels.h"
 #include "image/xxh64.h"
 
@@ -145,4 +148,11 @@ void burnish_image_copy(burnish_image *target, int x, int y, const burnish_image
         size_t from = (size_t)((row - y) * source->width + (left - x)) * pixel;
         memmove(target->pixels + to, source->pixels + from, bytes);
     }
+}
+
+float burnish_srgb_decode(float value) {
+    const burnish_float_mode before = burnish_float_mode_enter();
+    const float linear = burnish_srgb_value_to_linear(value);
+    burnish_float_mode_leave(before);
+    return linear;
 }

@@ -173,12 +173,12 @@ static void filter_rows(const encoder *e, int first, int end, uint8_t *restrict 
     }
 }
 
-/* The Adler-32 checksum of two pieces, the second of `size` bytes (RFC 1950: b is the sum of all
+/* The Adler-32 checksum of two parts, the second of `size` bytes (RFC 1950: b is the sum of all
  * intermediate a, all modulo 65521). */
 static uint32_t join_adler(uint32_t first, uint32_t second, uint64_t size) {
     const uint64_t prime = 65521;
     uint64_t a1 = first & 0xffff, b1 = first >> 16, a2 = second & 0xffff, b2 = second >> 16;
-    uint64_t before = (a1 + prime - 1) % prime; /* the second piece's a began with 1 */
+    uint64_t before = (a1 + prime - 1) % prime; /* the second part's a began with 1 */
     uint64_t a = (a2 + before) % prime;
     uint64_t b = (b1 + b2 + before * (size % prime)) % prime;
     return (uint32_t)(b << 16 | a);

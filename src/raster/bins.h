@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "raster/geometry.h"
-#include "raster/layout.h"
+#include "raster/tile_layout.h"
 
 /* Tiles from one to the other, both inclusive. */
 typedef struct burnish_tile_box {

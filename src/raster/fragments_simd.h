@@ -2,8 +2,8 @@
 #ifndef BURNISH_RASTER_FRAGMENTS_SIMD_H
 #define BURNISH_RASTER_FRAGMENTS_SIMD_H
 
+#include "raster/discs.h"
 #include "raster/fragments.h"
-#include "raster/points.h"
 #include "raster/stamps_simd.h"
 
 /* ---- Block rows ---- */

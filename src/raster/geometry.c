@@ -7,10 +7,10 @@
 
 #include "base/memory.h"
 #include "core/vector.h"
-#include "raster/clip.h"
-#include "raster/layout.h"
-#include "raster/points.h"
+#include "raster/clip_polygon.h"
+#include "raster/discs.h"
 #include "raster/raster_ops.h"
+#include "raster/tile_layout.h"
 
 /* A vertex that clipping made, on the screen and in the mesh. */
 typedef struct clipped_vertex {

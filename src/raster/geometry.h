@@ -14,8 +14,8 @@
 
 #include "base/error.h"
 #include "core/tasks.h"
-#include "raster/layout.h"
-#include "raster/view.h"
+#include "raster/raster_view.h"
+#include "raster/tile_layout.h"
 
 /* Where a vertex fell: 16 bytes, loaded as one vector. */
 typedef struct burnish_screen_vertex {

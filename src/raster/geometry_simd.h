@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "raster/geometry.h"
-#include "raster/layout.h"
+#include "raster/tile_layout.h"
 #include "simd/vector.h"
 
 enum { ALL_LANES = (int)((1ull << LANES) - 1) };

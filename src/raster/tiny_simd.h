@@ -3,7 +3,7 @@
 #ifndef BURNISH_RASTER_TINY_SIMD_H
 #define BURNISH_RASTER_TINY_SIMD_H
 
-#include "raster/points.h"
+#include "raster/discs.h"
 #include "raster/stamps_simd.h"
 
 /* ---- One sample per pixel ---- */

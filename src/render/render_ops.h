@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "render/screen.h"
+#include "render/space.h"
 #include "simd/isa.h"
 
 /* Normal, colour, position, w, first light, x, y, and BURNISH_TEXTURE_STREAMS. */

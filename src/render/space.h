@@ -1,9 +1,25 @@
-/* The raster's space: the mesh is moved and scaled to fill the unit sphere. */
+/* The mesh of a frame, and the raster's space: the mesh is moved and scaled to fill the unit
+ * sphere. */
 #ifndef BURNISH_RENDER_SPACE_H
 #define BURNISH_RENDER_SPACE_H
 
 #include "burnish/mesh.h"
 #include "core/vector.h"
+
+/* How a point of the screen becomes one of space. What is visible at (x, y), in pixels from the
+ * image's centre, right and up, lies from the eye at
+ *   (ray + x ray_x + y ray_y + (1 - depth) ray_depth) / q,
+ *   q = depth * q_per_depth + q_constant (1/w in perspective, 1 in parallel projection). */
+typedef struct burnish_rays {
+    float ray[3], ray_x[3], ray_y[3], ray_depth[3];
+    float q_per_depth, q_constant;
+} burnish_rays;
+
+/* Points of the screen: (x + x_offset[i], y + y_offset[i]) with the depth of what they show. */
+typedef struct burnish_screen_points {
+    float x, y;
+    const float *x_offset, *y_offset, *depth;
+} burnish_screen_points;
 
 /* Triangles, or points of a cloud. */
 static inline size_t burnish_drawn_count(const burnish_mesh_view *mesh) {
@@ -45,5 +61,12 @@ static inline void burnish_space_store(burnish_vec3 v, float out[3]) {
 typedef struct burnish_view_distance {
     float constant, slope;
 } burnish_view_distance;
+
+typedef struct burnish_drawn_mesh {
+    const burnish_mesh *mesh;      /* for its materials and textures */
+    const burnish_mesh_view *view; /* of the mesh */
+    size_t material_count;
+    int ignore_colors; /* 1: as if its vertices had no colours */
+} burnish_drawn_mesh;
 
 #endif

@@ -4,9 +4,9 @@
 #include "burnish/render.h"
 #include "core/tasks.h"
 #include "counting_context.h"
+#include "environment/area_lights.h"
 #include "environment/environment.h"
-#include "environment/lobes.h"
-#include "environment/maps.h"
+#include "environment/light_maps.h"
 #include "support.h"
 
 enum { WIDTH = 64, HEIGHT = 32 };

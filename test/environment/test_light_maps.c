@@ -1,9 +1,9 @@
 /* Maps of light against formulas and sums over many directions. */
-#include "environment/maps.h"
+#include "environment/light_maps.h"
 
 #include <math.h>
 
-#include "environment/lobes.h"
+#include "environment/area_lights.h"
 #include "support.h"
 
 enum { RINGS = 400 };

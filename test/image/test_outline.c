@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "burnish/sheet.h"
-#include "image/text/outline.h"
+#include "image/text/glyph_outline.h"
 #include "support.h"
 
 enum { SIZE = 40 };

@@ -334,7 +334,7 @@ static void test_pieces(void) {
         }
         save(&file);
         const size_t pieces = peak_of(&file, 1), whole = peak_of(&file, 0);
-        CHECK(pieces <= whole + BURNISH_STREAM_HEAD,
+        CHECK(pieces <= whole + BURNISH_STREAMED_HEAD,
               "file %d of %zu bytes takes %zu, from memory %zu", i, file.size, pieces, whole);
         if (i < 2) {
             check_failures(load_path, path, 2, 0);

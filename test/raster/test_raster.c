@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "raster/clip.h"
+#include "raster/clip_polygon.h"
 #include "raster/fragments.h"
 #include "raster/raster_ops.h"
 #include "reference_tile.h"

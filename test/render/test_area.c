@@ -3,8 +3,7 @@
 #include <math.h>
 
 #include "burnish/render.h"
-#include "environment/areas.h"
-#include "environment/lobes.h"
+#include "environment/area_lights.h"
 #include "shading/shading_ops.h"
 #include "support.h"
 

@@ -1,5 +1,5 @@
 /* Clusters of vertices against cells found in double precision. */
-#include "render/light/clusters.h"
+#include "render/light/vertex_clusters.h"
 
 #include <math.h>
 

@@ -12,7 +12,7 @@
 #include "mesh/edges.h"
 #include "mesh_arrays.h"
 #include "render/lines/lines.h"
-#include "render/lines/lines_loose.h"
+#include "render/lines/lines_steps.h"
 #include "shapes.h"
 #include "svg_path.h"
 

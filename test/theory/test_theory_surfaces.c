@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "burnish/theory.h"
-#include "environment/lobes.h"
+#include "environment/area_lights.h"
 #include "support.h"
 
 static const double PI = 3.14159265358979323846;

@@ -6,13 +6,38 @@
 #ifndef BURNISH_IMAGE_TEXT_DRAWING_H
 #define BURNISH_IMAGE_TEXT_DRAWING_H
 
+#include <stddef.h>
+#include <stdint.h>
+
 #include "base/memory.h"
 #include "burnish/drawing.h"
 #include "burnish/image.h"
 #include "burnish/sheet.h"
-#include "image/text/outline.h"
+#include "image/text/glyph_outline.h"
 #include "image/text/strokes.h"
-#include "image/text/writer.h"
+
+/* ---- Text with numbers that no locale changes ---- */
+
+/* All zero before the first piece, but for memory, whose status errors go to. */
+typedef struct burnish_text_writer {
+    burnish_memory memory;
+    char *text; /* ends in 0 */
+    size_t size, capacity;
+} burnish_text_writer;
+
+void burnish_put(burnish_text_writer *w, const char *text, size_t size);
+void burnish_put_text(burnish_text_writer *w, const char *text);
+
+/* value / 10^digits as a decimal, in the shortest exact form, without a 0 before the point: -1205
+ * with 2 digits is "-12.05". A blank separates it from a preceding number if necessary. */
+void burnish_put_decimal(burnish_text_writer *w, int64_t value, int digits, int needs_blank);
+
+/* A number of hundredths between two texts. */
+void burnish_put_number(burnish_text_writer *w, const char *before, int32_t hundredths,
+                        const char *after);
+
+/* To the nearest hundredth, within 1e7. */
+int32_t burnish_to_hundredths(float value);
 
 typedef enum burnish_drawing_kind {
     BURNISH_DRAWING_OPEN,  /* a group of lines: color; width is its opacity */

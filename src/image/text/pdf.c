@@ -1,13 +1,12 @@
 /* Drawings as PDF 1.4: one page whose content is the display list, uncompressed. Names of lines and
  * areas are in addition invisible text, which readers can search and copy. */
-#include "image/text/pdf.h"
+#include "burnish/drawing.h"
 
 #include <string.h>
 
 #include "base/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
-#include "image/text/writer.h"
 
 /* Objects: 1 the catalog, 2 the list of pages, 3 the page, 4 its content, 5 the facts. */
 enum { OBJECTS = 5, PERCENT = 100 };

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
-#include "image/text/writer.h"
 
 typedef struct svg {
     burnish_text_writer out;

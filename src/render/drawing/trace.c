@@ -16,8 +16,8 @@
 #include "image/text/drawing.h"
 #include "render/drawing/regions.h"
 #include "render/frame/caps.h"
-#include "render/frame/options.h"
-#include "render/frame/view.h"
+#include "render/frame/frame_view.h"
+#include "render/frame/render_options.h"
 
 enum {
     SCALE = 4,         /* pixels for a pixel, along each side */

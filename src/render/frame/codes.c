@@ -1,4 +1,4 @@
-#include "render/frame/codes.h"
+#include "render/frame/target.h"
 
 #include <string.h>
 

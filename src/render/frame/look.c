@@ -1,9 +1,7 @@
 /* Looks: sets of options by name. docs/gallery.md shows them. */
-#include "render/frame/look.h"
+#include "render/frame/render_options.h"
 
 #include <string.h>
-
-#include "render/frame/options.h"
 
 /* Which materials a look changes. */
 typedef enum recolors { NONE, UNCOLORED, ALL } recolors;

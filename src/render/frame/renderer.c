@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "core/float_mode.h"
-#include "render/frame/call.h"
+#include "render/frame/steps.h"
 
 burnish_status burnish_renderer_create(const burnish_context *context, burnish_renderer **renderer,
                                        burnish_error *error) {

@@ -2,10 +2,8 @@
 
 #include <string.h>
 
-#include "raster/points.h"
-#include "render/texture/masks.h"
-#include "render/texture/texture_points.h"
-#include "render/texture/texture_shade.h"
+#include "raster/discs.h"
+#include "render/texture/texture.h"
 
 /* ---- Planes ---- */
 

@@ -17,7 +17,7 @@
 #include "render/light/near_cells.h"
 #include "render/light/occlusion_share.h"
 #include "render/render_ops.h"
-#include "render/screen.h"
+#include "render/space.h"
 #include "render/texture/texture.h"
 #include "render/texture/transparency.h"
 

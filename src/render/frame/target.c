@@ -1,11 +1,10 @@
 /* What a finished tile becomes in the caller's target: samples to pixels in linear light, and
- * pixels to bytes. planes.c has the planes. */
+ * pixels to bytes. target_planes.c has the planes. */
 #include "render/frame/target.h"
 
 #include <string.h>
 
 #include "base/layout.h"
-#include "render/frame/planes.h"
 
 /* Marks targets that burnish_target_default() made. */
 #define COOKIE BURNISH_COOKIE(0x74677431, burnish_target)

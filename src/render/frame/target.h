@@ -3,9 +3,9 @@
 #define BURNISH_RENDER_FRAME_TARGET_H
 
 #include "core/srgb.h"
+#include "render/frame/frame_view.h"
 #include "render/frame/layer_light.h"
-#include "render/frame/options.h"
-#include "render/frame/view.h"
+#include "render/frame/render_options.h"
 #include "render/light/backdrop.h"
 #include "render/lines/outline.h"
 
@@ -86,5 +86,39 @@ void burnish_output_prefetch(const burnish_output *output, int x, int y);
 /* Writes background to row `number`, which shows nothing. */
 void burnish_output_store_background(const burnish_output *output, const burnish_tile *tile,
                                      int number);
+
+/* ---- codes.c ---- */
+
+/* Whether the rows of tiles can be encoded so. */
+int burnish_codes_are_direct(const burnish_surface *surface, const burnish_output *output);
+
+/* The codes of row `number` of a tile's blocks. row: scratch; row->pixels must hold what the row's
+ * pixels show if there are several materials. */
+void burnish_codes_shade_row(const burnish_surface *surface, const burnish_output *output,
+                             const burnish_tile *tile, int number,
+                             burnish_fragment_scratch *scratch, burnish_row_light *row,
+                             uint32_t *codes);
+
+/* ---- target_planes.c ---- */
+
+/* Whether a target has planes. */
+static inline int burnish_planes_are_wanted(const burnish_target *target) {
+    return target->depth || target->triangles || target->normals || target->coverage;
+}
+
+/* Writes what planes hold where nothing is to all of the tile; weights become 0. */
+void burnish_planes_clear(const burnish_output *output, const burnish_tile *tile,
+                          burnish_tile_sums *sums);
+
+/* What fragments show: of a pixel's the one with most samples, of equals the first.
+ *   weights  per pixel of the tile, samples of the fragment that planes show so far */
+void burnish_planes_store_fragments(const burnish_output *output, const burnish_tile *tile,
+                                    const burnish_fragments *fragments,
+                                    const burnish_fragment_batch *batch, uint8_t *weights);
+
+/* What the simple pixels of row `number` show, and the coverage of all. */
+void burnish_planes_store_row(const burnish_output *output, const burnish_tile *tile,
+                              const burnish_tile_sums *sums, int number,
+                              const burnish_block_row *pixels);
 
 #endif

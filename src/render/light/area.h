@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "burnish/render.h"
 #include "core/vector.h"
-#include "environment/maps.h"
+#include "environment/light_maps.h"
 #include "render/light/area_near.h"
 #include "render/render_ops.h"
 #include "render/texture/texture.h"

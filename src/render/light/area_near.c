@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "environment/areas.h"
+#include "environment/area_lights.h"
 
 /* ---- A frame ---- */
 

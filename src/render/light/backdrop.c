@@ -2,8 +2,8 @@
 
 #include "base/numbers.h"
 #include "core/elementary.h"
-#include "environment/lookup.h"
-#include "environment/maps.h"
+#include "environment/environment.h"
+#include "environment/light_maps.h"
 
 /* Components along three axes. */
 static void store_along(double axes[3][3], burnish_vec3 v, double out[3]) {

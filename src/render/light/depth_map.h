@@ -7,6 +7,7 @@
 #include "burnish/mesh.h"
 #include "core/vector.h"
 #include "raster/maps.h"
+#include "raster/raster_view.h"
 #include "raster/tile.h"
 
 /* Codes of depth, [0, BURNISH_MAP_CODES], cover this much of the raster's space. */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "raster/layout.h"
+#include "raster/tile_layout.h"
 #include "render/render_ops.h"
 
 enum {

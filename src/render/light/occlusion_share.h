@@ -4,7 +4,7 @@
 #ifndef BURNISH_RENDER_LIGHT_OCCLUSION_SHARE_H
 #define BURNISH_RENDER_LIGHT_OCCLUSION_SHARE_H
 
-#include "raster/layout.h"
+#include "raster/tile_layout.h"
 #include "render/light/occlusion.h"
 #include "render/render_ops.h"
 

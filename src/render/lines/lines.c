@@ -5,10 +5,7 @@
 
 #include "core/vector.h"
 #include "image/text/strokes.h"
-#include "render/lines/centers.h"
-#include "render/lines/lines_loose.h"
-#include "render/lines/lines_seen.h"
-#include "render/lines/projection.h"
+#include "render/lines/lines_steps.h"
 
 enum {
     EDGE_BLOCK = 1 << 14, /* edges that a thread selects at a time */

@@ -11,7 +11,7 @@
 #include "burnish/render.h"
 #include "core/tasks.h"
 #include "mesh/edges.h"
-#include "raster/view.h"
+#include "raster/raster_view.h"
 #include "render/lines/axes.h"
 #include "render/space.h"
 

@@ -1,7 +1,7 @@
 /* Noise of scans makes creases and silhouettes that begin and end in the midst of a surface, and
  * ticks along real lines. A grid of cells tells which lines each end meets; lines that meet form
  * sets; short sets with loose ends and short lines with one loose end are dropped. */
-#include "render/lines/lines_loose.h"
+#include "render/lines/lines_steps.h"
 
 #include <string.h>
 

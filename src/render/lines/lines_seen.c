@@ -1,5 +1,5 @@
 /* What is seen of a chain of segments, and how it becomes polylines. */
-#include "render/lines/lines_seen.h"
+#include "render/lines/lines_steps.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Masks of materials: decided once a point, or for each sample of a pixel. */
-#include "render/texture/masks.h"
+#include "render/texture/texture.h"
 
 #include <string.h>
 
@@ -72,7 +72,7 @@ typedef struct quarter {
     float x, y;
 } quarter;
 
-/* Each holds a quarter of every pattern (raster/samples.h). */
+/* Each holds a quarter of every pattern (raster/sample_pattern.h). */
 static quarter quarter_of(int samples, int number) {
     const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     quarter q = {0};

@@ -8,9 +8,9 @@
 
 #include "burnish/mesh.h"
 #include "core/tasks.h"
-#include "raster/samples.h"
-#include "render/drawn_mesh.h"
+#include "raster/sample_pattern.h"
 #include "render/render_ops.h"
+#include "render/space.h"
 #include "render/texture/texture_levels.h"
 #include "shading/shading_ops.h"
 
@@ -209,5 +209,43 @@ static inline void burnish_texture_fill(float *to, int count, float value) {
         to[i] = value;
     }
 }
+
+/* ---- masks.c ---- */
+
+/* What masks need of a batch: where fragments of layers lie in their pixels; all samples are whole
+ * until their material is shaded.
+ *   samples  of fragments of layers, bits of those that show it; NULL: of other points */
+void burnish_masks_begin(const burnish_texturing *texturing, const uint16_t *samples, int count,
+                         burnish_texture_scratch *scratch);
+
+/* Where nearest texels count and that of a point is not there, others next to it may be, and show
+ * in some samples: gives the point their mean colour. */
+void burnish_masks_color(const burnish_texture_batch *batch);
+
+/* The mask of points whose opacity and taps of the colour have been found: opacity becomes 0 or 1,
+ * or 1 and cover what the mask leaves of each sample. */
+void burnish_masks_apply(const burnish_texturing *texturing, const burnish_texture_batch *batch);
+
+/* ---- texture_points.c ---- */
+
+/* To be called before the first point of a frame: forgets the last frame's triangles. */
+void burnish_texture_begin(burnish_texture_scratch *scratch);
+
+/* Fills scratch->points for scratch->ids; points whose material needs none get some numbers.
+ *   materials  of points; NULL: all have material 0 */
+void burnish_texture_locate(const burnish_texturing *texturing, const burnish_rays *rays,
+                            const burnish_screen_points *points, const int32_t *materials,
+                            int count, burnish_texture_scratch *scratch);
+
+/* ---- texture_shade.c ---- */
+
+/* Light of a batch.
+ *   shader  of the batch's material
+ *   rgb     receives linear light, >= 0; NULL: only opacity is wanted
+ * The batch's scratch receives in opacity what the material's textures leave of its opacity, [0,
+ * 1]; if its mask is smoothed 1, and in cover what the mask leaves of each sample. */
+void burnish_texture_shade(const burnish_texturing *texturing, const burnish_kernels_shader *shader,
+                           const burnish_kernels_points *points, const burnish_texture_batch *batch,
+                           float *const rgb[3]);
 
 #endif

@@ -1,6 +1,6 @@
 /* Texture coordinates of visible points: gathers the triangles, which the kernel then intersects
  * with rays (texture_simd.h). */
-#include "render/texture/texture_points.h"
+#include "render/texture/texture.h"
 
 #include <string.h>
 

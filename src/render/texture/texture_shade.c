@@ -1,9 +1,7 @@
 /* The light of points whose material has textures. */
-#include "render/texture/texture_shade.h"
+#include "render/texture/texture.h"
 
 #include <string.h>
-
-#include "render/texture/masks.h"
 
 /* Whether both look up the same texels. */
 static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sampler *b) {

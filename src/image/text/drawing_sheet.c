@@ -1,0 +1,306 @@
+/* Sheets of three aligned views and a pictorial view, with a frame, a title and the symbol of the
+ * projection method: the views of a truncated cone (ISO 5456-2). */
+#include "burnish/sheet.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/arithmetic.h"
+#include "base/error.h"
+#include "core/float_mode.h"
+#include "image/text/drawing.h"
+#include "image/text/text.h"
+
+/* In heights of a capital. */
+#define BORDER 1.4      /* from the edge of the page to its frame */
+#define STRIP 3.2       /* height of the title's strip */
+#define ROOM 4.0        /* around a view, for dimensions */
+#define SYMBOL 0.75     /* radius of the symbol's larger circle */
+#define TEXT_SHARE 60.0 /* a capital is the shorter side of the page by this, ... */
+#define TEXT_LEAST 9    /* ... at least so many pixels */
+
+/* The pictorial view has at least this share of both sides. */
+#define PICTORIAL_SHARE 0.3
+
+enum { LEAST_SIDE = 240, CIRCLE = 48 };
+
+/* ---- Layout ---- */
+
+/* Pixels per unit at which `wide` and `deep` fit next to each other, with room around both; the
+ * second has at least PICTORIAL_SHARE. */
+static double fit(double side, double room, double wide, double deep) {
+    const double both = (side - 4 * room) / (wide + deep);
+    const double one = wide > 0 ? ((1 - PICTORIAL_SHARE) * side - 2 * room) / wide : both;
+    return one < both ? one : both;
+}
+
+/* The first is deep or wide, with room; the rest is shared. */
+static int divide(double side, double room, double wide, double deep) {
+    const double least = PICTORIAL_SHARE * side, second = deep + 2 * room;
+    const double rest = side - (wide + 2 * room) - (second > least ? second : least);
+    return (int)(wide + 2 * room + rest / 2);
+}
+
+/* The largest of 1, 2 or 5 times a power of 10, or 1 divided by one, that is at most `limit`, with
+ * its ratio as text (ISO 5455). */
+static double standard_scale(double limit, char *text, size_t size) {
+    static const int digits[3] = {5, 2, 1};
+    for (int power = 1000; power >= 1; power /= 10) {
+        for (int i = 0; i < 3; ++i) {
+            if (digits[i] * power <= limit) {
+                snprintf(text, size, "%d:1", digits[i] * power);
+                return digits[i] * power;
+            }
+        }
+    }
+    for (int power = 1; power <= 100000; power *= 10) {
+        for (int i = 2; i >= 0; --i) {
+            if (1.0 / (digits[i] * power) <= limit) {
+                snprintf(text, size, "1:%d", digits[i] * power);
+                return 1.0 / (digits[i] * power);
+            }
+        }
+    }
+    *text = 0;
+    return limit;
+}
+
+static burnish_status check(const burnish_projection *projection, burnish_error *error) {
+    double sum = 0;
+    if (projection->width < LEAST_SIDE || projection->height < LEAST_SIDE ||
+        projection->width > BURNISH_IMAGE_MAX_SIZE || projection->height > BURNISH_IMAGE_MAX_SIZE) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "sheet: %d x %d pixels; aligned views need %d to %d a side",
+                            projection->width, projection->height, LEAST_SIDE,
+                            BURNISH_IMAGE_MAX_SIZE);
+    }
+    for (int k = 0; k < 3; ++k) {
+        sum += projection->extents[k];
+        if (!(projection->extents[k] >= 0 && projection->extents[k] < 1e300)) {
+            sum = -1;
+            break;
+        }
+    }
+    return sum > 0 ? BURNISH_STATUS_OK
+                   : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                  "sheet: an object without extent; aligned views need a size");
+}
+
+static void lay_out(burnish_projection *projection) {
+    const double shorter =
+        projection->width < projection->height ? projection->width : projection->height;
+    const double text = shorter / TEXT_SHARE;
+    const double *size = projection->extents;
+    projection->text_height = text > TEXT_LEAST ? (double)(int)(text + 0.5) : TEXT_LEAST;
+    const double border = BORDER * projection->text_height, room = ROOM * projection->text_height;
+    const double wide = projection->width - 2 * border;
+    const double high = projection->height - 2 * border - STRIP * projection->text_height;
+    const double x = fit(wide, room, size[0], size[2]), y = fit(high, room, size[1], size[2]);
+    projection->pixels_per_unit = x < y ? x : y;
+    projection->scale[0] = 0;
+    if (projection->pixels_per_millimetre > 0) {
+        projection->pixels_per_unit =
+            projection->pixels_per_millimetre *
+            standard_scale(projection->pixels_per_unit / projection->pixels_per_millimetre,
+                           projection->scale, sizeof projection->scale);
+    }
+    const double s = projection->pixels_per_unit;
+    const int left = (int)border, top = (int)border;
+    const int column = divide(wide, room, s * size[0], s * size[2]);
+    const int row = divide(high, room, s * size[1], s * size[2]);
+    const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
+    const int other = (int)high - row;
+    const int front = is_first ? top : top + other, behind = is_first ? top + row : top;
+    const int right = (int)wide - column;
+    projection->cells[BURNISH_PROJECTION_FRONT] =
+        (burnish_projection_area){left, front, column, row};
+    projection->cells[BURNISH_PROJECTION_SIDE] =
+        (burnish_projection_area){left + column, front, right, row};
+    projection->cells[BURNISH_PROJECTION_TOP] =
+        (burnish_projection_area){left, behind, column, other};
+    projection->cells[BURNISH_PROJECTION_PICTORIAL] =
+        (burnish_projection_area){left + column, behind, right, other};
+}
+
+burnish_status burnish_projection_lay_out(burnish_projection *projection, burnish_error *error) {
+    const burnish_float_mode before = burnish_float_mode_enter();
+    const burnish_status status = check(projection, error);
+    if (status == BURNISH_STATUS_OK) {
+        lay_out(projection);
+    }
+    burnish_float_mode_leave(before);
+    return status;
+}
+
+/* ---- Frame, title, symbol ---- */
+
+static void push_line(burnish_stroke_list *to, const double from[2], const double end[2],
+                      double width) {
+    const burnish_stroke stroke = {(float)from[0], (float)from[1], (float)end[0], (float)end[1],
+                                   (float)(width / 2)};
+    burnish_stroke_list_append(to, &stroke, 1);
+}
+
+/* A polygon of x, y; closed. */
+static void push_polygon(burnish_stroke_list *to, const double (*points)[2], int count,
+                         double width) {
+    for (int i = 0; i < count; ++i) {
+        push_line(to, points[i], points[(i + 1) % count], width);
+    }
+}
+
+/* By turning a vector: no libm. cos and sin of 2 pi / 48. */
+static void push_circle(burnish_stroke_list *to, double x, double y, double radius, double width) {
+    static const double cosine = 0.99144486137381041114, sine = 0.13052619222005159155;
+    double points[CIRCLE][2], v[2] = {radius, 0};
+    for (int i = 0; i < CIRCLE; ++i) {
+        points[i][0] = x + v[0];
+        points[i][1] = y + v[1];
+        const double turned = cosine * v[0] - sine * v[1];
+        v[1] = sine * v[0] + cosine * v[1];
+        v[0] = turned;
+    }
+    push_polygon(to, (const double(*)[2])points, CIRCLE, width);
+}
+
+/* The views of a truncated cone whose small end is on the left: from the front, and from the left.
+ * The latter is on the right in first angle, on the left in third angle. */
+static void push_symbol(burnish_stroke_list *to, const burnish_projection *projection, double right,
+                        double middle, double width) {
+    const double r = SYMBOL * projection->text_height, cone = 3 * r, gap = r;
+    const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
+    const double left = right - (cone + gap + 2 * r);
+    const double at = is_first ? left : left + 2 * r + gap, x = is_first ? right - r : left + r;
+    const double points[4][2] = {{at, middle - r / 2},
+                                 {at + cone, middle - r},
+                                 {at + cone, middle + r},
+                                 {at, middle + r / 2}};
+    push_polygon(to, points, 4, width);
+    push_circle(to, x, middle, r, width);
+    push_circle(to, x, middle, r / 2, width);
+    const double over = 0.5 * r;
+    push_line(to, (double[2]){left - over, middle}, (double[2]){right + over, middle}, width / 2);
+    push_line(to, (double[2]){x, middle - r - over}, (double[2]){x, middle + r + over}, width / 2);
+}
+
+/* Centred in the strip. */
+static void push_text(burnish_stroke_list *to, const burnish_projection *projection, double left,
+                      double middle, const char *text) {
+    burnish_text_strokes((float)left, (float)(int)(middle + projection->text_height / 2),
+                         (float)projection->text_height, text, strlen(text),
+                         burnish_stroke_list_append, to);
+}
+
+static void push_frame(burnish_stroke_list *to, const burnish_projection *projection) {
+    const double text = projection->text_height, left = (int)(BORDER * text) + 0.5, top = left;
+    const double right = projection->width - left, bottom = projection->height - top;
+    const double line = (double)(int)(bottom - STRIP * text) + 0.5;
+    const double points[4][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+    const double width = text > 16 ? (double)(int)(text / 8) : 1;
+    push_polygon(to, points, 4, width);
+    push_line(to, (double[2]){left, line}, (double[2]){right, line}, width);
+}
+
+/* Each in a path of its own, which a drawing names by its text. */
+typedef struct parts {
+    burnish_stroke_list frame, title, scale;
+    const char *name;
+} parts;
+
+static void make_parts(const burnish_projection *projection, const char *title,
+                       burnish_memory *memory, parts *made) {
+    static const uint8_t unused[3] = {0};
+    const double text = projection->text_height, border = BORDER * text;
+    const double middle = projection->height - border - STRIP * text / 2;
+    const double symbol = projection->width - border - 2 * text;
+    *made = (parts){{.memory = memory}, {.memory = memory}, {.memory = memory}, title};
+    push_frame(&made->frame, projection);
+    push_symbol(&made->frame, projection, symbol, middle, text > 16 ? text / 8 : 1.5);
+    if (title) {
+        push_text(&made->title, projection, border + text, middle, title);
+    }
+    const double wide = (double)burnish_text_draw(NULL, 0, 0, (float)text, unused,
+                                                  projection->scale, strlen(projection->scale));
+    push_text(&made->scale, projection, symbol - 7 * SYMBOL * text - 2 * text - wide, middle,
+              projection->scale);
+}
+
+static void release_parts(parts *made) {
+    burnish_stroke_list *const all[] = {&made->frame, &made->title, &made->scale};
+    for (int i = 0; i < 3; ++i) {
+        burnish_release(all[i]->memory->context, all[i]->items);
+    }
+}
+
+/* ---- Of images ---- */
+
+burnish_status burnish_projection_image(const burnish_projection *projection, const char *title,
+                                        const burnish_image *const views[BURNISH_PROJECTION_VIEWS],
+                                        const uint8_t background[3], const uint8_t ink[3],
+                                        burnish_image *image, burnish_error *error) {
+    const burnish_float_mode before = burnish_float_mode_enter();
+    burnish_memory memory = burnish_memory_of(views[0]->context, error);
+    *image = (burnish_image){0};
+    burnish_status status = burnish_image_create(views[0]->context, image, projection->width,
+                                                 projection->height, views[0]->channels, error);
+    if (status == BURNISH_STATUS_OK) {
+        parts made;
+        const burnish_pixels pixels = burnish_image_get_pixels(image);
+        const burnish_ink color = burnish_ink_of(ink, 1);
+        uint8_t *pixel = image->pixels;
+        for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; ++i) {
+            memcpy(pixel, background, 3);
+            pixel[image->channels - 1] = image->channels == 4 ? 255 : background[2];
+            pixel += image->channels;
+        }
+        for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+            burnish_image_copy(image, projection->cells[i].x, projection->cells[i].y, views[i]);
+        }
+        make_parts(projection, title, &memory, &made);
+        burnish_stroke_list *const all[] = {&made.frame, &made.title, &made.scale};
+        for (int i = 0; i < 3 && memory.status == BURNISH_STATUS_OK; ++i) {
+            burnish_strokes_draw(&pixels, all[i]->items, all[i]->count, &color, NULL, &memory);
+        }
+        release_parts(&made);
+        status = memory.status;
+    }
+    if (status != BURNISH_STATUS_OK) {
+        burnish_image_destroy(image);
+    }
+    burnish_float_mode_leave(before);
+    return status;
+}
+
+/* ---- Of drawings ---- */
+
+burnish_status burnish_projection_drawing(const burnish_projection *projection, const char *title,
+                                          burnish_drawing *const views[BURNISH_PROJECTION_VIEWS],
+                                          const uint8_t ink[3], burnish_drawing **drawing,
+                                          burnish_error *error) {
+    const burnish_float_mode before = burnish_float_mode_enter();
+    *drawing = NULL;
+    burnish_status status = burnish_drawing_create(views[0]->context, projection->width,
+                                                   projection->height, drawing, error);
+    if (status == BURNISH_STATUS_OK) {
+        burnish_drawing *to = *drawing;
+        parts made;
+        burnish_drawing_use(to, error);
+        for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+            burnish_drawing_place(to, views[i], projection->cells[i].x, projection->cells[i].y);
+        }
+        make_parts(projection, title, &to->memory, &made);
+        burnish_drawing_open(to, ink, 1);
+        burnish_drawing_strokes(to, made.frame.items, made.frame.count, NULL);
+        burnish_drawing_strokes(to, made.title.items, made.title.count, title);
+        burnish_drawing_strokes(to, made.scale.items, made.scale.count, projection->scale);
+        burnish_drawing_close(to);
+        release_parts(&made);
+        status = to->memory.status;
+    }
+    if (status != BURNISH_STATUS_OK) {
+        burnish_drawing_destroy(*drawing);
+        *drawing = NULL;
+    }
+    burnish_float_mode_leave(before);
+    return status;
+}

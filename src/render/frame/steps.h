@@ -1,0 +1,69 @@
+/* One call of a renderer: the steps of a frame, from a mesh to the target's pixels. */
+#ifndef BURNISH_RENDER_FRAME_STEPS_H
+#define BURNISH_RENDER_FRAME_STEPS_H
+
+#include "base/memory.h"
+#include "core/tasks.h"
+#include "raster/raster_ops.h"
+#include "render/frame/tiles.h"
+#include "render/light/casters.h"
+#include "render/lines/lines.h"
+#include "render/lines/outline.h"
+
+/* A picture whose rows are drawn in several calls: what their geometry and lines depend on. No
+ * padding counts: it is all 0 before it is filled. */
+typedef struct burnish_picture_key {
+    uint64_t version; /* burnish_transparency.version; 0: no picture */
+    burnish_camera camera;
+    burnish_raster_view view; /* with size and samples */
+    int ignore_colors, cull_back_faces;
+    burnish_edge_flags edges;
+    float edge_width, edge_opacity;
+    uint8_t edge_color[3];
+} burnish_picture_key;
+
+/* What is kept from frame to frame. */
+struct burnish_renderer {
+    const burnish_context *context;
+    burnish_tasks tasks;
+    burnish_shaders shaders;
+    burnish_geometry geometry;
+    burnish_attributes attributes;
+    burnish_transparency transparency;
+    burnish_casters casters;
+    burnish_texturing texturing;
+    burnish_area area;
+    burnish_tiles tiles;
+    burnish_occlusion occlusion;
+    burnish_line_art line_art;
+    burnish_outline outline;
+    burnish_ground ground;
+    burnish_shadow shadow;
+    burnish_output_row background;
+    burnish_srgb_encoder encoder;
+    const burnish_kernels *best; /* asking the processor takes as long as drawing a tile */
+    uint8_t *drawn;              /* a byte per triangle */
+    size_t drawn_capacity;
+    burnish_picture_key picture; /* whose geometry is there */
+    int has_picture_lines;       /* 1: its lines are, too */
+    int has_outline;             /* 1: its outline is, for the last rows */
+};
+
+/* Inputs and results of one call. */
+typedef struct burnish_call {
+    burnish_renderer *renderer;
+    burnish_drawn_mesh mesh;
+    const burnish_render_options *options;
+    burnish_target target;
+    burnish_counts counts;
+    burnish_render_report report;
+    burnish_memory memory;
+    burnish_view view;
+    const burnish_raster_ops *raster;
+    const burnish_outline *outline; /* receives covered samples, or NULL */
+} burnish_call;
+
+/* Draws into the target and fills the report. Everything has been checked. */
+burnish_status burnish_call_run(burnish_call *d);
+
+#endif

@@ -1,0 +1,154 @@
+/* The planes of a target: depth, triangles, normals and coverage. */
+#include "render/frame/target.h"
+
+#include <string.h>
+
+/* Where pixel x of a plane's row y lies, NULL where the plane is not wanted. */
+static void *plane_at(void *plane, size_t stride, int x, int y, size_t size) {
+    return plane ? (char *)plane + (size_t)y * stride + (size_t)x * size : NULL;
+}
+
+/* The row of the planes for a pixel of a tile; -1 if that row is not drawn. */
+static int plane_row(const burnish_output *output, const burnish_tile *tile, int pixel) {
+    const int y = tile->y + burnish_pixel_y(pixel);
+    return y >= output->rows.first && y < output->rows.end ? y - output->rows.first : -1;
+}
+
+/* What a pixel of each plane holds. */
+typedef struct plane_pixel {
+    float distance;
+    uint32_t triangle;
+    float normal[3];
+} plane_pixel;
+
+/* All planes but coverage. */
+static void store_pixel(const burnish_target *target, int x, int y, const plane_pixel *pixel) {
+    float *depth = plane_at(target->depth, target->depth_stride, x, y, sizeof *depth);
+    uint32_t *triangle =
+        plane_at(target->triangles, target->triangle_stride, x, y, sizeof *triangle);
+    float *normal = plane_at(target->normals, target->normal_stride, x, y, sizeof pixel->normal);
+    if (depth) {
+        *depth = pixel->distance;
+    }
+    if (triangle) {
+        *triangle = pixel->triangle;
+    }
+    if (normal) {
+        memcpy(normal, pixel->normal, sizeof pixel->normal);
+    }
+}
+
+static float distance_of(const burnish_view *view, float depth) {
+    const burnish_rays *rays = &view->shading.rays;
+    const float q = depth * rays->q_per_depth + rays->q_constant;
+    return (view->distance.constant + (1.0f - depth) * view->distance.slope) / q;
+}
+
+/* Row by row and plane by plane: pixel by pixel it took a tenth of a frame. */
+void burnish_planes_clear(const burnish_output *output, const burnish_tile *tile,
+                          burnish_tile_sums *sums) {
+    const burnish_target *t = &output->target;
+    const size_t width = (size_t)tile->width;
+    const int top = tile->y - output->rows.first, bottom = top + tile->height;
+    const int count = output->rows.end - output->rows.first;
+    for (int y = top > 0 ? top : 0; y < bottom && y < count; ++y) {
+        float *depths = plane_at(t->depth, t->depth_stride, tile->x, y, sizeof *depths);
+        uint32_t *triangles =
+            plane_at(t->triangles, t->triangle_stride, tile->x, y, sizeof *triangles);
+        float *normals = plane_at(t->normals, t->normal_stride, tile->x, y, 3 * sizeof *normals);
+        uint8_t *coverage = plane_at(t->coverage, t->coverage_stride, tile->x, y, 1);
+        for (size_t x = 0; depths && x < width; ++x) {
+            depths[x] = __builtin_inff();
+        }
+        for (size_t x = 0; triangles && x < width; ++x) {
+            triangles[x] = BURNISH_TRIANGLE_NONE;
+        }
+        if (normals) {
+            memset(normals, 0, 3 * width * sizeof *normals);
+        }
+        if (coverage) {
+            memset(coverage, 0, width);
+        }
+    }
+    memset(sums->weights, 0, sizeof sums->weights);
+}
+
+/* Unit normals of a batch. */
+static void unit_normals(const burnish_output *output, const float *const normal[3], int count,
+                         float (*out)[BURNISH_SHADE_BATCH]) {
+    float *const to[3] = {out[0], out[1], out[2]};
+    if (output->target.normals) {
+        output->ops->normalize_array((size_t)count, normal, to);
+    }
+}
+
+static plane_pixel pixel_of(const burnish_output *output, float depth, uint32_t source,
+                            float (*normals)[BURNISH_SHADE_BATCH], int i) {
+    const burnish_target *target = &output->target;
+    plane_pixel pixel = {0, source >> 1, {0, 0, 0}};
+    if (target->depth) {
+        pixel.distance = distance_of(output->view, depth);
+    }
+    for (int k = 0; k < 3 && target->normals; ++k) {
+        pixel.normal[k] = normals[k][i];
+    }
+    return pixel;
+}
+
+void burnish_planes_store_fragments(const burnish_output *output, const burnish_tile *tile,
+                                    const burnish_fragments *fragments,
+                                    const burnish_fragment_batch *batch, uint8_t *weights) {
+    float normals[3][BURNISH_SHADE_BATCH];
+    unit_normals(output, batch->normal, batch->count, normals);
+    for (int i = 0; i < batch->count; ++i) {
+        const int at = fragments->pixels[i];
+        const int x = burnish_pixel_x(at), y = plane_row(output, tile, at);
+        if (fragments->weight[i] <= weights[at] || x >= tile->width || y < 0) {
+            continue;
+        }
+        const float depth = output->target.depth ? fragments->depth[i] : 0;
+        const plane_pixel pixel =
+            pixel_of(output, depth, fragments->primitives[i].id_and_facing, normals, i);
+        weights[at] = fragments->weight[i];
+        store_pixel(&output->target, tile->x + x, y, &pixel);
+    }
+}
+
+static void store_coverage(const burnish_output *output, int x, int y, int covered) {
+    const burnish_target *target = &output->target;
+    uint8_t *coverage = plane_at(target->coverage, target->coverage_stride, x, y, 1);
+    const int samples = output->samples;
+    if (coverage) {
+        *coverage = (uint8_t)((255 * covered + samples / 2) / samples);
+    }
+}
+
+void burnish_planes_store_row(const burnish_output *output, const burnish_tile *tile,
+                              const burnish_tile_sums *sums, int number,
+                              const burnish_block_row *pixels) {
+    const burnish_target *target = &output->target;
+    const int base = number * BURNISH_BLOCK_ROW_PIXELS;
+    const float *const normal[3] = {tile->buffer.planes[BURNISH_PLANE_X] + base,
+                                    tile->buffer.planes[BURNISH_PLANE_Y] + base,
+                                    tile->buffer.planes[BURNISH_PLANE_Z] + base};
+    float normals[3][BURNISH_SHADE_BATCH];
+    unit_normals(output, normal, BURNISH_BLOCK_ROW_PIXELS, normals);
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int x = burnish_pixel_x(base + i), y = plane_row(output, tile, base + i);
+        if (x >= tile->width || y < 0) {
+            continue;
+        }
+        const int simple = pixels->simple[i];
+        if (simple >= 0) {
+            const uint32_t source =
+                target->triangles ? burnish_tile_id_and_facing(tile, number, i, simple) : 0;
+            const plane_pixel pixel =
+                pixel_of(output, tile->buffer.center_depths[base + i], source, normals, i);
+            store_pixel(target, tile->x + x, y, &pixel);
+        }
+        const int covered = simple >= 0            ? output->samples
+                            : output->samples == 1 ? 0
+                                                   : sums->covered[base + i];
+        store_coverage(output, tile->x + x, y, covered);
+    }
+}
