@@ -24,8 +24,9 @@ void burnish_annotate_options_init(burnish_annotate_options *options, uint64_t l
     burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_annotate_options), &defaults);
 }
 
-static burnish_status check(const burnish_mesh *mesh, const burnish_annotate_options *annotations,
-                            int width, int height, burnish_error *error) {
+static burnish_status check_annotate(const burnish_mesh *mesh,
+                                     const burnish_annotate_options *annotations, int width,
+                                     int height, burnish_error *error) {
     const burnish_status status =
         burnish_layout_check(annotations, COOKIE, "annotations", "annotate_options", error);
     if (status != BURNISH_STATUS_OK) {
@@ -128,8 +129,8 @@ typedef struct fitting {
 
 /* Widens insets that are too small and, until the last steps, reduces insets that are too large: a
  * smaller object needs less. Returns 0 if nothing changes. */
-static int adjust(const burnish_annotation_view *view, const burnish_annotation_list *list,
-                  int step, fitting *fit) {
+static int adjust_insets(const burnish_annotation_view *view, const burnish_annotation_list *list,
+                         int step, fitting *fit) {
     const double smaller = view->width < view->height ? view->width : view->height;
     double missing[4];
     int changed = 0;
@@ -170,7 +171,7 @@ static burnish_status try_inset(fitting *fit, int step, int *changed, burnish_er
     }
     view.depth = NULL;
     status = burnish_annotation_lay_out(&view, annotations->kinds, 0, &memory, &list);
-    *changed = status == BURNISH_STATUS_OK && adjust(&view, &list, step, fit);
+    *changed = status == BURNISH_STATUS_OK && adjust_insets(&view, &list, step, fit);
     burnish_release(annotations->context, list.lines);
     return status;
 }
@@ -211,7 +212,7 @@ burnish_status burnish_annotate_inset(const burnish_mesh *mesh,
                                       const burnish_framing *framing, int width, int height,
                                       double inset[4], burnish_error *error) {
     const burnish_float_mode before = burnish_float_mode_enter();
-    burnish_status status = check(mesh, annotations, width, height, error);
+    burnish_status status = check_annotate(mesh, annotations, width, height, error);
     if (status == BURNISH_STATUS_OK && !framing) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "annotations: no framing; pass burnish_framing_default()");
@@ -274,7 +275,7 @@ typedef struct strokes {
     burnish_memory *memory;
 } strokes;
 
-static void push(strokes *to, burnish_stroke stroke) {
+static void push_stroke(strokes *to, burnish_stroke stroke) {
     to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + 1,
                                 sizeof *to->items, "strokes of annotations");
     if (to->memory->status == BURNISH_STATUS_OK) {
@@ -284,35 +285,35 @@ static void push(strokes *to, burnish_stroke stroke) {
 
 static void push_glyph(void *context, const burnish_stroke *items, size_t count) {
     for (size_t i = 0; i < count; ++i) {
-        push(context, items[i]);
+        push_stroke(context, items[i]);
     }
 }
 
 /* The middle of whole pixels, or the border between two, for a line of that width. */
-static float snapped(float value, float width) {
+static float snapped_to_pixels(float value, float width) {
     const int odd = (int)(width + 0.5F) % 2;
     const float half = odd ? 0.5F : 0;
     return (float)(int)(value - half + 16384.5F) - 16384 + half;
 }
 
 /* Lines along rows or columns are as sharp as pixels can be, at most half a pixel off. */
-static burnish_stroke sharpened(burnish_stroke stroke) {
+static burnish_stroke sharpened_stroke(burnish_stroke stroke) {
     const float dx = stroke.x1 - stroke.x0, dy = stroke.y1 - stroke.y0;
     if (dx > -0.01F && dx < 0.01F && stroke.x0 > -16384 && stroke.x0 < 32768) {
-        stroke.x0 = stroke.x1 = snapped(stroke.x0, 2 * stroke.radius);
+        stroke.x0 = stroke.x1 = snapped_to_pixels(stroke.x0, 2 * stroke.radius);
     } else if (dy > -0.01F && dy < 0.01F && stroke.y0 > -16384 && stroke.y0 < 32768) {
-        stroke.y0 = stroke.y1 = snapped(stroke.y0, 2 * stroke.radius);
+        stroke.y0 = stroke.y1 = snapped_to_pixels(stroke.y0, 2 * stroke.radius);
     }
     return stroke;
 }
 
 /* The strokes of a layer, or of LINES and all after it, each thickened by `rim` on both sides. */
-static void gather(const burnish_annotation_list *list, int first, int last, float rim,
-                   float text_height, strokes *to) {
+static void gather_strokes(const burnish_annotation_list *list, int first, int last, float rim,
+                           float text_height, strokes *to) {
     to->count = 0;
     for (size_t i = 0; i < list->line_count; ++i) {
         if ((int)list->lines[i].layer >= first && (int)list->lines[i].layer <= last) {
-            push(to, sharpened(list->lines[i].stroke));
+            push_stroke(to, sharpened_stroke(list->lines[i].stroke));
         }
     }
     for (size_t i = 0; i < list->label_count; ++i) {
@@ -339,13 +340,13 @@ static void add_layer(const burnish_annotation_view *view, const burnish_annotat
                       int first, int last, float rim, strokes *figure, burnish_drawing *drawing) {
     burnish_annotation_list part = *list;
     part.label_count = 0;
-    gather(&part, first, last, rim, (float)view->text, figure);
+    gather_strokes(&part, first, last, rim, (float)view->text, figure);
     burnish_drawing_strokes(drawing, figure->items, figure->count, NULL);
     part.line_count = 0;
     part.label_count = 1;
     for (size_t i = 0; i < list->label_count; ++i) {
         part.labels[0] = list->labels[i];
-        gather(&part, first, last, rim, (float)view->text, figure);
+        gather_strokes(&part, first, last, rim, (float)view->text, figure);
         burnish_drawing_strokes(drawing, figure->items, figure->count,
                                 rim > 0 ? NULL : list->labels[i].text);
     }
@@ -365,7 +366,7 @@ static burnish_status draw_list(const burnish_annotation_view *view,
         const float rim = is_rim ? (float)(view->line + view->text / 12) : 0;
         const uint8_t *color = is_rim ? colors->rim : colors->layers[shown];
         const float opacity = is_rim ? colors->rim_opacity : colors->opacities[shown];
-        gather(list, first, last, rim, (float)view->text, &figure);
+        gather_strokes(list, first, last, rim, (float)view->text, &figure);
         if (to->drawing && figure.count > 0) {
             burnish_drawing_open(to->drawing, color, opacity);
             add_layer(view, list, first, last, rim, &figure, to->drawing);
@@ -383,10 +384,10 @@ static burnish_status draw_list(const burnish_annotation_view *view,
     return status;
 }
 
-static burnish_status annotate(const burnish_mesh *mesh,
-                               const burnish_annotate_options *annotations,
-                               const burnish_camera *camera, const canvas *to, size_t *left_out,
-                               burnish_error *error) {
+static burnish_status annotate_image(const burnish_mesh *mesh,
+                                     const burnish_annotate_options *annotations,
+                                     const burnish_camera *camera, const canvas *to,
+                                     size_t *left_out, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(annotations->context, error);
     burnish_annotation_view view;
     burnish_annotation_list list;
@@ -413,13 +414,13 @@ static burnish_status annotate_canvas(const burnish_mesh *mesh,
                                       const burnish_camera *camera, const canvas *to,
                                       size_t *left_out, burnish_error *error) {
     const burnish_float_mode before = burnish_float_mode_enter();
-    burnish_status status = check(mesh, annotations, to->width, to->height, error);
+    burnish_status status = check_annotate(mesh, annotations, to->width, to->height, error);
     if (status == BURNISH_STATUS_OK && !camera) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "annotations: no camera; pass the one of the picture");
     }
     if (status == BURNISH_STATUS_OK) {
-        status = annotate(mesh, annotations, camera, to, left_out, error);
+        status = annotate_image(mesh, annotations, camera, to, left_out, error);
     }
     burnish_float_mode_leave(before);
     return status;
@@ -462,7 +463,7 @@ void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a,
 }
 
 /* The nearest whole number. From 2^52 on all are whole; a camera within the object sees as far. */
-static double whole(double value) {
+static double whole_pixel(double value) {
     if (!(value > -0x1p52 && value < 0x1p52)) {
         return value;
     }
@@ -478,8 +479,8 @@ burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_vi
     memcpy(label.text, text, length + 1);
     const double width =
         burnish_text_draw(NULL, 0, 0, (float)view->text, unused, label.text, length);
-    label.x = whole(middle.x - width / 2);
-    label.baseline = whole(middle.y + view->text / 2);
+    label.x = whole_pixel(middle.x - width / 2);
+    label.baseline = whole_pixel(middle.y + view->text / 2);
     label.area =
         (burnish_area){label.x, label.baseline - view->text, label.x + width, label.baseline};
     return label;

@@ -53,7 +53,7 @@ static int project_line(const burnish_annotation_view *view, burnish_vec3 a, bur
     return 1;
 }
 
-static int cut(double p, double d, double low, double high, double *from, double *to) {
+static int cut_to_range(double p, double d, double low, double high, double *from, double *to) {
     if (d == 0) {
         return p >= low && p <= high;
     }
@@ -69,11 +69,11 @@ static burnish_point point_at(const scene_line *line, double t) {
 }
 
 /* Clips to the image and a small margin. */
-static int clip(const burnish_annotation_view *view, scene_line *line) {
+static int clip_to_image(const burnish_annotation_view *view, scene_line *line) {
     double from = 0, to = 1;
     const scene_line whole = *line;
-    if (!cut(line->a.x, line->b.x - line->a.x, -8, view->width + 8, &from, &to) ||
-        !cut(line->a.y, line->b.y - line->a.y, -8, view->height + 8, &from, &to)) {
+    if (!cut_to_range(line->a.x, line->b.x - line->a.x, -8, view->width + 8, &from, &to) ||
+        !cut_to_range(line->a.y, line->b.y - line->a.y, -8, view->height + 8, &from, &to)) {
         return 0;
     }
     line->a = point_at(&whole, from);
@@ -124,7 +124,7 @@ static void add_dashes(const burnish_annotation_view *view, const scene_line *li
 static void add_scene_line(const burnish_annotation_view *view, burnish_vec3 from, burnish_vec3 to,
                            burnish_annotation_layer layer, burnish_annotation_list *list) {
     scene_line line;
-    if (!project_line(view, from, to, &line) || !clip(view, &line)) {
+    if (!project_line(view, from, to, &line) || !clip_to_image(view, &line)) {
         return;
     }
     const double dx = line.b.x - line.a.x, dy = line.b.y - line.a.y;

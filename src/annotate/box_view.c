@@ -26,7 +26,7 @@ int burnish_areas_touch(const burnish_area *a, const burnish_area *b) {
 }
 
 /* Clips [*from, *to] to the t with p + t d in [low, high]. */
-static int cut(double p, double d, double low, double high, double *from, double *to) {
+static int cut_to_range(double p, double d, double low, double high, double *from, double *to) {
     if (d == 0) {
         return p > low && p < high;
     }
@@ -38,11 +38,11 @@ static int cut(double p, double d, double low, double high, double *from, double
 
 int burnish_segment_hits(burnish_point a, burnish_point b, const burnish_area *area) {
     double from = 0, to = 1;
-    return cut(a.x, b.x - a.x, area->left, area->right, &from, &to) &&
-           cut(a.y, b.y - a.y, area->top, area->bottom, &from, &to);
+    return cut_to_range(a.x, b.x - a.x, area->left, area->right, &from, &to) &&
+           cut_to_range(a.y, b.y - a.y, area->top, area->bottom, &from, &to);
 }
 
-static double cross(burnish_point o, burnish_point a, burnish_point b) {
+static double cross_of_points(burnish_point o, burnish_point a, burnish_point b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
@@ -57,7 +57,7 @@ int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burn
         const burnish_point a = view->hull[i], b = view->hull[(i + 1) % view->hull_count];
         int outside = view->hull_count > 2;
         for (int k = 0; k < 4 && outside; ++k) {
-            outside = cross(a, b, box[k]) <= 0;
+            outside = cross_of_points(a, b, box[k]) <= 0;
         }
         if (outside) {
             return 0;
@@ -74,7 +74,7 @@ int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burn
 /* ---- Making it ---- */
 
 /* Rounds to 1/64 pixel: corners that coincide in a view along an axis are then equal. */
-static double snap(double value) {
+static double snap_to_64ths(double value) {
     value = value > -1e12 ? value : -1e12;
     value = value < 1e12 ? value : 1e12;
     return (double)(int64_t)(value * 64 + (value < 0 ? -0.5 : 0.5)) / 64;
@@ -86,7 +86,8 @@ static void make_hull(burnish_annotation_view *view) {
     int count = 0;
     for (int i = 0; i < 8; ++i) {
         int at = i;
-        const burnish_point p = {snap(view->corners[i].x), snap(view->corners[i].y)};
+        const burnish_point p = {snap_to_64ths(view->corners[i].x),
+                                 snap_to_64ths(view->corners[i].y)};
         for (; at > 0 &&
                (sorted[at - 1].x > p.x || (sorted[at - 1].x == p.x && sorted[at - 1].y > p.y));
              --at) {
@@ -98,7 +99,8 @@ static void make_hull(burnish_annotation_view *view) {
         const int start = count;
         for (int i = 0; i < 8; ++i) {
             const burnish_point p = sorted[pass == 0 ? i : 7 - i];
-            while (count - start >= 2 && cross(chain[count - 2], chain[count - 1], p) <= 0) {
+            while (count - start >= 2 &&
+                   cross_of_points(chain[count - 2], chain[count - 1], p) <= 0) {
                 --count;
             }
             chain[count++] = p;

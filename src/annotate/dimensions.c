@@ -38,7 +38,7 @@ typedef struct dimension {
     int line_count;
 } dimension;
 
-static burnish_point moved(burnish_point p, burnish_point d, double by) {
+static burnish_point moved_along(burnish_point p, burnish_point d, double by) {
     return (burnish_point){p.x + d.x * by, p.y + d.y * by};
 }
 
@@ -77,13 +77,13 @@ static int make_edge(const burnish_annotation_view *view, int i, int j, edge *ma
     return 1;
 }
 
-static double along(burnish_point d, double width, double height) {
+static double extent_along(burnish_point d, double width, double height) {
     const double x = magnitude(d.x), y = magnitude(d.y);
     const double across = x * height < y * width ? height / y : width / x; /* through its middle */
     return across;
 }
 
-static void push(dimension *made, burnish_point a, burnish_point b, double width) {
+static void push_dimension_line(dimension *made, burnish_point a, burnish_point b, double width) {
     if (made->line_count < LINES_MAX) {
         made->lines[made->line_count].a = a;
         made->lines[made->line_count].b = b;
@@ -95,11 +95,12 @@ static void push(dimension *made, burnish_point a, burnish_point b, double width
 static void push_arrow(const burnish_annotation_view *view, dimension *made, burnish_point tip,
                        burnish_point d) {
     const burnish_point across = {d.y, -d.x};
-    const burnish_point base = moved(tip, d, ARROW_LENGTH * view->text);
+    const burnish_point base = moved_along(tip, d, ARROW_LENGTH * view->text);
     const double half = ARROW_HALF * view->text;
-    const burnish_point start = moved(tip, d, view->line / 2);
+    const burnish_point start = moved_along(tip, d, view->line / 2);
     for (int i = -2; i <= 2; ++i) {
-        push(made, start, moved(base, across, half * i / 2), half > 1.5 ? 0.8 * half : view->line);
+        push_dimension_line(made, start, moved_along(base, across, half * i / 2),
+                            half > 1.5 ? 0.8 * half : view->line);
     }
 }
 
@@ -108,13 +109,13 @@ static void push_arrow(const burnish_annotation_view *view, dimension *made, bur
 static void make_dimension(const burnish_annotation_view *view, const edge *e, double offset,
                            int place, dimension *made) {
     const double text = view->text, arrow = ARROW_LENGTH * text, clear = CLEAR * text;
-    const burnish_point p = moved(e->p, e->n, offset), q = moved(e->q, e->n, offset);
+    const burnish_point p = moved_along(e->p, e->n, offset), q = moved_along(e->q, e->n, offset);
     const burnish_point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
     char number[BURNISH_LABEL_SIZE];
     burnish_number_text(e->value, number);
     made->label = burnish_annotation_label_at(view, number, middle, BURNISH_LAYER_LINES);
     const double width = made->label.area.right - made->label.area.left;
-    const double gap = along(e->d, width + clear, text + clear);
+    const double gap = extent_along(e->d, width + clear, text + clear);
     const double reach = (magnitude(e->d.x) * width + magnitude(e->d.y) * text) / 2;
     const double depth = (magnitude(e->n.x) * width + magnitude(e->n.y) * text) / 2;
     const int inside = e->length > 3.2 * arrow; /* arrows */
@@ -124,23 +125,23 @@ static void make_dimension(const burnish_annotation_view *view, const edge *e, d
         const burnish_point corner = end ? e->q : e->p, tip = end ? q : p;
         const double way = (end ? -1 : 1) * (inside ? 1 : -1);
         const burnish_point d = {e->d.x * way, e->d.y * way};
-        push(made, moved(corner, e->n, EXTENSION_GAP * text),
-             moved(corner, e->n, offset + EXTENSION_OVER * text), view->line);
+        push_dimension_line(made, moved_along(corner, e->n, EXTENSION_GAP * text),
+                            moved_along(corner, e->n, offset + EXTENSION_OVER * text), view->line);
         push_arrow(view, made, tip, d);
         if (!inside) {
-            push(made, tip, moved(tip, d, 2 * arrow), view->line);
+            push_dimension_line(made, tip, moved_along(tip, d, 2 * arrow), view->line);
         }
     }
     if (in_line) {
-        push(made, p, moved(middle, e->d, -gap / 2), view->line);
-        push(made, moved(middle, e->d, gap / 2), q, view->line);
+        push_dimension_line(made, p, moved_along(middle, e->d, -gap / 2), view->line);
+        push_dimension_line(made, moved_along(middle, e->d, gap / 2), q, view->line);
         return;
     }
-    push(made, p, q, view->line);
+    push_dimension_line(made, p, q, view->line);
     const double beyond = e->length / 2 + (inside ? 0 : 2 * arrow) + clear + reach;
-    const burnish_point center = place == 1   ? moved(middle, e->d, beyond)
-                                 : place == 2 ? moved(middle, e->d, -beyond)
-                                              : moved(middle, e->n, depth + clear);
+    const burnish_point center = place == 1   ? moved_along(middle, e->d, beyond)
+                                 : place == 2 ? moved_along(middle, e->d, -beyond)
+                                              : moved_along(middle, e->n, depth + clear);
     made->label = burnish_annotation_label_at(view, number, center, BURNISH_LAYER_LINES);
 }
 
@@ -178,7 +179,7 @@ static int has_room(const burnish_annotation_view *view, const burnish_annotatio
     return 1;
 }
 
-static void take(burnish_annotation_list *list, const dimension *made) {
+static void take_dimension(burnish_annotation_list *list, const dimension *made) {
     for (int i = 0; i < made->line_count; ++i) {
         burnish_annotation_add_line(list, made->lines[i].a, made->lines[i].b, made->lines[i].width,
                                     BURNISH_LAYER_LINES);
@@ -187,8 +188,8 @@ static void take(burnish_annotation_list *list, const dimension *made) {
 }
 
 /* Of the ways to draw the dimension next to an edge, the first with enough room. */
-static int place(const burnish_annotation_view *view, const edge *e,
-                 burnish_annotation_list *list) {
+static int place_dimension(const burnish_annotation_view *view, const edge *e,
+                           burnish_annotation_list *list) {
     char number[BURNISH_LABEL_SIZE];
     burnish_number_text(e->value, number);
     const burnish_annotation_label label =
@@ -204,7 +205,7 @@ static int place(const burnish_annotation_view *view, const edge *e,
                 (clear > least && at == 0 ? clear : least) + tier * TIER * view->text;
             make_dimension(view, e, offset, at, &made);
             if (has_room(view, list, &made)) {
-                take(list, &made);
+                take_dimension(list, &made);
                 return 1;
             }
         }
@@ -260,7 +261,7 @@ void burnish_annotate_dimensions(const burnish_annotation_view *view,
         const int axis = order[i];
         int placed = counts[axis] == 0;
         for (int k = 0; k < counts[axis] && !placed; ++k) {
-            placed = place(view, &edges[axis][k], list);
+            placed = place_dimension(view, &edges[axis][k], list);
         }
         list->left_out += !placed;
     }

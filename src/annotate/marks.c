@@ -29,7 +29,7 @@ typedef struct mark {
     burnish_area area;
 } mark;
 
-static void widen(mark *made, const burnish_area *area) {
+static void widen_mark(mark *made, const burnish_area *area) {
     if (made->line_count + made->label_count <= 1) {
         made->area = *area;
         return;
@@ -49,12 +49,12 @@ static void push_line(mark *made, burnish_point a, burnish_point b, double width
     made->lines[made->line_count].b = b;
     made->lines[made->line_count].width = width;
     made->lines[made->line_count++].layer = layer;
-    widen(made, &area);
+    widen_mark(made, &area);
 }
 
 static void push_label(mark *made, const burnish_annotation_label *label) {
     made->labels[made->label_count++] = *label;
-    widen(made, &label->area);
+    widen_mark(made, &label->area);
 }
 
 /* ---- Corners ---- */
@@ -76,24 +76,24 @@ static burnish_point corner_shift(const burnish_annotation_view *view, const mar
 }
 
 /* Whole pixels: labels are laid out on them. */
-static burnish_point whole(burnish_point p) {
+static burnish_point whole_point(burnish_point p) {
     return (burnish_point){(double)(int64_t)(p.x + 16384.5) - 16384,
                            (double)(int64_t)(p.y + 16384.5) - 16384};
 }
 
-static int fits(const burnish_annotation_view *view, const burnish_annotation_list *list,
-                const burnish_area *area, int beside_object) {
+static int fits_mark(const burnish_annotation_view *view, const burnish_annotation_list *list,
+                     const burnish_area *area, int beside_object) {
     const burnish_area grown = burnish_area_grown(*area, 0.4 * view->text);
     return area->left >= 0 && area->top >= 0 && area->right <= view->width &&
            area->bottom <= view->height && burnish_annotation_is_free(list, &grown) &&
            !(beside_object && view->corners_seen && burnish_annotation_hits_hull(view, &grown));
 }
 
-static burnish_area shifted(burnish_area area, burnish_point by) {
+static burnish_area shifted_area(burnish_area area, burnish_point by) {
     return (burnish_area){area.left + by.x, area.top + by.y, area.right + by.x, area.bottom + by.y};
 }
 
-static void take(burnish_annotation_list *list, const mark *made, burnish_point by) {
+static void take_mark(burnish_annotation_list *list, const mark *made, burnish_point by) {
     for (int i = 0; i < made->line_count; ++i) {
         const burnish_point a = made->lines[i].a, b = made->lines[i].b;
         burnish_annotation_add_line(list, (burnish_point){a.x + by.x, a.y + by.y},
@@ -105,23 +105,23 @@ static void take(burnish_annotation_list *list, const mark *made, burnish_point 
         *label = made->labels[i];
         label->x += by.x;
         label->baseline += by.y;
-        label->area = shifted(label->area, by);
+        label->area = shifted_area(label->area, by);
     }
-    list->marks[list->mark_count++] = shifted(made->area, by);
+    list->marks[list->mark_count++] = shifted_area(made->area, by);
 }
 
 /* Moves a mark into the first free corner, from `preferred` on. If there is none, the mark can
  * overlap the object. */
-static void settle(const burnish_annotation_view *view, const mark *made, int preferred,
-                   burnish_annotation_list *list) {
+static void settle_mark(const burnish_annotation_view *view, const mark *made, int preferred,
+                        burnish_annotation_list *list) {
     for (int beside_object = 1; beside_object >= 0; --beside_object) {
         for (int i = 0; i < CORNERS; ++i) {
             const int corner = i < 4 ? i ^ preferred : i;
-            const burnish_point by = whole(corner_shift(view, made, corner));
-            const burnish_area area = shifted(made->area, by);
-            if (fits(view, list, &area, beside_object)) {
+            const burnish_point by = whole_point(corner_shift(view, made, corner));
+            const burnish_area area = shifted_area(made->area, by);
+            if (fits_mark(view, list, &area, beside_object)) {
                 list->crowded += !beside_object;
-                take(list, made, by);
+                take_mark(list, made, by);
                 return;
             }
         }
@@ -198,7 +198,7 @@ static void add_axes(const burnish_annotation_view *view, burnish_annotation_lis
     for (int axis = 0; axis < 3; ++axis) {
         push_letter(view, axis, ends[axis], &made);
     }
-    settle(view, &made, 0, list);
+    settle_mark(view, &made, 0, list);
 }
 
 /* The distance of its ticks is exactly the length at which the camera shows that number of
@@ -225,7 +225,7 @@ static void add_scale(const burnish_annotation_view *view, burnish_annotation_li
     const burnish_annotation_label label =
         burnish_annotation_label_at(view, text, middle, BURNISH_LAYER_LINES);
     push_label(&made, &label);
-    settle(view, &made, 1, list);
+    settle_mark(view, &made, 1, list);
 }
 
 static void add_spacing(const burnish_annotation_view *view, burnish_annotation_list *list) {
@@ -240,7 +240,7 @@ static void add_spacing(const burnish_annotation_view *view, burnish_annotation_
     const burnish_annotation_label label =
         burnish_annotation_label_at(view, text, (burnish_point){0, 0}, BURNISH_LAYER_LINES);
     push_label(&made, &label);
-    settle(view, &made, 2, list);
+    settle_mark(view, &made, 2, list);
 }
 
 void burnish_annotate_marks(const burnish_annotation_view *view, burnish_annotation_flags kinds,

@@ -14,7 +14,7 @@ static double power_of_ten(int exponent) {
     return power;
 }
 
-static burnish_round_number make(int digit, int exponent) {
+static burnish_round_number make_round_number(int digit, int exponent) {
     const double power = power_of_ten(exponent < 0 ? -exponent : exponent);
     return (burnish_round_number){digit, exponent, exponent < 0 ? digit / power : digit * power};
 }
@@ -22,19 +22,19 @@ static burnish_round_number make(int digit, int exponent) {
 burnish_round_number burnish_round_number_below(double limit) {
     static const int digits[] = {5, 2, 1};
     int exponent = 0;
-    while (make(1, exponent).value > limit) {
+    while (make_round_number(1, exponent).value > limit) {
         --exponent;
     }
-    while (make(1, exponent + 1).value <= limit) {
+    while (make_round_number(1, exponent + 1).value <= limit) {
         ++exponent;
     }
     for (int i = 0; i < 2; ++i) {
-        const burnish_round_number number = make(digits[i], exponent);
+        const burnish_round_number number = make_round_number(digits[i], exponent);
         if (number.value <= limit) {
             return number;
         }
     }
-    return make(1, exponent);
+    return make_round_number(1, exponent);
 }
 
 burnish_round_number burnish_round_number_above(double limit) {
@@ -42,8 +42,8 @@ burnish_round_number burnish_round_number_above(double limit) {
     if (below.value >= limit) {
         return below;
     }
-    return below.digit == 5 ? make(1, below.exponent + 1)
-                            : make(below.digit == 1 ? 2 : 5, below.exponent);
+    return below.digit == 5 ? make_round_number(1, below.exponent + 1)
+                            : make_round_number(below.digit == 1 ? 2 : 5, below.exponent);
 }
 
 /* Digits and sign only: the decimal separator depends on the locale. */

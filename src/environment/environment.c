@@ -11,7 +11,7 @@
 
 typedef burnish_environment_builder builder;
 
-static burnish_status begin(void *context, uint64_t width, uint64_t height) {
+static burnish_status builder_begin(void *context, uint64_t width, uint64_t height) {
     builder *b = context;
     return burnish_environment_builder_begin(b, width, height, b->name, b->memory);
 }
@@ -48,14 +48,14 @@ static burnish_status begin_file(void *context, uint64_t width, uint64_t height,
                             d->builder.name, (unsigned long long)width, (unsigned long long)height,
                             (unsigned long long)pixel_bytes, d->size);
     }
-    return begin(&d->builder, width, height);
+    return builder_begin(&d->builder, width, height);
 }
 
-static void add(void *context, int x, int y, const float rgb[3]) {
+static void builder_add_pixel(void *context, int x, int y, const float rgb[3]) {
     burnish_environment_builder_add(&((decoding *)context)->builder, x, y, rgb);
 }
 
-static void warn(const builder *b) {
+static void warn_of_clamped(const builder *b) {
     burnish_error line;
     if (b->clamped > 0) {
         burnish_fail(&line, BURNISH_STATUS_FORMAT,
@@ -66,24 +66,25 @@ static void warn(const builder *b) {
 }
 
 /* Ends the builder, which has failed with `status` if that is not OK. */
-static burnish_status end(builder *b, burnish_status status, burnish_environment **environment) {
+static burnish_status builder_end(builder *b, burnish_status status,
+                                  burnish_environment **environment) {
     if (status == BURNISH_STATUS_OK) {
-        warn(b);
+        warn_of_clamped(b);
         return burnish_environment_builder_end(b, environment);
     }
     burnish_environment_builder_cancel(b);
     return status;
 }
 
-static burnish_status create(builder *b, int width, int height, const float *rgb,
-                             burnish_environment **environment) {
-    burnish_status status = begin(b, (uint64_t)width, (uint64_t)height);
+static burnish_status create_from_floats(builder *b, int width, int height, const float *rgb,
+                                         burnish_environment **environment) {
+    burnish_status status = builder_begin(b, (uint64_t)width, (uint64_t)height);
     for (int y = 0; y < height && status == BURNISH_STATUS_OK; ++y) {
         for (int x = 0; x < width; ++x, rgb += 3) {
             burnish_environment_builder_add(b, x, y, rgb);
         }
     }
-    return end(b, status, environment);
+    return builder_end(b, status, environment);
 }
 
 burnish_status burnish_environment_create(const burnish_context *context, int width, int height,
@@ -99,7 +100,7 @@ burnish_status burnish_environment_create(const burnish_context *context, int wi
     }
     *environment = NULL;
     const burnish_float_mode before = burnish_float_mode_enter();
-    const burnish_status status = create(&b, width, height, rgb, environment);
+    const burnish_status status = create_from_floats(&b, width, height, rgb, environment);
     burnish_float_mode_leave(before);
     return status;
 }
@@ -114,7 +115,7 @@ static burnish_status create_named(const burnish_context *context, const char *n
         return memory.status;
     }
     (strcmp(name, "sky") == 0 ? burnish_sky_fill : burnish_room_fill)(WIDTH, HEIGHT, rgb);
-    const burnish_status status = create(&b, WIDTH, HEIGHT, rgb, environment);
+    const burnish_status status = create_from_floats(&b, WIDTH, HEIGHT, rgb, environment);
     burnish_release(context, rgb);
     return status;
 }
@@ -152,9 +153,9 @@ burnish_status burnish_environment_decode(const burnish_context *context, const 
                                   .name = d.builder.name,
                                   .max_side = BURNISH_ENVIRONMENT_MAX_SIDE,
                                   .max_pixels = UINT64_MAX};
-    const burnish_float_sink sink = {begin_file, add, &d};
+    const burnish_float_sink sink = {begin_file, builder_add_pixel, &d};
     const burnish_status status =
-        end(&d.builder, burnish_decode_floats(&from, &memory, &sink), environment);
+        builder_end(&d.builder, burnish_decode_floats(&from, &memory, &sink), environment);
     burnish_float_mode_leave(before);
     return status;
 }
@@ -179,7 +180,7 @@ int burnish_environment_level_of(const burnish_environment *environment, double 
 }
 
 /* Weights of four neighbours of a position, and the first of them, which can be -2. */
-static int weigh(double position, float weights[4]) {
+static int weigh_texels(double position, float weights[4]) {
     const int second = (int)(position + 2) - 2; /* rounded down: positions begin at -1/2 */
     const float t = (float)(position - second), s = 1 - t;
     weights[0] = s * s * s * (1.0f / 6);
@@ -197,8 +198,8 @@ void burnish_environment_lookup(const burnish_environment *environment, int leve
     const double polar = burnish_atan2(__builtin_sqrt(x * x + z * z), y);
     const double azimuth = burnish_atan2(z, x) + BURNISH_PI;
     float across[4], down[4];
-    const int left = weigh(azimuth / (2 * BURNISH_PI) * width - 0.5, across);
-    const int top = weigh(polar / BURNISH_PI * height - 0.5, down);
+    const int left = weigh_texels(azimuth / (2 * BURNISH_PI) * width - 0.5, across);
+    const int top = weigh_texels(polar / BURNISH_PI * height - 0.5, down);
     rgb[0] = rgb[1] = rgb[2] = 0;
     for (int j = 0; j < 4; ++j) {
         const int row = top + j, is_beyond = row < 0 || row >= height; /* over a pole */

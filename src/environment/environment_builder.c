@@ -145,7 +145,8 @@ static void fill_directions(burnish_environment_level *level, float *columns, fl
 }
 
 /* Places a level in memory; returns its end. Its texels are `*texels`, planes. */
-static float *place(burnish_environment_level *level, int width, float *memory, float **texels) {
+static float *place_level(burnish_environment_level *level, int width, float *memory,
+                          float **texels) {
     const size_t plane = (size_t)width * (size_t)(width / 2);
     float *columns = memory + 3 * plane, *rows = columns + 2 * width;
     level->width = width;
@@ -164,8 +165,8 @@ static float *place(burnish_environment_level *level, int width, float *memory, 
 }
 
 /* Each texel is the mean of four of the level before, by solid angle. */
-static void reduce(const burnish_environment_level *from, const burnish_environment_level *to,
-                   float *texels) {
+static void reduce_level(const burnish_environment_level *from, const burnish_environment_level *to,
+                         float *texels) {
     const size_t width = (size_t)to->width;
     for (size_t k = 0; k < 3; ++k) {
         for (size_t j = 0; j < (size_t)to->height; ++j) {
@@ -186,9 +187,9 @@ static void fill_levels(burnish_environment *environment, int width, const doubl
     float *next = environment->memory, *texels;
     for (int i = 0; width >= BURNISH_ENVIRONMENT_LEAST; ++i, width /= 2) {
         burnish_environment_level *level = &environment->levels[i];
-        next = place(level, width, next, &texels);
+        next = place_level(level, width, next, &texels);
         if (i > 0) {
-            reduce(level - 1, level, texels);
+            reduce_level(level - 1, level, texels);
         }
         for (size_t j = 0; i == 0 && j < count; ++j) {
             for (size_t k = 0; k < 3; ++k) {

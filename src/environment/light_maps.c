@@ -50,14 +50,14 @@ static burnish_light_sources sources_of(const burnish_light_maps *maps,
     return sources;
 }
 
-static void drop(burnish_light_maps *maps, table *t) {
+static void drop_table(burnish_light_maps *maps, table *t) {
     burnish_map_cells_destroy(t->cells, maps->context);
     *t = (table){0};
 }
 
 /* Makes a map unless it is there; alpha 0: diffuse. */
-static burnish_status make(burnish_light_maps *maps, table *t, float alpha, burnish_light_map *map,
-                           burnish_error *error) {
+static burnish_status make_map(burnish_light_maps *maps, table *t, float alpha,
+                               burnish_light_map *map, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(maps->context, error);
     burnish_status status = BURNISH_STATUS_OK;
     if (!t->cells) {
@@ -71,12 +71,12 @@ static burnish_status make(burnish_light_maps *maps, table *t, float alpha, burn
 }
 
 static void drop_all(burnish_light_maps *maps) {
-    drop(maps, &maps->diffuse);
+    drop_table(maps, &maps->diffuse);
     for (int i = 0; i < BURNISH_LIGHT_LEVELS; ++i) {
-        drop(maps, &maps->levels[i]);
+        drop_table(maps, &maps->levels[i]);
     }
     for (int i = 0; i < BURNISH_LIGHT_ALPHAS_MAX; ++i) {
-        drop(maps, &maps->alphas[i]);
+        drop_table(maps, &maps->alphas[i]);
     }
     maps->is_set = 0;
 }
@@ -144,7 +144,7 @@ burnish_status burnish_light_maps_set(burnish_light_maps *maps,
     drop_all(maps);
     maps->key = k;
     maps->filler.sources = sources_of(maps, sources->environment);
-    const burnish_status status = make(maps, &maps->diffuse, 0, &maps->diffuse_map, error);
+    const burnish_status status = make_map(maps, &maps->diffuse, 0, &maps->diffuse_map, error);
     maps->is_set = status == BURNISH_STATUS_OK;
     return status;
 }
@@ -170,10 +170,10 @@ burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
                             "more than %d maps of light; use the levels", BURNISH_LIGHT_ALPHAS_MAX);
     }
     if (found->alpha != alpha) {
-        drop(maps, found);
+        drop_table(maps, found);
     }
     found->is_needed = 1;
-    return make(maps, found, alpha, specular, error);
+    return make_map(maps, found, alpha, specular, error);
 }
 
 burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
@@ -183,7 +183,7 @@ burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
     first = first > 1 ? first : 1;
     for (int i = first; i < BURNISH_LIGHT_LEVELS && status == BURNISH_STATUS_OK; ++i) {
         const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
-        status = make(maps, &maps->levels[i], roughness * roughness, &levels[i], error);
+        status = make_map(maps, &maps->levels[i], roughness * roughness, &levels[i], error);
     }
     for (int i = 0; i < first; ++i) {
         levels[i] = levels[first];

@@ -312,8 +312,8 @@ static void make_cubics(const grid *map, grid *lobe, burnish_memory *memory) {
 }
 
 /* The map, and a grid for each lobe unless no polygon shines. */
-static void prepare(burnish_map_cells *cells, const burnish_map_filler *filler, float alpha,
-                    burnish_memory *memory) {
+static void prepare_grids(burnish_map_cells *cells, const burnish_map_filler *filler, float alpha,
+                          burnish_memory *memory) {
     grid *map = &cells->map;
     map->size = alpha > 0 ? LEAST_SIZE : DIFFUSE_SIZE;
     map->border = BORDER;
@@ -346,7 +346,7 @@ burnish_status burnish_map_cells_create(const burnish_map_filler *filler, float 
                                         burnish_memory *memory, burnish_map_cells **cells) {
     *cells = burnish_allocate_zeroed(memory, 1, sizeof **cells, "a map of light");
     if (*cells) {
-        prepare(*cells, filler, alpha, memory);
+        prepare_grids(*cells, filler, alpha, memory);
     }
     if (memory->status != BURNISH_STATUS_OK) {
         burnish_map_cells_destroy(*cells, memory->context);

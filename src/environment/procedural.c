@@ -46,7 +46,7 @@ typedef struct placed {
 } placed;
 
 /* Into the axes of a box. */
-static vec3 turn(const placed *p, vec3 v) {
+static vec3 turn_into_box(const placed *p, vec3 v) {
     return (vec3){v.x * p->cosine - v.z * p->sine, v.y, v.x * p->sine + v.z * p->cosine};
 }
 
@@ -56,8 +56,8 @@ static vec3 turn_back(const placed *p, vec3 v) {
 
 /* The distance at which the ray from the origin enters a box, or leaves the room; 0: it misses.
  * *normal: in the axes of the box, toward the ray. */
-static double meet(const placed *p, vec3 size, vec3 ray, int is_room, vec3 *normal) {
-    const vec3 d = turn(p, ray);
+static double meet_box(const placed *p, vec3 size, vec3 ray, int is_room, vec3 *normal) {
+    const vec3 d = turn_into_box(p, ray);
     const double from[3] = {p->center.x, p->center.y, p->center.z}, along[3] = {d.x, d.y, d.z};
     const double half[3] = {size.x / 2, size.y / 2, size.z / 2};
     double enter = 0, leave = 1e9;
@@ -84,7 +84,7 @@ static double meet(const placed *p, vec3 size, vec3 ray, int is_room, vec3 *norm
 }
 
 /* Radiance of a white surface at a point toward the origin: Lambert's, and GGX of alpha 1. */
-static double shade(vec3 point, vec3 normal) {
+static double shade_white(vec3 point, vec3 normal) {
     const vec3 toward = burnish_vec3_sub(lamp, point), light = burnish_vec3_normalize(toward);
     const vec3 viewer = burnish_vec3_normalize(burnish_vec3_scale(point, -1));
     const vec3 half = burnish_vec3_normalize(burnish_vec3_add(light, viewer));
@@ -101,12 +101,12 @@ static double shade(vec3 point, vec3 normal) {
     return lamp_intensity * window * n_l * (0.96 + specular) / BURNISH_PI / distance;
 }
 
-static double radiance(const placed *places, vec3 ray) {
+static double room_radiance(const placed *places, vec3 ray) {
     vec3 normal, nearest_normal = {0, 0, 0};
     double nearest = 1e9;
     int hit = 0;
     for (int i = 0; i < BOX_COUNT; ++i) {
-        const double distance = meet(&places[i], boxes[i].size, ray, i == 0, &normal);
+        const double distance = meet_box(&places[i], boxes[i].size, ray, i == 0, &normal);
         if (distance > 0 && distance < nearest) {
             nearest = distance;
             nearest_normal = turn_back(&places[i], normal);
@@ -114,21 +114,21 @@ static double radiance(const placed *places, vec3 ray) {
         }
     }
     return boxes[hit].radiance > 0 ? boxes[hit].radiance
-                                   : shade(burnish_vec3_scale(ray, nearest), nearest_normal);
+                                   : shade_white(burnish_vec3_scale(ray, nearest), nearest_normal);
 }
 
 void burnish_room_fill(int width, int height, float *rgb) {
     placed places[BOX_COUNT];
     for (int i = 0; i < BOX_COUNT; ++i) {
         burnish_sincos(boxes[i].turn, &places[i].sine, &places[i].cosine);
-        places[i].center = turn(&places[i], boxes[i].center);
+        places[i].center = turn_into_box(&places[i], boxes[i].center);
     }
     for (int i = 0; i < 4 * width * height; ++i) { /* four rays a pixel, row by row */
         const int y = i / (2 * width), x = i % (2 * width);
         double s, c, sine, cosine;
         burnish_sincos(BURNISH_PI * (y + 0.5) / (2 * height), &s, &c);
         burnish_sincos(BURNISH_PI * (x + 0.5) / width - BURNISH_PI, &sine, &cosine);
-        const float value = (float)radiance(places, (vec3){s * cosine, c, s * sine}) / 4;
+        const float value = (float)room_radiance(places, (vec3){s * cosine, c, s * sine}) / 4;
         float *to = rgb + 3 * (y / 2 * width + x / 2);
         to[0] = y % 2 + x % 2 > 0 ? to[0] + value : value;
         to[1] = to[2] = to[0];
@@ -154,24 +154,24 @@ static vec3 of_luminance(vec3 color, double luminance) {
     return burnish_vec3_scale(color, luminance / own);
 }
 
-static vec3 mix(vec3 a, vec3 b, double share) {
+static vec3 mix_colors(vec3 a, vec3 b, double share) {
     return burnish_vec3_add(burnish_vec3_scale(a, 1 - share), burnish_vec3_scale(b, share));
 }
 
-static double exponential(double x) {
+static double exponential_of(double x) {
     return burnish_expm1(x) + 1;
 }
 
 /* The sky in a direction above the horizon, in any unit. */
-static vec3 sky(vec3 w) {
+static vec3 sky_color(vec3 w) {
     const double a = -1, b = -0.32, c = 10, d = -3, e = 0.45;
     const double height = w.y > 0.005 ? w.y : 0.005, cosine = burnish_vec3_dot(w, sun);
-    const double gradation = 1 + a * exponential(b / height);
+    const double gradation = 1 + a * exponential_of(b / height);
     const double scattered =
-        c * (exponential(d * burnish_acos(cosine)) - exponential(d * BURNISH_PI / 2));
+        c * (exponential_of(d * burnish_acos(cosine)) - exponential_of(d * BURNISH_PI / 2));
     const double low = 1 - height, glow = scattered / c;
-    const vec3 color = mix(zenith_color, horizon_color, low * low * low);
-    return of_luminance(mix(color, sun_color, glow > 0 ? glow : 0),
+    const vec3 color = mix_colors(zenith_color, horizon_color, low * low * low);
+    return of_luminance(mix_colors(color, sun_color, glow > 0 ? glow : 0),
                         gradation * (1 + scattered + e * cosine * cosine));
 }
 
@@ -181,7 +181,7 @@ static double sun_lobe(vec3 w) {
     return u * u * u * u;
 }
 
-static vec3 direction(int x, int y, int width, int height) {
+static vec3 texel_direction(int x, int y, int width, int height) {
     double s, c, sine, cosine;
     burnish_sincos(BURNISH_PI * (y + 0.5) / height, &s, &c);
     burnish_sincos(2 * BURNISH_PI * (x + 0.5) / width - BURNISH_PI, &sine, &cosine);
@@ -193,7 +193,7 @@ void burnish_sky_fill(int width, int height, float *rgb) {
     double light = 0;
     for (int y = 0; y < height / 2; ++y) {
         for (int x = 0; x < width; x += 8) {
-            const vec3 w = direction(x, y, width, height), color = sky(w);
+            const vec3 w = texel_direction(x, y, width, height), color = sky_color(w);
             const double area =
                 2 * BURNISH_PI * BURNISH_PI * 8 / width / height * __builtin_sqrt(1 - w.y * w.y);
             light += (0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z) * w.y * area;
@@ -205,8 +205,8 @@ void burnish_sky_fill(int width, int height, float *rgb) {
     const vec3 ground = of_luminance(ground_color, ground_share);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x, rgb += 3) {
-            const vec3 w = direction(x, y, width, height);
-            const vec3 above = burnish_vec3_add(burnish_vec3_scale(sky(w), sky_scale),
+            const vec3 w = texel_direction(x, y, width, height);
+            const vec3 above = burnish_vec3_add(burnish_vec3_scale(sky_color(w), sky_scale),
                                                 burnish_vec3_scale(sun_radiance, sun_lobe(w)));
             const vec3 color = w.y > 0 ? above : ground;
             rgb[0] = (float)color.x;

@@ -57,7 +57,7 @@ void burnish_compare_options_init(burnish_compare_options *options, uint64_t lay
 /* ---- Rows ---- */
 
 /* (a c + (255 - a) b) / 255, rounded. */
-static uint8_t over(int code, int alpha, int background) {
+static uint8_t blend_over(int code, int alpha, int background) {
     return (uint8_t)((alpha * code + (255 - alpha) * background + 127) / 255);
 }
 
@@ -68,9 +68,9 @@ void burnish_pair_row(const burnish_picture_pair *pair, int which, int y, uint8_
     const int step = (int)burnish_pixel_size(picture->format);
     for (int x = 0; x < pair->width; ++x, from += step, rgb += 3) {
         const int alpha = step == 4 ? from[3] : 255;
-        rgb[0] = over(from[red], alpha, b[0]);
-        rgb[1] = over(from[1], alpha, b[1]);
-        rgb[2] = over(from[2 - red], alpha, b[2]);
+        rgb[0] = blend_over(from[red], alpha, b[0]);
+        rgb[1] = blend_over(from[1], alpha, b[1]);
+        rgb[2] = blend_over(from[2 - red], alpha, b[2]);
     }
 }
 
@@ -84,7 +84,7 @@ static int add_channel(band_sums *sums, int channel, int a, int b) {
     return size;
 }
 
-static void widen(int bounds[4], int x, int y) {
+static void widen_bounds(int bounds[4], int x, int y) {
     if (bounds[2] == 0) {
         bounds[0] = x;
         bounds[1] = y;
@@ -106,7 +106,7 @@ static void add_codes(const comparer *c, int y, const uint8_t *a, const uint8_t 
         }
         if (largest > c->options->tolerance) {
             ++sums->different;
-            widen(sums->bounds, x, y);
+            widen_bounds(sums->bounds, x, y);
         }
     }
 }
@@ -118,7 +118,7 @@ static int is_soft(const silhouette *s) {
     return s->coverage || s->by_alpha;
 }
 
-static int covered(const comparer *c, int which, int x, int y, const uint8_t *rgb) {
+static int is_covered(const comparer *c, int which, int x, int y, const uint8_t *rgb) {
     const silhouette *s = &c->silhouettes[which];
     if (s->coverage) {
         return s->coverage[(size_t)y * (size_t)c->pair.width + (size_t)x];
@@ -137,7 +137,7 @@ static void add_silhouettes(const comparer *c, int y, const uint8_t *a, const ui
                             band_sums *sums) {
     const int soft = is_soft(&c->silhouettes[0]) && is_soft(&c->silhouettes[1]);
     for (int x = 0; x < c->pair.width; ++x, a += 3, b += 3) {
-        const int of_a = covered(c, 0, x, y, a), of_b = covered(c, 1, x, y, b);
+        const int of_a = is_covered(c, 0, x, y, a), of_b = is_covered(c, 1, x, y, b);
         const int in_a = soft ? of_a : 255 * (of_a > 0), in_b = soft ? of_b : 255 * (of_b > 0);
         sums->overlap += (unsigned)(in_a < in_b ? in_a : in_b);
         sums->unions += (unsigned)(in_a < in_b ? in_b : in_a);
@@ -213,8 +213,8 @@ static void add_band(band_sums *all, const band_sums *band) {
     all->ssim += band->ssim;
     all->flip += band->flip;
     if (band->different > 0) {
-        widen(all->bounds, band->bounds[0], band->bounds[1]);
-        widen(all->bounds, band->bounds[2] - 1, band->bounds[3] - 1);
+        widen_bounds(all->bounds, band->bounds[0], band->bounds[1]);
+        widen_bounds(all->bounds, band->bounds[2] - 1, band->bounds[3] - 1);
     }
 }
 
@@ -222,7 +222,7 @@ static double ten_log10(double x) {
     return 10 * (burnish_log(x) / 2.30258509299404568402);
 }
 
-static void conclude(const comparer *c, burnish_comparison *found) {
+static void conclude_comparison(const comparer *c, burnish_comparison *found) {
     band_sums all = {0};
     for (int i = 0; i < c->band_count; ++i) {
         add_band(&all, &c->bands[i]);
@@ -253,17 +253,17 @@ static void conclude(const comparer *c, burnish_comparison *found) {
     }
 }
 
-static size_t larger(size_t a, size_t b) {
+static size_t larger_size(size_t a, size_t b) {
     return a > b ? a : b;
 }
 
-static burnish_status run(comparer *c, burnish_comparison *found, burnish_error *error) {
+static burnish_status run_comparison(comparer *c, burnish_comparison *found, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(c->options->context, error);
     int threads = burnish_tasks_threads(&c->tasks);
     c->band_count = (c->pair.height + BAND_ROWS - 1) / BAND_ROWS;
     c->scratch_size =
-        larger(6 * (size_t)c->pair.width,
-               larger(burnish_ssim_scratch(c->pair.width), burnish_flip_scratch(c->pair.width)));
+        larger_size(6 * (size_t)c->pair.width, larger_size(burnish_ssim_scratch(c->pair.width),
+                                                           burnish_flip_scratch(c->pair.width)));
     c->scratch_size =
         (c->scratch_size + BURNISH_ALIGNMENT - 1) / BURNISH_ALIGNMENT * BURNISH_ALIGNMENT;
     const size_t most = MOST_SCRATCH / c->scratch_size + 1;
@@ -279,15 +279,15 @@ static burnish_status run(comparer *c, burnish_comparison *found, burnish_error 
         status = burnish_tasks_check(&c->tasks, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        conclude(c, found);
+        conclude_comparison(c, found);
     }
     burnish_release(c->options->context, c->bands);
     burnish_release(c->options->context, c->scratch);
     return status;
 }
 
-static burnish_status check(const burnish_pixels *a, const burnish_pixels *b,
-                            const burnish_compare_options *options, burnish_error *error) {
+static burnish_status check_compare(const burnish_pixels *a, const burnish_pixels *b,
+                                    const burnish_compare_options *options, burnish_error *error) {
     burnish_status status =
         burnish_layout_check(options, COOKIE, "compare options", "compare_options", error);
     if (status != BURNISH_STATUS_OK) {
@@ -327,7 +327,7 @@ burnish_status burnish_pixels_compare(const burnish_pixels *a, const burnish_pix
     const burnish_compare_options usual = burnish_compare_options_default();
     comparer c = {.options = options ? options : &usual, .pair = {.pictures = {a, b}}};
     *comparison = (burnish_comparison){0};
-    const burnish_status status = check(a, b, c.options, error);
+    const burnish_status status = check_compare(a, b, c.options, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -342,7 +342,7 @@ burnish_status burnish_pixels_compare(const burnish_pixels *a, const burnish_pix
     c.ssim = burnish_ssim_make();
     c.flip = burnish_flip_make();
     burnish_tasks_begin(&c.tasks, c.options->context, c.options->threads);
-    const burnish_status ran = run(&c, comparison, error);
+    const burnish_status ran = run_comparison(&c, comparison, error);
     burnish_float_mode_leave(before);
     return ran;
 }

@@ -88,7 +88,7 @@ static double make_sensitivity(double b, float *weights) {
 }
 
 /* weights[i]: the positive ones' sum becomes 1, the negative ones' -1. */
-static void balance(const double *values, float *weights) {
+static void balance_weights(const double *values, float *weights) {
     double positive = 0, negative = 0;
     for (int i = 0; i < TAPS; ++i) {
         positive += values[i] > 0 ? values[i] : 0;
@@ -109,14 +109,14 @@ static void make_features(burnish_flip *made) {
         edge[i] = -x * smooth[i];
         point[i] = (x * x / (deviation * deviation) - 1) * smooth[i];
     }
-    balance(smooth, made->filters[BURNISH_FLIP_SMOOTH]);
-    balance(edge, made->filters[BURNISH_FLIP_EDGE]);
-    balance(point, made->filters[BURNISH_FLIP_POINT]);
+    balance_weights(smooth, made->filters[BURNISH_FLIP_SMOOTH]);
+    balance_weights(edge, made->filters[BURNISH_FLIP_EDGE]);
+    balance_weights(point, made->filters[BURNISH_FLIP_POINT]);
 }
 
 /* ---- Colours ---- */
 
-static void multiply(const double matrix[3][3], const double v[3], double product[3]) {
+static void multiply_by_matrix(const double matrix[3][3], const double v[3], double product[3]) {
     for (int i = 0; i < 3; ++i) {
         product[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
     }
@@ -126,7 +126,7 @@ static void multiply(const double matrix[3][3], const double v[3], double produc
 static void hunt_lab(const double rgb[3], double lab[3]) {
     const double delta = 6.0 / 29;
     double xyz[3], f[3];
-    multiply(to_xyz, rgb, xyz);
+    multiply_by_matrix(to_xyz, rgb, xyz);
     for (int k = 0; k < 3; ++k) {
         const double t = xyz[k] / white[k];
         f[k] = t > delta * delta * delta ? cube_root(t) : t / (3 * delta * delta) + 4.0 / 29;
@@ -233,7 +233,7 @@ static void read_opponent(const burnish_picture_pair *pair, int which, int y, ro
         const double rgb[3] = {burnish_srgb_to_linear[code[0]], burnish_srgb_to_linear[code[1]],
                                burnish_srgb_to_linear[code[2]]};
         double xyz[3];
-        multiply(to_xyz, rgb, xyz);
+        multiply_by_matrix(to_xyz, rgb, xyz);
         const double luma = xyz[1] / white[1];
         r->opponent[0][x + REACH] = (float)(116 * luma - 16);
         r->opponent[1][x + REACH] = (float)(500 * (xyz[0] / white[0] - luma));
@@ -285,7 +285,7 @@ static void filtered_lab(const burnish_flip *flip, float *const colors[COLORS], 
     const double xyz[3] = {white[0] * (luma + colors[BURNISH_FLIP_RED_GREEN][x] / 500),
                            white[1] * luma, white[2] * (luma - cz / 200)};
     double rgb[3];
-    multiply(from_xyz, xyz, rgb);
+    multiply_by_matrix(from_xyz, xyz, rgb);
     for (int k = 0; k < 3; ++k) {
         rgb[k] = rgb[k] < 0 ? 0 : rgb[k] < 1 ? rgb[k] : 1;
     }
@@ -301,7 +301,7 @@ static double color_error(const burnish_flip *flip, const double a[3], const dou
     return knee_error + (distance - knee) / (flip->largest_color - knee) * (1 - knee_error);
 }
 
-static double length(float x, float y) {
+static double length_of_pair(float x, float y) {
     return burnish_sqrt((double)x * x + (double)y * y) / 116; /* Y of white minus Y of black */
 }
 
@@ -309,8 +309,8 @@ static double length(float x, float y) {
 static double feature_error(const rows *r, int x) {
     double largest = 0;
     for (int kind = 0; kind < 4; kind += 2) {
-        const double a = length(r->features[0][kind][x], r->features[0][kind + 1][x]);
-        const double b = length(r->features[1][kind][x], r->features[1][kind + 1][x]);
+        const double a = length_of_pair(r->features[0][kind][x], r->features[0][kind + 1][x]);
+        const double b = length_of_pair(r->features[1][kind][x], r->features[1][kind + 1][x]);
         const double difference = a > b ? a - b : b - a;
         largest = difference > largest ? difference : largest;
     }

@@ -57,8 +57,8 @@ static rows lay_out(void *scratch, int width) {
 }
 
 /* sum over i of weights[i] values[x + i] for every window along the row. */
-static void filter(const double *restrict weights, const double *restrict values, int windows,
-                   double *restrict sums) {
+static void filter_windows(const double *restrict weights, const double *restrict values,
+                           int windows, double *restrict sums) {
     for (int x = 0; x < windows; ++x) {
         double sum = 0;
         for (int i = 0; i < BURNISH_SSIM_TAPS; ++i) {
@@ -68,8 +68,8 @@ static void filter(const double *restrict weights, const double *restrict values
     }
 }
 
-static void multiply(const double *restrict a, const double *restrict b, int count,
-                     double *restrict product) {
+static void multiply_rows(const double *restrict a, const double *restrict b, int count,
+                          double *restrict product) {
     for (int x = 0; x < count; ++x) {
         product[x] = a[x] * b[x];
     }
@@ -85,11 +85,11 @@ static void read_row(const burnish_ssim *ssim, const burnish_picture_pair *pair,
             const uint8_t *code = r->codes + 3 * (size_t)x;
             r->luma[which][x] = (299 * code[0] + 587 * code[1] + 114 * code[2]) / 1000.0;
         }
-        filter(ssim->weights, r->luma[which], windows, moments[which]);
+        filter_windows(ssim->weights, r->luma[which], windows, moments[which]);
     }
     for (int i = 0; i < MOMENTS - 2; ++i) {
-        multiply(r->luma[factors[i][0]], r->luma[factors[i][1]], pair->width, r->product);
-        filter(ssim->weights, r->product, windows, moments[2 + i]);
+        multiply_rows(r->luma[factors[i][0]], r->luma[factors[i][1]], pair->width, r->product);
+        filter_windows(ssim->weights, r->product, windows, moments[2 + i]);
     }
 }
 

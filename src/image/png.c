@@ -100,7 +100,7 @@ static uint8_t *put_header(uint8_t *to, const burnish_pixels *image,
 }
 
 /* The bytes of a row, or differences of such, into PNG's order of channels and bytes. */
-static void reorder(const burnish_pixels *image, uint8_t *bytes) {
+static void reorder_row(const burnish_pixels *image, uint8_t *bytes) {
     if (image->format == BURNISH_PIXELS_BGRA8) {
         burnish_pixels_swap(bytes, bytes, (size_t)image->width);
     } else if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && kinds[image->format][0] == 16) {
@@ -168,7 +168,7 @@ static void filter_rows(const encoder *e, int first, int end, uint8_t *restrict 
         } else {
             memcpy(filtered, row_at(e, y), size);
         }
-        reorder(image, filtered);
+        reorder_row(image, filtered);
         filtered += size;
     }
 }
@@ -185,7 +185,7 @@ static uint32_t join_adler(uint32_t first, uint32_t second, uint64_t size) {
 }
 
 /* Bands depend only on the size of the image, so the file does not depend on the threads. */
-static void divide(encoder *e) {
+static void divide_into_bands(encoder *e) {
     const int height = e->image.height;
     size_t all = row_size(&e->image) * (size_t)height;
     int count = (int)((all + BAND_SIZE - 1) / BAND_SIZE);
@@ -320,7 +320,7 @@ static burnish_status fail_bands(burnish_status status, burnish_error *error) {
                             : "PNG: the compressed rows outgrow their bound; write a smaller one");
 }
 
-static burnish_status begin(encoder *e, const burnish_pixels *image,
+static burnish_status encoder_begin(encoder *e, const burnish_pixels *image,
                             const burnish_png_options *options, burnish_error *error) {
     const burnish_png_options defaults = burnish_png_options_default();
     burnish_memory memory = burnish_memory_of(options ? options->context : NULL, error);
@@ -328,7 +328,7 @@ static burnish_status begin(encoder *e, const burnish_pixels *image,
     e->options = options ? *options : defaults;
     e->context = e->options.context;
     burnish_tasks_begin(&e->tasks, e->context, e->options.threads);
-    divide(e);
+    divide_into_bands(e);
     create_makers(e, &memory);
     return memory.status;
 }
@@ -381,7 +381,7 @@ burnish_status burnish_png_encode(const burnish_pixels *pixels, const burnish_pn
         status = burnish_pixels_check(pixels, "PNG", error);
     }
     if (status == BURNISH_STATUS_OK) {
-        status = begin(&e, pixels, options, error);
+        status = encoder_begin(&e, pixels, options, error);
         if (status == BURNISH_STATUS_OK) {
             status = encode(&e, bytes, size, error);
         }

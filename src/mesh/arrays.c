@@ -162,7 +162,7 @@ static burnish_status check_description(creation *c) {
 }
 
 /* Item i of an array whose items have `size` bytes. */
-static const uint8_t *item(const burnish_array *array, size_t size, size_t i) {
+static const uint8_t *array_item(const burnish_array *array, size_t size, size_t i) {
     return (const uint8_t *)array->items + i * (array->stride ? array->stride : size);
 }
 
@@ -172,7 +172,7 @@ static void copy_items(const burnish_array *array, size_t size, void *to) {
         return;
     }
     for (size_t i = 0; i < array->count; ++i) {
-        memcpy((uint8_t *)to + i * size, item(array, size, i), size);
+        memcpy((uint8_t *)to + i * size, array_item(array, size, i), size);
     }
 }
 
@@ -211,12 +211,12 @@ static burnish_status copy_indices(creation *c) {
         uint16_t half = 0;
         corners[i] = (uint32_t)i;
         if (indices->items && size == 4) {
-            memcpy(&corners[i], item(indices, size, i), 4);
+            memcpy(&corners[i], array_item(indices, size, i), 4);
         } else if (indices->items && size == 2) {
-            memcpy(&half, item(indices, size, i), 2);
+            memcpy(&half, array_item(indices, size, i), 2);
             corners[i] = half;
         } else if (indices->items) {
-            corners[i] = *item(indices, size, i);
+            corners[i] = *array_item(indices, size, i);
         }
         if (corners[i] >= c->vertex_count) {
             return burnish_fail(c->error, BURNISH_STATUS_ARGUMENT,
@@ -313,8 +313,8 @@ static burnish_status copy_arrays(creation *c, const burnish_load_options *optio
     return status;
 }
 
-static burnish_status create(creation *c, const burnish_load_options *options,
-                             burnish_mesh **mesh) {
+static burnish_status create_mesh(creation *c, const burnish_load_options *options,
+                                  burnish_mesh **mesh) {
     const char *name = c->from->name ? c->from->name : "mesh";
     burnish_status status =
         burnish_check_triangle_count(options, name, c->triangle_count, c->error);
@@ -345,7 +345,7 @@ burnish_status burnish_mesh_create(const burnish_mesh_description *description,
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, options->context, options->threads);
     c.data = burnish_mesh_data_begin(options->context, &tasks, error);
-    status = create(&c, options, mesh);
+    status = create_mesh(&c, options, mesh);
     burnish_mesh_data_destroy(&c.data);
     burnish_float_mode_leave(before);
     return status;

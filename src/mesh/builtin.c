@@ -44,7 +44,7 @@ static void add_triangle(burnish_mesh_data *data, uint32_t a, uint32_t b, uint32
 }
 
 /* Sine and cosine of i / n of a turn. */
-static void turn(uint32_t i, uint32_t n, double *sine, double *cosine) {
+static void sincos_of_turn(uint32_t i, uint32_t n, double *sine, double *cosine) {
     burnish_sincos(2 * BURNISH_PI * i / n, sine, cosine);
 }
 
@@ -131,10 +131,10 @@ static burnish_status make_torus(const burnish_load_options *options, burnish_me
     }
     for (uint32_t i = 0; i < ni; ++i) {
         double sine_i, cosine_i;
-        turn(i, ni, &sine_i, &cosine_i);
+        sincos_of_turn(i, ni, &sine_i, &cosine_i);
         for (uint32_t j = 0; j < nj; ++j) {
             double sine_j, cosine_j;
-            turn(j, nj, &sine_j, &cosine_j);
+            sincos_of_turn(j, nj, &sine_j, &cosine_j);
             /* From +z toward +x, that is counter-clockwise seen from above, and up from outside. */
             burnish_vec3 normal = {cosine_j * sine_i, sine_j, cosine_j * cosine_i};
             burnish_vec3 center = {major * sine_i, 0, major * cosine_i};
@@ -161,8 +161,8 @@ static burnish_status make_knot(const burnish_load_options *options, burnish_mes
     }
     for (uint32_t i = 0; i < ni; ++i) {
         double s2, c2, s3, c3;
-        turn(2 * i % ni, ni, &s2, &c2);
-        turn(3 * i % ni, ni, &s3, &c3);
+        sincos_of_turn(2 * i % ni, ni, &s2, &c2);
+        sincos_of_turn(3 * i % ni, ni, &s3, &c3);
         double distance = 2 + c3;
         burnish_vec3 center = {distance * c2, distance * s2, s3};
         burnish_vec3 tangent = {-3 * s3 * c2 - 2 * distance * s2, -3 * s3 * s2 + 2 * distance * c2,
@@ -171,7 +171,7 @@ static burnish_status make_knot(const burnish_load_options *options, burnish_mes
         burnish_vec3 binormal = burnish_vec3_normalize(burnish_vec3_cross(tangent, normal));
         for (uint32_t j = 0; j < nj; ++j) {
             double sine, cosine;
-            turn(j, nj, &sine, &cosine);
+            sincos_of_turn(j, nj, &sine, &cosine);
             burnish_vec3 spoke = burnish_vec3_add(burnish_vec3_scale(normal, cosine),
                                                   burnish_vec3_scale(binormal, sine));
             add_vertex(data, burnish_vec3_add(center, burnish_vec3_scale(spoke, radius)), spoke);
@@ -200,7 +200,7 @@ static bernstein bernstein_at(int i, int n) {
 
 /* The sum of four weighted points, in an order that is the same read backwards: patches that share
  * a border curve get the same positions, whichever way each runs along it. */
-static burnish_vec3 combine(const burnish_vec3 p[4], const double weight[4]) {
+static burnish_vec3 combine_points(const burnish_vec3 p[4], const double weight[4]) {
     burnish_vec3 outer =
         burnish_vec3_add(burnish_vec3_scale(p[0], weight[0]), burnish_vec3_scale(p[3], weight[3]));
     burnish_vec3 inner =
@@ -216,17 +216,17 @@ static burnish_vec3 turn_up(burnish_vec3 p) {
 /* pole: v = 0 of a patch whose first row is one point (the lid's top, the bottom's middle). There
  * du vanishes; near it du grows as v times its own v derivative, which has the limit's direction.
  */
-static void evaluate(burnish_mesh_data *data, burnish_vec3 points[4][4], const bernstein *u,
-                     const bernstein *v, int pole) {
+static void evaluate_patch(burnish_mesh_data *data, burnish_vec3 points[4][4], const bernstein *u,
+                           const bernstein *v, int pole) {
     burnish_vec3 row[4], row_slope[4];
     for (int i = 0; i < 4; ++i) {
-        row[i] = combine(points[i], u->value);
-        row_slope[i] = combine(points[i], u->slope);
+        row[i] = combine_points(points[i], u->value);
+        row_slope[i] = combine_points(points[i], u->slope);
     }
-    burnish_vec3 along_v = combine(row, v->slope);
-    burnish_vec3 along_u = combine(row_slope, pole ? v->slope : v->value);
+    burnish_vec3 along_v = combine_points(row, v->slope);
+    burnish_vec3 along_u = combine_points(row_slope, pole ? v->slope : v->value);
     burnish_vec3 normal = burnish_vec3_cross(along_u, along_v);
-    add_vertex(data, turn_up(combine(row, v->value)), turn_up(normal));
+    add_vertex(data, turn_up(combine_points(row, v->value)), turn_up(normal));
 }
 
 static int first_row_is_point(const uint16_t patch[16]) {
@@ -244,7 +244,7 @@ static void add_patch(burnish_mesh_data *data, const uint16_t patch[16], int n) 
         bernstein v = bernstein_at(j, n);
         for (int i = 0; i <= n; ++i) {
             bernstein u = bernstein_at(i, n);
-            evaluate(data, points, &u, &v, point && j == 0);
+            evaluate_patch(data, points, &u, &v, point && j == 0);
         }
     }
     for (uint32_t j = 0; j < (uint32_t)n; ++j) {

@@ -148,7 +148,7 @@ static burnish_vec3 front_of(burnish_vec3 up) {
 }
 
 /* v turned by the angle around the unit axis, counter-clockwise seen against the axis. */
-static burnish_vec3 rotate(burnish_vec3 v, burnish_vec3 axis, double degrees) {
+static burnish_vec3 rotate_about(burnish_vec3 v, burnish_vec3 axis, double degrees) {
     double sine, cosine;
     burnish_sincos(degrees * BURNISH_DEGREE, &sine, &cosine);
     burnish_vec3 along = burnish_vec3_scale(axis, burnish_vec3_dot(axis, v) * (1 - cosine));
@@ -190,9 +190,9 @@ static view_frame choose_frame(const burnish_framing *options, const float mesh_
         frame = look_against(burnish_vec3_scale(direction_of(d), -1), up, front);
     }
     /* Lifting the camera also tilts the picture's up vector, to avoid a jump at the poles. */
-    frame.back = rotate(frame.back, frame.right, -elevation);
-    frame.right = burnish_vec3_normalize(rotate(frame.right, up, azimuth));
-    frame.back = burnish_vec3_normalize(rotate(frame.back, up, azimuth));
+    frame.back = rotate_about(frame.back, frame.right, -elevation);
+    frame.right = burnish_vec3_normalize(rotate_about(frame.right, up, azimuth));
+    frame.back = burnish_vec3_normalize(rotate_about(frame.back, up, azimuth));
     frame.up = burnish_vec3_normalize(burnish_vec3_cross(frame.back, frame.right));
     return frame;
 }
@@ -394,7 +394,7 @@ static burnish_vec3 to_world(const view_mesh *view, burnish_vec3 p) {
                             burnish_vec3_add(across, burnish_vec3_scale(view->frame.back, p.z)));
 }
 
-static void store(burnish_vec3 v, double target[3]) {
+static void store_vector(burnish_vec3 v, double target[3]) {
     target[0] = v.x;
     target[1] = v.y;
     target[2] = v.z;
@@ -425,9 +425,10 @@ static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing
     }
     burnish_release(mesh->context, view.groups);
     *camera = (burnish_camera){.view_angle = options->view_angle, .orthographic_height = height};
-    store(to_world(&view, position), camera->position);
-    store(to_world(&view, (burnish_vec3){position.x, position.y, focus}), camera->focal_point);
-    store(view.frame.up, camera->view_up);
+    store_vector(to_world(&view, position), camera->position);
+    store_vector(to_world(&view, (burnish_vec3){position.x, position.y, focus}),
+                 camera->focal_point);
+    store_vector(view.frame.up, camera->view_up);
     return BURNISH_STATUS_OK;
 }
 

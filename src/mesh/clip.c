@@ -80,7 +80,7 @@ static void copy_vertices(cutter *cut) {
 }
 
 /* Interpolates `count` numbers between a and b. */
-static void mix(const float *a, const float *b, double t, int count, float *out) {
+static void mix_values(const float *a, const float *b, double t, int count, float *out) {
     for (int k = 0; k < count; ++k) {
         out[k] = (float)((double)a[k] + ((double)b[k] - (double)a[k]) * t);
     }
@@ -97,7 +97,7 @@ static void mix_colors(const uint8_t *a, const uint8_t *b, double t, uint8_t *ou
 
 /* Opposite normals have no middle: the normal of the kept end is used. */
 static void mix_normals(const float *a, const float *b, double t, float *out) {
-    mix(a, b, t, 3, out);
+    mix_values(a, b, t, 3, out);
     const burnish_vec3 sum = burnish_vec3_loadf(out);
     const double length = burnish_vec3_length(sum);
     const burnish_vec3 unit =
@@ -113,8 +113,8 @@ static uint32_t add_cut_point(cutter *cut, uint32_t kept, uint32_t beyond) {
     const double from = distance_of(cut, kept), to = distance_of(cut, beyond);
     const double t = from / (from - to); /* [0, 1) */
     const size_t a = kept, b = beyond, at = cut->vertex_count++;
-    mix(view->positions + 3 * a, view->positions + 3 * b, t, 3,
-        (float *)cut->attributes[BURNISH_POSITION] + 3 * at);
+    mix_values(view->positions + 3 * a, view->positions + 3 * b, t, 3,
+               (float *)cut->attributes[BURNISH_POSITION] + 3 * at);
     mix_normals(view->normals + 3 * a, view->normals + 3 * b, t,
                 (float *)cut->attributes[BURNISH_NORMAL] + 3 * at);
     if (view->colors) {
@@ -122,8 +122,8 @@ static uint32_t add_cut_point(cutter *cut, uint32_t kept, uint32_t beyond) {
                    (uint8_t *)cut->attributes[BURNISH_COLOR] + 4 * at);
     }
     if (view->texture_coordinates) {
-        mix(view->texture_coordinates + 2 * a, view->texture_coordinates + 2 * b, t, 2,
-            (float *)cut->attributes[BURNISH_TEXCOORD] + 2 * at);
+        mix_values(view->texture_coordinates + 2 * a, view->texture_coordinates + 2 * b, t, 2,
+                   (float *)cut->attributes[BURNISH_TEXCOORD] + 2 * at);
     }
     if (view->tangents) { /* both ends have one sign: a mirrored seam has two vertices */
         float *tangent = (float *)cut->attributes[BURNISH_TANGENT] + 4 * at;
@@ -240,7 +240,7 @@ static burnish_status clip_points(burnish_mesh *mesh, const burnish_clip_plane *
 
 /* ---- The whole ---- */
 
-static void release(cutter *cut) {
+static void release_result(cutter *cut) {
     const burnish_context *context = cut->mesh->context;
     for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
         burnish_release(context, cut->attributes[a]);
@@ -251,8 +251,8 @@ static void release(cutter *cut) {
 }
 
 /* Allocates the result. Errors: MEMORY, LIMIT. */
-static burnish_status reserve(cutter *cut, size_t triangles, size_t vertices,
-                              burnish_memory *memory) {
+static burnish_status reserve_result(cutter *cut, size_t triangles, size_t vertices,
+                                     burnish_memory *memory) {
     if (triangles > BURNISH_TRIANGLES_MAX || vertices > BURNISH_VALUE_LIMIT) {
         return burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
                             "clip: more than %u triangles come out; simplify the mesh",
@@ -273,7 +273,7 @@ static burnish_status reserve(cutter *cut, size_t triangles, size_t vertices,
 }
 
 /* Swaps the result into the mesh; the cutter then owns the old arrays, to be released. */
-static void exchange(burnish_mesh *mesh, cutter *cut) {
+static void exchange_result(burnish_mesh *mesh, cutter *cut) {
     burnish_mesh_view *view = &mesh->view;
     for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
         void *old = mesh->attributes[a];
@@ -323,8 +323,8 @@ static burnish_inside find_inside(const burnish_mesh *mesh) {
     return volume > 0 ? BURNISH_INSIDE_BACK : BURNISH_INSIDE_FRONT;
 }
 
-static burnish_status check(const burnish_mesh *mesh, const burnish_clip_plane *plane,
-                            burnish_error *error) {
+static burnish_status check_clip(const burnish_mesh *mesh, const burnish_clip_plane *plane,
+                                 burnish_error *error) {
     if (!mesh || !plane) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "clip: the %s is NULL; pass one",
                             !mesh ? "mesh" : "plane");
@@ -346,7 +346,7 @@ static burnish_status check(const burnish_mesh *mesh, const burnish_clip_plane *
 
 burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *plane,
                                  burnish_error *error) {
-    burnish_status status = check(mesh, plane, error);
+    burnish_status status = check_clip(mesh, plane, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -367,10 +367,10 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
         }
     }
     if (status != BURNISH_STATUS_OK || !cut.cuts_something) {
-        release(&cut);
+        release_result(&cut);
         return status;
     }
-    status = reserve(&cut, triangles, vertices, &memory);
+    status = reserve_result(&cut, triangles, vertices, &memory);
     if (status == BURNISH_STATUS_OK) {
         copy_vertices(&cut);
         cut_triangles(&cut);
@@ -382,8 +382,8 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
     if (status == BURNISH_STATUS_OK) {
         view->inside = view->cut_count == 0 ? find_inside(mesh) : view->inside;
         view->cuts[view->cut_count++] = *plane;
-        exchange(mesh, &cut);
+        exchange_result(mesh, &cut);
     }
-    release(&cut);
+    release_result(&cut);
     return status;
 }

@@ -171,8 +171,8 @@ static void replace_materials(burnish_mesh *mesh, int has_texture) {
     mesh->attributes[BURNISH_TANGENT] = NULL;
 }
 
-static burnish_status check(const burnish_mesh *mesh, const burnish_coloring *coloring,
-                            burnish_error *error) {
+static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_coloring *coloring,
+                                     burnish_error *error) {
     const double *range = coloring ? coloring->range : NULL;
     if (!mesh || !coloring) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "colours: the %s is NULL; pass one",
@@ -202,7 +202,7 @@ static burnish_status check(const burnish_mesh *mesh, const burnish_coloring *co
 
 burnish_status burnish_mesh_color_by(burnish_mesh *mesh, const burnish_coloring *coloring,
                                      double range[2], burnish_error *error) {
-    burnish_status status = check(mesh, coloring, error);
+    burnish_status status = check_coloring(mesh, coloring, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }

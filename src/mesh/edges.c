@@ -66,7 +66,7 @@ static void sort_sides(void *context, size_t first, size_t end) {
 }
 
 /* For each vertex the first vertex at its position. */
-static burnish_status weld(finder *f, burnish_tasks *tasks, burnish_memory *memory) {
+static burnish_status weld_vertices(finder *f, burnish_tasks *tasks, burnish_memory *memory) {
     const size_t count = f->mesh->vertex_count;
     size_t unique = 0;
     float *positions = burnish_allocate(memory, count, 3 * sizeof *positions, "edges");
@@ -139,7 +139,7 @@ static uint32_t find_sharpness(const finder *f, const uint32_t sides[2], const u
 }
 
 /* Among several sides, the one whose triangle is bent most against the first. */
-static uint32_t partner(const finder *f, const uint64_t *sides, size_t count) {
+static uint32_t choose_partner(const finder *f, const uint64_t *sides, size_t count) {
     const burnish_vec3 normal = face_normal(f, (uint32_t)sides[0]);
     double least = 2;
     uint32_t chosen = (uint32_t)sides[1];
@@ -162,7 +162,7 @@ static burnish_edge make_edge(const finder *f, const uint64_t *sides, size_t cou
         .ends = {f->heads[indices[side]], f->heads[indices[side - corner + following[corner]]]},
         .triangles = {side / 3, BURNISH_EDGE_OPEN}};
     if (count > 1) {
-        const uint32_t pair[2] = {side, partner(f, sides, count)};
+        const uint32_t pair[2] = {side, choose_partner(f, sides, count)};
         edge.triangles[1] = pair[1] / 3;
         edge.flags = find_sharpness(f, pair, edge.ends);
         edge.flags |= f->heads[indices[pair[1]]] == edge.ends[0] ? BURNISH_EDGE_ALIKE : 0;
@@ -235,9 +235,9 @@ static burnish_status list_sides(finder *f, burnish_tasks *tasks, burnish_error 
     return status;
 }
 
-static burnish_status find(finder *f, burnish_tasks *tasks, burnish_memory *memory) {
+static burnish_status find_edges(finder *f, burnish_tasks *tasks, burnish_memory *memory) {
     const size_t vertices = f->mesh->vertex_count;
-    burnish_status status = weld(f, tasks, memory);
+    burnish_status status = weld_vertices(f, tasks, memory);
     if (status == BURNISH_STATUS_OK) {
         status = list_sides(f, tasks, memory->error);
     }
@@ -266,7 +266,7 @@ burnish_status burnish_edges_find(const burnish_mesh_view *mesh, burnish_tasks *
     f.sides = burnish_allocate(memory, mesh->triangle_count, 3 * sizeof *f.sides, what);
     burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
-        status = find(&f, tasks, memory);
+        status = find_edges(&f, tasks, memory);
     }
     burnish_release(memory->context, f.heads);
     burnish_release(memory->context, f.first);

@@ -299,8 +299,9 @@ static burnish_status refuse_warnings(burnish_mesh **mesh, burnish_error *error)
 /* Reads and builds. Releases *owned, the bytes of a file, as soon as they have been read. start:
  * when the file was opened. *again becomes 1 if streaming failed and should be retried with
  * all bytes in memory. */
-static burnish_status load(const burnish_reader_input *input, burnish_format format, uint8_t *owned,
-                           double start, burnish_mesh **mesh, int *again, burnish_error *error) {
+static burnish_status load_input(const burnish_reader_input *input, burnish_format format,
+                                 uint8_t *owned, double start, burnish_mesh **mesh, int *again,
+                                 burnish_error *error) {
     const burnish_context *context = input->options->context;
     burnish_tasks tasks;
     burnish_tasks_begin(&tasks, context, input->options->threads);
@@ -360,7 +361,7 @@ static burnish_status load_streamed(int descriptor, opened_file *file, burnish_r
     head.bytes = file->bytes;
     head.size = file->whole;
     head.streamed = &streaming;
-    burnish_status status = load(&head, file->streamed, NULL, start, mesh, again, error);
+    burnish_status status = load_input(&head, file->streamed, NULL, start, mesh, again, error);
     if (!*again) {
         lseek(descriptor, 0, SEEK_END); /* as if it had been read to its end */
         return status;
@@ -391,7 +392,7 @@ static burnish_status load_opened(const char *path, int descriptor, opened_file 
     }
     input->bytes = file->bytes;
     input->size = file->size;
-    return load(input, input->options->format, file->bytes, start, mesh, &again, error);
+    return load_input(input, input->options->format, file->bytes, start, mesh, &again, error);
 }
 
 /* From a path, or from a descriptor if that is NULL. */
@@ -472,7 +473,7 @@ burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const ch
     }
     const burnish_float_mode before = burnish_float_mode_enter();
     int again;
-    status = load(&input, options->format, NULL, burnish_seconds_now(), mesh, &again, error);
+    status = load_input(&input, options->format, NULL, burnish_seconds_now(), mesh, &again, error);
     burnish_float_mode_leave(before);
     return status;
 }

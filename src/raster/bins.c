@@ -194,7 +194,7 @@ typedef struct band_context {
     void *context;
 } band_context;
 
-static void draw_task(void *context, size_t index, int thread) {
+static void draw_binned_tile(void *context, size_t index, int thread) {
     const band_context *band = context;
     const burnish_bins *bins = band->bins;
     band->draw(band->context, (int)index % bins->columns,
@@ -229,7 +229,7 @@ burnish_status burnish_bands_draw_rows(const burnish_bands *bands, int first_row
         if (status == BURNISH_STATUS_OK) {
             const int count = bins->columns * (bins->end_row - bins->first_row);
             burnish_tasks_run(bands->tasks, (size_t)count, tile_grain(count, bands->threads),
-                              bands->threads, draw_task, &band);
+                              bands->threads, draw_binned_tile, &band);
             status = burnish_tasks_check(bands->tasks, error);
         }
     } while (status == BURNISH_STATUS_OK && bins->end_row < bins->rows);

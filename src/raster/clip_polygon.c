@@ -26,8 +26,8 @@ static float plane_distance(const float p[4], int plane) {
 
 /* The point where an edge leaves a plane. Interpolates from the inner end, so both triangles at the
  * edge get the same bits. */
-static burnish_clip_corner cut(const burnish_clip_corner *inner, float inner_distance,
-                               const burnish_clip_corner *outer, float outer_distance) {
+static burnish_clip_corner cut_edge(const burnish_clip_corner *inner, float inner_distance,
+                                    const burnish_clip_corner *outer, float outer_distance) {
     float t = inner_distance / (inner_distance - outer_distance);
     burnish_clip_corner point;
     for (int i = 0; i < 4; ++i) {
@@ -40,7 +40,7 @@ static burnish_clip_corner cut(const burnish_clip_corner *inner, float inner_dis
 }
 
 /* Rounding of the cut points can make a polygon slightly concave; the bound still holds. */
-static int append(burnish_clip_corner *out, int count, burnish_clip_corner corner) {
+static int append_corner(burnish_clip_corner *out, int count, burnish_clip_corner corner) {
     if (count < BURNISH_CLIP_MAX) {
         out[count++] = corner;
     }
@@ -56,12 +56,12 @@ static int clip_plane(const burnish_clip_corner *in, int count, int plane,
         float da = plane_distance(a->position, plane);
         float db = plane_distance(b->position, plane);
         if (da >= 0) {
-            kept = append(out, kept, *a);
+            kept = append_corner(out, kept, *a);
         }
         if (da >= 0 && db < 0) {
-            kept = append(out, kept, cut(a, da, b, db));
+            kept = append_corner(out, kept, cut_edge(a, da, b, db));
         } else if (da < 0 && db >= 0) {
-            kept = append(out, kept, cut(b, db, a, da));
+            kept = append_corner(out, kept, cut_edge(b, db, a, da));
         }
     }
     return kept;

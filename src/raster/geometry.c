@@ -61,8 +61,8 @@ static void to_clip_space(const burnish_raster_view *view, const float p[3], flo
 }
 
 /* The perspective division of a corner that clipping has left. */
-static clipped_vertex project(const burnish_raster_view *view, const burnish_clip_corner *corner,
-                              uint32_t triangle) {
+static clipped_vertex project_corner(const burnish_raster_view *view,
+                                     const burnish_clip_corner *corner, uint32_t triangle) {
     const float *clip = corner->position;
     const float inverse_w = 1.0f / clip[3];
     const int half = BURNISH_SUBPIXELS / 2;
@@ -101,7 +101,7 @@ static burnish_status clip_triangle(const update_context *update, uint32_t trian
         return memory.status;
     }
     for (int i = 0; i < count; ++i) {
-        part->vertices[part->vertex_count++] = project(update->view, &corners[i], triangle);
+        part->vertices[part->vertex_count++] = project_corner(update->view, &corners[i], triangle);
     }
     for (uint32_t i = 1; i + 1 < (uint32_t)count; ++i) {
         const uint32_t base = (uint32_t)first;

@@ -257,8 +257,9 @@ BURNISH_INLINE void draw_single_sampled(burnish_tile *tile, const triangle_setup
     if (tiny > 1) { /* the pixels of all tiny ones at once */
         compute_tiny(setup, planes, pixels);
         others &= ~setup->tiny;
-        hits = spread(pixels->covered[0]) | spread(pixels->covered[1]) << 1 |
-               spread(pixels->covered[2]) << 2 | spread(pixels->covered[3]) << 3;
+        hits = spread_bits_by_4(pixels->covered[0]) | spread_bits_by_4(pixels->covered[1]) << 1 |
+               spread_bits_by_4(pixels->covered[2]) << 2 |
+               spread_bits_by_4(pixels->covered[3]) << 3;
     }
     for (; others; others &= others - 1) {
         const unsigned lane = (unsigned)__builtin_ctz(others);

@@ -55,7 +55,7 @@ BURNISH_INLINE void compute_tiny(const triangle_setup *setup, int planes, tiny_p
 }
 
 /* Bit i to bit 4 i. */
-BURNISH_INLINE uint64_t spread(unsigned bits) {
+BURNISH_INLINE uint64_t spread_bits_by_4(unsigned bits) {
     uint64_t x = bits;
     x = (x | x << 24) & 0x000000ff000000ffull;
     x = (x | x << 12) & 0x000f000f000f000full;

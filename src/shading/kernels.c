@@ -159,9 +159,10 @@ static burnish_status check_points(const burnish_kernels_shader *shader,
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status shade(const burnish_kernels *kernels, const burnish_kernels_shader *shader,
-                            const burnish_kernels_points *points, size_t count, uint8_t *rgba,
-                            float *const rgb[3], burnish_error *error) {
+static burnish_status shade_points(const burnish_kernels *kernels,
+                                   const burnish_kernels_shader *shader,
+                                   const burnish_kernels_points *points, size_t count,
+                                   uint8_t *rgba, float *const rgb[3], burnish_error *error) {
     const burnish_status status = check_points(shader, points, error);
     if (status == BURNISH_STATUS_OK) {
         const burnish_float_mode float_mode = burnish_float_mode_enter();
@@ -177,14 +178,14 @@ burnish_status burnish_kernels_shade_rgba8(const burnish_kernels *kernels,
                                            const burnish_kernels_shader *shader,
                                            const burnish_kernels_points *points, size_t count,
                                            uint8_t *rgba, burnish_error *error) {
-    return shade(kernels, shader, points, count, rgba, NULL, error);
+    return shade_points(kernels, shader, points, count, rgba, NULL, error);
 }
 
 burnish_status burnish_kernels_shade_float(const burnish_kernels *kernels,
                                            const burnish_kernels_shader *shader,
                                            const burnish_kernels_points *points, size_t count,
                                            float *const rgb[3], burnish_error *error) {
-    return shade(kernels, shader, points, count, NULL, rgb, error);
+    return shade_points(kernels, shader, points, count, NULL, rgb, error);
 }
 
 /* ---- Polygonal lights ---- */

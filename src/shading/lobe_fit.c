@@ -114,7 +114,7 @@ static double imbalance(double zeta, const void *context) {
 }
 
 /* The zeta at which both errors are equal, for a given peak; zeta m/n is in (0.6, 1.42). */
-static double balance(int order, double n, double scale, double tolerance) {
+static double balanced_zeta(int order, double n, double scale, double tolerance) {
     const family f = {0, scale, n, order, 0};
     return find_root(imbalance, &f, 0.5 * n / order, 1.5 * n / order, tolerance);
 }
@@ -124,7 +124,7 @@ static double excess_at_peak(double drop, const void *context) {
     family f = *(const family *)context;
     double above, below;
     f.scale = 1 - drop;
-    f.zeta = balance(f.order, f.exponent, f.scale, 1e-13);
+    f.zeta = balanced_zeta(f.order, f.exponent, f.scale, 1e-13);
     largest_errors(&f, &above, &below);
     return drop - (above > below ? above : below);
 }
@@ -175,8 +175,8 @@ static double projected_zeta(double m, double n) {
     return (a + burnish_sqrt(a * (a - 4 * (m + 1)))) / (2 * (m + 1) * (m + 2));
 }
 
-static burnish_lobe_status check(const burnish_lobe_spec *lobe, burnish_lobe_fit fit,
-                                 double exponent) {
+static burnish_lobe_status check_fit(const burnish_lobe_spec *lobe, burnish_lobe_fit fit,
+                                     double exponent) {
     const int order = lobe->order;
     burnish_lobe_status status = burnish_lobe_check(order, exponent);
     if ((lobe->kind != BURNISH_LOBE_FAMILY && lobe->kind != BURNISH_LOBE_LYON) ||
@@ -208,7 +208,7 @@ burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exp
                                        double *scale) {
     const burnish_lobe_fit fit = lobe->kind == BURNISH_LOBE_LYON ? BURNISH_FIT_TAYLOR : lobe->fit;
     const int order = lobe->order;
-    const burnish_lobe_status status = check(lobe, fit, exponent);
+    const burnish_lobe_status status = check_fit(lobe, fit, exponent);
     *zeta = *scale = 0;
     if (status != BURNISH_LOBE_OK) {
         return status;
@@ -241,7 +241,7 @@ burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exp
         *zeta = projected_zeta(order, exponent);
         break;
     case BURNISH_FIT_MINIMAX:
-        *zeta = balance(order, exponent, 1, 1e-15);
+        *zeta = balanced_zeta(order, exponent, 1, 1e-15);
         break;
     case BURNISH_FIT_LEAST_SQUARES:
         *zeta = find_root(squares_slope, &unsolved, 0.5 * exponent / order, 1.5 * exponent / order,
@@ -249,7 +249,7 @@ burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exp
         break;
     case BURNISH_FIT_AFFINE:
         *scale = 1 - find_root(excess_at_peak, &unsolved, 0, 0.1, 1e-13);
-        *zeta = balance(order, exponent, *scale, 1e-15);
+        *zeta = balanced_zeta(order, exponent, *scale, 1e-15);
         break;
     case BURNISH_FIT_GIVEN:
         *zeta = lobe->parameter;

@@ -140,8 +140,8 @@ static int read_tail(const struct word *word, const char *rest, burnish_lobe_spe
     return number >= 0 && lobe->order != 0;
 }
 
-static burnish_status parse(const char *text, int only_drawn, burnish_lobe_spec *lobe,
-                            burnish_error *error) {
+static burnish_status parse_lobe(const char *text, int only_drawn, burnish_lobe_spec *lobe,
+                                 burnish_error *error) {
     if (!text || !lobe) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: NULL; pass a text and a lobe");
     }
@@ -181,12 +181,12 @@ static burnish_status parse(const char *text, int only_drawn, burnish_lobe_spec 
 
 burnish_status burnish_lobe_spec_parse(const char *text, burnish_lobe_spec *lobe,
                                        burnish_error *error) {
-    return parse(text, 1, lobe, error);
+    return parse_lobe(text, 1, lobe, error);
 }
 
 burnish_status burnish_lobe_spec_parse_any(const char *text, burnish_lobe_spec *lobe,
                                            burnish_error *error) {
-    return parse(text, 0, lobe, error);
+    return parse_lobe(text, 0, lobe, error);
 }
 
 /* A number in [0, 65536] without the locale's decimal point: the shortest that read_number reads

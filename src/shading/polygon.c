@@ -82,18 +82,18 @@ typedef struct shape {
     double size;      /* largest distance of two corners */
 } shape;
 
-static double dot(const double a[3], const double b[3]) {
+static double dot3(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void cross(const double a[3], const double b[3], double product[3]) {
+static void cross3(const double a[3], const double b[3], double product[3]) {
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         product[k] = a[i] * b[j] - a[j] * b[i];
     }
 }
 
-static void subtract(const double a[3], const double b[3], double difference[3]) {
+static void subtract3(const double a[3], const double b[3], double difference[3]) {
     for (int k = 0; k < 3; ++k) {
         difference[k] = a[k] - b[k];
     }
@@ -117,7 +117,7 @@ static burnish_status read_vertices(const burnish_kernels_polygon *polygon, shap
             corner[k] = (double)polygon->vertices[v][k];
             corner[k] -= polygon->is_distant ? 0.0 : (double)polygon->vertices[0][k];
         }
-        const double length = burnish_sqrt(dot(corner, corner));
+        const double length = burnish_sqrt(dot3(corner, corner));
         for (int k = 0; polygon->is_distant && k < 3; ++k) {
             corner[k] /= length > 0 ? length : 1;
         }
@@ -130,18 +130,18 @@ static burnish_status find_normal(shape *made, burnish_error *error) {
     made->size = 0;
     for (int v = 0; v < made->count; ++v) {
         double part[3], d[3];
-        cross(made->corner[v], made->corner[(v + 1) % made->count], part);
+        cross3(made->corner[v], made->corner[(v + 1) % made->count], part);
         for (int k = 0; k < 3; ++k) {
             normal[k] += part[k];
         }
         for (int other = 0; other < v; ++other) {
-            subtract(made->corner[v], made->corner[other], d);
-            const double distance = burnish_sqrt(dot(d, d));
+            subtract3(made->corner[v], made->corner[other], d);
+            const double distance = burnish_sqrt(dot3(d, d));
             made->size = distance > made->size ? distance : made->size;
             least = v == 1 || distance < least ? distance : least;
         }
     }
-    const double length = burnish_sqrt(dot(normal, normal));
+    const double length = burnish_sqrt(dot3(normal, normal));
     if (!(length > TOLERANCE * TOLERANCE * made->size * made->size)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: it has no area");
     }
@@ -159,17 +159,17 @@ static double find_side(const shape *made, int edge, int corner, double facing) 
     const double *a = made->corner[edge], *b = made->corner[(edge + 1) % made->count];
     const double *c = made->corner[corner];
     double along[3], to_c[3], normal[3];
-    subtract(b, a, along);
-    subtract(c, a, to_c);
-    cross(along, to_c, normal);
-    const double length = burnish_sqrt(dot(along, along));
-    return (facing != 0 ? -dot(normal, a) * facing : dot(normal, made->normal)) / length;
+    subtract3(b, a, along);
+    subtract3(c, a, to_c);
+    cross3(along, to_c, normal);
+    const double length = burnish_sqrt(dot3(along, along));
+    return (facing != 0 ? -dot3(normal, a) * facing : dot3(normal, made->normal)) / length;
 }
 
 /* facing: of a distant light, 1 if (0, 0, 0) is on its bright side and -1 behind it. */
 static burnish_status check_shape(const shape *made, double facing, burnish_error *error) {
     for (int v = 0; v < made->count; ++v) {
-        const double height = dot(made->corner[v], made->normal);
+        const double height = dot3(made->corner[v], made->normal);
         if (facing == 0 && (height > TOLERANCE * made->size || height < -TOLERANCE * made->size)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "polygon: vertex %d is not in the plane of the others", v + 1);
@@ -188,7 +188,7 @@ static burnish_status check_shape(const shape *made, double facing, burnish_erro
 static burnish_status find_facing(const shape *made, double *facing, burnish_error *error) {
     double sum = 0;
     for (int v = 0; v < made->count; ++v) {
-        sum -= dot(made->normal, made->corner[v]) / made->count;
+        sum -= dot3(made->normal, made->corner[v]) / made->count;
     }
     *facing = sum > 0 ? 1 : -1;
     return sum * *facing > TOLERANCE
@@ -211,7 +211,7 @@ static void find_sphere(burnish_polygon_constants *constants) {
         for (int k = 0; k < 3; ++k) {
             d[k] = (double)constants->vertex[v][k] - center[k];
         }
-        squared = dot(d, d) > squared ? dot(d, d) : squared;
+        squared = dot3(d, d) > squared ? dot3(d, d) : squared;
     }
     for (int k = 0; k < 3; ++k) {
         constants->center[k] = (float)center[k];

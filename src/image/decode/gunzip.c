@@ -18,8 +18,8 @@ static burnish_status fail_limit(burnish_memory *memory, const burnish_gzip_file
 
 /* Decompresses all members into *items, *count bytes. Bytes after the last member that do not begin
  * another one are padding. */
-static burnish_status unpack(burnish_inflate *inflate, const burnish_gzip_file *file,
-                             burnish_memory *memory, uint8_t **items, size_t *count) {
+static burnish_status unpack_members(burnish_inflate *inflate, const burnish_gzip_file *file,
+                                     burnish_memory *memory, uint8_t **items, size_t *count) {
     const uint64_t bound = file->max_bytes < file->budget ? file->max_bytes : file->budget;
     const uint8_t *bytes = file->bytes;
     size_t capacity = 0, left = file->size;
@@ -59,7 +59,7 @@ burnish_status burnish_gunzip(const burnish_gzip_file *file, burnish_memory *mem
     if (!inflate) {
         return memory->status;
     }
-    burnish_status status = unpack(inflate, file, memory, unpacked, unpacked_size);
+    burnish_status status = unpack_members(inflate, file, memory, unpacked, unpacked_size);
     burnish_inflate_destroy(memory->context, inflate);
     if (status != BURNISH_STATUS_OK) {
         burnish_release(memory->context, *unpacked);

@@ -9,7 +9,7 @@ struct burnish_inflate {
     int is_raw;
 };
 
-static void begin(burnish_inflate *inflate) {
+static void inflate_begin(burnish_inflate *inflate) {
     isal_inflate_init(&inflate->state);
     inflate->state.crc_flag = inflate->is_raw ? ISAL_DEFLATE : ISAL_GZIP;
 }
@@ -18,7 +18,7 @@ burnish_inflate *burnish_inflate_create(burnish_memory *memory, int is_raw) {
     burnish_inflate *made = burnish_allocate_zeroed(memory, 1, sizeof *made, "unpacking");
     if (made) {
         made->is_raw = is_raw;
-        begin(made);
+        inflate_begin(made);
     }
     return made;
 }
@@ -47,7 +47,7 @@ burnish_inflate_result burnish_inflate_step(burnish_inflate *inflate, const uint
     if (state->block_state != ISAL_BLOCK_FINISH) {
         return BURNISH_INFLATE_MORE;
     }
-    begin(inflate);
+    inflate_begin(inflate);
     return BURNISH_INFLATE_END;
 }
 

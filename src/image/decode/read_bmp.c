@@ -91,7 +91,7 @@ static const char *read_header(const burnish_encoded *from, bmp *b) {
 }
 
 /* The bits under a mask, to 255. */
-static uint8_t field(uint32_t pixel, uint32_t mask) {
+static uint8_t masked_byte(uint32_t pixel, uint32_t mask) {
     const uint32_t lowest = mask & (0u - mask);
     const uint64_t most = lowest ? mask / lowest : 0, value = lowest ? (pixel & mask) / lowest : 0;
     return (uint8_t)(most ? (value * 255 + most / 2) / most : 0);
@@ -118,7 +118,7 @@ static void write_pixel(const bmp *b, const uint8_t *row, size_t x, uint8_t rgba
     }
     const uint32_t pixel = b->depth == 16 ? burnish_load16(at) : burnish_load32(at);
     for (size_t i = 0; i < 3 + (size_t)(b->masks[3] != 0); ++i) {
-        rgba[i] = field(pixel, b->masks[i]);
+        rgba[i] = masked_byte(pixel, b->masks[i]);
     }
 }
 

@@ -39,13 +39,13 @@ typedef struct exr {
  * hide that memory is short, and damaged PXR24 counts as such. */
 static _Thread_local int ran_short;
 
-static burnish_status fail(const exr *e, burnish_status status, const char *what) {
+static burnish_status exr_fail(const exr *e, burnish_status status, const char *what) {
     return burnish_fail(e->memory->error, status, "%.200s: %s", e->from->name, what);
 }
 
 static burnish_status fail_codec(const exr *e, exr_result_t result) {
     if (e->is_long && !e->is_open) {
-        return fail(e, BURNISH_STATUS_LIMIT, "headers of more than 512 KiB; convert it");
+        return exr_fail(e, BURNISH_STATUS_LIMIT, "headers of more than 512 KiB; convert it");
     }
     if (ran_short) {
         return burnish_fail_memory(e->memory->error, e->from->name, e->from->size);
@@ -75,7 +75,7 @@ static int64_t find_size(exr_const_context_t codec, void *user_data) {
 }
 
 /* Cleared: the library can leave parts of a damaged block unwritten. */
-static void *allocate(size_t size) {
+static void *exr_allocate(size_t size) {
     void *memory = calloc(1, size);
     ran_short |= memory == NULL;
     return memory;
@@ -149,9 +149,9 @@ static burnish_status choose_part(exr *e) {
         return fail_codec(e, result);
     }
     if (e->part == count) {
-        return fail(e, BURNISH_STATUS_FORMAT,
-                    is_deep ? "deep images are not supported; convert it"
-                            : "neither channels R, G and B nor Y; convert it");
+        return exr_fail(e, BURNISH_STATUS_FORMAT,
+                        is_deep ? "deep images are not supported; convert it"
+                                : "neither channels R, G and B nor Y; convert it");
     }
     if (count > 1) {
         burnish_error line;
@@ -234,7 +234,7 @@ static burnish_status decode_block(exr *e, const exr_chunk_info_t *chunk) {
         result = exr_decoding_run(e->codec, e->part, blocks);
     }
     if (result == EXR_ERR_CORRUPT_CHUNK) { /* also if zlib got no memory, so there must be some */
-        free(allocate(ZLIB_MEMORY));
+        free(exr_allocate(ZLIB_MEMORY));
         result = exr_decoding_run(e->codec, e->part, blocks);
     }
     return result == EXR_ERR_SUCCESS ? BURNISH_STATUS_OK : fail_codec(e, result);
@@ -263,8 +263,8 @@ static burnish_status read_block(exr *e, const exr_chunk_info_t *chunk, int x, i
             sink->add(sink->context, x + i, y + j, rgb);
         }
     }
-    return is_damaged ? fail(e, BURNISH_STATUS_FORMAT,
-                             "a block has another size than its pixels; it is damaged")
+    return is_damaged ? exr_fail(e, BURNISH_STATUS_FORMAT,
+                                 "a block has another size than its pixels; it is damaged")
                       : BURNISH_STATUS_OK;
 }
 
@@ -298,7 +298,7 @@ static burnish_status read_pixels(exr *e, const burnish_float_sink *sink) {
         return fail_codec(e, result);
     }
     if (bytes > CHUNK_MAX) {
-        return fail(e, BURNISH_STATUS_LIMIT, "blocks of more than 256 MiB; convert it");
+        return exr_fail(e, BURNISH_STATUS_LIMIT, "blocks of more than 256 MiB; convert it");
     }
     float *rows = burnish_allocate_zeroed(e->memory, CHANNELS * (size_t)e->width, sizeof(float),
                                           e->from->name);
@@ -342,7 +342,7 @@ burnish_status burnish_decode_exr(const burnish_encoded *from, burnish_memory *m
     exr e = {.from = from, .memory = memory};
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
     setup.user_data = &e;
-    setup.alloc_fn = allocate;
+    setup.alloc_fn = exr_allocate;
     setup.free_fn = free;
     setup.read_fn = read_bytes;
     setup.size_fn = find_size;

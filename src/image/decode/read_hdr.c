@@ -18,7 +18,7 @@ typedef struct hdr {
         from_below; /* scan lines are columns; axes run down from the end */
 } hdr;
 
-static burnish_status fail(const hdr *h, const char *what) {
+static burnish_status hdr_fail(const hdr *h, const char *what) {
     return burnish_fail(h->memory->error, BURNISH_STATUS_FORMAT, "%.200s: %s", h->from->name, what);
 }
 
@@ -67,7 +67,7 @@ static burnish_status read_variable(hdr *h, const char *line) {
     if (strncmp(line, format, strlen(format)) == 0) {
         return strcmp(line + strlen(format), "32-bit_rle_rgbe") == 0
                    ? BURNISH_STATUS_OK
-                   : fail(h, "only the format 32-bit_rle_rgbe is supported; convert it");
+                   : hdr_fail(h, "only the format 32-bit_rle_rgbe is supported; convert it");
     }
     const int is_exposure = strncmp(line, exposure, strlen(exposure)) == 0;
     if (!is_exposure && strncmp(line, correction, strlen(correction)) != 0) {
@@ -78,7 +78,7 @@ static burnish_status read_variable(hdr *h, const char *line) {
     for (int k = 0; k < 3; ++k) {
         value = is_exposure && k > 0 ? value : read_number(&line);
         if (!(value >= 1e-30 && value <= 1e30)) {
-            return fail(h, "EXPOSURE and COLORCORR must be positive numbers");
+            return hdr_fail(h, "EXPOSURE and COLORCORR must be positive numbers");
         }
         h->scale[k] /= value;
     }
@@ -113,12 +113,12 @@ static burnish_status read_header(hdr *h) {
     read_line(h, line); /* the signature */
     do {
         if (!read_line(h, line)) {
-            return fail(h, "the header has no end; the file is truncated");
+            return hdr_fail(h, "the header has no end; the file is truncated");
         }
         status = read_variable(h, line);
     } while (line[0] && status == BURNISH_STATUS_OK);
     if (status == BURNISH_STATUS_OK && (!read_line(h, line) || !read_size(h, line))) {
-        return fail(h, "no line such as \"-Y 512 +X 1024\" follows the header");
+        return hdr_fail(h, "no line such as \"-Y 512 +X 1024\" follows the header");
     }
     return status;
 }

@@ -32,7 +32,7 @@ typedef struct jpeg_reader {
     char reason[JMSG_LENGTH_MAX];
 } jpeg_reader;
 
-static void fail(j_common_ptr codec) {
+static void jpeg_fail(j_common_ptr codec) {
     jpeg_reader *reader = (jpeg_reader *)codec->err;
     codec->err->format_message(codec, reader->reason);
     longjmp(reader->place, 1);
@@ -43,7 +43,7 @@ static void pass_over(j_common_ptr codec, int level) {
 }
 
 /* Called from time to time: rejects files with too many scans. */
-static void watch(j_common_ptr codec) {
+static void jpeg_watch(j_common_ptr codec) {
     jpeg_reader *reader = (jpeg_reader *)codec->err;
     if (codec->is_decompressor &&
         ((j_decompress_ptr)codec)->input_scan_number > reader->most_scans) {
@@ -89,8 +89,8 @@ static burnish_status fail_codec(j_decompress_ptr codec, const burnish_encoded *
     }
 }
 
-static burnish_status decode(j_decompress_ptr codec, const burnish_encoded *from,
-                             burnish_memory *memory, burnish_image *picture, uint8_t **line) {
+static burnish_status jpeg_decode(j_decompress_ptr codec, const burnish_encoded *from,
+                                  burnish_memory *memory, burnish_image *picture, uint8_t **line) {
     jpeg_reader *reader = (jpeg_reader *)codec->err;
     if (setjmp(reader->place)) {
         return fail_codec(codec, from, memory);
@@ -140,16 +140,16 @@ burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *
     memset(&codec, 0, sizeof codec);
     memset(&reader, 0, sizeof reader);
     codec.err = jpeg_std_error(&reader.manager);
-    reader.manager.error_exit = fail;
+    reader.manager.error_exit = jpeg_fail;
     reader.manager.emit_message = pass_over;
-    reader.progress.progress_monitor = watch;
+    reader.progress.progress_monitor = jpeg_watch;
     reader.most_scans = MOST_SCANS;
     if (setjmp(reader.place)) {
         jpeg_destroy_decompress(&codec);
         return fail_codec(&codec, from, memory);
     }
     jpeg_create_decompress(&codec);
-    const burnish_status status = decode(&codec, from, memory, picture, &line);
+    const burnish_status status = jpeg_decode(&codec, from, memory, picture, &line);
     jpeg_destroy_decompress(&codec);
     burnish_release(memory->context, line);
     return status;

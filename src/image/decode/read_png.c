@@ -27,7 +27,7 @@ typedef struct decoder {
     uint8_t palette[256][4]; /* black beyond its end, as libpng has it */
 } decoder;
 
-static png_voidp allocate(png_structp png, png_alloc_size_t size) {
+static png_voidp png_read_allocate(png_structp png, png_alloc_size_t size) {
     decoder *d = png_get_mem_ptr(png);
     return burnish_allocate(&d->memory, size, 1, "reading a PNG");
 }
@@ -37,7 +37,7 @@ static void give_back(png_structp png, png_voidp items) {
     burnish_release(d->memory.context, items);
 }
 
-static void take(png_structp png, png_bytep to, size_t count) {
+static void png_read_take(png_structp png, png_bytep to, size_t count) {
     decoder *d = png_get_io_ptr(png);
     if (count > d->size - d->next) {
         png_error(png, "the file ends too early");
@@ -46,7 +46,7 @@ static void take(png_structp png, png_bytep to, size_t count) {
     d->next += count;
 }
 
-static void fail(png_structp png, png_const_charp reason) {
+static void png_read_fail(png_structp png, png_const_charp reason) {
     decoder *d = png_get_error_ptr(png);
     snprintf(d->reason, sizeof d->reason, "%s", reason);
     png_longjmp(png, 1);
@@ -181,8 +181,8 @@ static int is_whole(const decoder *d) {
     return 0;
 }
 
-static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_memory *memory,
-                             burnish_image *image) {
+static burnish_status png_read_decode(const burnish_encoded *from, decoder *d,
+                                      burnish_memory *memory, burnish_image *image) {
     if (setjmp(png_jmpbuf(d->png))) {
         return d->memory.status != BURNISH_STATUS_OK
                    ? d->memory.status
@@ -196,7 +196,7 @@ static burnish_status decode(const burnish_encoded *from, decoder *d, burnish_me
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    png_set_read_fn(d->png, d, take);
+    png_set_read_fn(d->png, d, png_read_take);
     png_set_user_limits(d->png, (png_uint_32)from->max_side, (png_uint_32)from->max_side);
     png_set_chunk_malloc_max(d->png, MOST_CHUNK_BYTES);
     png_set_chunk_cache_max(d->png, NO_CHUNKS);
@@ -223,10 +223,10 @@ burnish_status burnish_decode_png(const burnish_encoded *from, burnish_memory *m
     decoder d = {.bytes = from->bytes,
                  .size = from->size,
                  .memory = burnish_memory_of(memory->context, memory->error)};
-    d.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &d, fail, pass_over, &d, allocate,
-                                     give_back);
+    d.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &d, png_read_fail, pass_over, &d,
+                                     png_read_allocate, give_back);
     d.info = d.png ? png_create_info_struct(d.png) : NULL;
-    burnish_status status = d.info ? decode(from, &d, memory, picture)
+    burnish_status status = d.info ? png_read_decode(from, &d, memory, picture)
                                    : burnish_fail(memory->error, BURNISH_STATUS_MEMORY,
                                                   "%.200s: out of memory", from->name);
     png_destroy_read_struct(&d.png, &d.info, NULL);

@@ -28,7 +28,7 @@ typedef struct layout {
     int baseline, below; /* from the picture's lower edge to the baseline, and to the band's end */
 } layout;
 
-static int larger(int a, int b) {
+static int larger_of(int a, int b) {
     return a > b ? a : b;
 }
 
@@ -62,7 +62,7 @@ static burnish_status check_cells(const burnish_sheet_cell *cells, size_t count,
     return BURNISH_STATUS_OK;
 }
 
-static float measure(const burnish_font *font, const char *text, size_t length, int height) {
+static float measure_label(const burnish_font *font, const char *text, size_t length, int height) {
     static const uint8_t unused[3] = {0};
     return font ? (float)font->set_line(font->user_data, text, length, height, NULL, NULL) / 256
                 : burnish_text_draw(NULL, 0, 0, (float)height, unused, text, length);
@@ -76,7 +76,7 @@ static int fit_labels(const burnish_sheet_cell *cells, size_t count, int width, 
         }
         size_t length = strlen(cells[i].label);
         while (height > SMALLEST_LABEL &&
-               measure(cells[i].font, cells[i].label, length, height) > (float)width) {
+               measure_label(cells[i].font, cells[i].label, length, height) > (float)width) {
             --height;
         }
     }
@@ -89,13 +89,13 @@ static layout make_layout(const burnish_sheet_cell *cells, size_t count, int col
     layout made = {.columns = columns,
                    .width = image->width,
                    .height = image->height,
-                   .gap = larger(LEAST_GAP, shorter / GAP_DIVISOR)};
+                   .gap = larger_of(LEAST_GAP, shorter / GAP_DIVISOR)};
     int labels = 0;
     for (size_t i = 0; i < count; ++i) {
         labels |= has_label(&cells[i]);
     }
     if (labels) {
-        int height = larger(LEAST_LABEL, image->height / LABEL_DIVISOR);
+        int height = larger_of(LEAST_LABEL, image->height / LABEL_DIVISOR);
         made.label = fit_labels(cells, count, image->width, height);
         made.baseline = made.label * 9 / 5;
         made.below = made.baseline + made.label / 2;
@@ -103,7 +103,7 @@ static layout make_layout(const burnish_sheet_cell *cells, size_t count, int col
     return made;
 }
 
-static void fill(burnish_image *image, const uint8_t color[3]) {
+static void fill_background(burnish_image *image, const uint8_t color[3]) {
     size_t count = (size_t)image->width * (size_t)image->height;
     uint8_t *pixel = image->pixels;
     for (size_t i = 0; i < count; ++i) {
@@ -127,12 +127,12 @@ static size_t whole_characters(const char *text, size_t length) {
 /* Length of the longest beginning of text that fits width together with an ellipsis. */
 static size_t cut_length(const burnish_font *font, const char *text, size_t length, int height,
                          float width) {
-    float room = width - measure(font, ellipsis, sizeof ellipsis - 1, height);
+    float room = width - measure_label(font, ellipsis, sizeof ellipsis - 1, height);
     size_t fits = 0;
     size_t fails = length + 1;
     while (fails - fits > 1) {
         size_t middle = fits + (fails - fits) / 2;
-        if (measure(font, text, whole_characters(text, middle), height) <= room) {
+        if (measure_label(font, text, whole_characters(text, middle), height) <= room) {
             fits = middle;
         } else {
             fails = middle;
@@ -216,7 +216,7 @@ static burnish_status draw_label(const page *to, int x, int baseline,
     const char *text = cell->label;
     const float width = (float)to->made->width;
     const size_t length = strlen(text);
-    const float advance = measure(cell->font, text, length, to->made->label);
+    const float advance = measure_label(cell->font, text, length, to->made->label);
     const size_t kept =
         advance <= width ? length : cut_length(cell->font, text, length, to->made->label, width);
     if (kept == 0) {
@@ -295,7 +295,7 @@ static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell 
     }
     burnish_memory memory = burnish_memory_of(sheet->context, error);
     const page to = {.image = sheet, .ink = ink, .made = &made, .memory = &memory};
-    fill(sheet, background);
+    fill_background(sheet, background);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         int x, y;
         cell_corner(&made, i, &x, &y);

@@ -120,7 +120,8 @@ const char *burnish_drawing_name(const burnish_drawing *drawing, const burnish_d
     return op->name > 0 ? drawing->names + op->name - 1 : NULL;
 }
 
-static burnish_drawing_op colored(burnish_drawing_kind kind, const uint8_t color[3], float width) {
+static burnish_drawing_op colored_op(burnish_drawing_kind kind, const uint8_t color[3],
+                                     float width) {
     return (burnish_drawing_op){
         .kind = kind, .color = {color[0], color[1], color[2]}, .width = width};
 }
@@ -132,7 +133,7 @@ void burnish_drawing_use(burnish_drawing *drawing, burnish_error *error) {
 }
 
 void burnish_drawing_open(burnish_drawing *drawing, const uint8_t color[3], float opacity) {
-    push_op(drawing, colored(BURNISH_DRAWING_OPEN, color, opacity));
+    push_op(drawing, colored_op(BURNISH_DRAWING_OPEN, color, opacity));
 }
 
 void burnish_drawing_close(burnish_drawing *drawing) {
@@ -210,7 +211,7 @@ void burnish_drawing_strokes(burnish_drawing *drawing, const burnish_stroke *str
 /* ---- Areas ---- */
 
 void burnish_drawing_begin_area(burnish_drawing *drawing, const uint8_t color[3], int is_even_odd) {
-    burnish_drawing_op op = colored(BURNISH_DRAWING_AREA, color, 0);
+    burnish_drawing_op op = colored_op(BURNISH_DRAWING_AREA, color, 0);
     op.is_even_odd = is_even_odd;
     push_op(drawing, op);
 }
@@ -224,7 +225,7 @@ void burnish_drawing_hatch(burnish_drawing *drawing, const uint8_t color[3], flo
     if (count == 0) {
         return;
     }
-    push_op(drawing, colored(BURNISH_DRAWING_HATCH, color, width));
+    push_op(drawing, colored_op(BURNISH_DRAWING_HATCH, color, width));
     for (size_t i = 0; i < count; ++i) {
         push_line(drawing, lines + 4 * i, 2);
     }
@@ -232,7 +233,7 @@ void burnish_drawing_hatch(burnish_drawing *drawing, const uint8_t color[3], flo
 
 void burnish_drawing_outline(burnish_drawing *drawing, const burnish_outline *outline,
                              const uint8_t color[3], const char *name) {
-    burnish_drawing_op op = colored(BURNISH_DRAWING_AREA, color, 0);
+    burnish_drawing_op op = colored_op(BURNISH_DRAWING_AREA, color, 0);
     op.name = push_name(drawing, name);
     push_op(drawing, op);
     for (size_t i = 0; i < outline->count; ++i) {

@@ -28,14 +28,14 @@ enum { LEAST_SIDE = 240, CIRCLE = 48 };
 
 /* Pixels per unit at which `wide` and `deep` fit next to each other, with room around both; the
  * second has at least PICTORIAL_SHARE. */
-static double fit(double side, double room, double wide, double deep) {
+static double fit_views(double side, double room, double wide, double deep) {
     const double both = (side - 4 * room) / (wide + deep);
     const double one = wide > 0 ? ((1 - PICTORIAL_SHARE) * side - 2 * room) / wide : both;
     return one < both ? one : both;
 }
 
 /* The first is deep or wide, with room; the rest is shared. */
-static int divide(double side, double room, double wide, double deep) {
+static int divide_side(double side, double room, double wide, double deep) {
     const double least = PICTORIAL_SHARE * side, second = deep + 2 * room;
     const double rest = side - (wide + 2 * room) - (second > least ? second : least);
     return (int)(wide + 2 * room + rest / 2);
@@ -65,7 +65,7 @@ static double standard_scale(double limit, char *text, size_t size) {
     return limit;
 }
 
-static burnish_status check(const burnish_projection *projection, burnish_error *error) {
+static burnish_status check_projection(const burnish_projection *projection, burnish_error *error) {
     double sum = 0;
     if (projection->width < LEAST_SIDE || projection->height < LEAST_SIDE ||
         projection->width > BURNISH_IMAGE_MAX_SIZE || projection->height > BURNISH_IMAGE_MAX_SIZE) {
@@ -95,7 +95,7 @@ static void lay_out(burnish_projection *projection) {
     const double border = BORDER * projection->text_height, room = ROOM * projection->text_height;
     const double wide = projection->width - 2 * border;
     const double high = projection->height - 2 * border - STRIP * projection->text_height;
-    const double x = fit(wide, room, size[0], size[2]), y = fit(high, room, size[1], size[2]);
+    const double x = fit_views(wide, room, size[0], size[2]), y = fit_views(high, room, size[1], size[2]);
     projection->pixels_per_unit = x < y ? x : y;
     projection->scale[0] = 0;
     if (projection->pixels_per_millimetre > 0) {
@@ -106,8 +106,8 @@ static void lay_out(burnish_projection *projection) {
     }
     const double s = projection->pixels_per_unit;
     const int left = (int)border, top = (int)border;
-    const int column = divide(wide, room, s * size[0], s * size[2]);
-    const int row = divide(high, room, s * size[1], s * size[2]);
+    const int column = divide_side(wide, room, s * size[0], s * size[2]);
+    const int row = divide_side(high, room, s * size[1], s * size[2]);
     const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
     const int other = (int)high - row;
     const int front = is_first ? top : top + other, behind = is_first ? top + row : top;
@@ -124,7 +124,7 @@ static void lay_out(burnish_projection *projection) {
 
 burnish_status burnish_projection_lay_out(burnish_projection *projection, burnish_error *error) {
     const burnish_float_mode before = burnish_float_mode_enter();
-    const burnish_status status = check(projection, error);
+    const burnish_status status = check_projection(projection, error);
     if (status == BURNISH_STATUS_OK) {
         lay_out(projection);
     }

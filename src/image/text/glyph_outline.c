@@ -12,12 +12,13 @@ enum { ONE = 256, FULL = 2 * ONE * ONE, CURVE_STEPS = 12 };
 
 /* ---- Edges ---- */
 
-static int32_t bounded(int64_t value) {
+static int32_t bounded_coordinate(int64_t value) {
     return (int32_t)(value < -FARTHEST ? -FARTHEST : value > FARTHEST ? FARTHEST : value);
 }
 
 static void line_to(burnish_outline *outline, int64_t x, int64_t y) {
-    const burnish_outline_edge edge = {outline->at[0], outline->at[1], bounded(x), bounded(y)};
+    const burnish_outline_edge edge = {outline->at[0], outline->at[1], bounded_coordinate(x),
+                                       bounded_coordinate(y)};
     outline->at[0] = edge.x1;
     outline->at[1] = edge.y1;
     if (edge.y0 == edge.y1) {
@@ -35,7 +36,7 @@ static int64_t floor_divide(int64_t a, int64_t b) {
     return a / b - (a % b < 0);
 }
 
-static int64_t rounded(int64_t a, int64_t b) {
+static int64_t rounded_quotient(int64_t a, int64_t b) {
     return floor_divide(2 * a + b, 2 * b);
 }
 
@@ -53,7 +54,7 @@ static void curve_to(burnish_outline *outline, const int64_t (*p)[2], int degree
                                     ? s * s * p[0][k] + 2 * s * t * p[1][k] + t * t * p[2][k]
                                     : s * s * s * p[0][k] + 3 * s * s * t * p[1][k] +
                                           3 * s * t * t * p[2][k] + t * t * t * p[3][k];
-            at[k] = rounded(sum, powers);
+            at[k] = rounded_quotient(sum, powers);
         }
         line_to(outline, at[0], at[1]);
     }
@@ -64,8 +65,8 @@ void burnish_outline_add(void *user_data, burnish_outline_verb verb, const int32
     int64_t p[4][2] = {{outline->at[0], outline->at[1]}};
     const int count = verb == BURNISH_OUTLINE_CUBIC ? 3 : verb == BURNISH_OUTLINE_CONIC ? 2 : 1;
     for (int i = 0; i < count; ++i) {
-        p[i + 1][0] = bounded((int64_t)outline->x + points[2 * i]);
-        p[i + 1][1] = bounded((int64_t)outline->y - points[2 * i + 1]);
+        p[i + 1][0] = bounded_coordinate((int64_t)outline->x + points[2 * i]);
+        p[i + 1][1] = bounded_coordinate((int64_t)outline->y - points[2 * i + 1]);
     }
     if (verb == BURNISH_OUTLINE_MOVE) {
         line_to(outline, outline->start[0], outline->start[1]); /* close what was open */
@@ -135,7 +136,8 @@ static void cover_edge(const burnish_outline_edge *edge, int y, row *to) {
 }
 
 /* Rows and columns that the edges can touch, within the picture. */
-static burnish_rectangle touched(const burnish_outline *outline, const burnish_pixels *pixels) {
+static burnish_rectangle touched_pixels(const burnish_outline *outline,
+                                        const burnish_pixels *pixels) {
     int64_t low[2] = {FARTHEST, FARTHEST}, high[2] = {-FARTHEST, -FARTHEST};
     for (size_t i = 0; i < outline->count; ++i) {
         const burnish_outline_edge *e = &outline->edges[i];
@@ -156,7 +158,7 @@ static burnish_rectangle touched(const burnish_outline *outline, const burnish_p
 
 static void fill_rows(const burnish_outline *outline, const burnish_pixels *pixels,
                       const burnish_ink *ink, row *sums, float *coverage) {
-    const burnish_rectangle area = touched(outline, pixels);
+    const burnish_rectangle area = touched_pixels(outline, pixels);
     for (int y = area.top; y < area.bottom && area.left < area.right; ++y) {
         memset(sums->sums, 0, ((size_t)sums->width + 1) * sizeof *sums->sums);
         for (size_t i = 0; i < outline->count; ++i) {

@@ -139,7 +139,7 @@ void burnish_ink_blend(const burnish_pixels *pixels, int row, int first, int cou
 /* ---- Strokes far outside ---- */
 
 /* Cuts [*from, *to] of p + t d to where it is in [low, high]. Returns 0 if nothing is left. */
-static int cut(double p, double d, double low, double high, double *from, double *to) {
+static int cut_to_range(double p, double d, double low, double high, double *from, double *to) {
     if (d == 0) {
         return p >= low && p <= high;
     }
@@ -159,7 +159,8 @@ static int is_within(const burnish_stroke *stroke, float limit) {
 /* Cuts off the parts of a stroke that are far outside the image, beyond what its round ends can
  * touch.
  * Returns 0 if no pixel is touched. */
-static int prepare(const burnish_stroke *stroke, int width, int height, burnish_stroke *prepared) {
+static int prepare_stroke(const burnish_stroke *stroke, int width, int height,
+                          burnish_stroke *prepared) {
     *prepared = *stroke;
     if (is_within(stroke, far_away)) {
         return 1;
@@ -167,8 +168,9 @@ static int prepare(const burnish_stroke *stroke, int width, int height, burnish_
     const double x = stroke->x0, y = stroke->y0;
     const double dx = stroke->x1 - x, dy = stroke->y1 - y, border = stroke->radius + 2;
     double from = 0, to = 1;
-    if (!is_within(stroke, too_far) || !cut(x, dx, -border, (double)width + border, &from, &to) ||
-        !cut(y, dy, -border, (double)height + border, &from, &to)) {
+    if (!is_within(stroke, too_far) ||
+        !cut_to_range(x, dx, -border, (double)width + border, &from, &to) ||
+        !cut_to_range(y, dy, -border, (double)height + border, &from, &to)) {
         return 0;
     }
     prepared->x0 = (float)(x + from * dx);
@@ -199,7 +201,7 @@ typedef struct figure {
 static void stroke_bands(const figure *f, size_t index, int *first, int *end) {
     burnish_stroke stroke;
     *first = *end = 0;
-    if (prepare(&f->strokes[index], f->pixels->width, f->height, &stroke)) {
+    if (prepare_stroke(&f->strokes[index], f->pixels->width, f->height, &stroke)) {
         const burnish_rectangle bounds =
             burnish_stroke_bounds(&stroke, f->pixels->width, f->height);
         const int top = bounds.top > f->first_row ? bounds.top : f->first_row;
@@ -249,7 +251,7 @@ static void draw_band(void *context, size_t index, int thread) {
     }
     for (size_t i = first; i < end; ++i) {
         burnish_stroke stroke;
-        prepare(&f->strokes[f->entries[i]], width, f->height, &stroke);
+        prepare_stroke(&f->strokes[f->entries[i]], width, f->height, &stroke);
         cover_band(f, &stroke, top, rows, coverage, bounds);
     }
     for (int row = 0; row < rows; ++row) {
@@ -340,8 +342,8 @@ static burnish_status draw_figure(figure *f, burnish_memory *memory) {
     return burnish_tasks_check(f->tasks, memory->error);
 }
 
-static burnish_status check(const burnish_pixels *pixels, const burnish_stroke *strokes,
-                            size_t count, burnish_error *error) {
+static burnish_status check_strokes(const burnish_pixels *pixels, const burnish_stroke *strokes,
+                                    size_t count, burnish_error *error) {
     if (!pixels->pixels || pixels->width < 1 || pixels->width > BURNISH_IMAGE_MAX_SIZE ||
         pixels->height < 1 || pixels->height > BURNISH_IMAGE_MAX_SIZE ||
         (unsigned)pixels->format > BURNISH_PIXELS_RGBA_FLOAT) {
@@ -374,7 +376,7 @@ burnish_status burnish_strokes_draw_rows(const burnish_pixel_rows *rows,
                                          const burnish_ink *ink, burnish_tasks *tasks,
                                          burnish_memory *memory) {
     const burnish_pixels *pixels = rows->pixels;
-    burnish_status status = check(pixels, strokes, count, memory->error);
+    burnish_status status = check_strokes(pixels, strokes, count, memory->error);
     if (status != BURNISH_STATUS_OK || count == 0) {
         return status;
     }

@@ -14,7 +14,7 @@ typedef struct svg {
 
 /* What replaces a character of `size` bytes (0: not UTF-8) that XML would read or not allow; NULL:
  * nothing. */
-static const char *replacement(const char *text, size_t size) {
+static const char *xml_replacement(const char *text, size_t size) {
     switch (*text) {
     case '&':
         return "&amp;";
@@ -38,7 +38,7 @@ static const char *replacement(const char *text, size_t size) {
 static void put_escaped(svg *w, const char *text) {
     while (*text) {
         const size_t size = burnish_printable_size(text);
-        const char *replaced = replacement(text, size);
+        const char *replaced = xml_replacement(text, size);
         burnish_put(&w->out, replaced ? replaced : text, replaced ? strlen(replaced) : size);
         text += size > 0 ? size : 1;
     }

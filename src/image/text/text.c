@@ -63,7 +63,7 @@ static int near_image(float coordinate) {
 }
 
 /* The nearest whole pixel; beyond far_away the value itself, which is never drawn. */
-static float snap(float value) {
+static float snap_to_pixel(float value) {
     if (!near_image(value)) {
         return value;
     }
@@ -98,8 +98,8 @@ static float set_line(float x, float y, float height, const char *text, size_t l
                       burnish_take_strokes *take, void *context) {
     float seat;
     burnish_glyph_scale scale = make_scale(height, &seat);
-    x = snap(x);
-    scale.y = snap(y) - seat * 0.5F;
+    x = snap_to_pixel(x);
+    scale.y = snap_to_pixel(y) - seat * 0.5F;
     const burnish_glyph *before = NULL;
     float advance = 0;
     for (size_t i = 0; i < length; ++i) {

@@ -89,7 +89,7 @@ static burnish_status take_points(burnish_builder *b) {
 
 /* The steps in order, each with its share of the time; on failure b and its mesh keep what was made
  * so far. */
-static burnish_status build(burnish_builder *b) {
+static burnish_status build_steps(burnish_builder *b) {
     static const struct {
         burnish_status (*run)(burnish_builder *b);
         double done;
@@ -167,7 +167,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     for (int i = BURNISH_EXTRA_ATTRIBUTES; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         b.has_extras |= data->streams[i].count > 0;
     }
-    burnish_status status = build(&b);
+    burnish_status status = build_steps(&b);
     burnish_build_release_corners(&b, 0);
     if (status != BURNISH_STATUS_OK) {
         burnish_mesh_destroy(b.mesh);

@@ -112,7 +112,7 @@ static void add_sums(corner_lister *lister) {
     }
 }
 
-static burnish_status run(corner_lister *lister, size_t count, burnish_task *task) {
+static burnish_status run_slices(corner_lister *lister, size_t count, burnish_task *task) {
     burnish_tasks *tasks = lister->b->data->tasks;
     burnish_tasks_run(tasks, count, 1, 0, task, lister);
     return burnish_tasks_check(tasks, lister->b->memory->error);
@@ -133,13 +133,13 @@ static burnish_status check_crowded(const burnish_builder *b, uint64_t crowded) 
 static burnish_status list_corners(corner_lister *lister) {
     burnish_builder *b = lister->b;
     uint64_t crowded = 0;
-    burnish_status status = run(lister, lister->slices, count_slice);
+    burnish_status status = run_slices(lister, lister->slices, count_slice);
     if (status == BURNISH_STATUS_OK && lister->ranges > 1) {
-        status = run(lister, lister->ranges, sum_range);
+        status = run_slices(lister, lister->ranges, sum_range);
     }
     if (status == BURNISH_STATUS_OK) {
         add_sums(lister);
-        status = run(lister, lister->ranges, start_range);
+        status = run_slices(lister, lister->ranges, start_range);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -149,7 +149,7 @@ static burnish_status list_corners(corner_lister *lister) {
         crowded += lister->crowded[i];
     }
     status = check_crowded(b, crowded);
-    return status == BURNISH_STATUS_OK ? run(lister, lister->slices, place_slice) : status;
+    return status == BURNISH_STATUS_OK ? run_slices(lister, lister->slices, place_slice) : status;
 }
 
 burnish_status burnish_build_list_corners(burnish_builder *b) {

@@ -18,18 +18,18 @@ typedef struct sum {
     double value, lost;
 } sum;
 
-static void add(sum *s, double term) {
+static void sum_add(sum *s, double term) {
     const double value = s->value + term, part = value - s->value;
     s->lost += (s->value - (value - part)) + (term - part);
     s->value = value;
 }
 
 static void add_sum(sum *s, const sum *other) {
-    add(s, other->value);
+    sum_add(s, other->value);
     s->lost += other->lost;
 }
 
-static double total(const sum *s) {
+static double sum_total(const sum *s) {
     return s->value + s->lost;
 }
 
@@ -58,7 +58,7 @@ static size_t block_end(const burnish_measured *m, size_t index) {
     return m->triangle_count - first < BLOCK ? m->triangle_count : first + BLOCK;
 }
 
-static void widen(block *to, const float low[3], const float high[3]) {
+static void widen_block(block *to, const float low[3], const float high[3]) {
     for (int axis = 0; axis < 3; ++axis) {
         to->low[axis] = low[axis] < to->low[axis] ? low[axis] : to->low[axis];
         to->high[axis] = high[axis] > to->high[axis] ? high[axis] : to->high[axis];
@@ -82,7 +82,7 @@ static void bound_block(void *context, size_t index, int thread) {
         }
         for (int k = 0; k < 3; ++k) {
             const float *p = m->positions + 3 * (size_t)corners[k];
-            widen(b, p, p);
+            widen_block(b, p, p);
         }
     }
 }
@@ -114,7 +114,7 @@ static void sum_block(void *context, size_t index, int thread) {
                                          volume * center.y,
                                          volume * center.z};
         for (int k = 0; k < SUM_COUNT; ++k) {
-            add(&sums[k], terms[k]);
+            sum_add(&sums[k], terms[k]);
         }
     }
 }
@@ -122,18 +122,19 @@ static void sum_block(void *context, size_t index, int thread) {
 /* From the sums of all blocks; `size` is the longest side of the bounding box. */
 static void take_sums(const sum sums[SUM_COUNT], burnish_vec3 middle, double size,
                       burnish_mesh_facts *facts) {
-    facts->area = total(&sums[AREA]) / 2;
-    facts->volume = total(&sums[VOLUME]) / 6;
+    facts->area = sum_total(&sums[AREA]) / 2;
+    facts->volume = sum_total(&sums[VOLUME]) / 6;
     const double volume = facts->volume < 0 ? -facts->volume : facts->volume;
     double least = FLAT_VOLUME * size; /* thickness of what is not flat */
     least = facts->join_tolerance > least ? facts->join_tolerance : least;
     facts->is_solid = facts->is_closed && facts->is_consistent && volume > least * facts->area;
     const sum *center = sums + (facts->is_solid ? VOLUME_X : AREA_X);
-    const double divisor = facts->is_solid ? 4 * total(&sums[VOLUME]) : 3 * total(&sums[AREA]);
+    const double divisor =
+        facts->is_solid ? 4 * sum_total(&sums[VOLUME]) : 3 * sum_total(&sums[AREA]);
     const double from[3] = {middle.x, middle.y, middle.z};
     for (int axis = 0; axis < 3; ++axis) {
         facts->center_of_mass[axis] =
-            from[axis] + (divisor != 0 ? total(&center[axis]) / divisor : 0);
+            from[axis] + (divisor != 0 ? sum_total(&center[axis]) / divisor : 0);
     }
 }
 
@@ -148,7 +149,7 @@ static burnish_status measure_sizes(const burnish_measured *m, burnish_mesh_fact
     burnish_status status = burnish_tasks_check(m->tasks, m->memory->error);
     block all = empty_block;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        widen(&all, c.blocks[i].low, c.blocks[i].high);
+        widen_block(&all, c.blocks[i].low, c.blocks[i].high);
         all.flat += c.blocks[i].flat;
     }
     if (status == BURNISH_STATUS_OK && all.flat < m->triangle_count) {

@@ -120,7 +120,7 @@ static uint32_t find_root(member *members, uint32_t triangle) {
 }
 
 /* Puts two triangles into one set; differs: one of them is to be turned against the other. */
-static void join(member *members, uint32_t a, uint32_t b, uint32_t differs) {
+static void join_members(member *members, uint32_t a, uint32_t b, uint32_t differs) {
     uint32_t root = find_root(members, a), other = find_root(members, b);
     const uint32_t turned = (root ^ other ^ differs) & 1;
     root >>= 1;
@@ -203,7 +203,7 @@ static void count_edge(edges *e, uint32_t position, const uint64_t *sides, size_
         e->m->marks[sides[0] >> 32] |= BURNISH_MARK_ODD;
     }
     if (count == 2) {
-        join(e->members, triangle_of(sides[0]), triangle_of(sides[1]), forward != 1);
+        join_members(e->members, triangle_of(sides[0]), triangle_of(sides[1]), forward != 1);
     }
 }
 
@@ -219,7 +219,7 @@ static void count_edges(void *context, size_t first, size_t end) {
 }
 
 /* The position of a side's triangle that is not on it. */
-static uint32_t opposite(const edges *e, uint64_t side) {
+static uint32_t opposite_corner(const edges *e, uint64_t side) {
     const uint32_t corner = (uint32_t)side % 3;
     return e->m->corners[(uint32_t)side - corner + following[following[corner]]];
 }
@@ -229,7 +229,7 @@ static uint32_t opposite(const edges *e, uint64_t side) {
 static size_t count_duplicates(const edges *e, uint64_t *sides, size_t count) {
     size_t thirds = 0, duplicates = 0;
     for (size_t i = 0; i < count; ++i) {
-        const uint32_t third = opposite(e, sides[i]);
+        const uint32_t third = opposite_corner(e, sides[i]);
         if (third > sides[i] >> 32) {
             sides[thirds++] = third;
         }
@@ -250,7 +250,7 @@ static void join_the_rest(void *context, size_t first, size_t end) {
             uint64_t *sides = e->sides + i;
             size = count_equal(sides, stop - i);
             for (size_t k = 1; k < size && size > 2; ++k) {
-                join(e->members, triangle_of(sides[0]), triangle_of(sides[k]), 0);
+                join_members(e->members, triangle_of(sides[0]), triangle_of(sides[k]), 0);
             }
             e->facts->duplicate_count += size > 1 ? count_duplicates(e, sides, size) : 0;
         }

@@ -47,7 +47,7 @@ typedef struct joiner {
     size_t vanished; /* triangles whose corners became one */
 } joiner;
 
-static void bound(void *context, size_t first, size_t end) {
+static void bound_positions(void *context, size_t first, size_t end) {
     joiner *j = context;
     for (size_t i = first; i < end; ++i) {
         for (size_t k = 0; k < 3 && j->m->marks[i]; ++k) {
@@ -75,7 +75,7 @@ static void list_candidates(void *context, size_t first, size_t end) {
 }
 
 /* The largest difference of two positions along an axis. */
-static double distance(const joiner *j, uint32_t a, uint32_t b) {
+static double distance_of_positions(const joiner *j, uint32_t a, uint32_t b) {
     double most = 0;
     for (size_t k = 0; k < 3; ++k) {
         const double d =
@@ -96,7 +96,7 @@ static uint32_t nearest_leader(joiner *j, candidate c) {
             ++j->at[row]; /* which never goes back: cells ascend */
         }
         for (size_t i = j->at[row]; i < j->leaders && j->items[i].cell <= middle + 1; ++i) {
-            const double d = distance(j, c.position, j->items[i].position);
+            const double d = distance_of_positions(j, c.position, j->items[i].position);
             if (d <= j->tolerance && (best == BURNISH_NONE || d < least)) {
                 best = j->items[i].position;
                 least = d;
@@ -144,7 +144,7 @@ static double longest_side(const joiner *j) {
 /* Every pass, each of which needs the one before. */
 static burnish_status join_all(joiner *j) {
     const burnish_measured *m = j->m;
-    burnish_tasks_in_order(m->tasks, m->position_count, BURNISH_BUILD_STEP, bound, j);
+    burnish_tasks_in_order(m->tasks, m->position_count, BURNISH_BUILD_STEP, bound_positions, j);
     j->tolerance = longest_side(j) * BURNISH_JOIN_TOLERANCE;
     burnish_status status = burnish_tasks_check(m->tasks, m->memory->error);
     if (status != BURNISH_STATUS_OK || !(j->tolerance > 0)) {

@@ -218,7 +218,7 @@ static void move_materials(void *context, size_t first, size_t end) {
 
 /* An array with one item of `size` bytes per triangle in that order; NULL stays. Returns its new
  * address; on failure the old one. */
-static void *permute(burnish_builder *b, void *array, size_t size, burnish_range_task *task) {
+static void *permute_array(burnish_builder *b, void *array, size_t size, burnish_range_task *task) {
     void *made = array ? burnish_allocate(b->memory, b->triangle_count, size, "ordering") : NULL;
     if (!made) {
         return array;
@@ -236,19 +236,20 @@ burnish_status burnish_build_move(burnish_builder *b, int corners) {
     }
     if (corners) {
         if (b->corner_positions != data->streams[BURNISH_POSITION].corners) {
-            b->corner_positions = permute(b, b->corner_positions, BURNISH_TRIPLE, move_triples);
+            b->corner_positions =
+                permute_array(b, b->corner_positions, BURNISH_TRIPLE, move_triples);
             b->corner_capacity = b->triangle_count;
         }
         for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
             burnish_stream *stream = &data->streams[i];
             const int is_shared = stream->corners && stream->corners == b->corner_positions;
-            stream->corners = permute(b, stream->corners, BURNISH_TRIPLE, move_triples);
+            stream->corners = permute_array(b, stream->corners, BURNISH_TRIPLE, move_triples);
             stream->corner_capacity = stream->corners ? b->triangle_count : 0;
             b->corner_positions = is_shared ? stream->corners : b->corner_positions;
         }
     }
     data->triangle_materials =
-        permute(b, data->triangle_materials, sizeof(uint16_t), move_materials);
+        permute_array(b, data->triangle_materials, sizeof(uint16_t), move_materials);
     data->triangle_material_capacity = data->triangle_materials ? b->triangle_count : 0;
     burnish_release(b->memory->context, b->order);
     b->order = NULL;

@@ -12,7 +12,7 @@
 
 /* ---- What is kept ---- */
 
-static int uses(const burnish_mesh_data *data, int slot) {
+static int uses_texture(const burnish_mesh_data *data, int slot) {
     for (size_t i = 0; i < data->material_count; ++i) {
         if (data->materials[i].textures[slot].texture) {
             return 1;
@@ -34,7 +34,7 @@ void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_optio
     burnish_mesh_data *data = b->data;
     int any = 0;
     for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
-        any |= uses(data, slot);
+        any |= uses_texture(data, slot);
     }
     if (any && !options->ignore_textures && data->streams[BURNISH_TEXCOORD].count == 0) {
         burnish_mesh_data_warn(data,
@@ -51,7 +51,7 @@ void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_optio
     if (!any && !options->keep_texture_coordinates) {
         burnish_mesh_data_drop(data, BURNISH_TEXCOORD);
     }
-    b->needs_tangents = any && uses(data, BURNISH_TEXTURE_NORMAL);
+    b->needs_tangents = any && uses_texture(data, BURNISH_TEXTURE_NORMAL);
     if (!b->needs_tangents) {
         burnish_mesh_data_drop(data, BURNISH_TANGENT);
     }
@@ -171,7 +171,7 @@ static burnish_vec3 normal_of(const burnish_mesh *mesh, uint32_t vertex) {
 }
 
 /* The part of v at right angles to the unit vector n, as a unit vector. */
-static burnish_vec3 beside(burnish_vec3 v, burnish_vec3 n) {
+static burnish_vec3 orthogonal_part(burnish_vec3 v, burnish_vec3 n) {
     return burnish_vec3_normalize(
         burnish_vec3_sub(v, burnish_vec3_scale(n, burnish_vec3_dot(n, v))));
 }
@@ -187,11 +187,11 @@ static void add_triangle(const burnish_mesh *mesh, const uint32_t *vertices, flo
         const uint32_t vertex = vertices[k];
         const burnish_vec3 n = normal_of(mesh, vertex), at = position_of(mesh, vertex);
         const burnish_vec3 next =
-            beside(burnish_vec3_sub(position_of(mesh, vertices[(k + 1) % 3]), at), n);
+            orthogonal_part(burnish_vec3_sub(position_of(mesh, vertices[(k + 1) % 3]), at), n);
         const burnish_vec3 previous =
-            beside(burnish_vec3_sub(position_of(mesh, vertices[(k + 2) % 3]), at), n);
+            orthogonal_part(burnish_vec3_sub(position_of(mesh, vertices[(k + 2) % 3]), at), n);
         const double angle = burnish_acos(burnish_vec3_dot(next, previous));
-        const burnish_vec3 part = burnish_vec3_scale(beside(u, n), angle);
+        const burnish_vec3 part = burnish_vec3_scale(orthogonal_part(u, n), angle);
         float *sum = tangents + 4 * (size_t)vertex;
         sum[0] += (float)part.x;
         sum[1] += (float)part.y;
@@ -205,12 +205,12 @@ static burnish_vec3 any_beside(burnish_vec3 n) {
     const double x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
     const burnish_vec3 axis = {x <= y && x <= z, !(x <= y && x <= z) && y <= z,
                                !(x <= y && x <= z) && !(y <= z)};
-    return beside(axis, n);
+    return orthogonal_part(axis, n);
 }
 
 static void finish_tangent(const burnish_mesh *mesh, uint32_t vertex, float *tangent) {
     const burnish_vec3 n = normal_of(mesh, vertex);
-    burnish_vec3 t = beside(burnish_vec3_loadf(tangent), n);
+    burnish_vec3 t = orthogonal_part(burnish_vec3_loadf(tangent), n);
     if (!(burnish_vec3_length(t) > 0.5)) {
         t = any_beside(n);
     }

@@ -67,7 +67,7 @@ static void swap_corners(uint32_t *corners, size_t triangle) {
 
 /* Turns a triangle whose winding contradicts the file's normals. It comes before normals are
  * generated, because those follow the winding. */
-static void orient(const burnish_builder *b, size_t triangle, burnish_vec3 cross) {
+static void orient_triangle(const burnish_builder *b, size_t triangle, burnish_vec3 cross) {
     burnish_vec3 sum = {0, 0, 0};
     const uint32_t *numbers = burnish_stream_corners(b->data, BURNISH_NORMAL) + 3 * triangle;
     const float *normals = burnish_normals(b->data);
@@ -289,7 +289,7 @@ static size_t orient_some(burnish_builder *b, size_t first, size_t count, size_t
     for (size_t i = first; i < first + count; ++i) {
         const burnish_vec3 cross = cross_of(b, i);
         if (burnish_has_area(cross)) {
-            orient(b, i, cross);
+            orient_triangle(b, i, cross);
             if (next != i) {
                 move_triangles(b, i, next, 1);
             }

@@ -28,7 +28,7 @@ static uint32_t number_of(const writer *w, uint32_t corner) {
     return w->before[corner / WORD] + count_bits(w->bits[corner / WORD] & below);
 }
 
-static void mark(const writer *w, uint32_t corner) {
+static void mark_corner(const writer *w, uint32_t corner) {
     w->bits[corner / WORD] |= (uint64_t)1 << corner % WORD;
 }
 
@@ -43,12 +43,12 @@ static size_t mark_corners(const writer *w, const burnish_later_vertices *lists,
         w->first_corners[i] = BURNISH_NONE;
         if (start < w->first_corners[i + 1]) {
             w->first_corners[i] = w->b->corners[start];
-            mark(w, w->first_corners[i]);
+            mark_corner(w, w->first_corners[i]);
         }
     }
     for (size_t k = 0; k < list_count; ++k) {
         for (size_t i = 0; i < lists[k].count; ++i) {
-            mark(w, lists[k].items[i].corner);
+            mark_corner(w, lists[k].items[i].corner);
         }
     }
     for (size_t i = 0; i < words; ++i) {

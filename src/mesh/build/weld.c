@@ -333,7 +333,7 @@ static void remap_slice(void *context, size_t slice, int thread) {
 }
 
 /* After cancellation, some of these might not have been written. */
-static burnish_status weld(welder *w, burnish_memory *memory) {
+static burnish_status weld_positions(welder *w, burnish_memory *memory) {
     burnish_tasks_run(w->tasks, w->slices, 1, 0, slice_task, w);
     burnish_status status = burnish_tasks_check(w->tasks, memory->error);
     if (status != BURNISH_STATUS_OK) {
@@ -385,7 +385,8 @@ burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *task
     for (size_t i = 0; i < w.parts && w.memory; ++i) {
         w.memory[i].memory = burnish_memory_of(memory->context, &w.memory[i].error);
     }
-    burnish_status status = memory->status == BURNISH_STATUS_OK ? weld(&w, memory) : memory->status;
+    burnish_status status =
+        memory->status == BURNISH_STATUS_OK ? weld_positions(&w, memory) : memory->status;
     *unique = w.bases[w.ranges];
     burnish_release(memory->context, w.hashes);
     burnish_release(memory->context, w.numbers);

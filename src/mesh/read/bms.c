@@ -34,16 +34,16 @@ typedef struct bms_state {
 
 /* ---- Numbers ---- */
 
-static burnish_status fail(const bms_state *s, const uint8_t *at, const char *text) {
+static burnish_status bms_fail(const bms_state *s, const uint8_t *at, const char *text) {
     return burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, at, "%s", text);
 }
 
-static size_t left(const bms_state *s) {
+static size_t bms_bytes_left(const bms_state *s) {
     return (size_t)(s->reader->input->bytes + s->reader->input->size - s->next);
 }
 
 /* Texts, names and pictures end at a multiple of 4. */
-static uint64_t padded(uint64_t size) {
+static uint64_t padded_size(uint64_t size) {
     return (size + 3) & ~(uint64_t)3;
 }
 
@@ -65,7 +65,7 @@ static burnish_status check_size(const bms_state *s) {
     const uint8_t *bytes = s->reader->input->bytes;
     const uint64_t stated = (uint64_t)burnish_load32(bytes + BURNISH_BMS_AT_SIZE + 4) << 32 |
                             burnish_load32(bytes + BURNISH_BMS_AT_SIZE);
-    const uint64_t least = BURNISH_BMS_HEAD_SIZE + padded(s->text_size) +
+    const uint64_t least = BURNISH_BMS_HEAD_SIZE + padded_size(s->text_size) +
                            (uint64_t)s->textures * BURNISH_BMS_TEXTURE_SIZE + size_of_rest(s);
     if (stated != s->reader->input->size || least > stated) {
         return burnish_reader_fail(
@@ -81,16 +81,16 @@ static burnish_status check_counts(const bms_state *s) {
     const burnish_load_options *options = s->reader->input->options;
     const uint8_t *bytes = s->reader->input->bytes;
     if (s->text_size > TEXT_MAX) {
-        return fail(s, bytes + BURNISH_BMS_AT_TEXT_SIZE, "more than 65536 bytes of text");
+        return bms_fail(s, bytes + BURNISH_BMS_AT_TEXT_SIZE, "more than 65536 bytes of text");
     }
     if (s->materials > MATERIALS_MAX) {
-        return fail(s, bytes + BURNISH_BMS_AT_MATERIALS, "more than 65536 materials");
+        return bms_fail(s, bytes + BURNISH_BMS_AT_MATERIALS, "more than 65536 materials");
     }
     if (s->textures > BURNISH_TEXTURES_MAX) {
-        return fail(s, bytes + BURNISH_BMS_AT_TEXTURES, "more than 65536 textures");
+        return bms_fail(s, bytes + BURNISH_BMS_AT_TEXTURES, "more than 65536 textures");
     }
     if (s->vertices > BURNISH_VALUE_LIMIT) {
-        return fail(s, bytes + BURNISH_BMS_AT_VERTICES, "more than 4294967294 vertices");
+        return bms_fail(s, bytes + BURNISH_BMS_AT_VERTICES, "more than 4294967294 vertices");
     }
     return s->triangles > options->max_triangles
                ? burnish_fail_triangles(s->reader, bytes + BURNISH_BMS_AT_TRIANGLES)
@@ -104,7 +104,7 @@ static burnish_status read_error(const bms_state *s, uint32_t kind) {
         [BURNISH_BMS_LIMIT_ERROR] = BURNISH_STATUS_LIMIT,
         [BURNISH_BMS_MEMORY_ERROR] = BURNISH_STATUS_MEMORY};
     if (s->text_size == 0) {
-        return fail(s, NULL, "an error without a message");
+        return bms_fail(s, NULL, "an error without a message");
     }
     return burnish_reader_fail(s->reader, statuses[kind], NULL, "%.*s", (int)s->text_size,
                                (const char *)s->next);
@@ -116,7 +116,7 @@ static burnish_status read_up(const bms_state *s) {
     const float up[3] = {burnish_load_float(at), burnish_load_float(at + 4),
                          burnish_load_float(at + 8)};
     if (!burnish_is_finitef(up[0]) || !burnish_is_finitef(up[1]) || !burnish_is_finitef(up[2])) {
-        return fail(s, at, "the up axis is not finite");
+        return bms_fail(s, at, "the up axis is not finite");
     }
     const burnish_vec3 unit = burnish_vec3_normalize(burnish_vec3_loadf(up));
     s->mesh->up_axis[0] = (float)unit.x;
@@ -130,7 +130,7 @@ static burnish_status read_head(bms_state *s) {
     const uint8_t *bytes = input->bytes;
     if (input->size < BURNISH_BMS_HEAD_SIZE ||
         memcmp(bytes, BURNISH_BMS_MAGIC, sizeof BURNISH_BMS_MAGIC - 1) != 0) {
-        return fail(
+        return bms_fail(
             s, bytes,
             "not a mesh stream: its first 8 bytes are wrong, or it is shorter than 64 bytes");
     }
@@ -150,10 +150,10 @@ static burnish_status read_head(bms_state *s) {
     s->text_size = burnish_load32(bytes + BURNISH_BMS_AT_TEXT_SIZE);
     s->next = bytes + BURNISH_BMS_HEAD_SIZE;
     if (kind >= BURNISH_BMS_KIND_COUNT) {
-        return fail(s, bytes + BURNISH_BMS_AT_KIND, "an unknown kind of mesh stream");
+        return bms_fail(s, bytes + BURNISH_BMS_AT_KIND, "an unknown kind of mesh stream");
     }
     if (s->parts & ~(uint32_t)BURNISH_BMS_PARTS_ALL) {
-        return fail(s, bytes + BURNISH_BMS_AT_PARTS, "an unknown part of a mesh");
+        return bms_fail(s, bytes + BURNISH_BMS_AT_PARTS, "an unknown part of a mesh");
     }
     burnish_status status = check_counts(s);
     if (status == BURNISH_STATUS_OK) {
@@ -176,7 +176,7 @@ static void read_text(bms_state *s) {
         }
         line = last + 1;
     }
-    s->next += padded(s->text_size);
+    s->next += padded_size(s->text_size);
 }
 
 /* ---- Textures ---- */
@@ -209,8 +209,8 @@ static int take_texture(bms_state *s, const bms_texture *texture, const uint8_t 
 static burnish_status read_texture(bms_state *s, size_t number, size_t *damaged) {
     bms_texture texture;
     const uint8_t *head = s->next;
-    if (left(s) < BURNISH_BMS_TEXTURE_SIZE) {
-        return fail(s, head, "the stream ends within a texture");
+    if (bms_bytes_left(s) < BURNISH_BMS_TEXTURE_SIZE) {
+        return bms_fail(s, head, "the stream ends within a texture");
     }
     texture.kind = burnish_load32(head);
     texture.is_color = burnish_load32(head + 4);
@@ -220,26 +220,27 @@ static burnish_status read_texture(bms_state *s, size_t number, size_t *damaged)
     texture.size = burnish_load32(head + 20);
     s->next += BURNISH_BMS_TEXTURE_SIZE;
     if (texture.kind > BURNISH_BMS_PIXELS || texture.is_color > 1 || name_size >= NAME_MAX_SIZE) {
-        return fail(s, head, "a texture of an unknown kind, or with a name of 4096 bytes or more");
+        return bms_fail(s, head,
+                        "a texture of an unknown kind, or with a name of 4096 bytes or more");
     }
-    if (padded(name_size) + padded(texture.size) > left(s)) {
-        return fail(s, head, "a texture extends beyond the end of the stream");
+    if (padded_size(name_size) + padded_size(texture.size) > bms_bytes_left(s)) {
+        return bms_fail(s, head, "a texture extends beyond the end of the stream");
     }
     if (texture.kind == BURNISH_BMS_PIXELS &&
         (texture.width < 1 || texture.width > BURNISH_TEXTURE_SIZE_MAX || texture.height < 1 ||
          texture.height > BURNISH_TEXTURE_SIZE_MAX ||
          (uint64_t)texture.width * texture.height * 4 != texture.size)) {
-        return fail(s, head, "a texture whose size does not match its pixels");
+        return bms_fail(s, head, "a texture whose size does not match its pixels");
     }
     memcpy(texture.name, s->next, name_size);
     texture.name[name_size] = 0;
-    s->next += padded(name_size);
+    s->next += padded_size(name_size);
     s->texture_numbers[number] = 0;
     if (*damaged < DAMAGED_MAX || texture.kind == BURNISH_BMS_FILE) {
         s->texture_numbers[number] = take_texture(s, &texture, s->next);
         *damaged += texture.kind != BURNISH_BMS_FILE && s->texture_numbers[number] == 0;
     }
-    s->next += padded(texture.size);
+    s->next += padded_size(texture.size);
     return s->mesh->memory.status;
 }
 
@@ -316,13 +317,13 @@ static burnish_status read_material(bms_state *s, size_t number) {
             slot == BURNISH_TEXTURE_NORMAL ? burnish_load_float(numbers + 20) : 1;
         if (!read_use(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot, strength,
                       &material->textures[slot])) {
-            return fail(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot,
-                        "a material uses a missing texture, or in an unknown way");
+            return bms_fail(s, at + BURNISH_BMS_AT_SLOTS + 8 * slot,
+                            "a material uses a missing texture, or in an unknown way");
         }
     }
     snprintf(name, sizeof name, "material %zu", number);
     if (burnish_check_material(material, s->mesh->texture_count, name, &why) != BURNISH_STATUS_OK) {
-        return fail(s, at, why.text);
+        return bms_fail(s, at, why.text);
     }
     s->next += BURNISH_BMS_MATERIAL_SIZE;
     return BURNISH_STATUS_OK;
@@ -449,12 +450,12 @@ static burnish_status read_triangle_materials(bms_state *s) {
 /* The size of the rest after the textures must match the counts exactly. */
 static burnish_status check_rest(const bms_state *s) {
     const uint64_t rest = size_of_rest(s);
-    return rest == left(s)
+    return rest == bms_bytes_left(s)
                ? BURNISH_STATUS_OK
                : burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, s->next,
                                      "%zu bytes are left for materials, vertices and triangles, "
                                      "which need %llu; the stream is damaged",
-                                     left(s), (unsigned long long)rest);
+                                     bms_bytes_left(s), (unsigned long long)rest);
 }
 
 static burnish_status read_all(bms_state *s) {
@@ -477,21 +478,22 @@ static burnish_status read_all(bms_state *s) {
     return status;
 }
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status bms_read(burnish_reader *reader) {
     bms_state state = {.reader = reader, .mesh = reader->mesh};
     reader->is_binary = 1;
     burnish_status status = read_all(&state);
     burnish_release(reader->mesh->memory.context, state.texture_numbers);
     if (status == BURNISH_STATUS_OK && state.triangles == 0) {
-        status = state.vertices > 0 ? burnish_make_points(reader, NULL, 0)
-                                    : fail(&state, NULL, "no triangles; export the scene's meshes");
+        status = state.vertices > 0
+                     ? burnish_make_points(reader, NULL, 0)
+                     : bms_fail(&state, NULL, "no triangles; export the scene's meshes");
     }
     return status;
 }
 
-static int recognise(const uint8_t *bytes, size_t size) {
+static int bms_recognise(const uint8_t *bytes, size_t size) {
     const size_t magic = sizeof BURNISH_BMS_MAGIC - 1;
     return size >= magic && memcmp(bytes, BURNISH_BMS_MAGIC, magic) == 0 ? 2 : 0;
 }
 
-const burnish_format_reader burnish_reader_bms = {.recognise = recognise, .read = read_input};
+const burnish_format_reader burnish_reader_bms = {.recognise = bms_recognise, .read = bms_read};

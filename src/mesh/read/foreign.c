@@ -73,7 +73,7 @@ static const foreign_row rows[] = {
     {"<html", 0, "a web page"},
 };
 
-static int begins(const uint8_t *bytes, size_t size, size_t offset, const char *first) {
+static int begins_with(const uint8_t *bytes, size_t size, size_t offset, const char *first) {
     const size_t length = strlen(first);
     return size >= offset + length && memcmp(bytes + offset, first, length) == 0;
 }
@@ -83,8 +83,8 @@ static int begins(const uint8_t *bytes, size_t size, size_t offset, const char *
 static int is_windows_program(const uint8_t *bytes, size_t size) {
     enum { POINTER_AT = 60 };
     const uint8_t *p = bytes + POINTER_AT;
-    return size >= POINTER_AT + 4 && begins(bytes, size, 0, "MZ") &&
-           begins(bytes, size, burnish_load24(p), "PE");
+    return size >= POINTER_AT + 4 && begins_with(bytes, size, 0, "MZ") &&
+           begins_with(bytes, size, burnish_load24(p), "PE");
 }
 
 /* XML is recognised by its first elements. */
@@ -96,7 +96,7 @@ static const char *describe_xml(const uint8_t *bytes, size_t size) {
     enum { LOOKED_AT = 4096 };
     for (size_t i = 0; i < size && i < LOOKED_AT; ++i) {
         for (size_t k = 0; bytes[i] == '<' && k < sizeof elements / sizeof *elements; ++k) {
-            if (begins(bytes, size, i, elements[k].first)) {
+            if (begins_with(bytes, size, i, elements[k].first)) {
                 return elements[k].what;
             }
         }
@@ -126,23 +126,23 @@ static const char *describe_extension(const char *name) {
 }
 
 const char *burnish_describe_foreign(const uint8_t *bytes, size_t size, const char *name) {
-    size_t start = begins(bytes, size, 0, "\357\273\277") ? 3 : 0;
+    size_t start = begins_with(bytes, size, 0, "\357\273\277") ? 3 : 0;
     while (start < size &&
            (bytes[start] == ' ' || (bytes[start] >= '\t' && bytes[start] <= '\r'))) {
         ++start;
     }
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
-        if (begins(bytes, size, start + rows[i].offset, rows[i].first)) {
+        if (begins_with(bytes, size, start + rows[i].offset, rows[i].first)) {
             return rows[i].what;
         }
     }
     if (is_windows_program(bytes, size)) {
         return "a program";
     }
-    return begins(bytes, size, start, "<?xml") ? describe_xml(bytes, size)
-                                               : describe_extension(name);
+    return begins_with(bytes, size, start, "<?xml") ? describe_xml(bytes, size)
+                                                    : describe_extension(name);
 }
 
 int burnish_is_lfs_pointer(const uint8_t *bytes, size_t size) {
-    return begins(bytes, size, 0, "version https://git-lfs.github.com/spec/");
+    return begins_with(bytes, size, 0, "version https://git-lfs.github.com/spec/");
 }

@@ -74,7 +74,7 @@ static size_t read_keyword(off_state *off, burnish_token word, int *has_dimensio
     return !is_it ? 0 : (size_t)(word.bytes - first) + (*word.bytes == 'O' ? 3 : 0);
 }
 
-static burnish_status fail(off_state *off, const burnish_lexer *lexer, const char *text) {
+static burnish_status off_fail(off_state *off, const burnish_lexer *lexer, const char *text) {
     return burnish_reader_fail(off->reader, BURNISH_STATUS_FORMAT, lexer->next, "%s", text);
 }
 
@@ -90,14 +90,14 @@ static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
     const size_t keyword = read_keyword(off, word, &has_dimensions);
     lexer->next = keyword > 0 ? word.bytes + keyword : before.next;
     if (keyword > 0 && has_dimensions) {
-        return fail(off, lexer, "only vertices of 3 dimensions are supported; export OFF");
+        return off_fail(off, lexer, "only vertices of 3 dimensions are supported; export OFF");
     }
     for (int i = 0; i < 2; ++i) {
         if (!skip_empty_lines(lexer) || !burnish_lexer_token(lexer, &word)) {
-            return fail(off, lexer, "the file ends before its counts; the file is truncated");
+            return off_fail(off, lexer, "the file ends before its counts; the file is truncated");
         }
         if (i == 0 && burnish_token_is(word, "BINARY")) {
-            return fail(off, lexer, "binary OFF is not supported; export it as text");
+            return off_fail(off, lexer, "binary OFF is not supported; export it as text");
         }
         if (burnish_parse_integer(word, &counts[i]) != BURNISH_NUMBER_OK || counts[i] < 0) {
             return burnish_reader_fail(
@@ -391,7 +391,7 @@ static void read_face(off_parser *p) {
     }
 }
 
-static void parse(const void *state, burnish_chunk *chunk) {
+static void off_parse(const void *state, burnish_chunk *chunk) {
     off_parser p = {state, chunk, {chunk->first, chunk->text_end, 0}};
     while (chunk->rows < chunk->rows_left && chunk->status == BURNISH_STATUS_OK) {
         if (!skip_empty_lines(&p.lexer) || p.lexer.next >= chunk->end) {
@@ -416,7 +416,7 @@ static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
     return newline ? newline + 1 : end;
 }
 
-static burnish_status accept(void *state, const burnish_chunk *chunk) {
+static burnish_status off_accept(void *state, const burnish_chunk *chunk) {
     off_state *off = state;
     for (size_t i = 0; i < chunk->event_count; ++i) {
         const burnish_chunk_event *event = &chunk->events[i];
@@ -437,8 +437,8 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 static burnish_status read_rows(off_state *off, const uint8_t **at, size_t rows) {
     const unsigned has_own = off->in_faces && !off->has_colors;
     const burnish_grammar grammar = {.find_start = find_line,
-                                     .parse = parse,
-                                     .accept = accept,
+                                     .parse = off_parse,
+                                     .accept = off_accept,
                                      .indexed = 1u << BURNISH_POSITION | has_own << BURNISH_COLOR};
     size_t missing = rows;
     burnish_status status = rows > 0 ? burnish_chunks_read(&grammar, off, off->reader, at, &missing)
@@ -473,7 +473,7 @@ static burnish_status settle_face_colors(off_state *off) {
     return status;
 }
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status off_read(burnish_reader *reader) {
     off_state off = {.reader = reader};
     burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0);
     if (reader->input->streamed && !burnish_must_stream(reader->input)) {
@@ -516,7 +516,7 @@ static burnish_status read_input(burnish_reader *reader) {
 }
 
 /* Recognised by its first word that is not a comment. */
-static int recognise(const uint8_t *bytes, size_t size) {
+static int off_recognise(const uint8_t *bytes, size_t size) {
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
     burnish_token word;
     off_state unused;
@@ -526,4 +526,4 @@ static int recognise(const uint8_t *bytes, size_t size) {
 }
 
 const burnish_format_reader burnish_reader_off = {
-    .recognise = recognise, .read = read_input, .averages_normals = 1, .can_stream = 1};
+    .recognise = off_recognise, .read = off_read, .averages_normals = 1, .can_stream = 1};

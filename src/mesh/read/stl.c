@@ -189,7 +189,7 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
 
 /* Every chunk except the first begins at a "facet", within a solid, and ends before one. "facet" at
  * the start of a line is always within a solid, so a chunk may begin at any of them. */
-static void parse(const void *state, burnish_chunk *chunk) {
+static void stl_parse(const void *state, burnish_chunk *chunk) {
     const stl_state *file = state;
     stl_parser stl = {chunk, {chunk->first, chunk->text_end, 0}, file->reader->mesh->origin};
     int in_solid = !chunk->is_first, seen = in_solid;
@@ -229,7 +229,7 @@ static void parse(const void *state, burnish_chunk *chunk) {
 }
 
 /* The first line after `from` whose first word is "facet". */
-static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
+static const uint8_t *stl_find_facet(const uint8_t *from, const uint8_t *end) {
     const uint8_t *newline = from;
     while ((newline = memchr(newline, '\n', (size_t)(end - newline)))) {
         burnish_lexer line = {++newline, end, 0};
@@ -241,7 +241,7 @@ static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
     return end;
 }
 
-static burnish_status accept(void *state, const burnish_chunk *chunk) {
+static burnish_status stl_accept(void *state, const burnish_chunk *chunk) {
     static const char *const warnings[] = {[NORMAL] = "a normal is not 3 numbers; it was ignored",
                                            [EXTRA] = "text in a facet's line was ignored",
                                            [END] = "\"endsolid\" is missing",
@@ -255,10 +255,10 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status read_text(burnish_reader *reader) {
-    static const burnish_grammar grammar = {.find_start = find_start,
-                                            .parse = parse,
-                                            .accept = accept,
+static burnish_status stl_read_text(burnish_reader *reader) {
+    static const burnish_grammar grammar = {.find_start = stl_find_facet,
+                                            .parse = stl_parse,
+                                            .accept = stl_accept,
                                             .indexed = 1u << BURNISH_POSITION,
                                             .are_facets = 1};
     const uint8_t *at =
@@ -302,19 +302,19 @@ static int starts_as_text(const uint8_t *bytes, size_t size) {
 }
 
 /* A size that matches the count is not an accident, whatever the file is called. */
-static int recognise(const uint8_t *bytes, size_t size) {
+static int stl_recognise(const uint8_t *bytes, size_t size) {
     return burnish_is_binary_stl(bytes, size) ? 1 + (size > BURNISH_STL_HEADER_SIZE)
                                               : starts_as_text(bytes, size);
 }
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status stl_read(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     burnish_status status;
     const size_t head = burnish_reader_head(reader);
     const int is_text = !burnish_is_binary_stl(input->bytes, input->size) &&
                         burnish_are_text(input->bytes, head < LOOKED_AT ? head : LOOKED_AT);
     if (is_text && starts_as_text(input->bytes, head)) {
-        status = read_text(reader);
+        status = stl_read_text(reader);
     } else if (is_text && input->size >= BURNISH_STL_HEADER_SIZE) {
         return burnish_reader_fail(
             reader, BURNISH_STATUS_FORMAT, input->bytes,
@@ -339,4 +339,4 @@ static burnish_status read_input(burnish_reader *reader) {
 }
 
 const burnish_format_reader burnish_reader_stl = {
-    .recognise = recognise, .read = read_input, .can_stream = 1};
+    .recognise = stl_recognise, .read = stl_read, .can_stream = 1};

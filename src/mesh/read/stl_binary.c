@@ -157,7 +157,7 @@ static const uint8_t *find_announced_color(const uint8_t *bytes) {
 }
 
 /* A facet's colour by its attributes; white for none. */
-static void write_color(const facet_context *context, unsigned bits, uint8_t rgba[4]) {
+static void write_facet_color(const facet_context *context, unsigned bits, uint8_t rgba[4]) {
     const int has_own = !(bits & HAS_COLOR) == (context->announced != NULL);
     memset(rgba, 255, 4);
     if (has_own) {
@@ -173,7 +173,7 @@ static void convert_colors(void *user_data, const uint8_t *facets, size_t first,
     const facet_context *context = user_data;
     for (size_t i = first; i < end; ++i, facets += FACET_SIZE) {
         uint8_t *rgba = context->colors + 12 * i;
-        write_color(context, burnish_load16(facets + ATTRIBUTES_AT), rgba);
+        write_facet_color(context, burnish_load16(facets + ATTRIBUTES_AT), rgba);
         memcpy(rgba + 4, rgba, 4);
         memcpy(rgba + 8, rgba, 4);
     }
@@ -208,7 +208,7 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
     }
     if (any == all) {
         uint8_t rgba[4];
-        write_color(context, any > 0 ? all : HAS_COLOR, rgba);
+        write_facet_color(context, any > 0 ? all : HAS_COLOR, rgba);
         return set_material(mesh, rgba);
     }
     if (burnish_mesh_data_reserve(mesh, BURNISH_COLOR, 3 * count) == BURNISH_STATUS_OK) {

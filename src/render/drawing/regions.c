@@ -28,7 +28,7 @@ typedef struct thinner {
     int is_open;     /* 1: no direction is excluded yet */
 } thinner;
 
-static void push(thinner *t, point p) {
+static void push_border_point(thinner *t, point p) {
     burnish_borders *b = t->borders;
     b->points = burnish_reserve(t->memory, b->points, &b->point_capacity, 2 * b->point_count + 2,
                                 sizeof *b->points, "borders");
@@ -41,12 +41,12 @@ static void push(thinner *t, point p) {
     t->is_open = 1;
 }
 
-static double cross(point a, point b) {
+static double cross_of_points(point a, point b) {
     return a.x * b.y - a.y * b.x;
 }
 
 /* Whether a line from the anchor can go on to the point, and the directions that are then left. */
-static int narrow(thinner *t, point p) {
+static int narrow_cone(thinner *t, point p) {
     const point d = {p.x - t->anchor.x, p.y - t->anchor.y};
     const double square = d.x * d.x + d.y * d.y, wide = TOLERANCE * TOLERANCE;
     if (square <= wide) {
@@ -56,21 +56,22 @@ static int narrow(thinner *t, point p) {
     const point low = {d.x * along + d.y * TOLERANCE, d.y * along - d.x * TOLERANCE};
     const point high = {d.x * along - d.y * TOLERANCE, d.y * along + d.x * TOLERANCE};
     const int is_back = square < t->farthest;
-    const int is_between = t->is_open || (cross(t->low, d) >= 0 && cross(d, t->high) >= 0);
+    const int is_between =
+        t->is_open || (cross_of_points(t->low, d) >= 0 && cross_of_points(d, t->high) >= 0);
     if (is_back || !is_between) {
         return 0;
     }
-    t->low = t->is_open || cross(t->low, low) > 0 ? low : t->low;
-    t->high = t->is_open || cross(high, t->high) > 0 ? high : t->high;
+    t->low = t->is_open || cross_of_points(t->low, low) > 0 ? low : t->low;
+    t->high = t->is_open || cross_of_points(high, t->high) > 0 ? high : t->high;
     t->farthest = square;
     t->is_open = 0;
     return 1;
 }
 
-static void take(thinner *t, point p) {
-    if (!narrow(t, p)) {
-        push(t, t->last);
-        narrow(t, p);
+static void take_point(thinner *t, point p) {
+    if (!narrow_cone(t, p)) {
+        push_border_point(t, t->last);
+        narrow_cone(t, p);
     }
     t->last = p;
 }
@@ -84,8 +85,8 @@ static int is_inside(const burnish_region_map *map, uint8_t value, int x, int y)
 
 /* Follows a border with the region on its right, from the upper side of a pixel eastward. Pixels
  * that touch at a corner only are not connected. Returns twice the area, in square half pixels. */
-static double follow(const burnish_region_map *map, uint8_t value, int first_x, int first_y,
-                     thinner *t) {
+static double follow_border(const burnish_region_map *map, uint8_t value, int first_x, int first_y,
+                            thinner *t) {
     static const int step[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     static const int right[4][2] = {{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}; /* the pixel ahead */
     static const int left[4][2] = {{0, -1}, {0, 0}, {-1, 0}, {-1, -1}};
@@ -93,7 +94,7 @@ static double follow(const burnish_region_map *map, uint8_t value, int first_x, 
     const point first = {2 * x + 1, 2 * y};
     point before = first;
     double area = 0;
-    push(t, first);
+    push_border_point(t, first);
     do {
         if (way == 0) {
             map->values[(size_t)y * (size_t)map->width + (size_t)x] |= VISITED;
@@ -106,11 +107,11 @@ static double follow(const burnish_region_map *map, uint8_t value, int first_x, 
             way = (way + 3) % 4;
         }
         const point middle = {2 * x + step[way][0], 2 * y + step[way][1]};
-        area += cross(before, middle);
+        area += cross_of_points(before, middle);
         before = middle;
-        take(t, middle);
+        take_point(t, middle);
     } while (x != first_x || y != first_y || way != 0);
-    push(t, first);
+    push_border_point(t, first);
     return area;
 }
 
@@ -126,7 +127,7 @@ void burnish_borders_find(burnish_borders *borders, const burnish_region_map *ma
                 continue; /* none, or visited, or no upper side */
             }
             const size_t start = borders->point_count;
-            const double area = follow(map, value, x, y, &t);
+            const double area = follow_border(map, value, x, y, &t);
             if (area < least && area > -least) {
                 borders->point_count = start;
                 continue;

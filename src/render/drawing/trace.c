@@ -58,7 +58,7 @@ typedef struct tracing {
 
 /* ---- Colours ---- */
 
-static float clamped(float value) {
+static float clamped_value(float value) {
     return value > 0 ? value < 1 ? value : 1 : 0;
 }
 
@@ -66,9 +66,9 @@ static float clamped(float value) {
 static void flat_light(const tracing *t, int material, float light[3]) {
     const burnish_material *m = burnish_mesh_get_material(t->mesh, (size_t)material);
     for (int k = 0; k < 3; ++k) {
-        light[k] =
-            clamped(m->is_unlit ? m->diffuse[k] + m->emissive[k]
-                                : m->ambient[k] * t->options->ambient_light[k] + m->emissive[k]);
+        light[k] = clamped_value(m->is_unlit ? m->diffuse[k] + m->emissive[k]
+                                             : m->ambient[k] * t->options->ambient_light[k] +
+                                                   m->emissive[k]);
     }
 }
 
@@ -116,7 +116,7 @@ static int has_areas(tracing *t) {
 
 /* ---- The map ---- */
 
-static void aim(tracing *t) {
+static void aim_camera(tracing *t) {
     const burnish_camera *camera = &t->options->camera;
     const double height = t->map.height;
     t->eye = burnish_vec3_load(camera->position);
@@ -175,7 +175,7 @@ static int find_cut(const tracing *t, int x, int y, double depth) {
     return off <= CAP_MARGIN * depth ? found : -1;
 }
 
-static int classify(tracing *t, int x, int y, uint32_t triangle, double depth) {
+static int classify_pixel(tracing *t, int x, int y, uint32_t triangle, double depth) {
     if (triangle == BURNISH_TRIANGLE_NONE) {
         return 0;
     }
@@ -211,8 +211,8 @@ static burnish_status draw_band(tracing *t, burnish_renderer *renderer, int firs
         const size_t start = (size_t)row * width;
         uint8_t *values = t->map.values + (size_t)(first + row) * width;
         for (size_t x = 0; x < width; ++x) {
-            values[x] = (uint8_t)classify(t, (int)x, first + row, t->triangles[start + x],
-                                          (double)t->depth[start + x]);
+            values[x] = (uint8_t)classify_pixel(t, (int)x, first + row, t->triangles[start + x],
+                                                (double)t->depth[start + x]);
         }
     }
     return status;
@@ -232,7 +232,7 @@ static burnish_status draw_map(tracing *t) {
     t->map.width = options->width * t->scale;
     t->map.height = options->height * t->scale;
     t->last = BURNISH_TRIANGLE_NONE;
-    aim(t);
+    aim_camera(t);
     const size_t width = (size_t)t->map.width;
     t->map.values = burnish_allocate(t->memory, width, (size_t)t->map.height, "a map of areas");
     t->depth = burnish_allocate(t->memory, width * BAND, sizeof *t->depth, "depths of areas");

@@ -5,7 +5,7 @@
 #include "core/vector.h"
 
 /* Solves rows^T x = b for x by elimination with partial pivoting; 0 if the system is singular. */
-static int solve(const float rows[4][4], const double b[4], double x[4]) {
+static int solve_transposed(const float rows[4][4], const double b[4], double x[4]) {
     double m[4][5];
     for (int i = 0; i < 4; ++i) {
         for (int k = 0; k < 4; ++k) {
@@ -49,7 +49,7 @@ static int make_cap(const burnish_clip_plane *plane, const burnish_raster_view *
                                 burnish_vec3_dot(normal, burnish_vec3_loadf(view->origin)) -
                                     plane->offset};
     double in_clip[4];
-    if (!solve(view->rows, in_space, in_clip) || !(in_clip[2] > 0)) {
+    if (!solve_transposed(view->rows, in_space, in_clip) || !(in_clip[2] > 0)) {
         return 0;
     }
     cap->right = -in_clip[0] / in_clip[2];

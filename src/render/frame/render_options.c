@@ -35,7 +35,7 @@ burnish_status burnish_render_options_check_cookie(const burnish_render_options 
     return burnish_layout_check(options, COOKIE, "options", "render_options", error);
 }
 
-static int finite(const double *values, int count) {
+static int all_finite(const double *values, int count) {
     for (int i = 0; i < count; ++i) {
         if (!burnish_is_finite(values[i])) {
             return 0;
@@ -54,8 +54,8 @@ static int is_light_color(const float color[3]) {
 }
 
 static burnish_status check_camera(const burnish_camera *camera, burnish_error *error) {
-    if (!finite(camera->position, 3) || !finite(camera->focal_point, 3) ||
-        !finite(camera->view_up, 3)) {
+    if (!all_finite(camera->position, 3) || !all_finite(camera->focal_point, 3) ||
+        !all_finite(camera->view_up, 3)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "camera: position, focal point and view up must be finite numbers");
     }
@@ -82,7 +82,7 @@ static burnish_status check_lights(const burnish_render_options *options, burnis
         const double *v = light->vector;
         int directionless =
             light->kind == BURNISH_LIGHT_DIRECTIONAL && v[0] == 0 && v[1] == 0 && v[2] == 0;
-        if ((unsigned)light->kind > BURNISH_LIGHT_POINT || !finite(v, 3) || directionless ||
+        if ((unsigned)light->kind > BURNISH_LIGHT_POINT || !all_finite(v, 3) || directionless ||
             !is_light_color(light->color)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "light %d: needs a finite vector (not 0 for a directional light) "
@@ -105,7 +105,7 @@ static int is_flat(const burnish_area_light *light) {
     const burnish_vec3 u = burnish_vec3_load(light->half_u), v = burnish_vec3_load(light->half_v);
     const double sine = burnish_vec3_length(
         burnish_vec3_cross(burnish_vec3_normalize(u), burnish_vec3_normalize(v)));
-    return finite(light->half_u, 3) && finite(light->half_v, 3) && sine >= LEAST_SINE;
+    return all_finite(light->half_u, 3) && all_finite(light->half_v, 3) && sine >= LEAST_SINE;
 }
 
 static burnish_status check_area_lights(const burnish_render_options *options,
@@ -124,7 +124,8 @@ static burnish_status check_area_lights(const burnish_render_options *options,
             wrong = "needs a radiance in [0, 1e6]";
         } else if (!is_flat(light)) {
             wrong = "needs two finite half sides that are not parallel";
-        } else if (!finite(c, 3) || (light->is_distant && c[0] == 0 && c[1] == 0 && c[2] == 0)) {
+        } else if (!all_finite(c, 3) ||
+                   (light->is_distant && c[0] == 0 && c[1] == 0 && c[2] == 0)) {
             wrong = "needs a finite center (not 0 for a distant light)";
         }
         if (wrong) {
@@ -157,7 +158,7 @@ static burnish_status check_surroundings(const burnish_render_options *options,
                             "environment: a strength of %g is not in [0, 1e6]",
                             (double)options->environment_strength);
     }
-    if (!finite(&options->environment_turn, 1)) {
+    if (!all_finite(&options->environment_turn, 1)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "environment: the turn must be a finite number of degrees");
     }
@@ -185,7 +186,7 @@ static burnish_status check_occlusion(const burnish_render_options *options, bur
 }
 
 static burnish_status check_ground(const burnish_render_options *options, burnish_error *error) {
-    if (!finite(options->up, 3)) {
+    if (!all_finite(options->up, 3)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "up: needs three finite numbers");
     }
     if (options->ground != 0 && options->ground != 1) {

@@ -37,7 +37,7 @@ static double overdraw_limit(const burnish_call *d) {
 }
 
 /* Vertices to the screen, triangles to batches; for rows of a picture only once. */
-static burnish_status transform(burnish_call *d) {
+static burnish_status transform_geometry(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_mesh_view *mesh = d->mesh.view;
     const burnish_triangles triangles = {mesh->positions,
@@ -408,7 +408,7 @@ burnish_status burnish_call_run(burnish_call *d) {
                                              &renderer->tasks, &d->memory);
     }
     if (status == BURNISH_STATUS_OK) { /* first: what covers the picture too often needs no map */
-        status = transform(d);
+        status = transform_geometry(d);
     }
     if (status == BURNISH_STATUS_OK) {
         status = update_area(d, texturing);

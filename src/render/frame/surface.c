@@ -24,18 +24,18 @@ int burnish_surface_planes(const burnish_surface *surface) {
 /* ---- Batches: attributes divided by 1/w, positions from depths, then the kernels, a run of one
  * material after another ---- */
 
-static int padded(int count) {
+static int padded_count(int count) {
     return (count + BURNISH_SHADE_PAD - 1) / BURNISH_SHADE_PAD * BURNISH_SHADE_PAD;
 }
 
 /* Clears what is between the last item and the end of its vector: it is read, though not used. */
 static void clear_tail(float *items, int count) {
-    memset(items + count, 0, (size_t)(padded(count) - count) * sizeof *items);
+    memset(items + count, 0, (size_t)(padded_count(count) - count) * sizeof *items);
 }
 
 /* attribute / (1/w) in three arrays. */
-static void divide(int count, const float *const attribute[3], const float *inverse_w,
-                   float (*out)[BURNISH_SHADE_BATCH]) {
+static void divide_by_inverse_w(int count, const float *const attribute[3], const float *inverse_w,
+                                float (*out)[BURNISH_SHADE_BATCH]) {
     float w[BURNISH_SHADE_BATCH];
     for (int i = 0; i < count; ++i) {
         w[i] = 1.0f / inverse_w[i];
@@ -126,8 +126,8 @@ static void scatter_opacity(const burnish_shading *shading, const burnish_fragme
 }
 
 /* Texture coordinates of a batch; all fragments are opaque until their material is shaded. */
-static void locate(const burnish_shading *shading, const burnish_fragment_batch *batch,
-                   burnish_texture_scratch *scratch) {
+static void locate_textures(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                            burnish_texture_scratch *scratch) {
     if (shading->texturing->needs_points) {
         burnish_texture_locate(shading->texturing, &shading->rays, &batch->points, batch->material,
                                batch->count, scratch);
@@ -178,7 +178,7 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
     for (int k = 0; k < textured; ++k) {
         add_stream(&streams, scratch->texture.points[k], scratch->texture.brought[k]);
     }
-    memcpy(group->left, batch->material, (size_t)padded(batch->count) * sizeof *group->left);
+    memcpy(group->left, batch->material, (size_t)padded_count(batch->count) * sizeof *group->left);
     for (int i = 0; i < batch->count; ++i) {
         const int32_t material = group->left[i];
         if (material >= 0) {
@@ -221,10 +221,10 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         points.position[k] = position[k];
     }
     if (shading->is_lyon) {
-        divide(batch->count, batch->normal, batch->inverse_w, scratch->divided_normal);
+        divide_by_inverse_w(batch->count, batch->normal, batch->inverse_w, scratch->divided_normal);
     }
     if (batch->color[0]) {
-        divide(batch->count, batch->color, batch->inverse_w, scratch->divided_color);
+        divide_by_inverse_w(batch->count, batch->color, batch->inverse_w, scratch->divided_color);
     }
     if (shading->needs_position) {
         shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
@@ -239,7 +239,7 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         points.first_light = scratch->lit;
     }
     if (shading->texturing) {
-        locate(shading, batch, &scratch->texture);
+        locate_textures(shading, batch, &scratch->texture);
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
@@ -463,8 +463,8 @@ void burnish_shade_block_row(const burnish_surface *surface, const burnish_tile 
 
 /* An attribute at barycentric weights. In perspective an attribute times 1/w is linear on the
  * screen. */
-static burnish_float4 interpolate(const burnish_float4 *attribute, const uint32_t v[3],
-                                  float weight1, float weight2) {
+static burnish_float4 interpolate_attribute(const burnish_float4 *attribute, const uint32_t v[3],
+                                            float weight1, float weight2) {
     const float weight0 = (1.0f - weight1) - weight2;
     return (attribute[v[0]] * weight0 + attribute[v[1]] * weight1) + attribute[v[2]] * weight2;
 }
@@ -482,8 +482,8 @@ static burnish_float4 point_normal(const burnish_surface *surface,
     return (burnish_float4){normal[0] * scale, normal[1] * scale, normal[2] * scale, own[3]};
 }
 
-static void gather(const burnish_surface *surface, burnish_fragments *fragments,
-                   burnish_fragment_scratch *scratch) {
+static void gather_fragments(const burnish_surface *surface, burnish_fragments *fragments,
+                             burnish_fragment_scratch *scratch) {
     const burnish_attributes *attributes = surface->attributes;
     for (int i = 0; i < fragments->count; ++i) {
         const burnish_primitive *primitive = &fragments->primitives[i];
@@ -492,16 +492,16 @@ static void gather(const burnish_surface *surface, burnish_fragments *fragments,
         const burnish_float4 normal =
             surface->points
                 ? point_normal(surface, fragments, i)
-                : interpolate(attributes->normals, primitive->vertices, weight1, weight2);
+                : interpolate_attribute(attributes->normals, primitive->vertices, weight1, weight2);
         scratch->normal[0][i] = normal[0] * side;
         scratch->normal[1][i] = normal[1] * side;
         scratch->normal[2][i] = normal[2] * side;
         scratch->inverse_w[i] = normal[3];
         if (attributes->has_colors) {
             const burnish_float4 color =
-                surface->points
-                    ? attributes->colors[primitive->vertices[0]]
-                    : interpolate(attributes->colors, primitive->vertices, weight1, weight2);
+                surface->points ? attributes->colors[primitive->vertices[0]]
+                                : interpolate_attribute(attributes->colors, primitive->vertices,
+                                                        weight1, weight2);
             scratch->color[0][i] = color[0];
             scratch->color[1][i] = color[1];
             scratch->color[2][i] = color[2];
@@ -516,7 +516,7 @@ static void gather(const burnish_surface *surface, burnish_fragments *fragments,
         clear_tail(scratch->color[k], fragments->count);
     }
     memset(scratch->material + fragments->count, 0,
-           (size_t)(padded(fragments->count) - fragments->count) * sizeof *scratch->material);
+           (size_t)(padded_count(fragments->count) - fragments->count) * sizeof *scratch->material);
     clear_tail(fragments->x, fragments->count);
     clear_tail(fragments->y, fragments->count);
 }
@@ -559,7 +559,7 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
         batch.normal[k] = scratch->normal[k];
         batch.color[k] = surface->attributes->has_colors ? scratch->color[k] : NULL;
     }
-    gather(surface, fragments, scratch);
+    gather_fragments(surface, fragments, scratch);
     if (surface->caps) {
         cap_fragments(surface, tile, fragments, scratch);
     }
@@ -578,7 +578,7 @@ float burnish_fragment_alpha(const burnish_attributes *attributes,
                              const burnish_fragments *fragments, int i) {
     const uint32_t *v = fragments->primitives[i].vertices;
     const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
-    const burnish_float4 color = interpolate(attributes->colors, v, weight1, weight2);
-    const burnish_float4 normal = interpolate(attributes->normals, v, weight1, weight2);
+    const burnish_float4 color = interpolate_attribute(attributes->colors, v, weight1, weight2);
+    const burnish_float4 normal = interpolate_attribute(attributes->normals, v, weight1, weight2);
     return color[3] / normal[3];
 }

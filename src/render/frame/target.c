@@ -103,7 +103,7 @@ static void add_light(burnish_tile_sums *sums, const burnish_fragments *fragment
 }
 
 /* a where simple >= 0, b elsewhere; without a branch, which would be unpredictable. */
-static inline float pick(int32_t simple, float a, float b) {
+static inline float pick_simple(int32_t simple, float a, float b) {
     uint32_t none = (uint32_t)(simple >> 31), a_bits, b_bits;
     memcpy(&a_bits, &a, sizeof a_bits);
     memcpy(&b_bits, &b, sizeof b_bits);
@@ -132,7 +132,7 @@ static void resolve_row(const burnish_output *output, const burnish_tile_sums *s
                 mixed = covered[i] ? sum[i] * (1.0f / (float)covered[i]) : 0.0f;
             }
             const float value = light[i] < limit ? light[i] : limit;
-            light[i] = pick(row->pixels.simple[i], value, mixed);
+            light[i] = pick_simple(row->pixels.simple[i], value, mixed);
         }
     }
 }

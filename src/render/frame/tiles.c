@@ -29,8 +29,8 @@ struct burnish_tile_worker {
 
 /* Visibility: which triangle every sample shows, and the layers in front of it. Returns 0 where
  * none comes near the tile. */
-static int rasterize(const burnish_frame *frame, const burnish_bins *bins,
-                     burnish_tile_worker *worker, int column, int row) {
+static int rasterize_tile(const burnish_frame *frame, const burnish_bins *bins,
+                          burnish_tile_worker *worker, int column, int row) {
     const burnish_transparency *transparency = frame->surface.transparency;
     worker->tile.transparent = transparency ? transparency->masks : NULL;
     return burnish_tile_draw(&worker->tile, frame->ops, frame->surface.view, frame->geometry, bins,
@@ -202,7 +202,7 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     for (int number = 0; number < ROWS_AHEAD; ++number) {
         prefetch_row(frame, column, row, number);
     }
-    const int is_covered = rasterize(frame, bins, worker, column, row);
+    const int is_covered = rasterize_tile(frame, bins, worker, column, row);
     if (is_covered && frame->output.target.pixels.pixels) {
         burnish_surface_begin_tile(&frame->surface, tile, &worker->scratch);
     }
@@ -282,7 +282,7 @@ static void report_progress(frame_context *context, int thread) {
     }
 }
 
-static void draw_task(void *from, int column, int row, int thread) {
+static void draw_tile_task(void *from, int column, int row, int thread) {
     frame_context *context = from;
     (context->frame->surface.transparency ? draw_transparent_tile : draw_tile)(
         context->frame, context->bins, &context->workers[thread], column, row);
@@ -296,7 +296,7 @@ static burnish_status draw_tiles(const burnish_frame *frame, burnish_tiles *tile
     const burnish_bands bands = {&tiles->bins,        frame->ops,   frame->geometry,
                                  frame->surface.view, frame->tasks, tiles->worker_count,
                                  frame->context};
-    return burnish_bands_draw_rows(&bands, rows.first, rows.end, draw_task, &context, error);
+    return burnish_bands_draw_rows(&bands, rows.first, rows.end, draw_tile_task, &context, error);
 }
 
 /* Counts are sums and bounds extremes: their order does not matter. */

@@ -18,7 +18,7 @@ static int is_dark(const float color[3]) {
 }
 
 /* A distant light that turns its back to the object shines on nothing. */
-static int shines(const burnish_area_light *light) {
+static int light_shines(const burnish_area_light *light) {
     const burnish_vec3 u = burnish_vec3_load(light->half_u), v = burnish_vec3_load(light->half_v);
     const double front =
         burnish_vec3_dot(burnish_vec3_load(light->center), burnish_vec3_cross(u, v));
@@ -32,7 +32,7 @@ static int has_environment(const burnish_render_options *options) {
 int burnish_area_is_needed(const burnish_render_options *options) {
     int needed = options->has_dome || has_environment(options);
     for (int i = 0; i < options->area_light_count; ++i) {
-        needed |= shines(&options->area_lights[i]);
+        needed |= light_shines(&options->area_lights[i]);
     }
     return needed;
 }
@@ -42,7 +42,7 @@ int burnish_area_is_needed(const burnish_render_options *options) {
 /* Whether a light is in the maps; near ones and the one that casts a shadow are not. */
 static int is_mapped(const burnish_area *area, const burnish_render_options *options, int number) {
     const burnish_area_light *light = &options->area_lights[number];
-    return light->is_distant && number != area->key && shines(light);
+    return light->is_distant && number != area->key && light_shines(light);
 }
 
 /* Whether the maps are in camera space, where a camera that moves leaves them as they are. Else in
@@ -145,7 +145,7 @@ static void gather_near(burnish_area *area, const burnish_render_options *option
     lights->key = -1;
     for (int i = 0; i < options->area_light_count; ++i) {
         const burnish_area_light *from = &options->area_lights[i];
-        if (shines(from) && !is_mapped(area, options, i)) {
+        if (light_shines(from) && !is_mapped(area, options, i)) {
             const burnish_area_light light = near_light(view, from);
             const int before = lights->count;
             burnish_near_lights_add(lights, &light);
@@ -186,7 +186,7 @@ static void find_key(burnish_area *area, const burnish_render_options *options,
          ++i) {
         burnish_vec3 toward;
         const double strength = strength_of(view, &options->area_lights[i], &toward);
-        if (shines(&options->area_lights[i]) && strength > most) {
+        if (light_shines(&options->area_lights[i]) && strength > most) {
             most = strength;
             area->key = i;
             area->toward_key = toward;
@@ -233,7 +233,7 @@ static int varies_roughness(const burnish_textured_material *material) {
     return material->is_varied && (material->has_normals || material->samplers[slot].levels);
 }
 
-static float clamped(float x, float low, float high) {
+static float clamped_value(float x, float low, float high) {
     return x > low ? x < high ? x : high : low;
 }
 
@@ -245,7 +245,7 @@ static float least_roughness(const burnish_textured_material *material, float ro
     if (material->material.is_metallic) {
         return metal ? roughness * (float)metal->least[1] / 255 : roughness;
     }
-    return clamped((float)burnish_sqrt(burnish_sqrt(2 / (n + 2))), 0.0f, roughness);
+    return clamped_value((float)burnish_sqrt(burnish_sqrt(2 / (n + 2))), 0.0f, roughness);
 }
 
 /* The alpha of a material that reflects, among those of the frame; levels if it varies or there are
@@ -254,7 +254,7 @@ static void find_alpha(burnish_area *area, const burnish_textured_material *text
                        burnish_area_material *material) {
     const float roughness = material->reflecting.roughness;
     const int varies = textured && varies_roughness(textured);
-    const float alpha = clamped(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
+    const float alpha = clamped_value(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
     int i = 0;
     while (i < area->alpha_count && area->alphas[i] != alpha) {
         ++i;
@@ -288,7 +288,7 @@ static burnish_status prepare_alphas(burnish_area *area, burnish_memory *memory)
     }
     for (int i = 0; area->has_levels && i < BURNISH_LIGHT_LEVELS; ++i) {
         const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
-        area->alphas[count++] = clamped(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
+        area->alphas[count++] = clamped_value(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
     }
     if (status == BURNISH_STATUS_OK && area->near_lights.count > 0) {
         status = burnish_near_lights_prepare(&area->near_lights, area->alphas, count, memory);
@@ -296,7 +296,7 @@ static burnish_status prepare_alphas(burnish_area *area, burnish_memory *memory)
     return status;
 }
 
-static burnish_reflecting_material reflecting(const burnish_material *from, int has_colors) {
+static burnish_reflecting_material reflecting_of(const burnish_material *from, int has_colors) {
     const int is_metallic = burnish_has_roughness(from);
     const float *color = from->is_metallic || !is_metallic ? from->diffuse : from->ambient;
     const float n = from->exponent, metallic = from->metallic;
@@ -310,7 +310,7 @@ static burnish_reflecting_material reflecting(const burnish_material *from, int 
                                      : 8 * from->specular[k] / (n + 4);
         to.reflects |= f0 > 0;
         to.diffuse[k] = is_metallic ? base * (1 - metallic) : base;
-        to.reflectance[k] = clamped(f0, 0.0f, 1.0f);
+        to.reflectance[k] = clamped_value(f0, 0.0f, 1.0f);
     }
     to.roughness =
         is_metallic ? from->roughness : (float)burnish_sqrt(burnish_sqrt(2 / ((double)n + 2)));
@@ -351,7 +351,7 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
         const burnish_material *from = burnish_mesh_get_material(mesh->mesh, i);
         const burnish_textured_material *textured = texturing ? &texturing->materials[i] : NULL;
         burnish_area_material *to = &area->materials[i];
-        *to = (burnish_area_material){.reflecting = reflecting(from, has_colors)};
+        *to = (burnish_area_material){.reflecting = reflecting_of(from, has_colors)};
         for (int k = 0; k < 3 && textured && textured->is_varied; ++k) {
             to->reflecting.diffuse[k] = 1; /* points have it */
         }
@@ -493,9 +493,9 @@ static void integrate_rest(const burnish_area *area, const burnish_kernels *kern
 }
 
 /* The light of near lights that arrives. */
-static void shine(const burnish_area *area, const burnish_kernels *kernels,
-                  const burnish_render_ops *ops, const burnish_area_batch *batch,
-                  const burnish_kernels_points *points, burnish_reflecting_points *each) {
+static void add_near_lights(const burnish_area *area, const burnish_kernels *kernels,
+                            const burnish_render_ops *ops, const burnish_area_batch *batch,
+                            const burnish_kernels_points *points, burnish_reflecting_points *each) {
     burnish_near_scratch *scratch = batch->scratch;
     if (area->materials[batch->material].reflecting.has_levels) {
         const burnish_area_points all = {points, batch->material, batch->count, 0, each->roughness};
@@ -531,7 +531,7 @@ void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
         read_textures(batch, &points, &each);
     }
     if (area->near_lights.count > 0) {
-        shine(area, kernels, ops, batch, &points, &each);
+        add_near_lights(area, kernels, ops, batch, &points, &each);
     }
     kernels->add_environment(&area->constants, &area->materials[batch->material].reflecting,
                              &points, &each, (size_t)batch->count, rgb);

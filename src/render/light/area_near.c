@@ -46,7 +46,7 @@ static void add_scaled(float scale, const float *light, int count, float *sum) {
 }
 
 /* The two levels next to the roughness of each point count, by their distance from it. */
-static void weigh(const burnish_near_batch *batch, int level, float *light) {
+static void weigh_levels(const burnish_near_batch *batch, int level, float *light) {
     const float steps = (float)(batch->level_count - 1);
     for (int i = 0; i < batch->count; ++i) {
         const float distance = batch->roughness[i] * steps - (float)level;
@@ -90,7 +90,7 @@ static void add_light(const burnish_near_lights *lights, const burnish_kernels *
         kernels->polygon_light(&lights->polygons[row + number], batch->points, &axes,
                                (size_t)batch->count, out);
         if (batch->level_count > 0) {
-            weigh(batch, i - batch->alpha, scratch->light[1]);
+            weigh_levels(batch, i - batch->alpha, scratch->light[1]);
         }
         for (int k = 0; k < 2; ++k) {
             if (out[k] && number == lights->key) {

@@ -40,7 +40,7 @@ typedef struct alpha_range {
     double least, most, mean;
 } alpha_range;
 
-static int wrapped(long long i, int size, int wrap) {
+static int wrapped_texel(long long i, int size, int wrap) {
     if (wrap == BURNISH_WRAP_CLAMP) {
         return i < 0 ? 0 : i >= size ? size - 1 : (int)i;
     }
@@ -96,8 +96,8 @@ static alpha_range range_of(const burnish_texture_sampler *sampler, int channel,
     for (int j = 0; j < count[1]; ++j) {
         for (int i = 0; i < count[0]; ++i) {
             const double value = texel_at(
-                levels, level, wrapped(first[0] + i, levels->width[level], sampler->wrap[0]),
-                wrapped(first[1] + j, levels->height[level], sampler->wrap[1]), channel);
+                levels, level, wrapped_texel(first[0] + i, levels->width[level], sampler->wrap[0]),
+                wrapped_texel(first[1] + j, levels->height[level], sampler->wrap[1]), channel);
             const double least = level == 0 ? value : value < 1 ? 0 : 1;
             const double most = level == 0 ? value : value > 0 ? 1 : 0;
             range.least = least < range.least ? least : range.least;
@@ -306,8 +306,9 @@ static burnish_status cut_mesh(burnish_casters *casters, const burnish_mesh_view
 }
 
 /* Puts the mesh's own before the pieces'. */
-static burnish_status join(burnish_casters *casters, const burnish_mesh_view *mesh,
-                           const burnish_transparency *transparency, burnish_memory *memory) {
+static burnish_status join_arrays(burnish_casters *casters, const burnish_mesh_view *mesh,
+                                  const burnish_transparency *transparency,
+                                  burnish_memory *memory) {
     const size_t all = mesh->triangle_count + casters->index_count / 3;
     const size_t own = (mesh->triangle_count + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
     const size_t batches = (all + BURNISH_BATCH_SIZE - 1) / BURNISH_BATCH_SIZE;
@@ -352,7 +353,7 @@ burnish_status burnish_casters_update(burnish_casters *casters, const burnish_me
     casters->version = 0;
     burnish_status status = cut_mesh(casters, mesh, transparency, memory);
     if (status == BURNISH_STATUS_OK) {
-        status = join(casters, mesh, transparency, memory);
+        status = join_arrays(casters, mesh, transparency, memory);
     }
     casters->version = status == BURNISH_STATUS_OK ? transparency->version : 0;
     return status;

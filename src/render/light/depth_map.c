@@ -194,7 +194,7 @@ burnish_status burnish_map_draw(burnish_map_drawer *drawer, const burnish_mesh_v
 #define LEAST_RADIUS 0.5
 enum { LEAST_POINTS = 16 };
 
-static inline void raise(uint16_t *to, uint16_t from) {
+static inline void raise_code(uint16_t *to, uint16_t from) {
     *to = from > *to ? from : *to;
 }
 
@@ -223,8 +223,8 @@ static void draw_middles(const burnish_mesh_view *mesh, const burnish_raster_vie
             at[2] < 1) {
             const int texel = (int)(middle - at[1]) * size + (int)(middle + at[0]);
             const int code = (int)(at[2] * (float)BURNISH_MAP_CODES + 0.5f);
-            raise(&depths[0][texel], (uint16_t)code);
-            raise(&depths[1][texel], (uint16_t)((int)BURNISH_MAP_CODES - code));
+            raise_code(&depths[0][texel], (uint16_t)code);
+            raise_code(&depths[1][texel], (uint16_t)((int)BURNISH_MAP_CODES - code));
         }
     }
 }
@@ -235,14 +235,14 @@ static void widen_columns(uint16_t *depths, size_t size, size_t reach) {
     for (size_t done = 0, step; done < reach; done += step) {
         step = done + 1 < reach - done ? done + 1 : reach - done;
         for (size_t i = 0; i < (size - step) * size; ++i) {
-            raise(&depths[i], depths[i + step * size]);
+            raise_code(&depths[i], depths[i + step * size]);
         }
     }
     for (size_t done = 0, step; done < reach; done += step) {
         step = done + 1 < reach - done ? done + 1 : reach - done;
         for (size_t y = size - 1; y >= step; --y) {
             for (size_t x = 0; x < size; ++x) {
-                raise(&depths[y * size + x], depths[(y - step) * size + x]);
+                raise_code(&depths[y * size + x], depths[(y - step) * size + x]);
             }
         }
     }
@@ -253,13 +253,13 @@ static void widen_rows(uint16_t *depths, size_t size, size_t reach) {
         for (size_t done = 0, step; done < reach; done += step) {
             step = done + 1 < reach - done ? done + 1 : reach - done;
             for (size_t x = 0; x + step < size; ++x) {
-                raise(&depths[x], depths[x + step]);
+                raise_code(&depths[x], depths[x + step]);
             }
         }
         for (size_t done = 0, step; done < reach; done += step) {
             step = done + 1 < reach - done ? done + 1 : reach - done;
             for (size_t x = size - 1; x >= step; --x) {
-                raise(&depths[x], depths[x - step]);
+                raise_code(&depths[x], depths[x - step]);
             }
         }
     }

@@ -115,7 +115,7 @@ typedef struct ground_context {
 } ground_context;
 
 /* A map's row for texels of the texture. */
-static void compose(const burnish_ground *ground, const float row[4], float out[3]) {
+static void compose_row(const burnish_ground *ground, const float row[4], float out[3]) {
     const burnish_vec3 v = burnish_vec3_loadf(row);
     const double step = 1 / texels_of(ground);
     const double across[2] = {burnish_vec3_dot(v, ground->across[0]) * step,
@@ -131,9 +131,9 @@ static void compose(const burnish_ground *ground, const float row[4], float out[
 static burnish_silhouette silhouette_of(const burnish_ground *ground, const burnish_map_rows *map,
                                         const uint16_t *depths, int size, double cone) {
     burnish_silhouette silhouette = {.depths = depths, .size = size};
-    compose(ground, map->column, silhouette.column);
-    compose(ground, map->row, silhouette.row);
-    compose(ground, map->depth, silhouette.depth);
+    compose_row(ground, map->column, silhouette.column);
+    compose_row(ground, map->row, silhouette.row);
+    compose_row(ground, map->depth, silhouette.depth);
     silhouette.spread =
         (float)(CONE * cone * texels_of(ground) * BURNISH_MAP_RANGE / BURNISH_MAP_CODES);
     return silhouette;
@@ -216,7 +216,7 @@ static void blur_columns(void *from, size_t first, size_t end) {
 }
 
 /* 1 in the middle, 0 from the circle in the square of the texture on, smooth. */
-static double fade(double x, double y) {
+static double fade_at(double x, double y) {
     double t = (1 - burnish_sqrt(x * x + y * y) / (MIDDLE - 1)) / (1 - FADE);
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     return t * t * (3 - 2 * t);
@@ -235,14 +235,14 @@ static void darken_rows(void *from, size_t first, size_t end) {
         hidden = hidden < 0 ? 0 : hidden > 1 ? 1 : hidden;
         const double x = (double)(i % SIZE) - MIDDLE, y = (double)(i / SIZE) - MIDDLE;
         const double before = (double)context->ground->texels[i];
-        const double more = context->strength * hidden * fade(x, y) * (65535 - before);
+        const double more = context->strength * hidden * fade_at(x, y) * (65535 - before);
         context->ground->texels[i] = (uint16_t)(before + more + 0.5);
     }
 }
 
 enum { GRAIN = 16 /* rows that are worth a thread */ };
 
-static void blur(ground_context *context, int layer, int radius, burnish_tasks *tasks) {
+static void blur_layer(ground_context *context, int layer, int radius, burnish_tasks *tasks) {
     context->layer = context->ground->layers + (size_t)layer * SIZE * SIZE;
     context->radius = radius;
     burnish_tasks_ranges(tasks, SIZE, GRAIN, blur_rows, context);
@@ -258,7 +258,7 @@ static void add_sky(ground_context *context, const burnish_occlusion *occlusion,
     context->strength = STRENGTH;
     burnish_tasks_ranges(tasks, SIZE, GRAIN, add_rows, context);
     for (int k = 1; k < BURNISH_GROUND_LAYERS; ++k) {
-        blur(context, k, 1 << (k - 1), tasks);
+        blur_layer(context, k, 1 << (k - 1), tasks);
     }
     burnish_tasks_ranges(tasks, SIZE, GRAIN, darken_rows, context);
 }
@@ -279,7 +279,7 @@ static void add_light(ground_context *context, const burnish_shadow *shadow, bur
     context->sky = 1;
     context->strength = LIGHT_STRENGTH;
     burnish_tasks_ranges(tasks, SIZE, GRAIN, add_rows, context);
-    blur(context, 0, 1, tasks);
+    blur_layer(context, 0, 1, tasks);
     burnish_tasks_ranges(tasks, SIZE, GRAIN, darken_rows, context);
 }
 

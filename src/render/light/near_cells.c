@@ -197,7 +197,7 @@ static void fit_values(const near_square *square, const float *values, float out
 }
 
 /* What a quadratic says at the nodes. */
-static void evaluate(const near_square *square, const float c[TERMS], float out[NODES]) {
+static void evaluate_quadratic(const near_square *square, const float c[TERMS], float out[NODES]) {
     const float *u = square->u, *v = square->v;
     for (int i = 0; i < NODES; ++i) {
         out[i] = c[0] + (u[i] * (c[1] + (u[i] * c[3] + v[i] * c[4])) + v[i] * (c[2] + v[i] * c[5]));
@@ -210,7 +210,7 @@ static float largest_miss(const near_square *square, float (*const c)[TERMS],
     float squared[NODES] = {0}, at[NODES], largest = 0;
     for (int k = 0; k < 3; ++k) {
         const float *own = points[k] + square->first;
-        evaluate(square, c[k], at);
+        evaluate_quadratic(square, c[k], at);
         for (int i = 0; i < NODES; ++i) {
             squared[i] += (own[i] - at[i]) * (own[i] - at[i]);
         }
@@ -243,8 +243,8 @@ static float least_facing(const burnish_area *area, const near_square *square,
 
 /* The squared width of the narrowest lobe with which a square reflects the lights. GGX's are narrower
  * near the horizon (environment_lean()). */
-static float narrowest(const burnish_area *area, const burnish_area_material *material,
-                       const near_square *square, const near_squares *all) {
+static float narrowest_lobe(const burnish_area *area, const burnish_area_material *material,
+                            const near_square *square, const near_squares *all) {
     const burnish_near_lights *lights = &area->near_lights;
     const burnish_reflecting_material *reflecting = &material->reflecting;
     const int row = burnish_near_lights_row(lights, material->alpha, reflecting->is_metallic);
@@ -319,7 +319,7 @@ static int is_smooth(const near_square *square, near_squares *all, burnish_near_
            largest_miss(square, cell->position, all->position) < cell->position_limit[kind];
 }
 
-static void drop(burnish_near_cell *cell, int kind) {
+static void drop_square(burnish_near_cell *cell, int kind) {
     cell->normal_limit[kind] = cell->position_limit[kind] = -1;
 }
 
@@ -335,10 +335,10 @@ static int shape_cell(const burnish_near_field *field, near_square *square, near
         middle[k] = cell->position[k][0];
     }
     const float rate = turn_rate(field->area, middle);
-    const float width_squared = narrowest(field->area, material, square, all);
+    const float width_squared = narrowest_lobe(field->area, material, square, all);
     square->turn = 2 * reach_of(cell->normal) + rate * reach_of(cell->position);
     if (!is_smooth(square, all, cell, BURNISH_NEAR_CELL_SPECULAR, rate, width_squared)) {
-        drop(cell, BURNISH_NEAR_CELL_SPECULAR);
+        drop_square(cell, BURNISH_NEAR_CELL_SPECULAR);
         if (square->size > BURNISH_NEAR_CELL &&
             square->turn * square->turn < 4 * MOST_TURN * MOST_TURN * width_squared) {
             return 0;
@@ -410,7 +410,7 @@ static int fit_light(const near_square *square, float (*const values)[BURNISH_NE
         float largest = 0, miss[NODES];
         int misses = 0;
         fit_values(square, own, cell->light[k]);
-        evaluate(square, cell->light[k], miss);
+        evaluate_quadratic(square, cell->light[k], miss);
         for (int node = 0; node < NODES; ++node) {
             largest = own[node] > largest ? own[node] : largest;
         }
@@ -444,7 +444,7 @@ static int light_cell(const burnish_area *area, near_square *square, int at,
         cell->position_limit[BURNISH_NEAR_CELL_SPECULAR] =
             cell->position_limit[BURNISH_NEAR_CELL_DIFFUSE];
     } else if (is_smooth && !fit_light(square, scratch->rest_values, at, specular, cell)) {
-        drop(cell, BURNISH_NEAR_CELL_SPECULAR);
+        drop_square(cell, BURNISH_NEAR_CELL_SPECULAR);
         if (square->size > BURNISH_NEAR_CELL) {
             return 0;
         }
@@ -453,8 +453,8 @@ static int light_cell(const burnish_area *area, near_square *square, int at,
 }
 
 /* Unit normals, and positions themselves. */
-static void locate(const burnish_near_field *field, const burnish_near_cells *cells,
-                   near_squares *squares) {
+static void locate_points(const burnish_near_field *field, const burnish_near_cells *cells,
+                          near_squares *squares) {
     const size_t count = (size_t)squares->count * NODES;
     const size_t rest = (BURNISH_NEAR_BATCH - count) * sizeof *squares->x;
     const burnish_screen_points screen = {cells->left + 0.5f, cells->top - 0.5f, squares->x,
@@ -477,7 +477,7 @@ static void locate(const burnish_near_field *field, const burnish_near_cells *ce
     }
 }
 
-static void install(burnish_near_cells *cells, const near_square *square) {
+static void install_square(burnish_near_cells *cells, const near_square *square) {
     for (int y = square->y; y < square->y + square->size; y += BURNISH_NEAR_CELL) {
         for (int x = square->x; x < square->x + square->size; x += BURNISH_NEAR_CELL) {
             cells->cell[y / BURNISH_NEAR_CELL * SIDE + x / BURNISH_NEAR_CELL] = cells->count;
@@ -516,7 +516,7 @@ static void light_cells(const burnish_near_field *field, near_squares *squares, 
         square->cell.is_grey = 1;
         square->cell.has_key = field->area->near_lights.key >= 0;
         if (light_cell(field->area, square, i * NODES, scratch)) {
-            install(cells, square);
+            install_square(cells, square);
         }
     }
 }
@@ -525,7 +525,7 @@ static void light_cells(const burnish_near_field *field, near_squares *squares, 
 static void make_cells(const burnish_near_field *field, near_squares *squares,
                        burnish_near_cells *cells, burnish_near_scratch *scratch) {
     int shaped[GROUP], count = 0, first = 0;
-    locate(field, cells, squares);
+    locate_points(field, cells, squares);
     for (int i = 0; i < squares->count; ++i) {
         near_square *square = &squares->squares[i];
         if (make_fit(square) && shape_cell(field, square, squares)) {

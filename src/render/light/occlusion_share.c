@@ -10,8 +10,8 @@
 enum { NO_KEY = 0xffff };
 
 /* Positions themselves, unit normals. */
-static void prepare(const burnish_render_ops *ops, const burnish_share_points *points, int count,
-                    burnish_share_scratch *scratch) {
+static void prepare_points(const burnish_render_ops *ops, const burnish_share_points *points,
+                           int count, burnish_share_scratch *scratch) {
     float *const normal[3] = {scratch->normal[0], scratch->normal[1], scratch->normal[2]};
     float inverse[BURNISH_SHARE_BATCH];
     for (int i = 0; i < count; ++i) {
@@ -161,7 +161,7 @@ static void look_up(const burnish_occlusion_lookup *lookup, const burnish_render
 void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                             const burnish_share_points *points, int count,
                             burnish_share_scratch *scratch, float *const rgb[3]) {
-    prepare(ops, points, count, scratch);
+    prepare_points(ops, points, count, scratch);
     for (int i = 0; i < count; ++i) {
         scratch->open[i] = 1.0f;
     }

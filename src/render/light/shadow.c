@@ -10,9 +10,9 @@
 #define RADIUS 2.5f
 #define AREA_RADIUS 6.0f
 
-static burnish_status draw(burnish_shadow *shadow, burnish_map_drawer *drawer,
-                           const burnish_mesh_view *mesh, const burnish_map_view *view,
-                           burnish_tasks *tasks, burnish_memory *memory) {
+static burnish_status draw_shadow_map(burnish_shadow *shadow, burnish_map_drawer *drawer,
+                                      const burnish_mesh_view *mesh, const burnish_map_view *view,
+                                      burnish_tasks *tasks, burnish_memory *memory) {
     const size_t texels = (size_t)view->size * (size_t)view->size;
     shadow->mesh = 0;
     shadow->depths = burnish_reserve_discard(memory, shadow->depths, &shadow->capacity, texels,
@@ -41,7 +41,7 @@ burnish_status burnish_shadow_update(burnish_shadow *shadow, burnish_map_drawer 
     burnish_status status = BURNISH_STATUS_OK;
     if (shadow->mesh != mesh->serial || shadow->size != size ||
         shadow->max_overdraw > drawer->max_overdraw || burnish_vec3_length(turned) > 0) {
-        status = draw(shadow, drawer, mesh, &view, tasks, memory);
+        status = draw_shadow_map(shadow, drawer, mesh, &view, tasks, memory);
     }
     lookup->map = burnish_map_rows_make(&view, options->eye);
     burnish_space_store(toward, lookup->toward);

@@ -40,7 +40,7 @@ static void note_edge(finder *f, uint32_t edge, uint32_t vertex) {
 }
 
 /* Walks from an edge's second end to its first; returns 1 if that closes a loop. */
-static int walk(finder *f, uint32_t start) {
+static int walk_loop(finder *f, uint32_t start) {
     const burnish_edge *items = f->edges->items;
     uint32_t edge = start, vertex = items[start].ends[1];
     f->point_count = 0;
@@ -145,7 +145,7 @@ static void find_axes(finder *f) {
          ++i) {
         burnish_vec3 center, normal;
         double radius;
-        if (is_sharp(&f->edges->items[i]) && !f->is_walked[i] && walk(f, i) &&
+        if (is_sharp(&f->edges->items[i]) && !f->is_walked[i] && walk_loop(f, i) &&
             f->point_count >= LEAST_VERTICES && fit_circle(f, &center, &normal, &radius) &&
             is_circle(f, center, normal, radius)) {
             add_circle(f, center, normal, radius);

@@ -39,7 +39,7 @@ enum {
 /* ---- Projection ---- */
 
 /* Cuts [*from, *to] of a + t (b - a) to where it is at least 0. Returns 0 where nothing is left. */
-static int cut(double a, double b, double *from, double *to) {
+static int cut_positive(double a, double b, double *from, double *to) {
     if (a < 0 && b < 0) {
         return 0;
     }
@@ -53,7 +53,7 @@ static int cut(double a, double b, double *from, double *to) {
     return *from < *to;
 }
 
-static burnish_clip_point between(burnish_clip_point a, burnish_clip_point b, double t) {
+static burnish_clip_point point_between(burnish_clip_point a, burnish_clip_point b, double t) {
     return (burnish_clip_point){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z),
                                 a.w + t * (b.w - a.w)};
 }
@@ -76,15 +76,15 @@ static void place_segment(const burnish_line_projection *p, const burnish_mesh_v
         burnish_line_project(p, burnish_vec3_loadf(mesh->positions + 3 * (size_t)edge->ends[1]));
     const double wide = p->middle[0], high = p->middle[1];
     double from = 0, to = 1;
-    const int is_inside = (cut(a.w - a.z, b.w - b.z, &from, &to) &&
-                           cut(a.w * wide - a.x, b.w * wide - b.x, &from, &to) &&
-                           cut(a.w * wide + a.x, b.w * wide + b.x, &from, &to) &&
-                           cut(a.w * high - a.y, b.w * high - b.y, &from, &to) &&
-                           cut(a.w * high + a.y, b.w * high + b.y, &from, &to));
+    const int is_inside = (cut_positive(a.w - a.z, b.w - b.z, &from, &to) &&
+                           cut_positive(a.w * wide - a.x, b.w * wide - b.x, &from, &to) &&
+                           cut_positive(a.w * wide + a.x, b.w * wide + b.x, &from, &to) &&
+                           cut_positive(a.w * high - a.y, b.w * high - b.y, &from, &to) &&
+                           cut_positive(a.w * high + a.y, b.w * high + b.y, &from, &to));
     segment->is_done = is_inside ? 0 : BURNISH_LINE_OUTSIDE;
     if (is_inside) {
-        store_end(p, from > 0 ? between(a, b, from) : a, segment, 0);
-        store_end(p, to < 1 ? between(a, b, to) : b, segment, 1);
+        store_end(p, from > 0 ? point_between(a, b, from) : a, segment, 0);
+        store_end(p, to < 1 ? point_between(a, b, to) : b, segment, 1);
     }
     segment->ends[0] = from > 0 ? BURNISH_LINE_CUT : edge->ends[0];
     segment->ends[1] = to < 1 ? BURNISH_LINE_CUT : edge->ends[1];

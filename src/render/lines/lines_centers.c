@@ -22,7 +22,8 @@ typedef struct drawer {
 } drawer;
 
 /* The position on the screen; returns 0 behind the camera. */
-static int project(const drawer *d, burnish_vec3 position, double at[2], double *distance) {
+static int project_position(const drawer *d, burnish_vec3 position, double at[2],
+                            double *distance) {
     const burnish_clip_point c = burnish_line_project(d->projection, position);
     if (!(c.w > 0)) {
         return 0;
@@ -34,7 +35,7 @@ static int project(const drawer *d, burnish_vec3 position, double at[2], double 
     return 1;
 }
 
-static burnish_vec3 along(const burnish_line_axis *axis, double t) {
+static burnish_vec3 point_along(const burnish_line_axis *axis, double t) {
     return burnish_vec3_add(axis->origin, burnish_vec3_scale(axis->direction, t));
 }
 
@@ -54,14 +55,15 @@ static int is_seen(const drawer *d, const burnish_line_axis *axis, double pixel)
     frame_of(axis, &u, &v);
     for (int end = 0; end < 2; ++end) {
         const double inward = INWARD * pixel;
-        const burnish_vec3 center = along(axis, end ? axis->to - inward : axis->from + inward);
+        const burnish_vec3 center =
+            point_along(axis, end ? axis->to - inward : axis->from + inward);
         double x = axis->radii[end], y = 0;
         int seen = 0;
         for (int i = 0; i < SAMPLES; ++i) {
             double at[2], distance;
             const burnish_vec3 p = burnish_vec3_add(
                 center, burnish_vec3_add(burnish_vec3_scale(u, x), burnish_vec3_scale(v, y)));
-            seen += project(d, p, at, &distance) &&
+            seen += project_position(d, p, at, &distance) &&
                     burnish_line_scene_shows(d->scene, at[0], at[1], distance);
             const double turned = cosine * x - sine * y;
             y = sine * x + cosine * y;
@@ -96,15 +98,15 @@ static void add_chain(const drawer *d, const double from[2], const double to[2])
 
 /* Both lines of a cross, or the line along the axis. */
 static void add_axis(const drawer *d, const burnish_line_axis *axis, int with_hidden) {
-    const burnish_vec3 middle = along(axis, (axis->from + axis->to) / 2);
+    const burnish_vec3 middle = point_along(axis, (axis->from + axis->to) / 2);
     const burnish_vec3 toward =
         d->projection->is_parallel
             ? d->projection->viewer
             : burnish_vec3_normalize(burnish_vec3_sub(d->projection->viewer, middle));
     double at[2][2], distance[2], center[2], depth;
-    if (!project(d, along(axis, axis->from), at[0], &distance[0]) ||
-        !project(d, along(axis, axis->to), at[1], &distance[1]) ||
-        !project(d, middle, center, &depth)) {
+    if (!project_position(d, point_along(axis, axis->from), at[0], &distance[0]) ||
+        !project_position(d, point_along(axis, axis->to), at[1], &distance[1]) ||
+        !project_position(d, middle, center, &depth)) {
         return;
     }
     const double pixel = d->scene->is_parallel ? d->scene->footprint : d->scene->footprint * depth;

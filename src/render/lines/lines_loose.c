@@ -45,7 +45,7 @@ static uint32_t find_root(uint32_t *parents, uint32_t line) {
 }
 
 /* The smaller root represents both. */
-static void join(uint32_t *parents, uint32_t a, uint32_t b) {
+static void join_sets(uint32_t *parents, uint32_t a, uint32_t b) {
     const uint32_t x = find_root(parents, a), y = find_root(parents, b);
     parents[x > y ? x : y] = x > y ? y : x;
 }
@@ -87,7 +87,7 @@ static int is_loose_end(const sets *s, uint32_t line, int end) {
             const cell *c = &s->cells[row * s->columns + column];
             for (int k = 0; k < 2; ++k) {
                 if (c->lines[k] != 0 && c->lines[k] != line + 1) {
-                    join(s->parents, c->lines[k] - 1, line);
+                    join_sets(s->parents, c->lines[k] - 1, line);
                     found = 1;
                 }
             }

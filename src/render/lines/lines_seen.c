@@ -127,7 +127,7 @@ static uint8_t step_at(const burnish_line_scene *scene, const burnish_line_segme
     return surface - at->distance - slope > STEP_DEPTH * at->pixel ? OUTLINE : HIDDEN;
 }
 
-static uint8_t look(burnish_line_scene *scene, const burnish_line_segment *s, double t) {
+static uint8_t look_at(burnish_line_scene *scene, const burnish_line_segment *s, double t) {
     const sample at = sample_at(scene, s, t);
     if (!is_seen(scene, s, &at)) {
         return HIDDEN;
@@ -246,7 +246,7 @@ typedef struct growing {
     int has_last;
 } growing;
 
-static double cross(const double a[2], const double b[2]) {
+static double cross_2d(const double a[2], const double b[2]) {
     return a[0] * b[1] - a[1] * b[0];
 }
 
@@ -267,15 +267,15 @@ static void store_point(growing *g, const double point[2]) {
 }
 
 /* Narrows the cone by a point at v from its tip. */
-static void narrow(growing *g, const double v[2], double length) {
+static void narrow_cone(growing *g, const double v[2], double length) {
     const double sine = TOLERANCE / length, cosine = burnish_sqrt(1 - sine * sine);
     const double a[2] = {cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1]};
     const double b[2] = {cosine * v[0] + sine * v[1], cosine * v[1] - sine * v[0]};
     const int is_new = g->left[0] == 0 && g->left[1] == 0;
-    if (is_new || cross(g->left, a) < 0) {
+    if (is_new || cross_2d(g->left, a) < 0) {
         memcpy(g->left, a, sizeof a);
     }
-    if (is_new || cross(g->right, b) > 0) {
+    if (is_new || cross_2d(g->right, b) > 0) {
         memcpy(g->right, b, sizeof b);
     }
 }
@@ -285,11 +285,11 @@ static void add_point(growing *g, const double point[2]) {
         const double v[2] = {point[0] - g->kept[0], point[1] - g->kept[1]};
         const double length = burnish_sqrt(v[0] * v[0] + v[1] * v[1]);
         const int has_cone = g->left[0] != 0 || g->left[1] != 0;
-        const int inside = !has_cone || (cross(g->right, v) >= 0 && cross(v, g->left) >= 0 &&
+        const int inside = !has_cone || (cross_2d(g->right, v) >= 0 && cross_2d(v, g->left) >= 0 &&
                                          v[0] * g->left[0] + v[1] * g->left[1] > 0);
         if (inside || !g->has_last) {
             if (length > 2 * TOLERANCE) {
-                narrow(g, v, length);
+                narrow_cone(g, v, length);
             }
             break;
         }
@@ -355,7 +355,7 @@ static double length_of(const burnish_line_art *art, uint32_t end) {
 }
 
 /* Moves on to the segment that holds the chain's length `to`; returns where in it. */
-static double advance(const burnish_line_art *art, cursor *c, double to) {
+static double advance_to(const burnish_line_art *art, cursor *c, double to) {
     while (c->at + 1 < c->count && c->before + c->length <= to) {
         c->before += c->length;
         c->length = length_of(art, c->chain[++c->at]);
@@ -368,12 +368,12 @@ static void add_line(burnish_line_art *art, cursor *c, const chain_part *part,
                      burnish_memory *memory) {
     growing g = {.art = art, .memory = memory};
     double point[2];
-    double t = advance(art, c, part->from);
+    double t = advance_to(art, c, part->from);
     chain_point(art, c->chain[c->at], t, point);
     begin_line(&g, part->width, part->is_rim, point);
     for (size_t before = c->at; memory->status == BURNISH_STATUS_OK; before = c->at) {
         const double end = c->before + c->length;
-        t = advance(art, c, part->to < end ? part->to : end);
+        t = advance_to(art, c, part->to < end ? part->to : end);
         chain_point(art, c->chain[before], before == c->at ? t : 1, point);
         add_point(&g, point);
         if (before == c->at) {
@@ -418,10 +418,10 @@ static double chain_length(const burnish_line_art *art, const uint32_t *chain, s
 static void look_along(const burnish_line_art *art, burnish_line_scene *scene, cursor c,
                        size_t samples, double step, uint8_t *states) {
     for (size_t i = 0; i < samples; ++i) {
-        const double t = advance(art, &c, ((double)i + 0.5) * step);
+        const double t = advance_to(art, &c, ((double)i + 0.5) * step);
         const uint32_t end = c.chain[c.at];
-        states[i] = (scene->taken ? look_behind : look)(scene, &art->segments[end / 2],
-                                                        end % 2 ? 1 - t : t);
+        states[i] = (scene->taken ? look_behind : look_at)(scene, &art->segments[end / 2],
+                                                           end % 2 ? 1 - t : t);
     }
     close_runs(states, samples, HIDDEN, GAP_MAX);
     close_runs(states, samples, INNER, SWITCH_MAX);

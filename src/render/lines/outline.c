@@ -126,7 +126,7 @@ static void store_values(const drawing *d, const int values[3], uint8_t *pixel) 
     }
 }
 
-static int min(int a, int b) {
+static int least_of(int a, int b) {
     return a < b ? a : b;
 }
 
@@ -134,14 +134,14 @@ static int min(int a, int b) {
  * four neighbours takes away, and by eight. */
 static int line_samples(const uint8_t *at, size_t stride) {
     const uint8_t *up = at - stride, *down = at + stride;
-    const int four = min(min(min(*up, *down), min(at[-1], at[1])), *at);
-    const int corners = min(min(up[-1], up[1]), min(down[-1], down[1]));
-    return 2 * *at - four - min(four, corners);
+    const int four = least_of(least_of(least_of(*up, *down), least_of(at[-1], at[1])), *at);
+    const int corners = least_of(least_of(up[-1], up[1]), least_of(down[-1], down[1]));
+    return 2 * *at - four - least_of(four, corners);
 }
 
 /* The values by which a pixel gets darker. An outline through the middle of a pixel leaves half of
  * the line in it and half in its neighbour; each of them then has the wanted contrast. */
-static int darkening(const drawing *d, const int values[3], int covered, int line) {
+static int outline_darkening(const drawing *d, const int values[3], int covered, int line) {
     const int samples = d->outline->sample_count, contrast = d->contrast;
     int darker = -255, brighter = -255;
     for (int k = 0; k < 3; ++k) {
@@ -154,9 +154,9 @@ static int darkening(const drawing *d, const int values[3], int covered, int lin
     if (darker >= contrast || brighter >= contrast) {
         return 0;
     }
-    const int half = (contrast + 1) / 2, room = min(contrast - brighter, half); /* fades out */
+    const int half = (contrast + 1) / 2, room = least_of(contrast - brighter, half); /* fades out */
     const int need = (contrast - darker) * room / half;
-    const int share = min(4 * line, 5 * samples), whole = 4 * samples;
+    const int share = least_of(4 * line, 5 * samples), whole = 4 * samples;
     return (need * share + whole - 1) / whole;
 }
 
@@ -167,7 +167,7 @@ static void draw_pixel(const drawing *d, const uint8_t *at, uint8_t *pixel) {
         return;
     }
     load_values(d, pixel, values);
-    const int step = darkening(d, values, *at, line);
+    const int step = outline_darkening(d, values, *at, line);
     for (int k = 0; k < 3; ++k) {
         values[k] = values[k] > step ? values[k] - step : 0;
     }
@@ -176,7 +176,7 @@ static void draw_pixel(const drawing *d, const uint8_t *at, uint8_t *pixel) {
     }
 }
 
-static uint64_t load(const uint8_t *at) {
+static uint64_t load_8_bytes(const uint8_t *at) {
     uint64_t word;
     memcpy(&word, at, sizeof word);
     return word;
@@ -187,7 +187,7 @@ static int is_inside(const uint8_t *at, size_t stride, uint64_t all) {
     uint64_t other = 0;
     for (int y = -1; y <= 1; ++y) {
         const uint8_t *row = y < 0 ? at - stride : at + (size_t)y * stride;
-        other |= (load(row - 1) ^ all) | (load(row + 1) ^ all);
+        other |= (load_8_bytes(row - 1) ^ all) | (load_8_bytes(row + 1) ^ all);
     }
     return other == 0;
 }
@@ -200,10 +200,10 @@ static void draw_rows(void *context, size_t first, size_t end) {
         const uint8_t *row = row_at(outline, outline->first + (int)y);
         uint8_t *pixels = d->pixels->pixels + y * d->pixels->stride;
         for (int x = 0; x < outline->width; x += WORD) {
-            if (load(row + x) == 0 || is_inside(row + x, outline->stride, all)) {
+            if (load_8_bytes(row + x) == 0 || is_inside(row + x, outline->stride, all)) {
                 continue;
             }
-            for (int i = x; i < min(x + WORD, outline->width); ++i) {
+            for (int i = x; i < least_of(x + WORD, outline->width); ++i) {
                 if (row[i]) {
                     draw_pixel(d, row + i, pixels + (size_t)i * d->pixel_size);
                 }

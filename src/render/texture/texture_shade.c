@@ -36,7 +36,7 @@ static int sample_into(const burnish_texture_batch *batch, int slot, unsigned ch
 }
 
 /* The same into scratch->sample. */
-static int sample(const burnish_texture_batch *batch, int slot, unsigned channels) {
+static int sample_slot(const burnish_texture_batch *batch, int slot, unsigned channels) {
     float(*const to)[BURNISH_TEXTURE_BATCH] = batch->scratch->sample;
     return sample_into(batch, slot, channels, (float *const[]){to[0], to[1], to[2], to[3]});
 }
@@ -62,7 +62,7 @@ static void find_color(const burnish_texture_batch *batch, const burnish_kernels
     if (!has_color) {
         burnish_texture_fill(scratch->opacity, count, 1.0f);
     }
-    if (takes_alpha && sample(batch, BURNISH_TEXTURE_OPACITY, RED)) {
+    if (takes_alpha && sample_slot(batch, BURNISH_TEXTURE_OPACITY, RED)) {
         for (int i = 0; i < count; ++i) {
             scratch->opacity[i] *= scratch->sample[0][i];
         }
@@ -77,7 +77,7 @@ static void turn_normals(const burnish_texture_batch *batch, const burnish_kerne
                                   scratch->sample[3]};
     float *const to[4] = {scratch->normal[0], scratch->normal[1], scratch->normal[2],
                           scratch->length};
-    sample(batch, BURNISH_TEXTURE_NORMAL, ALL);
+    sample_slot(batch, BURNISH_TEXTURE_NORMAL, ALL);
     batch->ops->turn_normals(batch->material->material.textures[BURNISH_TEXTURE_NORMAL].strength,
                              points->normal, batch->streams + BURNISH_TEXTURE_TANGENT, from,
                              (size_t)batch->count, to);
@@ -145,7 +145,7 @@ static void add_emissive(const burnish_texture_batch *batch, int count, float *c
     if (!(emissive[0] > 0 || emissive[1] > 0 || emissive[2] > 0)) {
         return;
     }
-    const int has_sample = sample(batch, BURNISH_TEXTURE_EMISSIVE, COLOR);
+    const int has_sample = sample_slot(batch, BURNISH_TEXTURE_EMISSIVE, COLOR);
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < count; ++i) {
             rgb[k][i] += emissive[k] * (has_sample ? batch->scratch->sample[k][i] : 1.0f);

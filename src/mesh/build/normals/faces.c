@@ -161,7 +161,7 @@ static void measure_again(const burnish_surface *surface, uint32_t corner, size_
     to->angles[i] = 0;
 }
 
-static burnish_measured_faces skip(const burnish_measured_faces *to, size_t count) {
+static burnish_measured_faces skip_faces(const burnish_measured_faces *to, size_t count) {
     return (burnish_measured_faces){to->x + count,       to->y + count,      to->z + count,
                                     to->lengths + count, to->angles + count, to->next + count,
                                     to->previous + count};
@@ -183,7 +183,7 @@ static void measure_loaded(block *b, const burnish_surface *surface, const uint3
 void burnish_measure_faces(const burnish_surface *surface, const uint32_t *corners, size_t count,
                            int wide, const burnish_measured_faces *to) {
     for (size_t start = 0, size; start < count; start += size) {
-        const burnish_measured_faces part = skip(to, start);
+        const burnish_measured_faces part = skip_faces(to, start);
         size = count - start < BLOCK ? count - start : BLOCK;
         block b;
         for (size_t i = 0; i < size; ++i) {

@@ -33,7 +33,7 @@ static int ask_surface(const burnish_rings *rings, size_t i, size_t j, uint32_t 
 
 /* Joins faces i and j of the vertex; the smaller root remains a root. Returns 1 when two sets
  * became one. */
-static int join(burnish_rings *rings, uint32_t i, uint32_t j) {
+static int join_faces(burnish_rings *rings, uint32_t i, uint32_t j) {
     i = burnish_find_root(rings->parents, i);
     j = burnish_find_root(rings->parents, j);
     if (i < j) {
@@ -306,7 +306,7 @@ static size_t join_at_end(burnish_rings *rings, size_t first, const uint64_t *ed
                                    burnish_find_root(rings->parents, j) &&
                                ask_surface(rings, first + i, first + j, (uint32_t)(edges[k] >> 32))
                          : smooth) {
-                joined += (size_t)join(rings, i, j);
+                joined += (size_t)join_faces(rings, i, j);
             }
         }
     }

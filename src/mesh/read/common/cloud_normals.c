@@ -52,7 +52,7 @@ typedef struct voxels {
 
 /* The cell of a point, and where in the cell it is, in [-0.5, 0.5]; returns 0 if it is too far
  * away. */
-static int locate(const voxels *v, const float *p, int64_t cell[3], double offset[3]) {
+static int locate_in_cell(const voxels *v, const float *p, int64_t cell[3], double offset[3]) {
     for (int k = 0; k < 3; ++k) {
         const double at = ((double)p[k] - (double)v->cloud->inner.low[k]) * v->scale;
         if (!(at > -KEY_OFFSET + 2 && at < KEY_OFFSET - 2)) {
@@ -169,7 +169,7 @@ static burnish_status fill_voxels(voxels *v, burnish_tasks *tasks, burnish_memor
         if (i % (1 << 20) == 0 && burnish_tasks_check(tasks, memory->error) != BURNISH_STATUS_OK) {
             return BURNISH_STATUS_CANCELLED;
         }
-        if (!locate(v, fetch_position(v->cloud, i), cell, d)) {
+        if (!locate_in_cell(v, fetch_position(v->cloud, i), cell, d)) {
             continue;
         }
         voxel *at = add_voxel(v, cell, memory);
@@ -213,7 +213,7 @@ static symmetric adjugate(const symmetric *a, double trace) {
                         (m[3] * m[5] - m[4] * m[0]) * s, (m[3] * m[4] - m[5] * m[1]) * s}};
 }
 
-static symmetric square(const symmetric *a) {
+static symmetric square_of(const symmetric *a) {
     const double *m = a->m, trace = m[0] + m[1] + m[2], s = 1 / (trace * trace);
     return (symmetric){{(m[0] * m[0] + m[3] * m[3] + m[5] * m[5]) * s,
                         (m[3] * m[3] + m[1] * m[1] + m[4] * m[4]) * s,
@@ -223,7 +223,7 @@ static symmetric square(const symmetric *a) {
                         (m[0] * m[5] + m[3] * m[4] + m[5] * m[2]) * s}};
 }
 
-static burnish_vec3 multiply(const symmetric *a, burnish_vec3 v) {
+static burnish_vec3 multiply_vector(const symmetric *a, burnish_vec3 v) {
     const double *m = a->m;
     return (burnish_vec3){m[0] * v.x + m[3] * v.y + m[5] * v.z,
                           m[3] * v.x + m[1] * v.y + m[4] * v.z,
@@ -244,13 +244,13 @@ static burnish_vec3 plane_normal(const symmetric *covariance) {
         return none;
     }
     for (int i = 0; i < 5; ++i) {
-        power = square(&power);
+        power = square_of(&power);
     }
     const double *m = power.m;
     const burnish_vec3 columns[3] = {{m[0], m[3], m[5]}, {m[3], m[1], m[4]}, {m[5], m[4], m[2]}};
     const int largest = m[0] >= m[1] && m[0] >= m[2] ? 0 : m[1] >= m[2] ? 1 : 2;
     const burnish_vec3 normal = burnish_vec3_normalize(columns[largest]);
-    const double least = burnish_vec3_dot(normal, multiply(covariance, normal));
+    const double least = burnish_vec3_dot(normal, multiply_vector(covariance, normal));
     return least < 0.06 * trace ? normal : none;
 }
 
@@ -326,7 +326,7 @@ static void fill_normals(void *context, size_t first, size_t end) {
         if (at + AHEAD < end) {
             __builtin_prefetch(v->normals + 3 * (size_t)v->cloud->order[at + AHEAD], 1);
         }
-        if (locate(v, fetch_position(v->cloud, at), cell, d)) {
+        if (locate_in_cell(v, fetch_position(v->cloud, at), cell, d)) {
             normal = burnish_vec3_loadf(find_voxel(v, cell, last)->normal);
             if (burnish_vec3_dot(normal, normal) > 0) {
                 normal = blend_normals(v, cell, d, normal, last);

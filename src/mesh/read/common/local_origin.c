@@ -25,7 +25,7 @@ static double magnitude(double x) {
 
 /* The box of every `step`-th position that a triangle uses, or of all positions if there are no
  * triangles. */
-static box measure(const burnish_mesh_data *mesh, size_t step) {
+static box measure_box(const burnish_mesh_data *mesh, size_t step) {
     const float *positions = burnish_positions(mesh);
     const uint32_t *corners = mesh->streams[BURNISH_POSITION].corners;
     const size_t count = corners ? 3 * mesh->triangle_count : mesh->streams[BURNISH_POSITION].count;
@@ -61,7 +61,7 @@ static double power_below(double x) {
 }
 
 /* Rounds to a multiple of the grid, which is a power of two. */
-static double snap(double x, double grid) {
+static double snap_to_grid(double x, double grid) {
     const double cells = x / grid;
     return magnitude(cells) < 0x1p52 ? (double)(int64_t)(cells + (x < 0 ? -0.5 : 0.5)) * grid : x;
 }
@@ -73,12 +73,12 @@ int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]) {
                              : mesh->streams[BURNISH_POSITION].count;
     if (old[0] == 0 && old[1] == 0 && old[2] == 0) {
         /* a part of the box is at most as large as the box, and at most half its size away */
-        const box sampled = measure(mesh, count / SAMPLES + 1);
+        const box sampled = measure_box(mesh, count / SAMPLES + 1);
         if (!(sampled.distance > (FAR - 1) * sampled.size)) {
             return 0;
         }
     }
-    const box all = measure(mesh, 1);
+    const box all = measure_box(mesh, 1);
     if (!(all.distance > FAR * all.size) || !(all.size > 0)) {
         return 0;
     }
@@ -86,7 +86,7 @@ int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]) {
     for (int k = 0; k < 3; ++k) {
         origin[k] = magnitude(all.center[k]) < NEAR * all.size
                         ? 0
-                        : snap(all.center[k], power_below(all.size) / 16);
+                        : snap_to_grid(all.center[k], power_below(all.size) / 16);
         is_other |= origin[k] != old[k];
     }
     return is_other;

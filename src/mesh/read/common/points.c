@@ -209,7 +209,7 @@ static void make_rods(void *user_data, size_t first, size_t end) {
 }
 
 /* Replaces the mesh's arrays. */
-static burnish_status make(burnish_reader *reader, maker *m, size_t count) {
+static burnish_status make_solids(burnish_reader *reader, maker *m, size_t count) {
     const size_t vertices = SIDES * m->rings, triangles = count_triangles(m->rings);
     burnish_mesh_data *mesh = reader->mesh;
     burnish_mesh_data made = {.memory = mesh->memory, .tasks = mesh->tasks};
@@ -298,5 +298,5 @@ burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment
                .rings = count <= most_round ? RINGS : 2};
     bound_ends(mesh, segments, count);
     mesh->line_count = count;
-    return make(reader, &m, count);
+    return make_solids(reader, &m, count);
 }

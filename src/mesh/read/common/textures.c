@@ -199,8 +199,8 @@ static int take_ahead(burnish_reader *reader, const char *name, const uint8_t *b
 }
 
 /* Errors go to *why; only memory errors are the reader's. Returns 1 + number, or 0. */
-static int decode(burnish_reader *reader, const char *name, const uint8_t *bytes, size_t size,
-                  int is_color, burnish_error *why) {
+static int decode_texture(burnish_reader *reader, const char *name, const uint8_t *bytes,
+                          size_t size, int is_color, burnish_error *why) {
     burnish_memory memory = burnish_memory_of(reader->mesh->memory.context, why);
     burnish_encoded from =
         encoded_picture(name, bytes, size, texels_left(reader), &reader->textures->texels);
@@ -230,7 +230,7 @@ int burnish_reader_decode_texture(burnish_reader *reader, const uint8_t *at, con
     }
     int number;
     if (!take_ahead(reader, name, bytes, size, is_color, &number, &why)) {
-        number = decode(reader, name, bytes, size, is_color, &why);
+        number = decode_texture(reader, name, bytes, size, is_color, &why);
     }
     if (number == 0 && reader->mesh->memory.status == BURNISH_STATUS_OK) {
         note_missing(reader, at, name, why.text);
@@ -326,7 +326,7 @@ static int load_and_decode(burnish_reader *reader, const char *name, int is_colo
     if (!take_ahead(reader, name, NULL, 0, is_color, &number, why)) {
         const file_bytes file = find_file(reader, name, why);
         number = file.is_found && count_file(reader, file.key, file.size, why)
-                     ? decode(reader, name, file.bytes, file.size, is_color, why)
+                     ? decode_texture(reader, name, file.bytes, file.size, is_color, why)
                      : 0;
         close_file(reader, &file);
     }

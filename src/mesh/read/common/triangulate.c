@@ -18,17 +18,18 @@ typedef struct ring {
 } ring;
 
 /* Twice the signed area of a, b, c: positive when they turn to the left. */
-static double turn(point a, point b, point c) {
+static double turn_of(point a, point b, point c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-static int same(point a, point b) {
+static int same_point(point a, point b) {
     return a.x == b.x && a.y == b.y;
 }
 
 /* Projects along the dominant axis of Newell's normal, which makes the polygon run to the left.
  * Returns 0 when the polygon has no normal. */
-static int project(const float *positions, const uint32_t *corners, size_t count, point *points) {
+static int project_polygon(const float *positions, const uint32_t *corners, size_t count,
+                           point *points) {
     double normal[3] = {0, 0, 0};
     const float *origin = positions + 3 * (size_t)corners[0];
     for (size_t i = 0; i < count; ++i) {
@@ -80,17 +81,17 @@ static int is_ear(const ring *r, size_t tip) {
     /* Only a corner that is not convex can be the one that reaches deepest into the triangle. */
     for (size_t i = r->next[r->next[tip]]; i != r->previous[tip]; i = r->next[i]) {
         point p = r->points[i];
-        if (!r->convex[i] && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 &&
-            !same(p, a) && !same(p, b) && !same(p, c)) {
+        if (!r->convex[i] && turn_of(a, b, p) >= 0 && turn_of(b, c, p) >= 0 &&
+            turn_of(c, a, p) >= 0 && !same_point(p, a) && !same_point(p, b) && !same_point(p, c)) {
             return 0;
         }
     }
     return 1;
 }
 
-static void judge(ring *r, size_t corner) {
+static void judge_corner(ring *r, size_t corner) {
     r->convex[corner] =
-        turn(r->points[r->previous[corner]], r->points[corner], r->points[r->next[corner]]) > 0;
+        turn_of(r->points[r->previous[corner]], r->points[corner], r->points[r->next[corner]]) > 0;
 }
 
 /* The next ear at or after corner, or CORNERS. */
@@ -106,7 +107,7 @@ static size_t find_ear(const ring *r, size_t corner) {
 static void judge_all(ring *r, size_t corner) {
     size_t i = corner;
     do {
-        judge(r, i);
+        judge_corner(r, i);
         i = r->next[i];
     } while (i != corner);
     do {
@@ -135,8 +136,8 @@ static void clip_ears(ring *r, uint16_t *triangles) {
         r->next[before] = (uint16_t)after;
         r->previous[after] = (uint16_t)before;
         --r->left;
-        judge(r, before);
-        judge(r, after);
+        judge_corner(r, before);
+        judge_corner(r, after);
         r->ear[before] = (uint8_t)is_ear(r, before);
         r->ear[after] = (uint8_t)is_ear(r, after);
         corner = fan ? before : after;
@@ -151,7 +152,7 @@ static int make_ring(ring *r, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         r->previous[i] = (uint16_t)(i > 0 ? i - 1 : count - 1);
         r->next[i] = (uint16_t)(i + 1 < count ? i + 1 : 0);
-        convex &= turn(r->points[r->previous[i]], r->points[i], r->points[r->next[i]]) > 0;
+        convex &= turn_of(r->points[r->previous[i]], r->points[i], r->points[r->next[i]]) > 0;
     }
     return convex;
 }
@@ -159,7 +160,8 @@ static int make_ring(ring *r, size_t count) {
 int burnish_polygon_cut(const float *positions, const uint32_t *corners, size_t count,
                         uint16_t *triangles) {
     ring r;
-    if (count > 3 && project(positions, corners, count, r.points) && !make_ring(&r, count)) {
+    if (count > 3 && project_polygon(positions, corners, count, r.points) &&
+        !make_ring(&r, count)) {
         clip_ears(&r, triangles);
         return 1;
     }

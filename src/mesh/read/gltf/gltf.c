@@ -16,7 +16,7 @@ enum {
 
 /* ---- Container ---- */
 
-static int recognise(const uint8_t *bytes, size_t size) {
+static int gltf_recognise(const uint8_t *bytes, size_t size) {
     size_t i = 0, looked = size < 4096 ? size : 4096;
     if (size >= HEADER_SIZE && memcmp(bytes, "glTF", 4) == 0) {
         return 2;
@@ -274,7 +274,7 @@ static void close_file(burnish_gltf *gltf) {
     burnish_json_destroy(context, &gltf->json);
 }
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status gltf_read(burnish_reader *reader) {
     reader->mesh->unit = "meter"; /* section 3.4 */
     burnish_gltf gltf = {.reader = reader,
                          .memory = &reader->mesh->memory,
@@ -291,4 +291,4 @@ static burnish_status read_input(burnish_reader *reader) {
 }
 
 const burnish_format_reader burnish_reader_gltf = {
-    .recognise = recognise, .read = read_input, .averages_normals = 1};
+    .recognise = gltf_recognise, .read = gltf_read, .averages_normals = 1};

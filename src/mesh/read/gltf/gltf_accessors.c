@@ -88,8 +88,8 @@ void burnish_gltf_element(const burnish_gltf_accessor *accessor, size_t i, doubl
 
 /* Finds `count` elements of element_size bytes in the view that `object` names with its byteOffset.
  * *stride is the view's, or packed. */
-static const uint8_t *locate(burnish_gltf *gltf, uint32_t object, uint32_t view, size_t count,
-                             size_t element_size, size_t *stride) {
+static const uint8_t *locate_elements(burnish_gltf *gltf, uint32_t object, uint32_t view,
+                                      size_t count, size_t element_size, size_t *stride) {
     burnish_gltf_bytes bytes;
     const uint64_t offset = burnish_gltf_whole(gltf, object, "byteOffset", 0, (uint64_t)1 << 53);
     if (!burnish_gltf_view(gltf, view, &bytes, stride) || gltf->status != BURNISH_STATUS_OK) {
@@ -158,10 +158,11 @@ static void fill_sparse(burnish_gltf *gltf, burnish_gltf_accessor *accessor, uin
         return;
     }
     size_t index_stride, value_stride;
-    const uint8_t *index_bytes =
-        locate(gltf, indices, index_view, count, burnish_gltf_component_size(type), &index_stride);
+    const uint8_t *index_bytes = locate_elements(gltf, indices, index_view, count,
+                                                 burnish_gltf_component_size(type), &index_stride);
     const uint8_t *value_bytes =
-        index_bytes ? locate(gltf, values, value_view, count, element_size, &value_stride) : NULL;
+        index_bytes ? locate_elements(gltf, values, value_view, count, element_size, &value_stride)
+                    : NULL;
     if (!value_bytes) {
         return;
     }
@@ -220,7 +221,7 @@ static void fill_own(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     }
 }
 
-static void resolve(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
+static void resolve_accessor(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     const uint32_t value = accessor->value;
     const uint32_t view = burnish_gltf_reference(gltf, value, "bufferView", BURNISH_GLTF_VIEWS);
     read_kind(gltf, accessor);
@@ -228,8 +229,8 @@ static void resolve(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
         return;
     }
     if (view != BURNISH_GLTF_NONE) {
-        accessor->bytes =
-            locate(gltf, value, view, accessor->count, accessor->stride, &accessor->stride);
+        accessor->bytes = locate_elements(gltf, value, view, accessor->count, accessor->stride,
+                                          &accessor->stride);
     }
     fill_own(gltf, accessor);
 }
@@ -265,7 +266,7 @@ const burnish_gltf_accessor *burnish_gltf_resolve(burnish_gltf *gltf, uint32_t a
     burnish_gltf_accessor *at = &gltf->accessors[accessor];
     if (!at->bytes) {
         at->value = gltf->lists[BURNISH_GLTF_ACCESSORS][accessor];
-        resolve(gltf, at);
+        resolve_accessor(gltf, at);
     }
     if (gltf->status == BURNISH_STATUS_OK && !(widths >> at->width & 1)) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, user,

@@ -87,7 +87,7 @@ static int find_keys(burnish_gltf *gltf, uint32_t sampler, unsigned widths, gltf
 
 /* The four weights of a cubic Hermite spline: value and out-tangent before, in-tangent and value
  * after. Source: the specification's appendix C. */
-static void hermite(double t, double step, double weights[4]) {
+static void hermite_weights(double t, double step, double weights[4]) {
     const double t2 = t * t, t3 = t2 * t;
     weights[0] = 2 * t3 - 3 * t2 + 1;
     weights[1] = step * (t3 - 2 * t2 + t);
@@ -96,8 +96,8 @@ static void hermite(double t, double step, double weights[4]) {
 }
 
 /* Element `item` of each keyframe, which has `items` of them, at the time. */
-static int sample(burnish_gltf *gltf, const gltf_keys *keys, size_t items, size_t item,
-                  double *value) {
+static int sample_channel(burnish_gltf *gltf, const gltf_keys *keys, size_t items, size_t item,
+                          double *value) {
     const size_t per_key = items * (keys->is_cubic ? 3 : 1);
     const size_t before = keys->before * per_key, after = keys->after * per_key;
     double a[16], b[16], tangents[2][16];
@@ -115,7 +115,7 @@ static int sample(burnish_gltf *gltf, const gltf_keys *keys, size_t items, size_
         return 1;
     }
     double weights[4];
-    hermite(keys->share, keys->step, weights);
+    hermite_weights(keys->share, keys->step, weights);
     burnish_gltf_element(keys->values, before + 2 * items + item, tangents[0]);
     burnish_gltf_element(keys->values, after + item, tangents[1]);
     for (int k = 0; k < keys->values->width; ++k) {
@@ -129,7 +129,7 @@ static int sample(burnish_gltf *gltf, const gltf_keys *keys, size_t items, size_
  * almost equal, linear interpolation is enough. */
 static int sample_rotation(burnish_gltf *gltf, const gltf_keys *keys, double rotation[4]) {
     double a[4], b[4], cosine = 0;
-    if (!sample(gltf, keys, 1, 0, rotation)) {
+    if (!sample_channel(gltf, keys, 1, 0, rotation)) {
         return 0;
     }
     if (keys->is_cubic || keys->share == 0) {
@@ -173,7 +173,7 @@ static void sample_weights(burnish_gltf *gltf, const gltf_keys *keys, burnish_gl
         return;
     }
     for (size_t i = 0; i < count; ++i) {
-        if (!sample(gltf, keys, count, i, &gltf->weights[first + i])) {
+        if (!sample_channel(gltf, keys, count, i, &gltf->weights[first + i])) {
             return;
         }
     }
@@ -202,10 +202,10 @@ static void apply_channel(burnish_gltf *gltf, uint32_t channel, const uint32_t *
     gltf_keys keys;
     if (burnish_json_is_text(&gltf->json, path, "translation")) {
         pose->has_translation = find_keys(gltf, samplers[sampler], 1u << 3, &keys) &&
-                                sample(gltf, &keys, 1, 0, pose->translation);
+                                sample_channel(gltf, &keys, 1, 0, pose->translation);
     } else if (burnish_json_is_text(&gltf->json, path, "scale")) {
         pose->has_scale = find_keys(gltf, samplers[sampler], 1u << 3, &keys) &&
-                          sample(gltf, &keys, 1, 0, pose->scale);
+                          sample_channel(gltf, &keys, 1, 0, pose->scale);
     } else if (burnish_json_is_text(&gltf->json, path, "rotation")) {
         pose->has_rotation = find_keys(gltf, samplers[sampler], 1u << 4, &keys) &&
                              sample_rotation(gltf, &keys, pose->rotation);

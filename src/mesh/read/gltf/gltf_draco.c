@@ -35,7 +35,7 @@ typedef struct cursor {
 } cursor;
 
 /* `count` items of `size` bytes, padded to 4; NULL if fewer are left. */
-static const uint8_t *take(cursor *c, uint64_t count, uint64_t size) {
+static const uint8_t *take_items(cursor *c, uint64_t count, uint64_t size) {
     const uint64_t left = (uint64_t)(c->end - c->at);
     const uint8_t *bytes = c->at;
     if (size > 0 && count > left / size) {
@@ -156,7 +156,7 @@ static uint8_t *pack_streams(draco *d, size_t *size) {
     return bytes;
 }
 
-static void ask(draco *d) {
+static void draco_request(draco *d) {
     burnish_gltf *gltf = d->gltf;
     const burnish_stream_decoder *decoder = &gltf->reader->input->options->decoder;
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -181,7 +181,7 @@ static void ask(draco *d) {
 /* ---- What comes back ---- */
 
 static int read_attribute(cursor *c, size_t point_count, attribute *a) {
-    const uint8_t *head = take(c, 1, ATTRIBUTE_HEAD);
+    const uint8_t *head = take_items(c, 1, ATTRIBUTE_HEAD);
     if (!head) {
         return 0;
     }
@@ -192,13 +192,13 @@ static int read_attribute(cursor *c, size_t point_count, attribute *a) {
     if (size == 0 || a->component > 0xFFFF || a->width < 1 || a->width > 16) {
         return 0;
     }
-    a->bytes = take(c, point_count, size * a->width);
+    a->bytes = take_items(c, point_count, size * a->width);
     return a->bytes != NULL;
 }
 
 /* Returns 0 if the answer is malformed. */
 static int read_stream(cursor *c, stream *s) {
-    const uint8_t *head = take(c, 1, STREAM_HEAD);
+    const uint8_t *head = take_items(c, 1, STREAM_HEAD);
     if (!head) {
         return 0;
     }
@@ -214,14 +214,14 @@ static int read_stream(cursor *c, stream *s) {
             return 0;
         }
     }
-    s->indices = take(c, s->triangle_count, 12);
+    s->indices = take_items(c, s->triangle_count, 12);
     return s->indices != NULL;
 }
 
 static void read_answer(draco *d) {
     burnish_gltf *gltf = d->gltf;
     cursor c = {gltf->draco.bytes, gltf->draco.bytes + gltf->draco.size};
-    const uint8_t *head = take(&c, 1, ANSWER_HEAD);
+    const uint8_t *head = take_items(&c, 1, ANSWER_HEAD);
     int is_good = head && memcmp(head, BURNISH_DRACO_MAGIC, ANSWER_HEAD) == 0;
     for (size_t i = 0; i < d->stream_count && is_good; ++i) {
         is_good = read_stream(&c, &d->streams[i]);
@@ -236,8 +236,8 @@ static void read_answer(draco *d) {
 /* ---- Accessors ---- */
 
 /* Gives an accessor the values of a stream, unless it already has values. */
-static void give(burnish_gltf *gltf, uint32_t number, uint32_t value, const uint8_t *bytes,
-                 size_t count, uint32_t component, uint32_t width) {
+static void give_stream(burnish_gltf *gltf, uint32_t number, uint32_t value, const uint8_t *bytes,
+                        size_t count, uint32_t component, uint32_t width) {
     const burnish_gltf_accessor accessor = {
         .bytes = bytes, .count = count, .component = (int)component, .width = (int)width};
     if (number == BURNISH_GLTF_NONE || gltf->status != BURNISH_STATUS_OK) {
@@ -270,14 +270,14 @@ static void give_values(draco *d, uint32_t primitive, uint32_t extension) {
             ++a;
         }
         if (a < end || s->point_count == 0) {
-            give(gltf, burnish_gltf_reference(gltf, names, name, BURNISH_GLTF_ACCESSORS), extension,
-                 a < end ? a->bytes : NULL, s->point_count, a < end ? a->component : 0,
-                 a < end ? a->width : 0);
+            give_stream(gltf, burnish_gltf_reference(gltf, names, name, BURNISH_GLTF_ACCESSORS),
+                        extension, a < end ? a->bytes : NULL, s->point_count,
+                        a < end ? a->component : 0, a < end ? a->width : 0);
         }
         key = gltf->json.nodes[gltf->json.nodes[key].next].next;
     }
-    give(gltf, burnish_gltf_reference(gltf, primitive, "indices", BURNISH_GLTF_ACCESSORS),
-         extension, s->indices, 3 * s->triangle_count, BURNISH_GLTF_UNSIGNED_INT, 1);
+    give_stream(gltf, burnish_gltf_reference(gltf, primitive, "indices", BURNISH_GLTF_ACCESSORS),
+                extension, s->indices, 3 * s->triangle_count, BURNISH_GLTF_UNSIGNED_INT, 1);
 }
 
 /* ---- The step ---- */
@@ -290,7 +290,7 @@ void burnish_gltf_decode_draco(burnish_gltf *gltf) {
         visit_primitives(&d, find_stream);
     }
     if (gltf->status == BURNISH_STATUS_OK && d.stream_count > 0) {
-        ask(&d);
+        draco_request(&d);
         if (gltf->status == BURNISH_STATUS_OK) {
             read_answer(&d);
         }

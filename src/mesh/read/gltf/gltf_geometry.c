@@ -422,7 +422,7 @@ static void for_each_primitive(gltf_drawer *drawer, use_primitive *use) {
     }
 }
 
-static void reserve(gltf_drawer *drawer) {
+static void reserve_streams(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     burnish_mesh_data *mesh = drawer->mesh;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
@@ -513,7 +513,7 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     if (gltf->status != BURNISH_STATUS_OK) {
         return;
     }
-    reserve(&drawer);
+    reserve_streams(&drawer);
     draw_all(&drawer);
     if (!options->origin) {
         draw_from_origin(&drawer);

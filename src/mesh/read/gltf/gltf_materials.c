@@ -12,7 +12,7 @@
 
 enum { MATERIAL_LIMIT = 65535 /* what 16 bits a triangle can tell apart, but for the default */ };
 
-static double clamp(double value, double low, double high) {
+static double clamp_number(double value, double low, double high) {
     return value > low ? (value < high ? value : high) : low; /* NaN gives low */
 }
 
@@ -30,19 +30,22 @@ static void read_reflectance(burnish_gltf *gltf, uint32_t value, gltf_surface *s
     const double ior = burnish_gltf_number(
         gltf, burnish_gltf_extension(gltf, value, "KHR_materials_ior"), "ior", 1.5);
     const double root = ior >= 1 ? (ior - 1) / (ior + 1) : ior == 0 ? 1 : 0.2;
-    const double strength = clamp(burnish_gltf_number(gltf, specular, "specularFactor", 1), 0, 1);
+    const double strength =
+        clamp_number(burnish_gltf_number(gltf, specular, "specularFactor", 1), 0, 1);
     double color[3] = {1, 1, 1};
     burnish_gltf_numbers(gltf, specular, "specularColorFactor", 3, color);
     for (int i = 0; i < 3; ++i) {
-        surface->reflectance[i] = clamp(root * root * color[i], 0, 1) * strength;
+        surface->reflectance[i] = clamp_number(root * root * color[i], 0, 1) * strength;
     }
 }
 
 static void read_metallic(burnish_gltf *gltf, uint32_t value, gltf_surface *surface) {
     const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");
     burnish_gltf_numbers(gltf, metallic, "baseColorFactor", 4, surface->base);
-    surface->metallic = clamp(burnish_gltf_number(gltf, metallic, "metallicFactor", 1), 0, 1);
-    surface->roughness = clamp(burnish_gltf_number(gltf, metallic, "roughnessFactor", 1), 0, 1);
+    surface->metallic =
+        clamp_number(burnish_gltf_number(gltf, metallic, "metallicFactor", 1), 0, 1);
+    surface->roughness =
+        clamp_number(burnish_gltf_number(gltf, metallic, "roughnessFactor", 1), 0, 1);
     read_reflectance(gltf, value, surface);
 }
 
@@ -52,9 +55,10 @@ static void read_glossy(burnish_gltf *gltf, uint32_t glossy, gltf_surface *surfa
     burnish_gltf_numbers(gltf, glossy, "diffuseFactor", 4, surface->base);
     burnish_gltf_numbers(gltf, glossy, "specularFactor", 3, specular);
     surface->metallic = 0;
-    surface->roughness = 1 - clamp(burnish_gltf_number(gltf, glossy, "glossinessFactor", 1), 0, 1);
+    surface->roughness =
+        1 - clamp_number(burnish_gltf_number(gltf, glossy, "glossinessFactor", 1), 0, 1);
     for (int i = 0; i < 3; ++i) {
-        surface->reflectance[i] = clamp(specular[i], 0, 1);
+        surface->reflectance[i] = clamp_number(specular[i], 0, 1);
     }
 }
 
@@ -64,14 +68,14 @@ static burnish_material make_material(const gltf_surface *surface) {
                                  .metallic = (float)surface->metallic,
                                  .roughness = (float)surface->roughness};
     const double alpha = surface->roughness * surface->roughness;
-    const double exponent = clamp(alpha > 0 ? 2 / (alpha * alpha) - 2 : 65536, 1, 65536);
+    const double exponent = clamp_number(alpha > 0 ? 2 / (alpha * alpha) - 2 : 65536, 1, 65536);
     material.exponent = (float)exponent;
     for (int i = 0; i < 3; ++i) {
-        const double base = clamp(surface->base[i], 0, 1), metallic = surface->metallic;
+        const double base = clamp_number(surface->base[i], 0, 1), metallic = surface->metallic;
         const double f0 = surface->reflectance[i] * (1 - metallic) + base * metallic;
         material.ambient[i] = (float)base;
         material.diffuse[i] = (float)(base * (1 - metallic));
-        material.specular[i] = (float)clamp(f0 * (exponent + 2) / 8, 0, 1);
+        material.specular[i] = (float)clamp_number(f0 * (exponent + 2) / 8, 0, 1);
         material.reflectance[i] = (float)surface->reflectance[i];
     }
     return material;
@@ -83,7 +87,7 @@ static void read_emission(burnish_gltf *gltf, uint32_t value, burnish_material *
     double color[3] = {0, 0, 0};
     burnish_gltf_numbers(gltf, value, "emissiveFactor", 3, color);
     for (int i = 0; i < 3; ++i) {
-        material->emissive[i] = (float)clamp(color[i] * strength, 0, 1e6);
+        material->emissive[i] = (float)clamp_number(color[i] * strength, 0, 1e6);
     }
 }
 
@@ -95,10 +99,10 @@ static void read_alpha(burnish_gltf *gltf, uint32_t value, double alpha,
     } else if (burnish_json_is_text(&gltf->json, mode, "MASK")) {
         material->alpha_mode = BURNISH_ALPHA_MASK;
         material->alpha_cutoff =
-            (float)clamp(burnish_gltf_number(gltf, value, "alphaCutoff", 0.5), 0, 1);
+            (float)clamp_number(burnish_gltf_number(gltf, value, "alphaCutoff", 0.5), 0, 1);
     }
     if (material->alpha_mode != BURNISH_ALPHA_IGNORE) {
-        material->transparency = (float)(1 - clamp(alpha, 0, 1));
+        material->transparency = (float)(1 - clamp_number(alpha, 0, 1));
     }
 }
 

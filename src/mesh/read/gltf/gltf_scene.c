@@ -117,7 +117,7 @@ typedef struct gltf_lights {
 } gltf_lights;
 
 /* Returns the length; 0 without a direction, or if numbers exceed the range that is drawn. */
-static double normalize(double direction[3]) {
+static double normalize_direction(double direction[3]) {
     double square = 0;
     for (int i = 0; i < 3; ++i) {
         square += direction[i] * direction[i];
@@ -141,7 +141,7 @@ static int place_light(const double matrix[12], const double origin[3], const do
             toward[row] = light->vector[row] - middle[row];
         }
     }
-    const double distance = normalize(toward);
+    const double distance = normalize_direction(toward);
     if (light->kind == BURNISH_LIGHT_DIRECTIONAL) {
         memcpy(light->vector, toward, sizeof light->vector);
         *fall_off = 1;

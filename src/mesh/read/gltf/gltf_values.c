@@ -15,7 +15,7 @@ static void write_text(char text[TEXT_SIZE], const burnish_gltf *gltf, uint32_t 
     vsnprintf(text + used, TEXT_SIZE - (size_t)used, format, arguments);
 }
 
-static const uint8_t *at(const burnish_gltf *gltf, uint32_t value) {
+static const uint8_t *text_of(const burnish_gltf *gltf, uint32_t value) {
     return value == BURNISH_JSON_NONE ? NULL : burnish_json_at(&gltf->json, value);
 }
 
@@ -30,11 +30,11 @@ int burnish_gltf_fail(burnish_gltf *gltf, burnish_status status, uint32_t value,
         write_text(text, gltf, value, format, arguments);
         va_end(arguments);
         if (is_passed_over) {
-            burnish_reader_note(gltf->reader, &gltf->odd_values, at(gltf, value), "%s; ignored",
-                                text);
+            burnish_reader_note(gltf->reader, &gltf->odd_values, text_of(gltf, value),
+                                "%s; ignored", text);
             return 0;
         }
-        gltf->status = burnish_reader_fail(gltf->reader, status, at(gltf, value), "%s", text);
+        gltf->status = burnish_reader_fail(gltf->reader, status, text_of(gltf, value), "%s", text);
     }
     return 0;
 }
@@ -50,7 +50,7 @@ void burnish_gltf_note(burnish_gltf *gltf, burnish_warning_group *group, uint32_
     va_start(arguments, format);
     write_text(text, gltf, value, format, arguments);
     va_end(arguments);
-    burnish_reader_note(gltf->reader, group, at(gltf, value), "%s", text);
+    burnish_reader_note(gltf->reader, group, text_of(gltf, value), "%s", text);
 }
 
 int burnish_gltf_is_fine(burnish_gltf *gltf) {
@@ -61,7 +61,7 @@ int burnish_gltf_is_fine(burnish_gltf *gltf) {
 }
 
 /* A value of the wrong kind. Returns 0. */
-static int mistaken(burnish_gltf *gltf, uint32_t value, const char *expected) {
+static int fail_kind(burnish_gltf *gltf, uint32_t value, const char *expected) {
     const burnish_json_node *node = &gltf->json.nodes[value];
     const int is_string = node->kind == BURNISH_JSON_STRING;
     const burnish_token token = {
@@ -73,22 +73,22 @@ static int mistaken(burnish_gltf *gltf, uint32_t value, const char *expected) {
 }
 
 /* The member; a member of another kind counts as missing. */
-static uint32_t member(burnish_gltf *gltf, uint32_t object, const char *key, burnish_json_kind kind,
-                       const char *expected) {
+static uint32_t typed_member(burnish_gltf *gltf, uint32_t object, const char *key,
+                             burnish_json_kind kind, const char *expected) {
     const uint32_t value = burnish_json_member(&gltf->json, object, key);
     if (value == BURNISH_JSON_NONE || burnish_json_is_kind(&gltf->json, value, kind)) {
         return value;
     }
-    mistaken(gltf, value, expected);
+    fail_kind(gltf, value, expected);
     return BURNISH_JSON_NONE;
 }
 
 uint32_t burnish_gltf_object(burnish_gltf *gltf, uint32_t object, const char *key) {
-    return member(gltf, object, key, BURNISH_JSON_OBJECT, "an object");
+    return typed_member(gltf, object, key, BURNISH_JSON_OBJECT, "an object");
 }
 
 uint32_t burnish_gltf_array(burnish_gltf *gltf, uint32_t object, const char *key) {
-    return member(gltf, object, key, BURNISH_JSON_ARRAY, "an array");
+    return typed_member(gltf, object, key, BURNISH_JSON_ARRAY, "an array");
 }
 
 uint32_t burnish_gltf_extension(burnish_gltf *gltf, uint32_t object, const char *name) {
@@ -106,7 +106,7 @@ static int read_whole(burnish_gltf *gltf, uint32_t value, uint64_t most, uint64_
     }
     char expected[64];
     snprintf(expected, sizeof expected, "a whole number from 0 to %llu", (unsigned long long)most);
-    return mistaken(gltf, value, expected);
+    return fail_kind(gltf, value, expected);
 }
 
 uint64_t burnish_gltf_whole(burnish_gltf *gltf, uint32_t object, const char *key,
@@ -120,7 +120,7 @@ double burnish_gltf_number(burnish_gltf *gltf, uint32_t object, const char *key,
     const uint32_t value = burnish_json_member(&gltf->json, object, key);
     double number = otherwise;
     if (value != BURNISH_JSON_NONE && !burnish_json_number(&gltf->json, value, &number)) {
-        mistaken(gltf, value, "a number");
+        fail_kind(gltf, value, "a number");
         number = otherwise;
     }
     return number;
@@ -142,7 +142,7 @@ int burnish_gltf_numbers(burnish_gltf *gltf, uint32_t object, const char *key, i
     if (!good) {
         char expected[32];
         snprintf(expected, sizeof expected, "%d numbers in []", count);
-        return mistaken(gltf, array, expected);
+        return fail_kind(gltf, array, expected);
     }
     memcpy(numbers, read, (size_t)count * sizeof *numbers);
     return 1;
@@ -157,7 +157,7 @@ int burnish_gltf_flag(burnish_gltf *gltf, uint32_t object, const char *key, int 
         burnish_json_is_kind(&gltf->json, value, BURNISH_JSON_FALSE)) {
         return value == BURNISH_JSON_NONE ? otherwise : 0;
     }
-    mistaken(gltf, value, "true or false");
+    fail_kind(gltf, value, "true or false");
     return otherwise;
 }
 

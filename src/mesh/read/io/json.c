@@ -16,7 +16,7 @@ typedef struct json_parser {
 
 /* ---- Text to nodes ---- */
 
-static int fail(json_parser *parser, const uint8_t *at, const char *expected) {
+static int json_fail(json_parser *parser, const uint8_t *at, const char *expected) {
     burnish_token rest = {at, 0};
     while (rest.size < 16 && at + rest.size < parser->end && at[rest.size] > ' ') {
         ++rest.size;
@@ -41,7 +41,8 @@ static void skip_blanks(json_parser *parser) {
     parser->next = p;
 }
 
-static int add(json_parser *parser, burnish_json_kind kind, const uint8_t *first, size_t size) {
+static int json_add_value(json_parser *parser, burnish_json_kind kind, const uint8_t *first,
+                          size_t size) {
     burnish_json *json = parser->json;
     if (json->count == VALUE_LIMIT) {
         parser->status = burnish_reader_fail(parser->reader, BURNISH_STATUS_LIMIT, first,
@@ -85,21 +86,21 @@ static int read_string(json_parser *parser) {
     const uint8_t *first = ++parser->next, *p = first;
     for (; p < parser->end && *p != '"'; ++p) {
         if (*p < 32) {
-            return fail(parser, p, "a string without control characters");
+            return json_fail(parser, p, "a string without control characters");
         }
         if (*p == '\\') {
             const size_t size = escape_size(p + 1, parser->end);
             if (size == 0) {
-                return fail(parser, p, "an escape such as \\n or \\u00e9");
+                return json_fail(parser, p, "an escape such as \\n or \\u00e9");
             }
             p += size;
         }
     }
     if (p >= parser->end) {
-        return fail(parser, parser->end, "the end of a string");
+        return json_fail(parser, parser->end, "the end of a string");
     }
     parser->next = p + 1;
-    return add(parser, BURNISH_JSON_STRING, first, (size_t)(p - first));
+    return json_add_value(parser, BURNISH_JSON_STRING, first, (size_t)(p - first));
 }
 
 static const uint8_t *skip_digits(const uint8_t *p, const uint8_t *end) {
@@ -128,8 +129,8 @@ static int read_number(json_parser *parser) {
         good &= p > digits;
     }
     parser->next = p;
-    return good ? add(parser, BURNISH_JSON_NUMBER, first, (size_t)(p - first))
-                : fail(parser, first, "a number such as -1.5e3");
+    return good ? json_add_value(parser, BURNISH_JSON_NUMBER, first, (size_t)(p - first))
+                : json_fail(parser, first, "a number such as -1.5e3");
 }
 
 static int read_word(json_parser *parser) {
@@ -143,10 +144,10 @@ static int read_word(json_parser *parser) {
         if ((size_t)(parser->end - parser->next) >= size &&
             memcmp(parser->next, words[i].text, size) == 0) {
             parser->next += size;
-            return add(parser, words[i].kind, parser->next - size, size);
+            return json_add_value(parser, words[i].kind, parser->next - size, size);
         }
     }
-    return fail(parser, parser->next, "a value");
+    return json_fail(parser, parser->next, "a value");
 }
 
 /* Reads a value, or the start of an array or object. */
@@ -165,22 +166,22 @@ static int read_value(json_parser *parser) {
         }
         parser->open[parser->depth++] = (uint32_t)parser->json->count;
         ++parser->next;
-        return add(parser, c == '{' ? BURNISH_JSON_OBJECT : BURNISH_JSON_ARRAY, parser->next - 1,
-                   0);
+        return json_add_value(parser, c == '{' ? BURNISH_JSON_OBJECT : BURNISH_JSON_ARRAY,
+                              parser->next - 1, 0);
     }
     return c == '-' || (c >= '0' && c <= '9') ? read_number(parser) : read_word(parser);
 }
 
 static int read_key(json_parser *parser) {
     if (parser->next >= parser->end || *parser->next != '"') {
-        return fail(parser, parser->next, "a key in quotes");
+        return json_fail(parser, parser->next, "a key in quotes");
     }
     if (!read_string(parser)) {
         return 0;
     }
     skip_blanks(parser);
     if (parser->next >= parser->end || *parser->next != ':') {
-        return fail(parser, parser->next, "a colon");
+        return json_fail(parser, parser->next, "a colon");
     }
     ++parser->next;
     skip_blanks(parser);
@@ -202,7 +203,7 @@ static int move_on(json_parser *parser) {
         }
         if (open->size > 0) {
             if (parser->next >= parser->end || *parser->next != ',') {
-                return fail(parser, parser->next, is_object ? "a comma or }" : "a comma or ]");
+                return json_fail(parser, parser->next, is_object ? "a comma or }" : "a comma or ]");
             }
             ++parser->next;
             skip_blanks(parser);
@@ -211,7 +212,7 @@ static int move_on(json_parser *parser) {
         if (is_object && !read_key(parser)) {
             return 0;
         }
-        return parser->next < parser->end || fail(parser, parser->next, "a value");
+        return parser->next < parser->end || json_fail(parser, parser->next, "a value");
     }
     return 0;
 }
@@ -229,14 +230,14 @@ burnish_status burnish_json_parse(burnish_reader *reader, const uint8_t *bytes, 
     }
     skip_blanks(&parser);
     if (parser.next == parser.end) {
-        fail(&parser, parser.next, "a value");
+        json_fail(&parser, parser.next, "a value");
         return parser.status;
     }
     while (read_value(&parser) && move_on(&parser)) {
     }
     skip_blanks(&parser);
     if (parser.status == BURNISH_STATUS_OK && parser.next < parser.end) {
-        fail(&parser, parser.next, "the end of the JSON");
+        json_fail(&parser, parser.next, "the end of the JSON");
     }
     return parser.status;
 }
@@ -258,7 +259,7 @@ static unsigned read_unit(const uint8_t *p) {
 
 /* One character of a string that was checked, as UTF-8: bytes written, and *from moves past it. A
  * half of a surrogate pair becomes U+FFFD. */
-static size_t unescape(const uint8_t **from, const uint8_t *end, uint8_t out[4]) {
+static size_t unescape_character(const uint8_t **from, const uint8_t *end, uint8_t out[4]) {
     static const char names[] = "bfnrt", codes[] = "\b\f\n\r\t";
     const uint8_t *p = *from;
     if (*p != '\\') {
@@ -306,7 +307,7 @@ int burnish_json_is_text(const burnish_json *json, uint32_t value, const char *t
     const uint8_t *p = burnish_json_at(json, value), *end = p + json->nodes[value].size;
     while (p < end) {
         uint8_t out[4];
-        const size_t size = unescape(&p, end, out);
+        const size_t size = unescape_character(&p, end, out);
         if (strncmp(text, (const char *)out, size) != 0 || memchr(out, 0, size)) {
             return 0;
         }
@@ -321,7 +322,7 @@ size_t burnish_json_text(const burnish_json *json, uint32_t value, char *text, s
         const uint8_t *p = burnish_json_at(json, value), *end = p + json->nodes[value].size;
         while (p < end) {
             uint8_t out[4];
-            const size_t size = unescape(&p, end, out);
+            const size_t size = unescape_character(&p, end, out);
             if (used + size >= room) {
                 break;
             }

@@ -70,7 +70,7 @@ static int scan_exponent(const uint8_t *p, const uint8_t *end, int64_t *exponent
     return p == end;
 }
 
-static int scan(const uint8_t *p, const uint8_t *end, decimal *d) {
+static int scan_decimal(const uint8_t *p, const uint8_t *end, decimal *d) {
     const uint64_t full = UINT64_C(1000000000000000000);
     *d = (decimal){0};
     if (p < end && (*p == '-' || *p == '+')) {
@@ -152,7 +152,7 @@ static burnish_number_status parse_slowly(const decimal *d, double *value) {
 
 burnish_number_status burnish_parse_double(burnish_token token, double *value) {
     decimal d;
-    if (!scan(token.bytes, token.bytes + token.size, &d)) {
+    if (!scan_decimal(token.bytes, token.bytes + token.size, &d)) {
         return spells_not_finite(token.bytes, token.size) ? BURNISH_NUMBER_NOT_FINITE
                                                           : BURNISH_NUMBER_GARBAGE;
     }

@@ -35,7 +35,7 @@ typedef struct chunk_driver {
 /* ---- Parsing ---- */
 
 /* As if nothing had been read; arrays are kept. */
-static void reset(burnish_chunk *chunk) {
+static void reset_chunk(burnish_chunk *chunk) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         chunk->data.streams[i].count = 0;
         chunk->relative[i].count = 0;
@@ -130,7 +130,7 @@ static size_t cut_wave(chunk_driver *driver) {
     while (count < most && first < end && (size_t)(first - driver->next) <= ahead &&
            (is_last || (size_t)(end - first) > size)) {
         burnish_chunk *chunk = &driver->chunks[count];
-        reset(chunk);
+        reset_chunk(chunk);
         chunk->first = first;
         chunk->is_first = count == 0 && driver->bytes_done == 0;
         chunk->text_end = end;
@@ -153,7 +153,7 @@ static size_t cut_wave(chunk_driver *driver) {
 /* all: the streams of the whole file, or NULL when not all of it was read. */
 static burnish_status parse_exactly(chunk_driver *driver, burnish_chunk *chunk,
                                     const forward_chunk *known, const burnish_stream *all) {
-    reset(chunk);
+    reset_chunk(chunk);
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT && all; ++i) {
         chunk->total[i] = all[i].count;
     }
@@ -175,7 +175,7 @@ static burnish_status parse_exactly(chunk_driver *driver, burnish_chunk *chunk,
 /* If earlier chunks had fewer rows left, this chunk may have read other data as rows. */
 static void parse_fewer(const chunk_driver *driver, burnish_chunk *chunk) {
     if (chunk->rows_left > driver->rows_left && chunk->rows >= driver->rows_left) {
-        reset(chunk);
+        reset_chunk(chunk);
         chunk->rows_left = driver->rows_left;
         chunk->end = chunk->cut;
         driver->grammar->parse(driver->state, chunk);
@@ -232,7 +232,7 @@ static burnish_status accept_before_error(chunk_driver *driver, const burnish_ch
 }
 
 /* Accepts a chunk, except for copying it; *more becomes 0 if the wave ends with it. */
-static burnish_status accept(chunk_driver *driver, burnish_chunk *chunk, int *more) {
+static burnish_status accept_chunk(chunk_driver *driver, burnish_chunk *chunk, int *more) {
     burnish_mesh_data *mesh = driver->reader->mesh;
     forward_chunk known = {.first = chunk->first, .end = chunk->cut};
     burnish_status status = BURNISH_STATUS_OK;
@@ -298,7 +298,8 @@ static void fill_values(burnish_stream *stream, burnish_attribute attribute, siz
 /* Capacity for `needed` items, of which there were `before` the wave. If it must grow, as much as
  * there will be if the file goes on like this, but no more than `most`: then arrays hardly ever
  * move. `left`: waves. */
-static size_t expect(size_t needed, size_t capacity, size_t before, double left, uint64_t most) {
+static size_t expected_capacity(size_t needed, size_t capacity, size_t before, double left,
+                                uint64_t most) {
     const double all = (double)needed + (double)(needed - before) * left;
     const double fair = all < (double)most ? all : (double)most;
     return needed <= capacity || !(fair > (double)needed) ? needed : (size_t)fair;
@@ -330,15 +331,16 @@ static burnish_status reserve_wave(chunk_driver *driver, size_t count,
         if (per_position && stream->count < positions) {
             stream->count = positions;
         }
-        stream->items =
-            burnish_reserve(&mesh->memory, stream->items, &stream->capacity,
-                            expect(stream->count, stream->capacity, before[i], left, most),
-                            burnish_attribute_size((burnish_attribute)i), "values");
+        stream->items = burnish_reserve(
+            &mesh->memory, stream->items, &stream->capacity,
+            expected_capacity(stream->count, stream->capacity, before[i], left, most),
+            burnish_attribute_size((burnish_attribute)i), "values");
         if (stream->corners || new_corners) {
-            stream->corners = burnish_reserve(
-                &mesh->memory, stream->corners, &stream->corner_capacity,
-                expect(mesh->triangle_count, stream->corner_capacity, triangles_before, left, most),
-                3 * sizeof *stream->corners, "triangles");
+            stream->corners =
+                burnish_reserve(&mesh->memory, stream->corners, &stream->corner_capacity,
+                                expected_capacity(mesh->triangle_count, stream->corner_capacity,
+                                                  triangles_before, left, most),
+                                3 * sizeof *stream->corners, "triangles");
         }
         if (mesh->memory.status != BURNISH_STATUS_OK) {
             return mesh->memory.status;
@@ -479,7 +481,7 @@ static burnish_status read_wave(chunk_driver *driver) {
     burnish_tasks_run(mesh->tasks, count, 1, 0, parse_task, driver);
     driver->wave_rows = driver->rows_done;
     for (int more = 1; used < count && more && status == BURNISH_STATUS_OK; ++used) {
-        status = accept(driver, &driver->chunks[used], &more);
+        status = accept_chunk(driver, &driver->chunks[used], &more);
     }
     driver->wave_rows = driver->rows_done - driver->wave_rows;
     const size_t rows_before = count_rows(driver, before[BURNISH_POSITION], triangles_before);

@@ -70,7 +70,7 @@ void burnish_thinning_facet(const float corners[9], float position[3], float nor
 }
 
 /* How many of the first rows are kept. */
-static size_t kept(const burnish_thinning *thinning, size_t rows) {
+static size_t kept_rows(const burnish_thinning *thinning, size_t rows) {
     return rows / thinning->step + (rows % thinning->step > 0);
 }
 
@@ -125,11 +125,11 @@ static int is_kept(const burnish_thinning *thinning, int attribute) {
 burnish_status burnish_thinning_reserve(burnish_thinning *thinning, burnish_mesh_data *mesh,
                                         const burnish_chunk *chunks, size_t count, size_t before,
                                         size_t rows) {
-    while (kept(thinning, rows) > thinning->most) {
-        keep_some(mesh, kept(thinning, before), 2);
+    while (kept_rows(thinning, rows) > thinning->most) {
+        keep_some(mesh, kept_rows(thinning, before), 2);
         thinning->step *= 2;
     }
-    const size_t old = kept(thinning, before), all = kept(thinning, rows);
+    const size_t old = kept_rows(thinning, before), all = kept_rows(thinning, rows);
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_stream *stream = &mesh->streams[i];
         const int is_new = !stream->items;
@@ -159,7 +159,7 @@ void burnish_thinning_append(const burnish_thinning *thinning, burnish_mesh_data
     const size_t before = chunk->before[BURNISH_POSITION] / corners;
     const size_t count = chunk->data.streams[BURNISH_POSITION].count / corners;
     const float *facets = burnish_positions(&chunk->data);
-    for (size_t to = kept(thinning, before); to * step < before + count; ++to) {
+    for (size_t to = kept_rows(thinning, before); to * step < before + count; ++to) {
         const size_t from = to * step - before;
         if (thinning->are_facets) {
             burnish_thinning_facet(facets + 9 * from, burnish_positions(mesh) + 3 * to,
@@ -179,7 +179,7 @@ void burnish_thinning_append(const burnish_thinning *thinning, burnish_mesh_data
 
 void burnish_thinning_end(const burnish_thinning *thinning, burnish_mesh_data *mesh, size_t rows) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-        mesh->streams[i].count = mesh->streams[i].items ? kept(thinning, rows) : 0;
+        mesh->streams[i].count = mesh->streams[i].items ? kept_rows(thinning, rows) : 0;
     }
     mesh->triangle_count = 0;
     mesh->thinning = thinning->step;

@@ -15,7 +15,7 @@ enum {
     HEADER_SIZE = 30 /* before a part's bytes, without its name */
 };
 
-static uint8_t small(uint8_t c) {
+static uint8_t lower_case(uint8_t c) {
     return c >= 'A' && c <= 'Z' ? (uint8_t)(c + 32) : c;
 }
 
@@ -23,8 +23,8 @@ static uint8_t small(uint8_t c) {
 static int compare_names(const uint8_t *a, size_t a_size, const uint8_t *b, size_t b_size) {
     const size_t size = a_size < b_size ? a_size : b_size;
     for (size_t i = 0; i < size; ++i) {
-        if (small(a[i]) != small(b[i])) {
-            return small(a[i]) < small(b[i]) ? -1 : 1;
+        if (lower_case(a[i]) != lower_case(b[i])) {
+            return lower_case(a[i]) < lower_case(b[i]) ? -1 : 1;
         }
     }
     return (a_size > b_size) - (a_size < b_size);
@@ -43,7 +43,7 @@ typedef struct directory {
     uint64_t offset, size, count;
 } directory;
 
-static burnish_status fail(burnish_zip *zip, const uint8_t *at, const char *what) {
+static burnish_status zip_fail(burnish_zip *zip, const uint8_t *at, const char *what) {
     return burnish_reader_fail(zip->reader, BURNISH_STATUS_FORMAT, at, "%s", what);
 }
 
@@ -63,7 +63,7 @@ static burnish_status find_directory(burnish_zip *zip, directory *found) {
     const burnish_reader_input *input = zip->reader->input;
     const uint8_t *end = find_end(input->bytes, input->size);
     if (!end) {
-        return fail(zip, NULL, "the archive has no end; the file is truncated");
+        return zip_fail(zip, NULL, "the archive has no end; the file is truncated");
     }
     const size_t at = (size_t)(end - input->bytes);
     *found =
@@ -74,7 +74,8 @@ static burnish_status find_directory(burnish_zip *zip, directory *found) {
         const uint64_t record = burnish_load64(end - LOCATOR_SIZE + 8);
         if (at < END_64_SIZE || record > at - END_64_SIZE ||
             memcmp(input->bytes + record, "PK\6\6", 4) != 0) {
-            return fail(zip, end - LOCATOR_SIZE, "the archive's end is damaged; fetch it again");
+            return zip_fail(zip, end - LOCATOR_SIZE,
+                            "the archive's end is damaged; fetch it again");
         }
         const uint8_t *p = input->bytes + record;
         *found =
@@ -82,8 +83,8 @@ static burnish_status find_directory(burnish_zip *zip, directory *found) {
     }
     if (found->offset > at || found->size > at - found->offset ||
         found->count > found->size / ENTRY_SIZE) {
-        return fail(zip, end,
-                    "the archive's directory is outside the archive; the file is damaged");
+        return zip_fail(zip, end,
+                        "the archive's directory is outside the archive; the file is damaged");
     }
     return BURNISH_STATUS_OK;
 }
@@ -121,7 +122,7 @@ static burnish_status read_directory(burnish_zip *zip, const directory *from) {
             comment = burnish_load16(p + 32);
         }
         if (!is_entry || name + extra + comment > left - ENTRY_SIZE) {
-            return fail(zip, p, "the archive's directory is damaged; fetch the file again");
+            return zip_fail(zip, p, "the archive's directory is damaged; fetch the file again");
         }
         burnish_zip_part *part = &zip->parts[zip->count++];
         *part = (burnish_zip_part){.name = p + ENTRY_SIZE,
@@ -230,7 +231,8 @@ void burnish_zip_end(burnish_zip_stream *stream) {
 }
 
 /* Some bytes of the part; has_ended becomes 1 at its end. */
-static burnish_status step(burnish_zip_stream *stream, uint8_t *to, size_t room, size_t *got) {
+static burnish_status inflate_step(burnish_zip_stream *stream, uint8_t *to, size_t room,
+                                   size_t *got) {
     const size_t before = stream->from_left;
     burnish_inflate_result result = BURNISH_INFLATE_MORE;
     if (stream->inflate) {
@@ -291,7 +293,7 @@ burnish_status burnish_zip_next(burnish_zip_stream *stream, uint8_t *to, size_t 
     *written = 0;
     while (status == BURNISH_STATUS_OK && *written < room && !stream->has_ended) {
         size_t got = 0;
-        status = step(stream, to + *written, room - *written, &got);
+        status = inflate_step(stream, to + *written, room - *written, &got);
         *written += got;
         if (status == BURNISH_STATUS_OK) {
             status = count_unpacked(stream, got);

@@ -16,7 +16,7 @@
 
 #include "core/srgb.h"
 
-/* The statements of the current material, which finish() converts. */
+/* The statements of the current material, which finish_entry() converts. */
 typedef struct mtl_state {
     burnish_reader *reader;
     burnish_mtl *library;
@@ -45,7 +45,7 @@ static void set_linear(float linear[3], const float srgb[3]) {
 }
 
 /* Completes the last entry of the library. */
-static void finish(mtl_state *mtl) {
+static void finish_entry(mtl_state *mtl) {
     if (mtl->library->count == mtl->first) {
         return;
     }
@@ -93,7 +93,7 @@ static char *copy_text(mtl_state *mtl, burnish_token token) {
     return copy;
 }
 
-static burnish_status begin(mtl_state *mtl) {
+static burnish_status begin_entry(mtl_state *mtl) {
     burnish_token name = burnish_lexer_rest(&mtl->lexer);
     burnish_mtl *library = mtl->library;
     if (name.size == 0) {
@@ -200,8 +200,8 @@ static burnish_status read_statement(mtl_state *mtl, burnish_token keyword) {
     static const char *const known[] = {"Ka", "Kd", "Ks", "Ns", "illum", "Ke"};
     int which = 0;
     if (burnish_token_is(keyword, "newmtl")) {
-        finish(mtl);
-        return begin(mtl);
+        finish_entry(mtl);
+        return begin_entry(mtl);
     }
     while (which < 6 && !burnish_token_is(keyword, known[which])) {
         ++which;
@@ -260,7 +260,7 @@ burnish_status burnish_read_mtl(burnish_reader *library_file, burnish_mtl *libra
             status = read_statement(&mtl, keyword);
         }
     } while (status == BURNISH_STATUS_OK && burnish_lexer_next_line(&mtl.lexer));
-    finish(&mtl);
+    finish_entry(&mtl);
     burnish_reader_warn_group(library_file, &mtl.unsupported);
     burnish_reader_warn_group(library_file, &mtl.exponents);
     burnish_reader_warn_group(library_file, &mtl.faults);

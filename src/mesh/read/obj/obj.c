@@ -36,7 +36,7 @@ static const uint8_t *find_start(const uint8_t *from, const uint8_t *end) {
     return end;
 }
 
-static void parse(const void *state, burnish_chunk *chunk) {
+static void obj_parse(const void *state, burnish_chunk *chunk) {
     const obj_state *obj = state;
     burnish_obj_parse(chunk, obj->with_texcoords, obj->reader->mesh->origin);
 }
@@ -105,7 +105,7 @@ static burnish_status begin_run(obj_state *obj, size_t triangle) {
     return status;
 }
 
-static burnish_status accept(void *state, const burnish_chunk *chunk) {
+static burnish_status obj_accept(void *state, const burnish_chunk *chunk) {
     obj_state *obj = state;
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
@@ -237,7 +237,7 @@ static burnish_status make_points(obj_state *obj) {
                : status;
 }
 
-static burnish_status finish(obj_state *obj) {
+static burnish_status obj_finish(obj_state *obj) {
     burnish_mesh_data *mesh = obj->reader->mesh;
     const burnish_warning_group *groups[] = {&obj->elements, &obj->few_corners, &obj->colors,
                                              &obj->normals,  &obj->free_form,   &obj->unknown};
@@ -278,11 +278,11 @@ static int names_library(const uint8_t *bytes, size_t size) {
     return 0;
 }
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status obj_read(burnish_reader *reader) {
     static const burnish_grammar grammar = {
         .find_start = find_start,
-        .parse = parse,
-        .accept = accept,
+        .parse = obj_parse,
+        .accept = obj_accept,
         .indexed = 1u << BURNISH_POSITION | 1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD,
         .lenient = 1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
     const size_t head = burnish_reader_head(reader);
@@ -301,7 +301,7 @@ static burnish_status read_input(burnish_reader *reader) {
     reader->is_wide = 1;
     burnish_status status = burnish_chunks_read(&grammar, &obj, reader, &at, NULL);
     if (status == BURNISH_STATUS_OK) {
-        status = finish(&obj);
+        status = obj_finish(&obj);
     }
     burnish_obj_materials_close(&obj.materials);
     burnish_release(reader->mesh->memory.context, obj.segments);
@@ -309,7 +309,7 @@ static burnish_status read_input(burnish_reader *reader) {
 }
 
 /* The first word of the first line that is not a comment is a keyword of the format. */
-static int recognise(const uint8_t *bytes, size_t size) {
+static int obj_recognise(const uint8_t *bytes, size_t size) {
     static const char *const words[] = {"v", "vn", "vt", "f",      "o",      "g",
                                         "s", "l",  "p",  "mtllib", "usemtl", "vp"};
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 1);
@@ -326,4 +326,4 @@ static int recognise(const uint8_t *bytes, size_t size) {
 }
 
 const burnish_format_reader burnish_reader_obj = {
-    .recognise = recognise, .read = read_input, .averages_normals = 1, .can_stream = 1};
+    .recognise = obj_recognise, .read = obj_read, .averages_normals = 1, .can_stream = 1};

@@ -518,7 +518,7 @@ static void warn_undrawn(const burnish_ply_state *ply) {
     }
 }
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status ply_read(burnish_reader *reader) {
     burnish_ply_state ply = {.reader = reader};
     burnish_status status = burnish_ply_read_header(reader, &ply.header);
     if (status == BURNISH_STATUS_OK) {
@@ -540,10 +540,10 @@ static burnish_status read_input(burnish_reader *reader) {
 }
 
 /* Certain by its first line. */
-static int recognise(const uint8_t *bytes, size_t size) {
+static int ply_recognise(const uint8_t *bytes, size_t size) {
     return size >= 4 && memcmp(bytes, "ply", 3) == 0 && (bytes[3] == '\n' || bytes[3] == '\r') ? 2
                                                                                                : 0;
 }
 
 const burnish_format_reader burnish_reader_ply = {
-    .recognise = recognise, .read = read_input, .averages_normals = 1, .can_stream = 1};
+    .recognise = ply_recognise, .read = ply_read, .averages_normals = 1, .can_stream = 1};

@@ -5,7 +5,7 @@
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/ply/ply_header.h"
 
-static inline uint32_t load32(const uint8_t *from, int big_endian) {
+static inline uint32_t load_u32(const uint8_t *from, int big_endian) {
     uint32_t bits;
     memcpy(&bits, from, sizeof bits);
     return big_endian == (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) ? bits : __builtin_bswap32(bits);
@@ -20,7 +20,7 @@ static size_t convert_floats(const burnish_ply_rows *rows, const uint8_t *bytes,
     for (size_t row = 0; row < count; ++row, bytes += rows->row_size, to += stride) {
         int finite;
         if (from.type == BURNISH_PLY_FLOAT32 && origin == 0) {
-            uint32_t bits = load32(bytes, rows->big_endian);
+            uint32_t bits = load_u32(bytes, rows->big_endian);
             finite = burnish_is_finite_bits(bits);
             bits = finite ? bits : 0;
             memcpy(to, &bits, sizeof bits);

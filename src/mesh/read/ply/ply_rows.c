@@ -477,7 +477,7 @@ static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
     }
 }
 
-static void parse(const void *state, burnish_chunk *chunk) {
+static void ply_parse_rows(const void *state, burnish_chunk *chunk) {
     const burnish_ply_state *ply = state;
     ply_parser p = {.ply = ply,
                     .chunk = chunk,
@@ -505,7 +505,7 @@ static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
     return newline ? newline + 1 : end;
 }
 
-static burnish_status accept(void *state, const burnish_chunk *chunk) {
+static burnish_status ply_accept_rows(void *state, const burnish_chunk *chunk) {
     burnish_ply_state *ply = state;
     burnish_status status = BURNISH_STATUS_OK;
     ply->is_odd |= chunk->is_odd;
@@ -528,8 +528,8 @@ static burnish_status accept(void *state, const burnish_chunk *chunk) {
 burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows) {
     const burnish_grammar grammar = {
         .find_start = ply->header.encoding == BURNISH_PLY_ASCII ? find_line : NULL,
-        .parse = parse,
-        .accept = accept,
+        .parse = ply_parse_rows,
+        .accept = ply_accept_rows,
         .indexed = 1u << BURNISH_POSITION | ply->per_triangle};
     size_t missing = rows;
     burnish_status status = burnish_chunks_read(&grammar, ply, ply->reader, at, &missing);

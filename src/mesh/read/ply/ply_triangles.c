@@ -8,7 +8,7 @@
 
 /* The corners of an attribute of which each triangle appended `each` values. The attribute is
  * dropped if some triangles lack it. Returns 0 then. */
-static int settle(burnish_mesh_data *mesh, burnish_attribute attribute, size_t each) {
+static int settle_corners(burnish_mesh_data *mesh, burnish_attribute attribute, size_t each) {
     burnish_stream *stream = &mesh->streams[attribute];
     if (stream->count == 0 || stream->count != each * mesh->triangle_count) {
         burnish_mesh_data_drop(mesh, attribute);
@@ -27,9 +27,9 @@ burnish_status burnish_ply_settle_triangles(burnish_ply_state *ply) {
     burnish_mesh_data *mesh = ply->reader->mesh;
     ply->takes_face_colors = (ply->per_triangle >> BURNISH_COLOR & 1) &&
                              mesh->streams[BURNISH_COLOR].count > 0 &&
-                             settle(mesh, BURNISH_COLOR, 1);
+                             settle_corners(mesh, BURNISH_COLOR, 1);
     if (ply->takes_face_coordinates) {
-        settle(mesh, BURNISH_TEXCOORD, 3);
+        settle_corners(mesh, BURNISH_TEXCOORD, 3);
     }
     return mesh->memory.status;
 }

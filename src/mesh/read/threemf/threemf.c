@@ -8,7 +8,7 @@
 #include "mesh/read/threemf/threemf_xml.h"
 
 /* Any ZIP archive, by its first bytes. */
-static int recognise(const uint8_t *bytes, size_t size) {
+static int threemf_recognise(const uint8_t *bytes, size_t size) {
     return size >= 4 && memcmp(bytes, "PK\3\4", 4) == 0;
 }
 
@@ -190,7 +190,7 @@ static void close_file(burnish_threemf *threemf) {
     burnish_zip_close(&threemf->zip);
 }
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status threemf_read(burnish_reader *reader) {
     burnish_threemf threemf = {.reader = reader, .memory = &reader->mesh->memory};
     threemf.status = burnish_zip_open(&threemf.zip, reader);
     if (threemf.status == BURNISH_STATUS_OK) {
@@ -219,7 +219,7 @@ static burnish_status read_input(burnish_reader *reader) {
 
 #else
 
-static burnish_status read_input(burnish_reader *reader) {
+static burnish_status threemf_read(burnish_reader *reader) {
     return burnish_reader_fail(
         reader, BURNISH_STATUS_FORMAT, NULL,
         "a ZIP archive; this build of burnish lacks expat and can't read 3MF");
@@ -227,4 +227,5 @@ static burnish_status read_input(burnish_reader *reader) {
 
 #endif
 
-const burnish_format_reader burnish_reader_3mf = {.recognise = recognise, .read = read_input};
+const burnish_format_reader burnish_reader_3mf = {.recognise = threemf_recognise,
+                                                  .read = threemf_read};

@@ -390,8 +390,8 @@ static void begin_property(burnish_threemf_xml *xml, burnish_threemf_element ele
     }
 }
 
-static void begin(burnish_threemf_xml *xml, burnish_threemf_element element,
-                  const char *const *attributes) {
+static void begin_element(burnish_threemf_xml *xml, burnish_threemf_element element,
+                          const char *const *attributes) {
     model_state *model = xml->handler.user_data;
     switch (element) {
     case BURNISH_THREEMF_VERTEX:
@@ -459,7 +459,7 @@ static void drop_unused(model_state *model) {
     burnish_release(threemf->memory->context, numbers);
 }
 
-static void end(burnish_threemf_xml *xml, burnish_threemf_element element) {
+static void end_element(burnish_threemf_xml *xml, burnish_threemf_element element) {
     model_state *model = xml->handler.user_data;
     if (element == BURNISH_THREEMF_THE_OBJECT && object_of(model)->vertex_count > 0) {
         drop_unused(model);
@@ -469,7 +469,7 @@ static void end(burnish_threemf_xml *xml, burnish_threemf_element element) {
 int burnish_threemf_read_model(burnish_threemf *threemf, uint32_t number) {
     const burnish_threemf_part part = threemf->parts.items[number];
     model_state model = {.threemf = threemf, .part = number};
-    const burnish_threemf_handler handler = {begin, end, &model};
+    const burnish_threemf_handler handler = {begin_element, end_element, &model};
     return burnish_threemf_parse(threemf, part.part, part.name, &handler);
 }
 

@@ -14,8 +14,8 @@ enum {
     STEP = 1 << 16         /* triangles between checks for cancellation */
 };
 
-static int fail(burnish_threemf *threemf, burnish_status status,
-                const burnish_threemf_placement *placement, uint32_t part, const char *what) {
+static int scene_fail(burnish_threemf *threemf, burnish_status status,
+                      const burnish_threemf_placement *placement, uint32_t part, const char *what) {
     threemf->status =
         burnish_reader_fail(threemf->reader, status, NULL, "%s: %s",
                             burnish_threemf_show(threemf, part, placement->line).text, what);
@@ -24,7 +24,8 @@ static int fail(burnish_threemf *threemf, burnish_status status,
 
 /* ---- Who is meant ---- */
 
-static void resolve(burnish_threemf *threemf, burnish_threemf_placement *placement, uint32_t part) {
+static void resolve_placement(burnish_threemf *threemf, burnish_threemf_placement *placement,
+                              uint32_t part) {
     const burnish_threemf_resource *resource =
         placement->part == BURNISH_THREEMF_NONE
             ? NULL
@@ -59,14 +60,14 @@ static void resolve_all(burnish_threemf *threemf) {
         for (uint32_t k = 0; k < object->component_count; ++k) {
             burnish_threemf_placement *component =
                 &threemf->components.items[object->first_component + k];
-            resolve(threemf, component, object->part);
+            resolve_placement(threemf, component, object->part);
             if (component->object != BURNISH_THREEMF_NONE) {
                 threemf->objects.items[component->object].is_component = 1;
             }
         }
     }
     for (size_t i = 0; i < threemf->items.count; ++i) {
-        resolve(threemf, &threemf->items.items[i], 0);
+        resolve_placement(threemf, &threemf->items.items[i], 0);
     }
     if (threemf->items.count == 0 && threemf->objects.count > 0) {
         build_all(threemf);
@@ -75,7 +76,7 @@ static void resolve_all(burnish_threemf *threemf) {
 
 /* ---- Counting ---- */
 
-static uint64_t add(uint64_t a, uint64_t b) {
+static uint64_t add_saturated(uint64_t a, uint64_t b) {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
 }
 
@@ -105,9 +106,9 @@ static void sum_object(burnish_threemf *threemf, burnish_threemf_object *object)
         const burnish_threemf_object *part =
             number == BURNISH_THREEMF_NONE ? NULL : &threemf->objects.items[number];
         if (part && part->triangles > 0) {
-            object->triangles = add(object->triangles, part->triangles);
-            object->vertices = add(object->vertices, part->vertices);
-            object->visits = add(object->visits, part->visits);
+            object->triangles = add_saturated(object->triangles, part->triangles);
+            object->vertices = add_saturated(object->vertices, part->vertices);
+            object->visits = add_saturated(object->visits, part->visits);
         }
     }
     object->state = 2;
@@ -142,12 +143,12 @@ static int count_object(burnish_threemf *threemf, const burnish_threemf_placemen
                               ? 2
                               : threemf->objects.items[component->object].state;
         if (state == 1) {
-            return fail(threemf, BURNISH_STATUS_FORMAT, component, object->part,
-                        "an object holds itself; repair the file");
+            return scene_fail(threemf, BURNISH_STATUS_FORMAT, component, object->part,
+                              "an object holds itself; repair the file");
         }
         if (state == 0 && depth == NESTING_MOST) {
-            return fail(threemf, BURNISH_STATUS_LIMIT, component, object->part,
-                        "objects are nested more than 64 deep; export them flat");
+            return scene_fail(threemf, BURNISH_STATUS_LIMIT, component, object->part,
+                              "objects are nested more than 64 deep; export them flat");
         }
         if (state == 0) {
             stack[depth].object = component->object;
@@ -170,7 +171,7 @@ typedef struct scene_writer {
 typedef int use_object(scene_writer *writer, burnish_threemf_object *object,
                        const double matrix[12]);
 
-static void multiply(const double a[12], const double b[12], double product[12]) {
+static void multiply_matrices(const double a[12], const double b[12], double product[12]) {
     for (int row = 0; row < 3; ++row) {
         const double *r = a + 4 * row;
         for (int k = 0; k < 4; ++k) {
@@ -183,7 +184,8 @@ static void multiply(const double a[12], const double b[12], double product[12])
 /* Calls `use` for an object of the build and for everything that it contains, at each place.
  * Objects without triangles are skipped, which limits the steps to the visits. Returns 0 on
  * failure. */
-static int walk(scene_writer *writer, const burnish_threemf_placement *item, use_object *use) {
+static int walk_objects(scene_writer *writer, const burnish_threemf_placement *item,
+                        use_object *use) {
     burnish_threemf *threemf = writer->threemf;
     struct {
         uint32_t object, next;
@@ -208,7 +210,7 @@ static int walk(scene_writer *writer, const burnish_threemf_placement *item, use
             &threemf->components.items[object->first_component + next];
         if (component->object != BURNISH_THREEMF_NONE &&
             threemf->objects.items[component->object].triangles > 0) {
-            multiply(stack[depth - 1].matrix, component->matrix, stack[depth].matrix);
+            multiply_matrices(stack[depth - 1].matrix, component->matrix, stack[depth].matrix);
             stack[depth].object = component->object;
             stack[depth++].next = 0;
         }
@@ -224,14 +226,15 @@ static int walk_all(scene_writer *writer, use_object *use) {
         const burnish_threemf_object *object =
             item->object == BURNISH_THREEMF_NONE ? NULL : &threemf->objects.items[item->object];
         if (object && object->triangles > 0) {
-            is_fine = walk(writer, item, use);
+            is_fine = walk_objects(writer, item, use);
         }
     }
     return is_fine;
 }
 
 /* Resolves the properties of an object's triangles at its first use, and counts its vertices. */
-static int prepare(scene_writer *writer, burnish_threemf_object *object, const double matrix[12]) {
+static int prepare_object(scene_writer *writer, burnish_threemf_object *object,
+                          const double matrix[12]) {
     (void)matrix;
     writer->vertices += object->vertex_count;
     if (object->state == 2) {
@@ -344,9 +347,9 @@ static int count_all(scene_writer *writer) {
         if (!count_object(threemf, item)) {
             return 0;
         }
-        writer->triangles = add(writer->triangles, object->triangles);
-        vertices = add(vertices, object->vertices);
-        visits = add(visits, object->visits);
+        writer->triangles = add_saturated(writer->triangles, object->triangles);
+        vertices = add_saturated(vertices, object->vertices);
+        visits = add_saturated(visits, object->visits);
     }
     const burnish_load_options *options = threemf->reader->input->options;
     threemf->status = burnish_budget_check(threemf->reader, vertices, writer->triangles);
@@ -379,7 +382,7 @@ static int copy_values(scene_writer *writer, burnish_attribute attribute, const 
     return mesh->memory.status == BURNISH_STATUS_OK;
 }
 
-static int reserve(scene_writer *writer) {
+static int reserve_arrays(scene_writer *writer) {
     burnish_threemf *threemf = writer->threemf;
     burnish_mesh_data *mesh = writer->mesh;
     threemf->uses_coordinates =
@@ -407,7 +410,7 @@ static int reserve(scene_writer *writer) {
 int burnish_threemf_write_scene(burnish_threemf *threemf) {
     scene_writer writer = {.threemf = threemf, .mesh = threemf->reader->mesh};
     resolve_all(threemf);
-    if (!count_all(&writer) || !walk_all(&writer, prepare)) {
+    if (!count_all(&writer) || !walk_all(&writer, prepare_object)) {
         return 0;
     }
     if (writer.vertices > BURNISH_VALUE_LIMIT) {
@@ -416,7 +419,7 @@ int burnish_threemf_write_scene(burnish_threemf *threemf) {
                                               BURNISH_VALUE_LIMIT);
         return 0;
     }
-    return reserve(&writer) && walk_all(&writer, write_object);
+    return reserve_arrays(&writer) && walk_all(&writer, write_object);
 }
 
 #endif

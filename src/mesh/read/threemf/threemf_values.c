@@ -230,8 +230,8 @@ static void note_mixed(burnish_threemf *threemf, burnish_threemf_group *group) {
 }
 
 /* Resolves a triangle's group id and properties. group becomes NONE without properties. */
-static void resolve(burnish_threemf *threemf, const burnish_threemf_object *object,
-                    burnish_threemf_group *group, burnish_threemf_triangle *triangle) {
+static void resolve_triangle(burnish_threemf *threemf, const burnish_threemf_object *object,
+                             burnish_threemf_group *group, burnish_threemf_triangle *triangle) {
     int is_good = group != NULL;
     const int corners = is_good && group->kind == BURNISH_THREEMF_BASES ? 1 : 3;
     for (int i = 0; is_good && i < corners; ++i) {
@@ -283,7 +283,7 @@ int burnish_threemf_use_values(burnish_threemf *threemf, const burnish_threemf_o
             group = triangle->group == last ? group
                                             : find_group(threemf, object->part, triangle->group);
             last = triangle->group;
-            resolve(threemf, object, group, triangle);
+            resolve_triangle(threemf, object, group, triangle);
         }
         is_fine = triangle->group == BURNISH_THREEMF_NONE
                       ? use_plain(threemf) != 0
