@@ -73,13 +73,13 @@ static void put_words(const void *values, uint64_t count) {
     }
 }
 
-static uint64_t padded(uint64_t size) {
+static uint64_t padded_size(uint64_t size) {
     return (size + 3) & ~(uint64_t)3;
 }
 
 void importer_put_padded(const void *bytes, size_t size) {
     importer_put(bytes, size);
-    importer_put("\0\0\0", (size_t)(padded(size) - size));
+    importer_put("\0\0\0", (size_t)(padded_size(size) - size));
 }
 
 static uint64_t size_of(const importer_mesh *mesh, size_t text_size) {
@@ -87,12 +87,12 @@ static uint64_t size_of(const importer_mesh *mesh, size_t text_size) {
                             (mesh->parts & BURNISH_BMS_COLORS ? 4 : 0) +
                             (mesh->parts & BURNISH_BMS_TEXCOORDS ? 8 : 0),
                    triangle = 12 + (mesh->parts & BURNISH_BMS_TRIANGLE_MATERIALS ? 4 : 0);
-    uint64_t size = BURNISH_BMS_HEAD_SIZE + padded(text_size) +
+    uint64_t size = BURNISH_BMS_HEAD_SIZE + padded_size(text_size) +
                     (uint64_t)mesh->material_count * BURNISH_BMS_MATERIAL_SIZE +
                     mesh->vertex_count * vertex + mesh->triangle_count * triangle;
     for (uint32_t i = 0; i < mesh->texture_count; ++i) {
-        size += BURNISH_BMS_TEXTURE_SIZE + padded(strlen(mesh->textures[i].name)) +
-                padded(mesh->textures[i].size);
+        size += BURNISH_BMS_TEXTURE_SIZE + padded_size(strlen(mesh->textures[i].name)) +
+                padded_size(mesh->textures[i].size);
     }
     return size;
 }
@@ -117,13 +117,13 @@ static void put_head(const importer_mesh *mesh, burnish_bms_kind kind, const cha
 }
 
 /* Clamps to [low, high]; low for NaN. */
-static float between(float value, float low, float high) {
+static float clamped_between(float value, float low, float high) {
     return value > low ? value < high ? value : high : low;
 }
 
 static void put_colors(const float *values, size_t count, float high) {
     for (size_t i = 0; i < count; ++i) {
-        put_float(between(values[i], 0, high));
+        put_float(clamped_between(values[i], 0, high));
     }
 }
 
@@ -132,12 +132,12 @@ static void put_material(const importer_material *m) {
     put_colors(m->diffuse, 3, 1);
     put_colors(m->specular, 3, 1);
     put_colors(m->emissive, 3, 1e6f);
-    put_float(between(m->exponent, 1, 65536));
-    put_float(between(m->opacity, 0, 1));
-    put_float(between(m->metallic, 0, 1));
-    put_float(between(m->roughness, 0, 1));
-    put_float(between(m->alpha_cutoff, 0, 1));
-    put_float(between(m->normal_scale, 0, 100));
+    put_float(clamped_between(m->exponent, 1, 65536));
+    put_float(clamped_between(m->opacity, 0, 1));
+    put_float(clamped_between(m->metallic, 0, 1));
+    put_float(clamped_between(m->roughness, 0, 1));
+    put_float(clamped_between(m->alpha_cutoff, 0, 1));
+    put_float(clamped_between(m->normal_scale, 0, 100));
     importer_put_word(m->flags);
     for (int i = 0; i < BURNISH_BMS_SLOTS; ++i) {
         importer_put_word(m->slots[i].texture);
@@ -242,7 +242,7 @@ void importer_allocate(importer_mesh *mesh) {
 
 void importer_linear(const float srgb[3], float linear[3]) {
     for (int i = 0; i < 3; ++i) {
-        linear[i] = burnish_srgb_value_to_linear(between(srgb[i], 0, 1));
+        linear[i] = burnish_srgb_value_to_linear(clamped_between(srgb[i], 0, 1));
     }
 }
 
@@ -313,7 +313,7 @@ void importer_unpack(importer_input *input) {
 }
 
 /* Discards standard output and error from here on, because libraries print to them. */
-static void redirect(void) {
+static void discard_output(void) {
     const int opened = open("/dev/null", O_RDWR);
     const int nothing = opened >= 0 ? fcntl(opened, F_DUPFD, STREAM + 1) : -1; /* not STREAM */
     if (nothing < 0 || dup2(STDOUT_FILENO, STREAM) < 0 || dup2(nothing, STDOUT_FILENO) < 0 ||
@@ -337,7 +337,7 @@ int main(int count, char **arguments) {
         const char c = arguments[1][i];
         extension[i] = (char)(c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c);
     }
-    redirect();
+    discard_output();
     importer_prepare();
     const char *wall;
     const int code = sandbox_lock(STREAM + 1, 1, &wall);

@@ -33,12 +33,12 @@ typedef struct open_file {
     size_t position;
 } open_file;
 
-static open_file *opened(struct aiFile *file) {
+static open_file *opened_file(struct aiFile *file) {
     return (open_file *)(void *)file->UserData;
 }
 
 static size_t read_file(struct aiFile *file, char *to, size_t size, size_t count) {
-    open_file *f = opened(file);
+    open_file *f = opened_file(file);
     const size_t left = f->input->size - f->position;
     const size_t most = size > 0 ? left / size : 0, got = count < most ? count : most;
     memcpy(to, f->input->bytes + f->position, got * size);
@@ -51,16 +51,16 @@ static size_t write_file(struct aiFile *file, const char *from, size_t size, siz
     return 0;
 }
 
-static size_t tell(struct aiFile *file) {
-    return opened(file)->position;
+static size_t file_tell(struct aiFile *file) {
+    return opened_file(file)->position;
 }
 
 static size_t file_size(struct aiFile *file) {
-    return opened(file)->input->size;
+    return opened_file(file)->input->size;
 }
 
-static enum aiReturn seek(struct aiFile *file, size_t offset, enum aiOrigin origin) {
-    open_file *f = opened(file);
+static enum aiReturn file_seek(struct aiFile *file, size_t offset, enum aiOrigin origin) {
+    open_file *f = opened_file(file);
     const size_t size = f->input->size;
     const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? f->position : size;
     const size_t to = base + offset; /* offsets back wrap around */
@@ -71,7 +71,7 @@ static enum aiReturn seek(struct aiFile *file, size_t offset, enum aiOrigin orig
     return aiReturn_SUCCESS;
 }
 
-static void flush(struct aiFile *file) {
+static void file_flush(struct aiFile *file) {
     (void)file;
 }
 
@@ -87,17 +87,17 @@ static struct aiFile *open_one(struct aiFileIO *io, const char *name, const char
     f->input = (const importer_input *)(const void *)io->UserData;
     f->file = (struct aiFile){.ReadProc = read_file,
                               .WriteProc = write_file,
-                              .TellProc = tell,
+                              .TellProc = file_tell,
                               .FileSizeProc = file_size,
-                              .SeekProc = seek,
-                              .FlushProc = flush,
+                              .SeekProc = file_seek,
+                              .FlushProc = file_flush,
                               .UserData = (aiUserData)f};
     return &f->file;
 }
 
 static void close_one(struct aiFileIO *io, struct aiFile *file) {
     (void)io;
-    free(opened(file));
+    free(opened_file(file));
 }
 
 /* ---- Nodes ---- */
@@ -115,7 +115,7 @@ typedef struct walk {
 
 typedef void use_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix);
 
-static struct aiMatrix4x4 product(const struct aiMatrix4x4 *a, const struct aiMatrix4x4 *b) {
+static struct aiMatrix4x4 matrix_product(const struct aiMatrix4x4 *a, const struct aiMatrix4x4 *b) {
     struct aiMatrix4x4 both = *a;
     aiMultiplyMatrix4(&both, b);
     return both;
@@ -123,7 +123,7 @@ static struct aiMatrix4x4 product(const struct aiMatrix4x4 *a, const struct aiMa
 
 static void for_each_mesh(walk *w, const struct aiNode *node, const struct aiMatrix4x4 *above,
                           int depth, use_mesh *use) {
-    const struct aiMatrix4x4 matrix = product(above, &node->mTransformation);
+    const struct aiMatrix4x4 matrix = matrix_product(above, &node->mTransformation);
     if (depth > DEPTH_MAX) {
         importer_fail(BURNISH_BMS_LIMIT_ERROR, "its nodes are nested deeper than 500");
     }
@@ -314,8 +314,8 @@ static void draw_mesh(walk *w, const struct aiMesh *mesh, const struct aiMatrix4
 
 /* Blender's vertices have smooth normals even if faces are flat. DXF has no transparency, but
  * libassimp's default grey for it has an alpha of 0.6. */
-static void flatten(const struct aiScene *scene, const char *extension, const unsigned *sets,
-                    importer_mesh *mesh) {
+static void flatten_scene(const struct aiScene *scene, const char *extension, const unsigned *sets,
+                          importer_mesh *mesh) {
     walk counted = {.scene = scene, .mesh = mesh, .sets = sets}, drawn = counted;
     drawn.has_opaque_colors = strcmp(extension, "dxf") == 0;
     counted.has_no_normals = strcmp(extension, "blend") == 0;
@@ -413,5 +413,6 @@ void importer_import(importer_input *input, importer_mesh *mesh) {
         fail_by_library();
     }
     find_up(scene, input->extension, mesh->up);
-    flatten(scene, input->extension, assimp_read_materials(scene, input->extension, mesh), mesh);
+    flatten_scene(scene, input->extension, assimp_read_materials(scene, input->extension, mesh),
+                  mesh);
 }

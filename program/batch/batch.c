@@ -27,7 +27,7 @@
 #include "render/useless.h"
 #include "sandbox/lock.h"
 
-static cli_work work;
+static cli_work batch_work;
 static cli_handler flag_part;
 
 #define TARGET(member) .offset = offsetof(batch_settings, member)
@@ -210,7 +210,7 @@ const cli_command batch_command = {
     .sections = sections,
     .settings_size = sizeof(batch_settings),
     .given = offsetof(batch_settings, given),
-    .work = work,
+    .work = batch_work,
 };
 
 /* ---- Work ---- */
@@ -256,7 +256,7 @@ static burnish_status flag_part(const cli_flag *flag, const char *text, void *ta
 
 #ifdef _WIN32
 
-static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+static burnish_status batch_work(void *from, cli_call *call, burnish_error *error) {
     (void)from, (void)call;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "batch: not supported on this system; run burnish render for each input");
@@ -325,7 +325,7 @@ static render_settings first_picture(const batch_settings *given) {
 }
 
 /* Checks the settings once, before any input. */
-static burnish_status check(batch_settings *given, burnish_error *error) {
+static burnish_status batch_check(batch_settings *given, burnish_error *error) {
     render_settings settings = first_picture(given);
     picture_format unused;
     if (*given->output_dir == 0) {
@@ -449,7 +449,7 @@ static burnish_status check_other_files(const batch *b, burnish_error *error) {
 static burnish_status draw_all(batch *b, batch_settings *settings, const cli_call *call,
                                burnish_error *error) {
     const double start = burnish_seconds_now();
-    burnish_status status = check(settings, error);
+    burnish_status status = batch_check(settings, error);
     if (status == BURNISH_STATUS_OK) {
         status = batch_collect(b, call, error);
     }
@@ -496,7 +496,7 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     return status;
 }
 
-static void release(batch *b) {
+static void batch_release(batch *b) {
     for (size_t i = 0; i < b->list.count; ++i) {
         free(b->list.items[i].input);
         free(b->list.items[i].output);
@@ -519,7 +519,7 @@ burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_erro
                                 : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     const int signal_number = status == BURNISH_STATUS_OK ? b.is_stopped : 0;
     call->exit_code = b.failed > 0 && !settings->part.is_rank ? CLI_EXIT_SOME_FAILED : 0;
-    release(&b);
+    batch_release(&b);
     if (signal_number) {
         signal(signal_number, SIG_DFL);
         raise(signal_number);
@@ -540,7 +540,7 @@ static char *place_file(const batch_settings *settings, const char *name) {
     return path;
 }
 
-static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+static burnish_status batch_work(void *from, cli_call *call, burnish_error *error) {
     batch_settings *settings = from;
     char *report = place_file(settings, settings->report),
          *sheet = place_file(settings, settings->sheet);

@@ -18,7 +18,7 @@ burnish_status batch_draw_inputs(const render_settings *settings, cli_call *call
 
 #else
 
-static burnish_status check(const render_settings *settings, burnish_error *error) {
+static burnish_status check_many(const render_settings *settings, burnish_error *error) {
     const char *alone = settings->output.planes.count > 0  ? "plane"
                         : settings->output.turntable       ? "turntable"
                         : settings->output.reference       ? "reference"
@@ -65,7 +65,7 @@ burnish_status batch_draw_inputs(const render_settings *settings, cli_call *call
                            .has_no_report = !settings->output.json,
                            .no_sandbox = is_unlocked(call)};
     char standard[64], *folder = NULL;
-    burnish_status status = check(settings, error);
+    burnish_status status = check_many(settings, error);
     if (status == BURNISH_STATUS_OK && settings->job.recursive) {
         status = cli_set(&batch_command, "recursive", NULL, &many, error); /* as given */
     }

@@ -31,7 +31,7 @@ typedef struct name {
     size_t size;
 } name;
 
-static void append(name *n, const char *text, size_t size) {
+static void name_append(name *n, const char *text, size_t size) {
     if (n->size + size >= NAME_MAX_BYTES) {
         n->size = NAME_MAX_BYTES;
         return;
@@ -47,7 +47,7 @@ typedef struct parts {
     size_t folder_size, model_size;
 } parts;
 
-static parts split(const batch_item *item) {
+static parts split_path(const batch_item *item) {
     const char *input = item->input;
     const size_t tree = *input == ':' ? 1 : item->level >= LEVEL_FOLDERS ? 0 : item->tree;
     parts p = {.folder = input + tree, .model = *input == ':' ? input + 1 : batch_base_name(input)};
@@ -62,18 +62,18 @@ static const char placeholders[] = "{model}, {folder}, {extension} and {view}";
 
 static burnish_status expand_one(const batch *b, const batch_item *item, const char *word,
                                  size_t size, name *n, burnish_error *error) {
-    const parts p = split(item);
+    const parts p = split_path(item);
     if (size == 5 && memcmp(word, "model", 5) == 0) {
-        append(n, p.model,
-               item->level == LEVEL_EXTENSION || item->level >= LEVEL_BOTH ? strlen(p.model)
-                                                                           : p.model_size);
+        name_append(n, p.model,
+                    item->level == LEVEL_EXTENSION || item->level >= LEVEL_BOTH ? strlen(p.model)
+                                                                                : p.model_size);
     } else if (size == 6 && memcmp(word, "folder", 6) == 0) {
-        append(n, p.folder, p.folder_size);
+        name_append(n, p.folder, p.folder_size);
     } else if (size == 9 && memcmp(word, "extension", 9) == 0) {
-        append(n, p.extension, strlen(p.extension));
+        name_append(n, p.extension, strlen(p.extension));
     } else if (size == 4 && memcmp(word, "view", 4) == 0) {
         const char *view = item->view >= 0 ? batch_view_name(b, item) : "view";
-        append(n, view, strlen(view));
+        name_append(n, view, strlen(view));
     } else {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--output: \"{%.*s}\" is none of %s",
                         size < 40 ? (int)size : 40, word, placeholders);
@@ -82,18 +82,18 @@ static burnish_status expand_one(const batch *b, const batch_item *item, const c
 }
 
 /* Expands the template for an item. */
-static burnish_status expand(const batch *b, const batch_item *item, name *n,
-                             burnish_error *error) {
+static burnish_status expand_template(const batch *b, const batch_item *item, name *n,
+                                      burnish_error *error) {
     const char *at = b->settings->output;
     n->size = 0;
     n->text[0] = 0;
     if (item->level >= LEVEL_FOLDERS && !strstr(at, "{folder}")) {
-        const parts p = split(item);
-        append(n, p.folder, p.folder_size);
+        const parts p = split_path(item);
+        name_append(n, p.folder, p.folder_size);
     }
     while (*at) {
         const size_t plain = strcspn(at, "{");
-        append(n, at, plain);
+        name_append(n, at, plain);
         at += plain;
         const char *end = *at ? strchr(at, '}') : NULL;
         if (*at && !end) {
@@ -115,7 +115,7 @@ static burnish_status expand(const batch *b, const batch_item *item, name *n,
 
 /* Appends the name to the folder. Empty parts, "." and ".." are dropped to keep the path below the
  * folder. NULL: nothing is left, or the name is too long. */
-static char *join(const char *folder, const name *n) {
+static char *join_path(const char *folder, const name *n) {
     const size_t length = strlen(folder);
     char *path = malloc(length + n->size + 2);
     size_t used = length, kept = 0;
@@ -147,12 +147,12 @@ static char *join(const char *folder, const name *n) {
 static burnish_status name_item(const batch *b, batch_item *item, burnish_error *error) {
     const char *folder = strcmp(b->settings->output_dir, ".") == 0 ? "" : b->settings->output_dir;
     name n;
-    const burnish_status status = expand(b, item, &n, error);
+    const burnish_status status = expand_template(b, item, &n, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     free(item->output);
-    item->output = join(folder, &n);
+    item->output = join_path(folder, &n);
     return item->output ? BURNISH_STATUS_OK
                         : cli_fail(error, BURNISH_STATUS_ARGUMENT,
                                    "%.200s: --output gives its picture no name that can be used",
@@ -173,7 +173,8 @@ static int compare_outputs(const void *a, const void *b) {
     return order ? order : (x > y) - (x < y);
 }
 
-static void sort(const batch *b, batch_item **sorted, int (*compare)(const void *, const void *)) {
+static void sort_items(const batch *b, batch_item **sorted,
+                       int (*compare)(const void *, const void *)) {
     for (size_t i = 0; i < b->list.count; ++i) {
         sorted[i] = &b->list.items[i];
     }
@@ -183,7 +184,7 @@ static void sort(const batch *b, batch_item **sorted, int (*compare)(const void 
 /* Drops repeated inputs; the first one stays. */
 static void drop_repeated(batch *b, batch_item **sorted) {
     size_t kept = 0;
-    sort(b, sorted, compare_inputs);
+    sort_items(b, sorted, compare_inputs);
     for (size_t i = 1; i < b->list.count; ++i) {
         sorted[i]->has_failed = strcmp(sorted[i]->input, sorted[i - 1]->input) == 0;
     }
@@ -233,11 +234,11 @@ static burnish_status split_views(batch *b, burnish_error *error) {
 
 /* One round: items that share an output get longer names. *shared receives one that shared its
  * output, or NULL. */
-static burnish_status part(batch *b, batch_item **sorted, batch_item **shared,
-                           burnish_error *error) {
+static burnish_status part_shared(batch *b, batch_item **sorted, batch_item **shared,
+                                  burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     *shared = NULL;
-    sort(b, sorted, compare_outputs);
+    sort_items(b, sorted, compare_outputs);
     for (size_t i = 0; i < b->list.count && status == BURNISH_STATUS_OK;) {
         size_t end = i + 1;
         while (end < b->list.count && strcmp(sorted[end]->output, sorted[i]->output) == 0) {
@@ -283,7 +284,7 @@ burnish_status batch_name_outputs(batch *b, burnish_error *error) {
         status = name_item(b, &b->list.items[i], error);
     }
     for (int round = 0; round < LEVELS && sorted && status == BURNISH_STATUS_OK; ++round) {
-        status = part(b, sorted, &shared, error);
+        status = part_shared(b, sorted, &shared, error);
     }
     if (status == BURNISH_STATUS_OK && shared) {
         shared->level = LEVEL_PLAIN;

@@ -44,7 +44,7 @@ typedef struct pool {
 
 static volatile sig_atomic_t stopped; /* the number of a signal that ends the program */
 
-static void stop(int number) {
+static void note_signal(int number) {
     stopped = number;
 }
 
@@ -56,7 +56,7 @@ static const int ending[] = {SIGHUP, SIGINT, SIGTERM};
 static void become_runner(const pool *p) {
     for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
         struct sigaction before;
-        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler == stop) {
+        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler == note_signal) {
             signal(ending[i], SIG_DFL);
         }
     }
@@ -204,7 +204,7 @@ static burnish_status fail_runner(burnish_error *error) {
 }
 
 /* Hands items to idle runners. Returns the number of busy runners. */
-static size_t lend(pool *p, struct pollfd *ready) {
+static size_t lend_items(pool *p, struct pollfd *ready) {
     size_t active = 0;
     for (size_t i = 0; i < p->count; ++i) {
         worker *w = &p->workers[i];
@@ -217,9 +217,9 @@ static size_t lend(pool *p, struct pollfd *ready) {
     return active;
 }
 
-static burnish_status work(pool *p, struct pollfd *ready, burnish_error *error) {
+static burnish_status pool_work(pool *p, struct pollfd *ready, burnish_error *error) {
     while (p->b->done < p->b->list.count && !stopped) {
-        if (lend(p, ready) == 0 && !stopped) {
+        if (lend_items(p, ready) == 0 && !stopped) {
             return fail_runner(error);
         }
         const int count = poll(ready, (nfds_t)p->count, 500);
@@ -260,7 +260,7 @@ static burnish_status open_report(pool *p, burnish_error *error) {
 
 static void catch_signals(void) {
     for (size_t i = 0; i < sizeof ending / sizeof *ending; ++i) {
-        struct sigaction before, action = {.sa_handler = stop};
+        struct sigaction before, action = {.sa_handler = note_signal};
         if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) {
             sigaction(ending[i], &action, NULL);
         }
@@ -274,7 +274,7 @@ static size_t count_jobs(const batch *b) {
     return jobs < b->list.count ? jobs : b->list.count;
 }
 
-static burnish_status begin(pool *p, burnish_error *error) {
+static burnish_status pool_begin(pool *p, burnish_error *error) {
     const size_t jobs = count_jobs(p->b);
     p->workers = calloc(jobs + 1, sizeof *p->workers);
     p->order = batch_order_by_cost(&p->b->list);
@@ -293,10 +293,10 @@ static burnish_status begin(pool *p, burnish_error *error) {
 burnish_status batch_run(batch *b, burnish_error *error) {
     pool p = {.b = b, .start = burnish_seconds_now()};
     p.is_terminal = !b->settings->render.job.quiet && isatty(STDERR_FILENO);
-    burnish_status status = begin(&p, error);
+    burnish_status status = pool_begin(&p, error);
     struct pollfd *ready = calloc(p.count + 1, sizeof *ready);
     if (status == BURNISH_STATUS_OK) {
-        status = ready ? work(&p, ready, error)
+        status = ready ? pool_work(&p, ready, error)
                        : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
     }
     if (p.is_terminal) {

@@ -38,7 +38,7 @@ typedef struct sheet {
 
 /* Box filter over the source pixels of each target pixel. Squared values approximate linear light;
  * transparent pixels are blended with white. */
-static void shrink(const burnish_image *from, burnish_image *to) {
+static void shrink_picture(const burnish_image *from, burnish_image *to) {
     const int n = from->channels;
     for (int y = 0; y < to->height; ++y) {
         const int y0 = (int)((int64_t)y * from->height / to->height);
@@ -87,7 +87,7 @@ static burnish_status receive_cell(const sheet *s, burnish_image *cell, char *la
         memset(cell->pixels, 255, (size_t)cell->width * (size_t)cell->height * 3);
         if (size > 0 && burnish_image_decode(NULL, bytes, (size_t)size, label, &whole, NULL) ==
                             BURNISH_STATUS_OK) {
-            shrink(&whole, cell);
+            shrink_picture(&whole, cell);
         }
     }
     burnish_image_destroy(&whole);
@@ -165,7 +165,7 @@ static int is_shown(const batch_item *item) {
     return !item->has_failed && item->line;
 }
 
-static int continues(char byte) {
+static int continues_character(char byte) {
     return ((unsigned char)byte & 0xc0) == 0x80; /* a character of UTF-8 */
 }
 
@@ -178,10 +178,10 @@ static void write_label(char label[LABEL_BYTES], const char *name, int width) {
         return;
     }
     size_t head = (most - 2) / 3, tail = length - (most - 2 - head);
-    while (head > 0 && continues(name[head])) {
+    while (head > 0 && continues_character(name[head])) {
         --head;
     }
-    while (tail < length && continues(name[tail])) {
+    while (tail < length && continues_character(name[tail])) {
         ++tail;
     }
     snprintf(label, LABEL_BYTES, "%.*s..%s", (int)head, name, name + tail);

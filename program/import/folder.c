@@ -109,8 +109,8 @@ burnish_status folder_read(int file, const char *name, uint64_t max_bytes, impor
     }
 }
 
-static burnish_status load(void *user_data, const char *name, uint64_t max_bytes,
-                           const void **bytes, size_t *size, burnish_error *error) {
+static burnish_status folder_load(void *user_data, const char *name, uint64_t max_bytes,
+                                  const void **bytes, size_t *size, burnish_error *error) {
     import_stream stream = {0};
     uint64_t stated;
     int file;
@@ -131,13 +131,13 @@ static burnish_status load(void *user_data, const char *name, uint64_t max_bytes
     return status;
 }
 
-static void release(void *user_data, const void *bytes, size_t size) {
+static void folder_release(void *user_data, const void *bytes, size_t size) {
     (void)user_data, (void)size;
     free((void *)(uintptr_t)bytes);
 }
 
 burnish_file_loader folder_loader(int *folder) {
-    return (burnish_file_loader){load, release, folder};
+    return (burnish_file_loader){folder_load, folder_release, folder};
 }
 
 #else

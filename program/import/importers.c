@@ -16,14 +16,15 @@ static const import_program importers[] = {
     {"burnish-import-assimp", "-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev",
      " " CLI_ASSIMP_LIST(EXTENSION), NULL, otherwise}};
 
-static int lower(int c) {
+static int lower_case(int c) {
     return c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c;
 }
 
 void import_get_extension(const char *name, char extension[IMPORT_EXTENSION_SIZE]) {
     static const char packed[] = ".gz";
     size_t end = strlen(name), size = sizeof packed - 1, tail = 0;
-    while (tail < size && tail < end && lower(name[end - 1 - tail]) == packed[size - 1 - tail]) {
+    while (tail < size && tail < end &&
+           lower_case(name[end - 1 - tail]) == packed[size - 1 - tail]) {
         ++tail;
     }
     end -= tail == size ? size : 0;
@@ -34,7 +35,7 @@ void import_get_extension(const char *name, char extension[IMPORT_EXTENSION_SIZE
     size = first > 0 && name[first - 1] == '.' ? end - first : 0;
     size = size < IMPORT_EXTENSION_SIZE ? size : 0;
     for (size_t i = 0; i < size; ++i) {
-        extension[i] = (char)lower(name[first + i]);
+        extension[i] = (char)lower_case(name[first + i]);
     }
     extension[size] = 0;
 }
@@ -135,7 +136,7 @@ int import_expect(import_stream *stream, uint64_t size) {
 }
 
 /* The end of a path that is too long for a message. */
-static const char *shown(const char *name) {
+static const char *shown_end(const char *name) {
     const size_t size = strlen(name);
     return size > 200 ? name + size - 200 : name;
 }
@@ -149,13 +150,13 @@ burnish_status import_build(const import_program *importer, const char *name,
     *mesh = NULL;
     if (stream->is_short) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: out of memory for what %s makes",
-                        shown(name), importer->name);
+                        shown_end(name), importer->name);
     }
     if (stream->size == 0) {
         return cli_fail(error, BURNISH_STATUS_FORMAT, "%.200s: %s ended without a mesh",
-                        shown(name), importer->name);
+                        shown_end(name), importer->name);
     }
-    snprintf(whole, sizeof whole, "%.200s: %s", shown(name), importer->name);
+    snprintf(whole, sizeof whole, "%.200s: %s", shown_end(name), importer->name);
     handed.format = BURNISH_FORMAT_BMS;
     handed.max_input_bytes = UINT64_MAX; /* max_input_bytes limits the imported file only */
     handed.referenced_files = companions;

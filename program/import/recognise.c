@@ -53,25 +53,26 @@ static size_t skip_blanks(const unsigned char *bytes, size_t size) {
     return at;
 }
 
-static int begins(const unsigned char *bytes, size_t size, const char *first, size_t first_size) {
+static int begins_with(const unsigned char *bytes, size_t size, const char *first,
+                       size_t first_size) {
     const size_t length = first_size > 0 ? first_size : strlen(first);
     return size >= length && memcmp(bytes, first, length) == 0;
 }
 
 static int is_lfs_pointer(const unsigned char *bytes, size_t size) {
-    return begins(bytes, size, "version https://git-lfs.github.com/spec/", 0);
+    return begins_with(bytes, size, "version https://git-lfs.github.com/spec/", 0);
 }
 
 /* Content that can't be judged here: gzip, UTF-16, a Git LFS pointer. */
 static int is_wrapped(const unsigned char *bytes, size_t size) {
-    return begins(bytes, size, "\x1F\x8B", 0) || begins(bytes, size, "\xFF\xFE", 0) ||
-           begins(bytes, size, "\xFE\xFF", 0) || is_lfs_pointer(bytes, size);
+    return begins_with(bytes, size, "\x1F\x8B", 0) || begins_with(bytes, size, "\xFF\xFE", 0) ||
+           begins_with(bytes, size, "\xFE\xFF", 0) || is_lfs_pointer(bytes, size);
 }
 
 const char *import_describe_other(const unsigned char *bytes, size_t size) {
     const size_t at = skip_blanks(bytes, size);
-    const int is_page = begins(bytes + at, size - at, "<!DOCTYPE html", 0) ||
-                        begins(bytes + at, size - at, "<html", 0);
+    const int is_page = begins_with(bytes + at, size - at, "<!DOCTYPE html", 0) ||
+                        begins_with(bytes + at, size - at, "<html", 0);
     return size == 0 ? "the file is empty"
            : is_lfs_pointer(bytes, size)
                ? "a Git LFS pointer, not the file; fetch the file (git lfs pull)"
@@ -124,8 +125,8 @@ int import_may_hold_mesh(const char *path) {
         }
         is_known = 1;
         const size_t at = skip_blanks(bytes, size);
-        fits = begins(bytes, size, rows[i].first, rows[i].size) ||
-               begins(bytes + at, size - at, rows[i].first, rows[i].size);
+        fits = begins_with(bytes, size, rows[i].first, rows[i].size) ||
+               begins_with(bytes + at, size - at, rows[i].first, rows[i].size);
     }
     return fits || !is_known;
 }

@@ -46,7 +46,7 @@ typedef struct run {
     uint64_t most; /* bytes that it may write */
 } run;
 
-static burnish_status fail(const run *r, burnish_status status, const char *what) {
+static burnish_status importer_fail(const run *r, burnish_status status, const char *what) {
     const size_t size = strlen(r->name);
     return cli_fail(r->error, status, "%.200s: %s %s", size > 200 ? r->name + size - 200 : r->name,
                     r->importer->name, what);
@@ -82,7 +82,7 @@ static burnish_status find_program(run *r) {
              "reads such files and is not installed; install the Debian package of that name, "
              "build it (%s), name its folder in BURNISH_IMPORTERS, or %s",
              r->importer->from, r->importer->otherwise);
-    return fail(r, BURNISH_STATUS_FORMAT, message);
+    return importer_fail(r, BURNISH_STATUS_FORMAT, message);
 }
 
 burnish_status import_check_installed(const import_program *importer, const char *name,
@@ -98,12 +98,12 @@ int import_is_installed(const import_program *importer) {
 
 /* ---- The process ---- */
 
-static burnish_status start(run *r, int input, uint64_t memory) {
+static burnish_status importer_start(run *r, int input, uint64_t memory) {
     const char *const arguments[] = {
         r->importer->name, r->importer->argument ? r->importer->argument : r->extension, NULL};
     int ends[2];
     if (pipe(ends) != 0) {
-        return fail(r, cli_errno_status(errno), strerror(errno));
+        return importer_fail(r, cli_errno_status(errno), strerror(errno));
     }
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
@@ -122,7 +122,7 @@ static burnish_status start(run *r, int input, uint64_t memory) {
     r->pipe = ends[0];
     if (r->process < 0) {
         close(r->pipe);
-        return fail(r, BURNISH_STATUS_MEMORY, strerror(code));
+        return importer_fail(r, BURNISH_STATUS_MEMORY, strerror(code));
     }
     return BURNISH_STATUS_OK;
 }
@@ -135,7 +135,7 @@ static int is_late(const run *r) {
 }
 
 static burnish_status fail_time(const run *r) {
-    return fail(r, BURNISH_STATUS_LIMIT, "takes too long; simplify the file");
+    return importer_fail(r, BURNISH_STATUS_LIMIT, "takes too long; simplify the file");
 }
 
 /* The next piece of the stream: its size, 0 at the end, -1 after an error. */
@@ -153,7 +153,7 @@ static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *st
             return size;
         }
         if (errno != EINTR) {
-            *status = fail(r, cli_errno_status(errno), strerror(errno));
+            *status = importer_fail(r, cli_errno_status(errno), strerror(errno));
             return -1;
         }
     }
@@ -167,18 +167,18 @@ static burnish_status read_stream(const run *r, import_sink sink) {
     while ((size = read_piece(r, piece, &status)) > 0) {
         total += (uint64_t)size;
         if (total > r->most) {
-            return fail(r, BURNISH_STATUS_LIMIT,
+            return importer_fail(r, BURNISH_STATUS_LIMIT,
                         "makes a mesh of far more bytes than the file has; simplify the file");
         }
         if (!sink.take(sink.context, piece, (size_t)size)) {
-            return fail(r, BURNISH_STATUS_MEMORY, "makes a mesh for which there is no memory");
+            return importer_fail(r, BURNISH_STATUS_MEMORY, "makes a mesh for which there is no memory");
         }
     }
     return status;
 }
 
 /* Waits for the end of the importer within its time limit and checks its status. */
-static burnish_status end(const run *r, burnish_status status) {
+static burnish_status importer_end(const run *r, burnish_status status) {
     const struct timespec nap = {0, 500000};
     char what[160];
     int state = 0;
@@ -200,20 +200,20 @@ static burnish_status end(const run *r, burnish_status status) {
     if (WIFEXITED(state)) {
         snprintf(what, sizeof what, "ended with exit code %d and no mesh%s", WEXITSTATUS(state),
                  WEXITSTATUS(state) == 127 ? ": a library is missing" : "");
-        return fail(r, BURNISH_STATUS_FORMAT, what);
+        return importer_fail(r, BURNISH_STATUS_FORMAT, what);
     }
     const int number = WTERMSIG(state);
     if (number == SIGXCPU) {
         return fail_time(r);
     }
     if (number == SIGKILL) {
-        return fail(r, BURNISH_STATUS_MEMORY, "was ended by the system: out of memory");
+        return importer_fail(r, BURNISH_STATUS_MEMORY, "was ended by the system: out of memory");
     }
     snprintf(what, sizeof what,
              number == SIGSYS ? "made a system call that importing does not need, and was ended"
                               : "crashed by signal %d (%s); repair the file, or convert it",
              number, strsignal(number));
-    return fail(r, BURNISH_STATUS_FORMAT, what);
+    return importer_fail(r, BURNISH_STATUS_FORMAT, what);
 }
 
 /* Rejects a file whose first bytes show that it is not a mesh. */
@@ -252,12 +252,12 @@ burnish_status import_run(const import_program *importer, const char *name, cons
     const uint64_t counted = size < UINT64_MAX / 1024 ? size : UINT64_MAX / 1024;
     r.most = MOST_FIXED + counted * MOST_FACTOR;
     const uint64_t own = MEMORY_FIXED + counted * MEMORY_FACTOR, allowed = cli_child_memory();
-    status = start(&r, input, allowed > 0 && allowed < own ? allowed : own);
+    status = importer_start(&r, input, allowed > 0 && allowed < own ? allowed : own);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     status = read_stream(&r, sink);
-    status = end(&r, status);
+    status = importer_end(&r, status);
     close(r.pipe);
     return status;
 }

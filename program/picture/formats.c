@@ -49,7 +49,7 @@ const char *picture_container(picture_format format) {
 }
 
 /* Lists names or extensions (with dots): "a", "a or b", "a, b or c". */
-static void list(int use, int extensions, char *text, size_t size) {
+static void list_formats(int use, int extensions, char *text, size_t size) {
     size_t used = 0;
     int left = 0;
     for (int i = 1; i < PICTURE_COUNT; ++i) {
@@ -75,7 +75,7 @@ typedef struct format_names {
 
 static format_names list_names(int uses) {
     format_names names;
-    list(uses, 0, names.text, sizeof names.text);
+    list_formats(uses, 0, names.text, sizeof names.text);
     return names;
 }
 
@@ -107,7 +107,7 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
                         "--turntable=- | ffmpeg -i - FILE",
                         flag, path, list_names(use).text);
     }
-    list(use, 1, extensions, sizeof extensions);
+    list_formats(use, 1, extensions, sizeof extensions);
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "--%s: \"%.200s\": %s written as %s; end the name in %s", flag, path, what,
                     list_names(use).text, extensions);

@@ -143,7 +143,7 @@ static void put_indices(gif_state *state, picture_bytes *out, const int box[4], 
 /* 0 to 15, each once in 4 x 4 pixels, neighbours far apart (Bayer). */
 static const uint8_t ranks[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
-static int luma(const uint8_t color[3]) {
+static int color_luma(const uint8_t color[3]) {
     return 3 * color[0] + 6 * color[1] + color[2];
 }
 
@@ -163,7 +163,8 @@ static void choose_mix(const picture_palette *palette, const uint8_t color[3], u
             left[k] += color[k] - palette->colors[nearest][k];
         }
         int at = i;
-        for (; at > 0 && luma(palette->colors[mix[at - 1]]) > luma(palette->colors[nearest]);
+        for (; at > 0 &&
+               color_luma(palette->colors[mix[at - 1]]) > color_luma(palette->colors[nearest]);
              --at) {
             mix[at] = mix[at - 1];
         }
@@ -251,7 +252,7 @@ static void put_u16(picture_bytes *out, int value) {
     picture_put_byte(out, value >> 8);
 }
 
-static burnish_status begin(picture_animation *animation, burnish_error *error) {
+static burnish_status gif_begin(picture_animation *animation, burnish_error *error) {
     const picture_animation_options *o = &animation->options;
     picture_bytes *out = &animation->out;
     const size_t count = (size_t)o->width * (size_t)o->height;
@@ -282,8 +283,8 @@ static burnish_status begin(picture_animation *animation, burnish_error *error) 
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status add(picture_animation *animation, const burnish_image *frame,
-                          burnish_error *error) {
+static burnish_status gif_add(picture_animation *animation, const burnish_image *frame,
+                              burnish_error *error) {
     gif_state *state = animation->state;
     picture_bytes *out = &animation->out;
     const int time = picture_time(animation, animation->index + 1, 100) -
@@ -309,17 +310,17 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status end(picture_animation *animation, burnish_error *error) {
+static burnish_status gif_end(picture_animation *animation, burnish_error *error) {
     (void)error;
     picture_put_byte(&animation->out, 0x3B);
     return BURNISH_STATUS_OK;
 }
 
-static void destroy(void *from) {
+static void gif_destroy(void *from) {
     gif_state *state = from;
     free(state->indices);
     free(state->before);
     free(state);
 }
 
-const picture_animator picture_gif = {begin, add, end, destroy};
+const picture_animator picture_gif = {gif_begin, gif_add, gif_end, gif_destroy};

@@ -15,7 +15,7 @@ typedef struct jpeg_failure {
     jmp_buf place;
 } jpeg_failure;
 
-static void fail(j_common_ptr codec) {
+static void jpeg_write_fail(j_common_ptr codec) {
     longjmp(((jpeg_failure *)codec->err)->place, 1);
 }
 
@@ -54,7 +54,7 @@ burnish_status picture_encode_jpeg(const burnish_pixels *pixels, const picture_o
                         "JPEG holds at most 65535 dots per inch; write PNG");
     }
     codec.err = jpeg_std_error(&failure.manager);
-    failure.manager.error_exit = fail;
+    failure.manager.error_exit = jpeg_write_fail;
     jpeg_create_compress(&codec);
     jpeg_mem_dest(&codec, &bytes, &size);
     if (setjmp(failure.place)) {

@@ -68,7 +68,7 @@ int picture_histogram_add(picture_histogram *histogram, const burnish_image *ima
 }
 
 /* Square root, rounded down: a large flat part shall not take all colours from a small one. */
-static uint32_t root(uint32_t value) {
+static uint32_t integer_root(uint32_t value) {
     uint32_t result = 0;
     for (uint32_t bit = 1U << 15; bit > 0; bit >>= 1) {
         const uint32_t next = result | bit;
@@ -91,7 +91,7 @@ static entry *list_entries(const picture_histogram *histogram, size_t *count) {
         } else if (counts[code % CODES_PER_PAGE] > 0) {
             entries[(*count)++] =
                 (entry){{(uint8_t)(code >> 16), (uint8_t)(code >> 8), (uint8_t)code},
-                        root(counts[code % CODES_PER_PAGE])};
+                        integer_root(counts[code % CODES_PER_PAGE])};
         }
     }
     return entries;
@@ -114,7 +114,7 @@ static void add_entry(sums *s, const entry *e) {
 
 /* Sum of w (x - mean)^2 = S2 - S1^2 / W along an axis. Split so that nothing overflows: with
  * S1 = q W + r, S1^2 / W = q S1 + q r + r^2 / W, where r^2 / W < W is below 2^40. */
-static uint64_t spread(const sums *s, int axis) {
+static uint64_t squared_error(const sums *s, int axis) {
     if (s->weight == 0) {
         return 0;
     }
@@ -128,7 +128,7 @@ static const uint64_t axis_weights[3] = {3, 4, 2}; /* of picture_distance */
 static uint64_t error_of(const sums *s) {
     uint64_t error = 0;
     for (int k = 0; k < 3; ++k) {
-        error += axis_weights[k] * spread(s, k);
+        error += axis_weights[k] * squared_error(s, k);
     }
     return error;
 }
@@ -152,15 +152,17 @@ COMPARE(compare_blue, 2, 1, 0)
 
 /* Cuts a box of several entries in two where the sum of both errors is least, along the axis of the
  * largest spread; the second part becomes *other. */
-static void cut(entry *entries, box *whole, box *other) {
+static void cut_box(entry *entries, box *whole, box *other) {
     static int (*const compare[3])(const void *, const void *) = {compare_red, compare_green,
                                                                   compare_blue};
     sums all, left = {0};
     int axis = 0;
     sum_range(entries, whole->first, whole->end, &all);
     for (int k = 1; k < 3; ++k) {
-        axis =
-            axis_weights[k] * spread(&all, k) > axis_weights[axis] * spread(&all, axis) ? k : axis;
+        axis = axis_weights[k] * squared_error(&all, k) >
+                       axis_weights[axis] * squared_error(&all, axis)
+                   ? k
+                   : axis;
     }
     qsort(entries + whole->first, whole->end - whole->first, sizeof *entries, compare[axis]);
     uint64_t least = UINT64_MAX;
@@ -185,7 +187,7 @@ static void cut(entry *entries, box *whole, box *other) {
 }
 
 /* The middle of a run of entries. */
-static void middle(const sums *s, uint8_t color[3]) {
+static void mean_color(const sums *s, uint8_t color[3]) {
     for (int k = 0; k < 3 && s->weight > 0; ++k) {
         color[k] = (uint8_t)((s->first[k] + s->weight / 2) / s->weight);
     }
@@ -205,11 +207,11 @@ static void cut_boxes(entry *entries, size_t count, int first, picture_palette *
         if (boxes[worst].error == 0) {
             break;
         }
-        cut(entries, &boxes[worst], &boxes[used++]);
+        cut_box(entries, &boxes[worst], &boxes[used++]);
     }
     for (int i = 0; i < used; ++i) {
         sum_range(entries, boxes[i].first, boxes[i].end, &s);
-        middle(&s, palette->colors[first + i]);
+        mean_color(&s, palette->colors[first + i]);
     }
     palette->count = first + used;
 }
@@ -267,7 +269,7 @@ static void move_colors(const entry *entries, size_t count, const uint8_t ground
     }
     for (int i = 0; i < palette->count; ++i) {
         if (memcmp(palette->colors[i], ground, 3) != 0) {
-            middle(&parts[i], palette->colors[i]);
+            mean_color(&parts[i], palette->colors[i]);
         }
     }
     order_colors(palette);

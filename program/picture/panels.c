@@ -65,7 +65,8 @@ static uint8_t *pixel_at(burnish_image *image, int x, int y) {
 }
 
 /* Enlarges a picture and blends it with white. */
-static void place(const layout *l, const burnish_image *picture, int panel, burnish_image *made) {
+static void place_panel(const layout *l, const burnish_image *picture, int panel,
+                        burnish_image *made) {
     int left, top;
     corner_of(l, panel, &left, &top);
     for (int y = 0; y < l->height; ++y) {
@@ -83,8 +84,8 @@ static void place(const layout *l, const burnish_image *picture, int panel, burn
 }
 
 /* Frames the pixels that differ, unless they fill the picture. */
-static void frame(const layout *l, const burnish_image *picture, const int box[4],
-                  burnish_image *made) {
+static void frame_difference(const layout *l, const burnish_image *picture, const int box[4],
+                             burnish_image *made) {
     int left, top;
     if (box[2] == 0 || (box[2] - box[0] == picture->width && box[3] - box[1] == picture->height)) {
         return;
@@ -170,8 +171,8 @@ static void write_numbers(const layout *l, const burnish_comparison *n, float y,
 }
 
 /* Draws labels, numbers and the scale, which is below the difference. */
-static void annotate(const layout *l, const picture_panels *panels, double end,
-                     burnish_image *made) {
+static void annotate_panels(const layout *l, const picture_panels *panels, double end,
+                            burnish_image *made) {
     const char *labels[PANELS] = {
         panels->labels[0], panels->labels[1],
         panels->flip_map ? "FLIP" : "B - A, 8-bit values of the channel that differs most"};
@@ -208,11 +209,11 @@ static burnish_status compose_panels(const picture_panels *panels, burnish_image
     }
     if (status == BURNISH_STATUS_OK) {
         memset(made->pixels, 255, 3 * (size_t)made->width * (size_t)made->height);
-        place(&l, panels->pictures[0], 0, made);
-        place(&l, panels->pictures[1], 1, made);
-        place(&l, &difference, 2, made);
-        frame(&l, panels->pictures[0], panels->numbers->bounds, made);
-        annotate(&l, panels, end, made);
+        place_panel(&l, panels->pictures[0], 0, made);
+        place_panel(&l, panels->pictures[1], 1, made);
+        place_panel(&l, &difference, 2, made);
+        frame_difference(&l, panels->pictures[0], panels->numbers->bounds, made);
+        annotate_panels(&l, panels, end, made);
     }
     burnish_image_destroy(&difference);
     return status;

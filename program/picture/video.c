@@ -103,7 +103,7 @@ static void become_ffmpeg(const char *file, const char *container) {
     cli_execute(file, arguments);
 }
 
-static int start(encoder *e, const char *container) {
+static int ffmpeg_start(encoder *e, const char *container) {
     char file[4096];
     int ends[2] = {-1, -1};
     *e = (encoder){-1, -1, cli_unnamed_file(), cli_unnamed_file()};
@@ -122,7 +122,7 @@ static int start(encoder *e, const char *container) {
 }
 
 /* Closes the pipe and waits. Returns 1 if ffmpeg has succeeded and written something. */
-static int finish(encoder *e) {
+static int ffmpeg_finish(encoder *e) {
     if (e->frames >= 0) {
         close(e->frames);
     }
@@ -164,12 +164,12 @@ burnish_status picture_write_video(const char *container, const char *path,
     static char piece[PIECE];
     encoder e;
     size_t size;
-    int is_open = start(&e, container);
+    int is_open = ffmpeg_start(&e, container);
     while (is_open && (size = source(context, piece, sizeof piece)) > 0) {
         is_open = cli_write_all(e.frames, piece, size);
     }
     burnish_status status;
-    if (finish(&e) && is_open) {
+    if (ffmpeg_finish(&e) && is_open) {
         video v = {e.video, ready, context};
         lseek(e.video, 0, SEEK_SET);
         status = burnish_file_write_stream_checked(path, take_video, &v, check_video, error);

@@ -8,7 +8,7 @@
 #include <webp/mux.h>
 
 /* Lossy files still have lossless alpha. */
-static int configure(WebPConfig *config, int quality, int threads) {
+static int webp_configure(WebPConfig *config, int quality, int threads) {
     if (!WebPConfigInit(config)) {
         return 0;
     }
@@ -21,7 +21,7 @@ static int configure(WebPConfig *config, int quality, int threads) {
     return WebPValidateConfig(config);
 }
 
-static int import(WebPPicture *picture, const burnish_pixels *pixels) {
+static int webp_import(WebPPicture *picture, const burnish_pixels *pixels) {
     const int stride = (int)pixels->stride;
     picture->use_argb = 1;
     picture->width = pixels->width;
@@ -54,13 +54,14 @@ burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_o
                         "WebP holds at most %d x %d pixels, not %d x %d; write PNG",
                         WEBP_MAX_DIMENSION, WEBP_MAX_DIMENSION, pixels->width, pixels->height);
     }
-    if (!configure(&config, options->quality, options->threads) || !WebPPictureInit(&picture)) {
+    if (!webp_configure(&config, options->quality, options->threads) ||
+        !WebPPictureInit(&picture)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "WebP: another version of libwebp");
     }
     WebPMemoryWriterInit(&writer);
     picture.writer = WebPMemoryWrite;
     picture.custom_ptr = &writer;
-    const int encoded = import(&picture, pixels) && WebPEncode(&config, &picture);
+    const int encoded = webp_import(&picture, pixels) && WebPEncode(&config, &picture);
     const int code = picture.error_code;
     WebPPictureFree(&picture);
     if (!encoded) {
@@ -88,7 +89,7 @@ static burnish_status fail_animation(const WebPAnimEncoder *encoder, burnish_err
                             : "no encoder; the frames are too large, or memory is short");
 }
 
-static burnish_status begin(picture_animation *animation, burnish_error *error) {
+static burnish_status webp_begin(picture_animation *animation, burnish_error *error) {
     WebPAnimEncoderOptions options;
     const picture_animation_options *o = &animation->options;
     if (o->width > WEBP_MAX_DIMENSION || o->height > WEBP_MAX_DIMENSION) {
@@ -102,23 +103,23 @@ static burnish_status begin(picture_animation *animation, burnish_error *error) 
     return animation->state ? BURNISH_STATUS_OK : fail_animation(NULL, error);
 }
 
-static burnish_status add(picture_animation *animation, const burnish_image *frame,
-                          burnish_error *error) {
+static burnish_status webp_add(picture_animation *animation, const burnish_image *frame,
+                               burnish_error *error) {
     WebPConfig config;
     WebPPicture picture;
     const picture_animation_options *o = &animation->options;
     const burnish_pixels pixels = burnish_image_get_pixels(frame);
-    if (!configure(&config, o->quality, o->threads) || !WebPPictureInit(&picture)) {
+    if (!webp_configure(&config, o->quality, o->threads) || !WebPPictureInit(&picture)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "WebP: another version of libwebp");
     }
-    const int added = import(&picture, &pixels) &&
+    const int added = webp_import(&picture, &pixels) &&
                       WebPAnimEncoderAdd(animation->state, &picture,
                                          picture_time(animation, animation->index, 1000), &config);
     WebPPictureFree(&picture);
     return added ? BURNISH_STATUS_OK : fail_animation(animation->state, error);
 }
 
-static burnish_status end(picture_animation *animation, burnish_error *error) {
+static burnish_status webp_end(picture_animation *animation, burnish_error *error) {
     WebPData data = {NULL, 0}, marked = {NULL, 0};
     if (!WebPAnimEncoderAdd(animation->state, NULL,
                             picture_time(animation, animation->options.frames, 1000), NULL) ||
@@ -135,20 +136,20 @@ static burnish_status end(picture_animation *animation, burnish_error *error) {
     return BURNISH_STATUS_OK;
 }
 
-static void destroy(void *state) {
+static void webp_destroy(void *state) {
     WebPAnimEncoderDelete(state);
 }
 
-const picture_animator picture_webp = {begin, add, end, destroy};
+const picture_animator picture_webp = {webp_begin, webp_add, webp_end, webp_destroy};
 
 #else
 
-static burnish_status begin(picture_animation *animation, burnish_error *error) {
+static burnish_status webp_begin(picture_animation *animation, burnish_error *error) {
     (void)animation;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT, "WebP: this build has no libwebp");
 }
 
-const picture_animator picture_webp = {begin, NULL, NULL, NULL};
+const picture_animator picture_webp = {webp_begin, NULL, NULL, NULL};
 
 burnish_status picture_encode_webp(const burnish_pixels *pixels, const picture_options *options,
                                    picture_file *file, burnish_error *error) {

@@ -46,7 +46,7 @@ int picture_check_frames(picture_frames *f, const void *bytes, size_t size) {
     return 1;
 }
 
-static burnish_status begin(picture_animation *animation, burnish_error *error) {
+static burnish_status y4m_begin(picture_animation *animation, burnish_error *error) {
     const picture_animation_options *o = &animation->options;
     if (o->channels != 3) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "Y4M has no alpha; write WebP or GIF");
@@ -58,7 +58,7 @@ static burnish_status begin(picture_animation *animation, burnish_error *error) 
 
 /* Coefficients in 2^16: luma 219 (0.2126, 0.7152, 0.0722) / 255; chroma 112 (B - Y) / 0.9278 /
  * 127.5 and 112 (R - Y) / 0.7874 / 127.5. */
-static uint8_t luma(const uint8_t *p) {
+static uint8_t pixel_luma(const uint8_t *p) {
     return (uint8_t)((11966 * p[0] + 40254 * p[1] + 4064 * p[2] + (16 << 16) + 32768) >> 16);
 }
 
@@ -90,8 +90,8 @@ static void put_chroma(const burnish_image *frame, uint8_t *u, uint8_t *v) {
     }
 }
 
-static burnish_status add(picture_animation *animation, const burnish_image *frame,
-                          burnish_error *error) {
+static burnish_status y4m_add(picture_animation *animation, const burnish_image *frame,
+                              burnish_error *error) {
     const size_t count = (size_t)frame->width * (size_t)frame->height;
     const size_t chroma = chroma_size(frame->width, frame->height);
     uint8_t *planes = malloc(count + 2 * chroma);
@@ -101,7 +101,7 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
         return BURNISH_STATUS_OK;
     }
     for (size_t i = 0; i < count; ++i) {
-        planes[i] = luma(frame->pixels + 3 * i);
+        planes[i] = pixel_luma(frame->pixels + 3 * i);
     }
     put_chroma(frame, planes + count, planes + count + chroma);
     picture_put(&animation->out, marker, MARKER_SIZE);
@@ -110,9 +110,9 @@ static burnish_status add(picture_animation *animation, const burnish_image *fra
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status end(picture_animation *animation, burnish_error *error) {
+static burnish_status y4m_end(picture_animation *animation, burnish_error *error) {
     (void)animation, (void)error;
     return BURNISH_STATUS_OK;
 }
 
-const picture_animator picture_y4m = {begin, add, end, NULL};
+const picture_animator picture_y4m = {y4m_begin, y4m_add, y4m_end, NULL};

@@ -28,34 +28,35 @@ typedef struct broker {
     broker_state state;
 } broker;
 
-static burnish_status serve(broker *b, burnish_error *error);
+static burnish_status broker_run(broker *b, burnish_error *error);
 
 /* The first reason to end is kept. */
-static void end(broker *b, broker_state state) {
+static void broker_end(broker *b, broker_state state) {
     b->state = b->state == BROKER_SERVES ? state : b->state;
 }
 
 /* ---- Messages ---- */
 
-static int reply(broker *b, message_kind kind, uint64_t value, const void *bytes, size_t size) {
+static int broker_reply(broker *b, message_kind kind, uint64_t value, const void *bytes,
+                        size_t size) {
     if (b->state == BROKER_SERVES && !channel_send(b->channel, kind, value, bytes, size)) {
-        end(b, BROKER_GONE);
+        broker_end(b, BROKER_GONE);
     }
     return b->state == BROKER_SERVES;
 }
 
 static void reply_status(broker *b, burnish_status status, const burnish_error *error) {
     const char *text = status == BURNISH_STATUS_OK ? "" : error->text;
-    reply(b, MESSAGE_DONE, (uint64_t)status, text, strlen(text));
+    broker_reply(b, MESSAGE_DONE, (uint64_t)status, text, strlen(text));
 }
 
 static int reply_piece(void *context, const void *bytes, size_t size) {
-    return reply(context, MESSAGE_BYTES, 0, bytes, size);
+    return broker_reply(context, MESSAGE_BYTES, 0, bytes, size);
 }
 
-static int receive(broker *b, message *head) {
+static int broker_receive(broker *b, message *head) {
     if (b->state == BROKER_SERVES && !channel_receive(b->channel, head)) {
-        end(b, BROKER_GONE);
+        broker_end(b, BROKER_GONE);
     }
     return b->state == BROKER_SERVES;
 }
@@ -63,9 +64,9 @@ static int receive(broker *b, message *head) {
 /* Receives the body of MESSAGE_DATA, 1 to `capacity` bytes. Returns the size; 0: invalid. */
 static size_t receive_data(broker *b, const message *head, char *buffer, size_t capacity) {
     if (head->kind != MESSAGE_DATA || head->size == 0 || head->size > capacity) {
-        end(b, BROKER_VIOLATION);
+        broker_end(b, BROKER_VIOLATION);
     } else if (!channel_read(b->channel, buffer, (size_t)head->size)) {
-        end(b, BROKER_GONE);
+        broker_end(b, BROKER_GONE);
     }
     return b->state == BROKER_SERVES ? (size_t)head->size : 0;
 }
@@ -84,14 +85,14 @@ typedef struct output {
 static size_t take_data(void *context, char *buffer, size_t size) {
     output *o = context;
     message head;
-    if (o->has_ended || !receive(o->b, &head)) {
+    if (o->has_ended || !broker_receive(o->b, &head)) {
         return 0;
     }
     o->has_ended = head.kind == MESSAGE_END && head.size == 0;
     const size_t count = o->has_ended ? 0 : receive_data(o->b, &head, buffer, size);
     if (count > o->left ||
         (o->frames.total > 0 && !picture_check_frames(&o->frames, buffer, count))) {
-        end(o->b, BROKER_VIOLATION);
+        broker_end(o->b, BROKER_VIOLATION);
         return 0;
     }
     o->left -= count;
@@ -101,10 +102,10 @@ static size_t take_data(void *context, char *buffer, size_t size) {
 /* The worker does the last step: a report, which may be an output too. */
 static burnish_status let_finish(void *context, burnish_error *error) {
     const output *o = context;
-    reply(o->b, MESSAGE_READY, 0, NULL, 0);
-    const burnish_status status = serve(o->b, error);
+    broker_reply(o->b, MESSAGE_READY, 0, NULL, 0);
+    const burnish_status status = broker_run(o->b, error);
     if (status == BURNISH_STATUS_OK && o->frames.next < o->frames.total) {
-        end(o->b, BROKER_VIOLATION);
+        broker_end(o->b, BROKER_VIOLATION);
         return cli_fail(error, BURNISH_STATUS_WRITE, "the last frame is incomplete");
     }
     return status;
@@ -125,7 +126,7 @@ static void write_output(broker *b, const char *path) {
     const uint64_t most = b->plan->max_memory;
     output o = {.b = b, .left = most > 0 && !b->plan->is_streamed ? most : UINT64_MAX};
     if (!is_planned(b->plan, path) || b->depth == 2) {
-        end(b, BROKER_VIOLATION);
+        broker_end(b, BROKER_VIOLATION);
         return;
     }
     b->depth += 1;
@@ -153,7 +154,7 @@ static void send_file(broker *b, const char *name, uint64_t max_bytes) {
     uint64_t size;
     int file;
     if (burnish_check_beneath(name) == EXDEV) {
-        end(b, BROKER_VIOLATION);
+        broker_end(b, BROKER_VIOLATION);
         return;
     }
     burnish_status status = folder_open_file(b->folder, name, most, &file, &size, &error);
@@ -161,7 +162,7 @@ static void send_file(broker *b, const char *name, uint64_t max_bytes) {
         b->plan->record_file(b->plan->context, name, file);
     }
     if (status == BURNISH_STATUS_OK) {
-        reply(b, MESSAGE_READY, size, NULL, 0);
+        broker_reply(b, MESSAGE_READY, size, NULL, 0);
         status = folder_read(file, name, most, reply_piece, b, &error);
         close(file);
     }
@@ -170,13 +171,13 @@ static void send_file(broker *b, const char *name, uint64_t max_bytes) {
 
 /* ---- Importers ---- */
 
-static void import(broker *b, uint64_t max_bytes) {
+static void broker_import(broker *b, uint64_t max_bytes) {
     const uint64_t own = b->plan->max_input_bytes;
     char extension[IMPORT_EXTENSION_SIZE];
     const import_program *importer = import_choose(b->plan->input, b->plan->format, extension);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     if (!importer || b->has_imported) {
-        end(b, BROKER_VIOLATION);
+        broker_end(b, BROKER_VIOLATION);
         return;
     }
     b->has_imported = 1;
@@ -193,13 +194,13 @@ static uint64_t decode_limit(const sandbox_plan *plan) {
 }
 
 /* Copies the stream to decode into an in-memory file. */
-static void decode(broker *b, uint64_t size) {
+static void broker_decode(broker *b, uint64_t size) {
     static char piece[MESSAGE_DATA_MAX];
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const int file = cli_unnamed_file();
     int is_kept = file >= 0 && size <= decode_limit(b->plan);
     message head;
-    while (size > 0 && receive(b, &head)) {
+    while (size > 0 && broker_receive(b, &head)) {
         const size_t most = size < sizeof piece ? (size_t)size : sizeof piece;
         const size_t count = receive_data(b, &head, piece, most);
         size -= count;
@@ -221,38 +222,38 @@ static void decode(broker *b, uint64_t size) {
 /* ---- The loop ---- */
 
 /* Handles one message; an unexpected one is a violation. Returns 1 for the status of a last step. */
-static int handle(broker *b, const message *head, const char *text) {
+static int broker_handle(broker *b, const message *head, const char *text) {
     const int is_text = strlen(text) == head->size;
     if (head->kind == MESSAGE_WRITE && is_text) {
         write_output(b, text);
     } else if (head->kind == MESSAGE_FILE && is_text) {
         send_file(b, text, head->value);
     } else if (head->kind == MESSAGE_IMPORT && head->size == 0) {
-        import(b, head->value);
+        broker_import(b, head->value);
     } else if (head->kind == MESSAGE_DECODE && head->size == 0) {
-        decode(b, head->value);
+        broker_decode(b, head->value);
     } else if (head->kind == MESSAGE_STATUS && is_text && b->depth > 0 &&
                head->value < BURNISH_STATUS_COUNT) {
         return 1;
     } else {
-        end(b, BROKER_VIOLATION);
+        broker_end(b, BROKER_VIOLATION);
     }
     return 0;
 }
 
 /* Replies to the worker until it sends the status of a last step, which is returned. WRITE: the worker
  * is gone or has violated the protocol. */
-static burnish_status serve(broker *b, burnish_error *error) {
+static burnish_status broker_run(broker *b, burnish_error *error) {
     message head;
-    while (receive(b, &head)) {
+    while (broker_receive(b, &head)) {
         char text[MESSAGE_NAME_MAX + 1];
         if (head.size > MESSAGE_NAME_MAX) {
-            end(b, BROKER_VIOLATION);
+            broker_end(b, BROKER_VIOLATION);
         } else if (!channel_read(b->channel, text, (size_t)head.size)) {
-            end(b, BROKER_GONE);
+            broker_end(b, BROKER_GONE);
         } else {
             text[head.size] = 0;
-            if (handle(b, &head, text)) {
+            if (broker_handle(b, &head, text)) {
                 return head.value == BURNISH_STATUS_OK
                            ? BURNISH_STATUS_OK
                            : cli_fail(error, (burnish_status)head.value, "%s", text);
@@ -265,7 +266,7 @@ static burnish_status serve(broker *b, burnish_error *error) {
 broker_state broker_serve(const sandbox_plan *plan, int channel, int input, int folder) {
     broker b = {.plan = plan, .channel = channel, .input = input, .folder = folder};
     burnish_error error;
-    serve(&b, &error);
+    broker_run(&b, &error);
     return b.state;
 }
 

@@ -113,7 +113,7 @@ static int allow_where(scmp_filter_ctx filter, const char *name, struct scmp_arg
 }
 
 /* Calls that look for files or describe the system fail instead of ending the process. */
-static int pretend(scmp_filter_ctx filter) {
+static int filter_pretended(scmp_filter_ctx filter) {
     static const char *const refused[] = {"open",  "openat", "access", "faccessat", "faccessat2",
                                           "stat",  "lstat",  "statfs", "readlink",  "readlinkat",
                                           "uname", "getcwd", "times"};
@@ -127,7 +127,7 @@ static int pretend(scmp_filter_ctx filter) {
     return code;
 }
 
-static int fill(scmp_filter_ctx filter) {
+static int filter_fill(scmp_filter_ctx filter) {
     const scmp_datum_t execute = PROT_EXEC, thread = 0x00010100; /* CLONE_THREAD | CLONE_VM */
     int code = 0;
     for (size_t i = 0; i < sizeof allowed / sizeof *allowed && code == 0; ++i) {
@@ -153,8 +153,8 @@ static int fill(scmp_filter_ctx filter) {
 
 static int forbid_calls(int pretends) {
     scmp_filter_ctx filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
-    int code = filter ? fill(filter) : -ENOMEM;
-    code = code == 0 && pretends ? pretend(filter) : code;
+    int code = filter ? filter_fill(filter) : -ENOMEM;
+    code = code == 0 && pretends ? filter_pretended(filter) : code;
     code = code == 0 ? seccomp_load(filter) : code;
     seccomp_release(filter);
     if (code != 0) {

@@ -10,7 +10,7 @@
 #include "cli/main.h"
 #include "sandbox/lock.h"
 
-static cli_work work;
+static cli_work serve_work;
 
 #define TARGET(member) .offset = offsetof(serve_settings, member)
 
@@ -116,7 +116,7 @@ const cli_command serve_command = {
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(serve_settings),
-    .work = work,
+    .work = serve_work,
 };
 
 const cli_command serve_request_command = {
@@ -131,7 +131,7 @@ const cli_command serve_request_command = {
 
 #ifdef _WIN32
 
-static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+static burnish_status serve_work(void *from, cli_call *call, burnish_error *error) {
     (void)from, (void)call;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "serve-stdio: not supported on this system; run burnish render for each input");
@@ -139,7 +139,7 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
 
 #else
 
-static burnish_status work(void *from, cli_call *call, burnish_error *error) {
+static burnish_status serve_work(void *from, cli_call *call, burnish_error *error) {
     serve_settings *settings = from;
     (void)call;
     render_settings defaults = settings->render;

@@ -179,7 +179,7 @@ static void reply_failure(slot *s, int code, const char *text) {
 }
 
 /* Finishes a request that was read and whose worker has ended or did not receive it. */
-static void finish(const server *v, slot *s) {
+static void finish_request(const server *v, slot *s) {
     struct stat state;
     s->state = SLOT_REPLIED;
     s->reply_next = 0;
@@ -244,7 +244,7 @@ static void fail_start(server *v, slot *s, int state) {
 }
 
 /* Handles a worker that became ready, requested an importer or ended. */
-static void receive(server *v, slot *s) {
+static void receive_from_worker(server *v, slot *s) {
     char byte;
     serve_import_request import;
     const int kind =
@@ -274,17 +274,17 @@ static void receive(server *v, slot *s) {
         describe_end(v, s, state);
     }
     if (s->state == SLOT_WORKING) {
-        finish(v, s);
+        finish_request(v, s);
     }
 }
 
-static void put32(uint8_t *to, uint32_t value) {
+static void put_u32(uint8_t *to, uint32_t value) {
     for (int i = 0; i < 4; ++i) {
         to[i] = (uint8_t)(value >> 8 * i);
     }
 }
 
-static uint32_t get32(const uint8_t *from) {
+static uint32_t get_u32(const uint8_t *from) {
     return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
            (uint32_t)from[3] << 24;
 }
@@ -295,8 +295,8 @@ static ssize_t reply_bytes(const slot *s, char piece[PIECE]) {
     uint64_t next = s->reply_next;
     if (next < SERVE_HEAD_BYTES) {
         uint8_t head[SERVE_HEAD_BYTES];
-        put32(head, (uint32_t)s->reply_size);
-        put32(head + 4, s->id);
+        put_u32(head, (uint32_t)s->reply_size);
+        put_u32(head + 4, s->id);
         used = SERVE_HEAD_BYTES - (size_t)next;
         memcpy(piece, head + next, used);
         next = SERVE_HEAD_BYTES;
@@ -347,7 +347,7 @@ static burnish_status write_reply(server *v, burnish_error *error) {
 
 /* ---- Requests ---- */
 
-static slot *find(const server *v, slot_state state) {
+static slot *find_slot(const server *v, slot_state state) {
     for (size_t i = 0; i < v->count; ++i) {
         if (v->slots[i].state == state) {
             return &v->slots[i];
@@ -367,13 +367,13 @@ static void end_input(server *v, burnish_status status, const char *what) {
 
 /* Handles a complete head. */
 static void begin_request(server *v) {
-    const uint32_t length = get32(v->head);
-    slot *s = find(v, SLOT_IDLE);
+    const uint32_t length = get_u32(v->head);
+    slot *s = find_slot(v, SLOT_IDLE);
     if (length == 0) {
         end_input(v, BURNISH_STATUS_FORMAT, "is empty; see docs/serve.md");
         return;
     }
-    s->id = get32(v->head + 4);
+    s->id = get_u32(v->head + 4);
     s->size = s->left = length;
     s->state = SLOT_FILLING;
     s->is_late = 0;
@@ -388,7 +388,7 @@ static void begin_request(server *v) {
 }
 
 /* From now on nobody changes the file: the worker that parses it has a descriptor that can write. */
-static void seal(int request) {
+static void seal_request(int request) {
 #ifdef F_ADD_SEALS
     fcntl(request, F_ADD_SEALS, F_SEAL_SEAL | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE);
 #else
@@ -405,10 +405,10 @@ static void end_request(server *v) {
     ++v->requests;
     s->deadline = seconds > 0 ? burnish_seconds_now() + seconds : INFINITY;
     if (s->line) {
-        finish(v, s);
+        finish_request(v, s);
         return;
     }
-    seal(s->request);
+    seal_request(s->request);
     cli_write_all(s->channel, &s->size, sizeof s->size); /* poll finds a worker that is gone */
     s->state = SLOT_WORKING;
 }
@@ -475,11 +475,11 @@ static int look_at_clock(server *v) {
 }
 
 static int may_read(const server *v) {
-    return !v->has_ended && (v->filling || find(v, SLOT_IDLE));
+    return !v->has_ended && (v->filling || find_slot(v, SLOT_IDLE));
 }
 
 static void choose_descriptors(server *v) {
-    v->writing = v->writing ? v->writing : find(v, SLOT_REPLIED);
+    v->writing = v->writing ? v->writing : find_slot(v, SLOT_REPLIED);
     v->ready[0] = (struct pollfd){may_read(v) ? STDIN_FILENO : -1, POLLIN, 0};
     v->ready[1] = (struct pollfd){v->writing ? STDOUT_FILENO : -1, POLLOUT, 0};
     for (size_t i = 0; i < v->count; ++i) {
@@ -488,7 +488,7 @@ static void choose_descriptors(server *v) {
     }
 }
 
-static burnish_status turn(server *v, burnish_error *error) {
+static burnish_status server_turn(server *v, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
     const int wait = look_at_clock(v);
     choose_descriptors(v);
@@ -497,7 +497,7 @@ static burnish_status turn(server *v, burnish_error *error) {
     }
     for (size_t i = 0; i < v->count; ++i) {
         if (v->ready[2 + i].revents) {
-            receive(v, &v->slots[i]);
+            receive_from_worker(v, &v->slots[i]);
         }
     }
     if (v->ready[1].revents) {
@@ -510,7 +510,7 @@ static burnish_status turn(server *v, burnish_error *error) {
 }
 
 static int has_work(const server *v) {
-    return !v->has_ended || v->writing || find(v, SLOT_WORKING) || find(v, SLOT_REPLIED);
+    return !v->has_ended || v->writing || find_slot(v, SLOT_WORKING) || find_slot(v, SLOT_REPLIED);
 }
 
 /* Closing the channels ends the idle workers. */
@@ -543,7 +543,7 @@ burnish_status serve_run(const serve_settings *settings, burnish_error *error) {
         status = start_worker(&v, &v.slots[i], error);
     }
     while (status == BURNISH_STATUS_OK && has_work(&v)) {
-        status = turn(&v, error);
+        status = server_turn(&v, error);
     }
     end_workers(&v);
     free(v.slots);

@@ -183,14 +183,14 @@ static burnish_status parse_request(const char *frame, size_t size, request *r, 
 /* ---- Drawing ---- */
 
 /* The input is in memory. */
-static burnish_status load(const char *input, const burnish_load_options *options,
+static burnish_status load_input(const char *input, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error) {
     return *input == ':'
                ? burnish_mesh_load(input, options, mesh, error)
                : burnish_mesh_load_memory(only.bytes, only.size, input, options, mesh, error);
 }
 
-static burnish_status import(const import_program *importer, const char *extension,
+static burnish_status import_in_broker(const import_program *importer, const char *extension,
                              const char *input, uint64_t max_bytes, import_stream *stream,
                              burnish_error *error) {
     (void)importer, (void)extension, (void)max_bytes; /* the server knows them, too */
@@ -203,7 +203,7 @@ static burnish_file_loader list_files(const char *input) {
     return cli_companion_loader(&only.companions);
 }
 
-static burnish_status draw(const serve_settings *server, request *r, int *code,
+static burnish_status draw_request(const serve_settings *server, request *r, int *code,
                            burnish_error *error) {
     render_settings settings = server->render;
     cli_call call = {0};
@@ -227,12 +227,12 @@ static burnish_status draw(const serve_settings *server, request *r, int *code,
 
 /* ---- The reply ---- */
 
-static burnish_status serve(const serve_settings *settings, const char *frame, size_t size,
+static burnish_status serve_request(const serve_settings *settings, const char *frame, size_t size,
                             int *code, burnish_error *error) {
     cJSON *object;
     burnish_status status = parse_request(frame, size, &only, &object, error);
     if (status == BURNISH_STATUS_OK) {
-        status = draw(settings, &only, code, error);
+        status = draw_request(settings, &only, code, error);
     }
     if (status == BURNISH_STATUS_OK && *code != 0) {
         cli_fail(error, status, "%.300s: the picture is blank (--fail-on-blank)", only.name);
@@ -246,7 +246,7 @@ __attribute__((noreturn)) static void reply(const serve_settings *settings, cons
     static const char head[] = "{\"code\":0,\"report\":";
     burnish_error error;
     int code = 0;
-    const burnish_status status = serve(settings, frame, size, &code, &error);
+    const burnish_status status = serve_request(settings, frame, size, &code, &error);
     if (report.bytes) {
         cJSON_Minify(report.bytes); /* to one line */
     }
@@ -279,7 +279,7 @@ static void warm_up(void) {
 static burnish_status get_ready(const serve_settings *settings, burnish_error *error) {
     burnish_processor_count(); /* reads files, once */
     /* only the mesh itself is worth another process */
-    static const import_source source = {load, import, list_files, .decode = NULL};
+    static const import_source source = {load_input, import_in_broker, list_files, .decode = NULL};
     cli_file_set_writer(keep_output);
     import_set_source(&source);
     burnish_status status = cli_limit_memory(settings->render.job.max_memory, error);

@@ -104,7 +104,7 @@ static size_t serve(int jobs, const char *requests, size_t *count) {
     CHECK1(waitpid(process, NULL, 0) == process);
     size_t at = 0;
     for (*count = 0; at + SERVE_HEAD_BYTES <= size; ++*count) {
-        at += SERVE_HEAD_BYTES + get32(replies + at);
+        at += SERVE_HEAD_BYTES + get_u32(replies + at);
     }
     CHECK(at == size, "a frame is not whole");
     return size;
