@@ -167,11 +167,13 @@ static burnish_status read_stream(const run *r, import_sink sink) {
     while ((size = read_piece(r, piece, &status)) > 0) {
         total += (uint64_t)size;
         if (total > r->most) {
-            return importer_fail(r, BURNISH_STATUS_LIMIT,
-                        "makes a mesh of far more bytes than the file has; simplify the file");
+            return importer_fail(
+                r, BURNISH_STATUS_LIMIT,
+                "makes a mesh of far more bytes than the file has; simplify the file");
         }
         if (!sink.take(sink.context, piece, (size_t)size)) {
-            return importer_fail(r, BURNISH_STATUS_MEMORY, "makes a mesh for which there is no memory");
+            return importer_fail(r, BURNISH_STATUS_MEMORY,
+                                 "makes a mesh for which there is no memory");
         }
     }
     return status;

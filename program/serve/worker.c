@@ -184,7 +184,7 @@ static burnish_status parse_request(const char *frame, size_t size, request *r, 
 
 /* The input is in memory. */
 static burnish_status load_input(const char *input, const burnish_load_options *options,
-                           burnish_mesh **mesh, burnish_error *error) {
+                                 burnish_mesh **mesh, burnish_error *error) {
     return *input == ':'
                ? burnish_mesh_load(input, options, mesh, error)
                : burnish_mesh_load_memory(only.bytes, only.size, input, options, mesh, error);
@@ -204,7 +204,7 @@ static burnish_file_loader list_files(const char *input) {
 }
 
 static burnish_status draw_request(const serve_settings *server, request *r, int *code,
-                           burnish_error *error) {
+                                   burnish_error *error) {
     render_settings settings = server->render;
     cli_call call = {0};
     settings.given = (cli_given){{0}}; /* the server's flags are only defaults */
@@ -228,7 +228,7 @@ static burnish_status draw_request(const serve_settings *server, request *r, int
 /* ---- The reply ---- */
 
 static burnish_status serve_request(const serve_settings *settings, const char *frame, size_t size,
-                            int *code, burnish_error *error) {
+                                    int *code, burnish_error *error) {
     cJSON *object;
     burnish_status status = parse_request(frame, size, &only, &object, error);
     if (status == BURNISH_STATUS_OK) {

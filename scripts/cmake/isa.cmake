@@ -29,8 +29,8 @@ foreach(isa ${names})
   string(TOUPPER ${isa} name)
   string(APPEND list "X(${name},${isa})")
 endforeach()
-set_source_files_properties(src/simd/isa.c src/raster/raster_ops.c src/render/render_ops.c
-  src/environment/environment_ops.c src/shading/kernels.c
+set_source_files_properties(src/simd/isa.c src/raster/tile.c src/render/render_ops.c
+  src/environment/map_fill.c src/shading/kernels.c
   PROPERTIES COMPILE_DEFINITIONS "BURNISH_BUILT_ISAS=${list}")
 set(BURNISH_BUILT_NAMES ${names})
 

@@ -301,3 +301,8 @@ void burnish_map_light_add(const burnish_map_light *light, const float *const w[
         add_environment(light->filler, lobes, w, count, rgb);
     }
 }
+
+/* ---- The tables of kernels ---- */
+
+#define OPS burnish_environment_ops
+#include "simd/isa_table.h"

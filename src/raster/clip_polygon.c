@@ -1,5 +1,5 @@
 /* Clipping by one plane after another (Sutherland and Hodgman 1974). */
-#include "raster/clip_polygon.h"
+#include "raster/geometry.h"
 
 #include <assert.h>
 #include <string.h>

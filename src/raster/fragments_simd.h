@@ -4,7 +4,7 @@
 
 #include "raster/discs.h"
 #include "raster/fragments.h"
-#include "raster/stamps_simd.h"
+#include "raster/samples_simd.h"
 
 /* ---- Block rows ---- */
 

@@ -7,7 +7,6 @@
 
 #include "base/memory.h"
 #include "core/vector.h"
-#include "raster/clip_polygon.h"
 #include "raster/discs.h"
 #include "raster/raster_ops.h"
 #include "raster/tile_layout.h"
@@ -254,7 +253,7 @@ static int bound_point(const burnish_geometry *geometry, const burnish_raster_vi
         !touch_pixels(v->y, disc.radius, view->height, &y0, &y1)) {
         return 0;
     }
-    batch->nearest[i] = disc.nearest + (disc.nearest - v->depth); /* tiny_simd.h: a radius more */
+    batch->nearest[i] = disc.nearest + (disc.nearest - v->depth); /* discs_simd.h: a radius more */
     batch->first[i] = BURNISH_PACK(x0 / BURNISH_HIZ_PIXELS, y0 / BURNISH_HIZ_PIXELS);
     batch->last[i] = BURNISH_PACK(x1 / BURNISH_HIZ_PIXELS, y1 / BURNISH_HIZ_PIXELS);
     return 1;

@@ -5,7 +5,7 @@
 #ifndef BURNISH_RASTER_MAPS_SIMD_H
 #define BURNISH_RASTER_MAPS_SIMD_H
 
-#include "raster/maps_long_simd.h"
+#include "raster/maps_large_simd.h"
 #include "raster/stamps_simd.h"
 
 /* The vertices of LANES positions in one pair, of which column and row are packed. The view is a

@@ -1,15 +1,17 @@
 /* Triangle setup with SIMD: one triangle per lane.
  *
  * Edge functions are whole numbers and exact. Small triangles are drawn stamp by stamp, weights
- * from their edges (stamps_simd.h), or several at once (tiny_simd.h), large ones cell by cell, by
- * planes (large_simd.h). Operations have the order of test/support/reference_tile.h. */
+ * from their edges (stamps_simd.h), or several at once (tiny_simd.h); large ones cell by cell, by
+ * planes (large_simd.h); points as discs (discs_simd.h). Operations have the order of
+ * test/support/reference_tile.h. */
 #ifndef BURNISH_RASTER_SETUP_SIMD_H
 #define BURNISH_RASTER_SETUP_SIMD_H
 
 #include "raster/geometry_simd.h"
 #include "raster/tile.h"
 
-enum { HALF_PIXEL = BURNISH_SUBPIXELS / 2 };
+enum { HALF_PIXEL = BURNISH_SUBPIXELS / 2, TILE_BITS = 6, BLOCK_MASK = BURNISH_BLOCK_SIZE - 1 };
+_Static_assert(1 << TILE_BITS == BURNISH_TILE_SIZE, "a tile's edge");
 
 /* A stamp: the pixels of a block that are one vector: 4 x 4, 4 x 2, 4 x 1 or one. */
 enum {

@@ -169,3 +169,7 @@ int burnish_tile_draw(burnish_tile *tile, const burnish_raster_ops *ops,
     fill_outside(tile, BURNISH_FARTHEST);
     return 1;
 }
+
+/* The tables of kernels. */
+#define OPS burnish_raster_ops
+#include "simd/isa_table.h"

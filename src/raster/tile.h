@@ -16,7 +16,7 @@
 #define BURNISH_RASTER_TILE_H
 
 #include "raster/bins.h"
-#include "raster/sample_pattern.h"
+#include "raster/raster_view.h"
 
 /* Four floats that are added and multiplied together: x, y, z or r, g, b, and a fourth. */
 typedef float burnish_float4 __attribute__((vector_size(16)));

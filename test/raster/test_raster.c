@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "raster/clip_polygon.h"
 #include "raster/fragments.h"
+#include "raster/geometry.h"
 #include "raster/raster_ops.h"
 #include "reference_tile.h"
 #include "support.h"

@@ -6,7 +6,7 @@
 #include "core/srgb.h"
 #include "mesh_arrays.h"
 #include "raster/fragments.h"
-#include "raster/sample_pattern.h"
+#include "raster/raster_view.h"
 #include "support.h"
 
 enum { WIDTH = 131, HEIGHT = 77, PADDING = 20, GUARD = 64, MAX_PIXEL = 16 };

@@ -13,7 +13,7 @@
 
 #include "base/memory.h"
 #include "raster/fragments.h"
-#include "raster/sample_pattern.h"
+#include "raster/raster_view.h"
 
 /* A sample that no triangle covers. */
 #define REFERENCE_NO_TRIANGLE UINT32_MAX

@@ -95,7 +95,8 @@ static void lay_out(burnish_projection *projection) {
     const double border = BORDER * projection->text_height, room = ROOM * projection->text_height;
     const double wide = projection->width - 2 * border;
     const double high = projection->height - 2 * border - STRIP * projection->text_height;
-    const double x = fit_views(wide, room, size[0], size[2]), y = fit_views(high, room, size[1], size[2]);
+    const double x = fit_views(wide, room, size[0], size[2]),
+                 y = fit_views(high, room, size[1], size[2]);
     projection->pixels_per_unit = x < y ? x : y;
     projection->scale[0] = 0;
     if (projection->pixels_per_millimetre > 0) {

@@ -7,6 +7,7 @@
 #include "render/light/shadow_simd.h"
 #include "render/render_ops.h"
 #include "render/texture/mask_simd.h"
+#include "render/texture/texture_points_simd.h"
 #include "render/texture/texture_simd.h"
 #include "render/texture/texture_surface_simd.h"
 #include "simd/isa.h"

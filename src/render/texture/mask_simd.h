@@ -10,7 +10,7 @@
 #ifndef BURNISH_RENDER_TEXTURE_MASK_SIMD_H
 #define BURNISH_RENDER_TEXTURE_MASK_SIMD_H
 
-#include "raster/sample_pattern.h"
+#include "raster/raster_view.h"
 #include "render/texture/texture_simd.h"
 
 /* How far beyond the texels around a point their interpolation is followed. */

@@ -72,7 +72,7 @@ typedef struct quarter {
     float x, y;
 } quarter;
 
-/* Each holds a quarter of every pattern (raster/sample_pattern.h). */
+/* Each holds a quarter of every pattern (raster/raster_view.h). */
 static quarter quarter_of(int samples, int number) {
     const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
     quarter q = {0};

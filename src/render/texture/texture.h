@@ -8,7 +8,7 @@
 
 #include "burnish/mesh.h"
 #include "core/tasks.h"
-#include "raster/sample_pattern.h"
+#include "raster/raster_view.h"
 #include "render/render_ops.h"
 #include "render/space.h"
 #include "render/texture/texture_levels.h"

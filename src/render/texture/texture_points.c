@@ -1,5 +1,5 @@
 /* Texture coordinates of visible points: gathers the triangles, which the kernel then intersects
- * with rays (texture_simd.h). */
+ * with rays (texture_points_simd.h). */
 #include "render/texture/texture.h"
 
 #include <string.h>

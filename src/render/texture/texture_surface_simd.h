@@ -3,6 +3,7 @@
 #ifndef BURNISH_RENDER_TEXTURE_TEXTURE_SURFACE_SIMD_H
 #define BURNISH_RENDER_TEXTURE_TEXTURE_SURFACE_SIMD_H
 
+#include "render/texture/texture_points_simd.h"
 #include "render/texture/texture_simd.h"
 
 /* ---- Normals ---- */

@@ -1,9 +1,9 @@
 /* Large triangles into a pair of depth maps, row by row. */
-#ifndef BURNISH_RASTER_MAPS_LONG_SIMD_H
-#define BURNISH_RASTER_MAPS_LONG_SIMD_H
+#ifndef BURNISH_RASTER_MAPS_LARGE_SIMD_H
+#define BURNISH_RASTER_MAPS_LARGE_SIMD_H
 
+#include "raster/geometry_simd.h"
 #include "raster/maps.h"
-#include "raster/stamps_simd.h"
 
 /* Sets a texel to a code, and to what it is against the direction, where these are greater. */
 BURNISH_INLINE void raise_texel(uint16_t *const depths[2], size_t texel, int32_t code) {

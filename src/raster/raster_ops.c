@@ -1,4 +1,0 @@
-#include "raster/raster_ops.h"
-
-#define OPS burnish_raster_ops
-#include "simd/isa_table.h"
