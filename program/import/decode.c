@@ -56,8 +56,9 @@ static burnish_status take_error(const char *name, const import_stream *stream,
                : status;
 }
 
-static burnish_status decode_stream(void *user_data, const char *form, const void *bytes, size_t size,
-                             const uint8_t **decoded, size_t *decoded_size, burnish_error *error) {
+static burnish_status decode_stream(void *user_data, const char *form, const void *bytes,
+                                    size_t size, const uint8_t **decoded, size_t *decoded_size,
+                                    burnish_error *error) {
     const import_decoding *decoding = user_data;
     const char *name = decoding->name;
     import_stream stream = {0};
@@ -85,7 +86,8 @@ static void release_decoded(void *user_data, const uint8_t *decoded, size_t size
 }
 
 burnish_stream_decoder import_decoder(const import_decoding *decoding) {
-    return decoding->decode ? (burnish_stream_decoder){decode_stream, release_decoded, (void *)(uintptr_t)decoding}
+    return decoding->decode ? (burnish_stream_decoder){decode_stream, release_decoded,
+                                                       (void *)(uintptr_t)decoding}
                             : (burnish_stream_decoder){0};
 }
 

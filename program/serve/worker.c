@@ -191,8 +191,8 @@ static burnish_status load_input(const char *input, const burnish_load_options *
 }
 
 static burnish_status import_in_broker(const import_program *importer, const char *extension,
-                             const char *input, uint64_t max_bytes, import_stream *stream,
-                             burnish_error *error) {
+                                       const char *input, uint64_t max_bytes, import_stream *stream,
+                                       burnish_error *error) {
     (void)importer, (void)extension, (void)max_bytes; /* the server knows them, too */
     return serve_import(input, only.format, (uint64_t)(only.bytes - only.frame), only.size, stream,
                         error);

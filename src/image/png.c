@@ -321,7 +321,7 @@ static burnish_status fail_bands(burnish_status status, burnish_error *error) {
 }
 
 static burnish_status encoder_begin(encoder *e, const burnish_pixels *image,
-                            const burnish_png_options *options, burnish_error *error) {
+                                    const burnish_png_options *options, burnish_error *error) {
     const burnish_png_options defaults = burnish_png_options_default();
     burnish_memory memory = burnish_memory_of(options ? options->context : NULL, error);
     e->image = *image;

@@ -3,6 +3,7 @@
 #include "image/decode/decode.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/read.h"
+#include "sheet.h"
 #include "support.h"
 #include "used_bytes.h"
 

@@ -88,7 +88,7 @@ typedef struct burnish_format_reader {
     /* Fills reader->mesh, with positions less reader->mesh->origin. Errors: as burnish_read. */
     burnish_status (*read)(burnish_reader *reader);
     int averages_normals; /* 1: tools that write the format average normals across edges */
-    int can_stream;        /* 1: the reader also takes inputs of which only the head is in memory */
+    int can_stream;       /* 1: the reader also takes inputs of which only the head is in memory */
 } burnish_format_reader;
 
 #define BURNISH_READER_DECLARE(name, word, ...)                                                    \
