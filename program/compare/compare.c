@@ -123,10 +123,8 @@ const cli_command compare_command = {
               "unless *--up* is given; differences of their sizes and counts are printed. A mesh "
               "that is compared with a picture is drawn in the picture's size. One mesh with two "
               "lobes, *--lobe=*_A_*,*_B_, is drawn with each lobe.\nPictures of different sizes "
-              "are different. In addition to the flags below, the flags of *burnish render* for "
-              "the camera, the surface, lights and the input have the same meaning here, and so "
-              "have *--samples*, *--background-color*, *--no-background*, *--cull-back-faces*, "
-              "*--views* with one view, *--threads*, *--isa* and *--quiet*.",
+              "are different. The other flags that *--help=all* lists have the same meaning as in "
+              "*burnish render*; *--views* takes one view.",
     .operands_max = 2,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,
