@@ -76,32 +76,18 @@ static const cli_word normals_words[] = {{"auto", BURNISH_NORMALS_AUTO},
 
 #define TARGET(member) .offset = offsetof(render_settings, member)
 
-enum {
-    LOAD = CLI_PHASE_LOAD,
-    DRAW = CLI_PHASE_DRAW,
-    FILE_PHASE = CLI_PHASE_FILE,
-    PROCESS = CLI_PHASE_PROCESS
-};
-
-/* Commands that do not inherit a flag: those that draw one picture at a time; all but render. */
-enum {
-    BATCH = RENDER_HEIR_BATCH,
-    SERVE = RENDER_HEIR_SERVE,
-    REQUEST = RENDER_HEIR_REQUEST,
-    COMPARE = RENDER_HEIR_COMPARE,
-    VIEW = RENDER_HEIR_VIEW,
-    SESSION = RENDER_HEIR_SESSION,
-    ONE_PICTURE = COMPARE | VIEW | SESSION,
-    ALL_OTHERS = BATCH | SERVE | REQUEST | ONE_PICTURE
-};
+#define DRAW_FLAG(...) CLI_FLAG(__VA_ARGS__), .phases = CLI_PHASE_DRAW
+#define DRAW_SWITCH(...) CLI_SWITCH(__VA_ARGS__), .phases = CLI_PHASE_DRAW
+#define LOAD_FLAG(...) CLI_FLAG(__VA_ARGS__), .phases = CLI_PHASE_LOAD
+#define FILE_FLAG(...) CLI_FLAG(__VA_ARGS__), .phases = CLI_PHASE_FILE
+#define FILE_SWITCH(...) CLI_SWITCH(__VA_ARGS__), .phases = CLI_PHASE_FILE
 
 static const cli_flag flags[] = {
     {.group = "Picture",
      .topic = "picture",
-     CLI_FLAG("output", "FILE", ".png .jpg .webp .svg .pdf .exr .npy, or -", cli_flag_text,
-              output.path),
-     .phases = FILE_PHASE,
-     .not_for = ALL_OTHERS,
+     FILE_FLAG("output", "FILE", ".png .jpg .webp .svg .pdf .exr .npy, or -", cli_flag_text,
+               output.path),
+     .not_for = HEIR_ANY,
      .default_label = "INPUT's name",
      .letter = 'o',
      .common = 1,
@@ -126,71 +112,69 @@ static const cli_flag flags[] = {
          "or the turntable: *burnish part.stl part.jpg*. An existing picture is then replaced only "
          "if burnish wrote it, or with *--overwrite*. A last operand that is a folder receives the "
          "pictures of all others, as with *cp*; *-* is standard output."},
-    {CLI_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,
-              output.folder),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .letter = 'd', .common = 1, .file = CLI_FOLDER,
+    {FILE_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,
+               output.folder),
+     .not_for = HEIR_ANY, .letter = 'd', .common = 1, .file = CLI_FOLDER,
      .aliases = "outdir,out-dir",
      .manual = "The folder of the pictures; it is created if it is missing. _INPUT_ can then be a "
                "folder, whose meshes are all drawn."},
-    {CLI_SWITCH("recursive", "search folders recursively", job.recursive), .phases = FILE_PHASE,
-     .not_for = ALL_OTHERS, .letter = 'r',
+    {FILE_SWITCH("recursive", "search folders recursively", job.recursive), .not_for = HEIR_ANY,
+     .letter = 'r',
      .manual = "Draws the meshes in all folders below an _INPUT_ that is a folder, as *burnish "
                "batch* does."},
-    {CLI_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
-              job.files_from),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .file = CLI_READS,
-     .aliases = "inputs-from,files0-from,from-file",
+    {FILE_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
+               job.files_from),
+     .not_for = HEIR_ANY, .file = CLI_READS, .aliases = "inputs-from,files0-from,from-file",
      .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
-    {CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size, picture.size),
-     .phases = DRAW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_text = "1024,768",
-     .aliases = "res",
+    {DRAW_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size, picture.size),
+     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_text = "1024,768", .aliases = "res",
      .manual = "Width and height of the picture in pixels, each from 1 to 16384. _W_*x*_H_ is the "
                "same. On a sheet this is the size of each cell."},
-    {CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
-              picture.size),
-     .phases = DRAW, .not_for = VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's',
+    {DRAW_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
+               picture.size),
+     .not_for = HEIR_VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's',
      .default_label = "1024x768", .common = 1,
      .manual = "*--size=*_W_*x*_H_ is the same as *--resolution=*_W_*,*_H_, and *--size=*_N_ the "
                "same as *--resolution=*_N_*,*_N_."},
-    {CLI_FLAG("width", "N", "width; the height follows, unless it is given", cli_flag_integer,
-              picture.sides[0]),
-     .phases = DRAW, .not_for = COMPARE | VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
+    {DRAW_FLAG("width", "N", "width; the height follows, unless it is given", cli_flag_integer,
+               picture.sides[0]),
+     .not_for = HEIR_COMPARE | HEIR_VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
      .manual = "Width of the picture in pixels. Without *--height*, the height keeps the "
                "proportions of *--resolution*."},
-    {CLI_FLAG("height", "N", "height; the width follows, unless it is given", cli_flag_integer,
-              picture.sides[1]),
-     .phases = DRAW, .not_for = COMPARE | VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
+    {DRAW_FLAG("height", "N", "height; the width follows, unless it is given", cli_flag_integer,
+               picture.sides[1]),
+     .not_for = HEIR_COMPARE | HEIR_VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
      .manual = "Height of the picture in pixels. Without *--width*, the width keeps the "
                "proportions of *--resolution*."},
-    {CLI_FLAG("rows", "FIRST:COUNT", "draw only these rows of the picture", render_flag_rows,
-              picture.rows),
-     .phases = DRAW, .not_for = ALL_OTHERS, .svg = CLI_SVG_REFUSED, .default_label = "all",
+    {DRAW_FLAG("rows", "FIRST:COUNT", "draw only these rows of the picture", render_flag_rows,
+               picture.rows),
+     .not_for = HEIR_ANY, .svg = CLI_SVG_REFUSED, .default_label = "all",
      .manual = "Draws only _COUNT_ rows of the picture, starting with row _FIRST_, counted from 0. "
                "The file holds these rows with the same bits as in the whole picture, so several "
                "machines can draw one picture (docs/scale.md). Multiples of 64 are fastest. Not "
                "available for sheets, turntables, *--annotate* and SVG. A blank part is not "
                "reported, and depths in PNG have the range of these rows."},
-    {CLI_SWITCH("cull-back-faces", "skip back-facing triangles", picture.cull_back_faces),
-     .phases = DRAW, .aliases = "backface-culling",
+    {DRAW_SWITCH("cull-back-faces", "skip back-facing triangles", picture.cull_back_faces),
+     .aliases = "backface-culling",
      .manual = "Skips back-facing triangles: a closed surface looks the same and is faster to "
                "draw. Without this flag both sides of a surface are lit."},
-    {CLI_FLAG("samples", "N", "samples per pixel (anti-aliasing)", cli_flag_word, picture.samples),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, .default_text = "4", .words = sample_words,
+    {DRAW_FLAG("samples", "N", "samples per pixel (anti-aliasing)", cli_flag_word, picture.samples),
+     .svg = CLI_SVG_REFUSED, .default_text = "4", .words = sample_words,
      .aliases = "antialiasing,anti-aliasing,aa,msaa",
      .manual = "Samples per pixel along edges: 1 (no anti-aliasing), 4, 8 or 16."},
-    {CLI_FLAG("background-color", "COLOR", "#rgb, #rrggbb, r,g,b or a name", render_flag_background,
-              picture.background),
-     .phases = DRAW, .value_type = CLI_TYPE_COLOR, .default_label = "the look's", .common = 1,
-     .also = "background", .aliases = "bg-color,bg", .off = "none",
+    {DRAW_FLAG("background-color", "COLOR", "#rgb, #rrggbb, r,g,b or a name",
+               render_flag_background, picture.background),
+     .value_type = CLI_TYPE_COLOR, .default_label = "the look's", .common = 1, .also = "background",
+     .aliases = "bg-color,bg", .off = "none",
      .manual = "Colour of the background, see *COLOURS*, *none*, or *environment*: the environment "
                "of *--environment*, with its strength and turn. Parallel projections show it as a "
                "perspective of *--camera-view-angle* does. If *--no-background* is given too, the "
                "last of both counts."},
-    {CLI_FLAG("no-background", NULL, "transparent background", render_flag_no_background,
-              picture.background),
-     .phases = DRAW, .not_for = VIEW, .common = 1, .aliases = "transparent,transparency",
+    {DRAW_FLAG("no-background", NULL, "transparent background", render_flag_no_background,
+               picture.background),
+     .not_for = HEIR_VIEW, .common = 1, .aliases = "transparent,transparency",
      .manual = "Makes the background transparent: the PNG has an alpha channel."},
-    {CLI_FLAG("views", "LIST", "one or more", render_flag_views, picture.views), .phases = DRAW,
+    {DRAW_FLAG("views", "LIST", "one or more", render_flag_views, picture.views),
      .value_type = CLI_TYPE_WORDS, .common = 1, .words = view_words, .aliases = "view",
      .manual =
          "Standard views along the axes; a list with commas makes one labelled sheet. "
@@ -203,10 +187,9 @@ static const cli_flag flags[] = {
          "*--resolution* is the size of the whole sheet, by default A4 at 144 dots per inch. "
          "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
          "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
-    {CLI_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
-     .phases = DRAW, .value_type = CLI_TYPE_WORDS, .not_for = COMPARE | VIEW,
-     .words = annotation_words, .off = "none",
-     .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",
+    {DRAW_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
+     .value_type = CLI_TYPE_WORDS, .not_for = HEIR_COMPARE | HEIR_VIEW, .words = annotation_words,
+     .off = "none", .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",
      .manual =
          "Draws lines and numbers around the object, a list with commas: *axes*, the directions of "
          "X, Y and Z in a corner; *box*, the edges of the bounding box, dashed behind the object; "
@@ -216,46 +199,43 @@ static const cli_flag flags[] = {
          "Numbers are in the units of the input, rounded to four digits. Framing leaves room for "
          "annotations; "
          "one that does not fit is omitted with a warning."},
-    {CLI_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),
-     .phases = DRAW, .not_for = ONE_PICTURE, CLI_RANGE(1, 256), .default_label = "near a square",
+    {DRAW_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),
+     .not_for = HEIR_ONE_PICTURE, CLI_RANGE(1, 256), .default_label = "near a square",
      .manual = "Number of cells in a row of a sheet. A sheet has a cell for each view and lobe; "
                "the lobes of a view are next to each other."},
-    {CLI_FLAG("labels", "LIST", "labels of a sheet's cells, between commas", cli_flag_text,
-              picture.labels),
-     .phases = DRAW, .not_for = ONE_PICTURE,
+    {DRAW_FLAG("labels", "LIST", "labels of a sheet's cells, between commas", cli_flag_text,
+               picture.labels),
+     .not_for = HEIR_ONE_PICTURE,
      .manual = "Labels below the cells of a sheet, instead of the names of views and lobes: one "
                "per cell, between commas, in UTF-8."},
-    {CLI_FLAG("font", "FILE", "font of labels", cli_flag_text, picture.font), .phases = DRAW,
-     .not_for = ONE_PICTURE | SERVE | REQUEST,
+    {DRAW_FLAG("font", "FILE", "font of labels", cli_flag_text, picture.font),
+     .not_for = HEIR_ONE_PICTURE | HEIR_SERVE | HEIR_REQUEST,
      .default_label = "burnish's own; the system's beyond ASCII", .file = CLI_READS,
      .manual = "TrueType or OpenType font of all labels. Without this flag ASCII labels use "
                "burnish's own letters, which are the same on every machine; other labels use the "
                "system's sans-serif font, with fallback fonts for missing scripts. Right-to-left "
                "scripts, joining letters and combining characters are supported."},
-    {CLI_SWITCH("no-labels", "a sheet without labels", picture.no_labels), .phases = DRAW,
-     .not_for = ONE_PICTURE, .manual = "Omits the labels below the cells of a sheet."},
+    {DRAW_SWITCH("no-labels", "a sheet without labels", picture.no_labels),
+     .not_for = HEIR_ONE_PICTURE, .manual = "Omits the labels below the cells of a sheet."},
     {.group = "Files",
      .topic = "files",
-     CLI_FLAG("output-format", "NAME", "format", cli_flag_word, output.format),
-     .phases = FILE_PHASE,
-     .not_for = BATCH,
+     FILE_FLAG("output-format", "NAME", "format", cli_flag_word, output.format),
+     .not_for = HEIR_BATCH,
      .words = format_words,
      .manual = "Format of the picture, regardless of the file extension: for standard output. "
                "*auto*, the default, uses the extension."},
-    {CLI_FLAG("quality", "N", "quality of JPEG and WebP", cli_flag_integer, output.quality),
-     .phases = FILE_PHASE, .svg = CLI_SVG_SAME, CLI_RANGE(1, 100),
-     .default_label = "90, WebP without loss",
+    {FILE_FLAG("quality", "N", "quality of JPEG and WebP", cli_flag_integer, output.quality),
+     .svg = CLI_SVG_SAME, CLI_RANGE(1, 100), .default_label = "90, WebP without loss",
      .manual = "Quality of JPEG (90 by default) and WebP (lossless by default), from 1 to 100."},
-    {CLI_FLAG("dpi", "N", "dots per inch, for printing", cli_flag_real, output.dots_per_inch),
-     .phases = FILE_PHASE, CLI_RANGE(1, 65535), .default_label = "none",
+    {FILE_FLAG("dpi", "N", "dots per inch, for printing", cli_flag_real, output.dots_per_inch),
+     CLI_RANGE(1, 65535), .default_label = "none",
      .manual = "Print resolution stored in PNG and JPEG; the pixels do not change. The width and "
                "height of an SVG or PDF are then in millimetres: pixels times 25.4 / _N_. With _N_ "
                "= 25.4 "
                "times *pixels_per_unit* of the report, a drawing in millimetres prints at 1:1."},
-    {CLI_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
-              render_flag_plane, output.planes),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .svg = CLI_SVG_SAME, .file = CLI_WRITES,
-     .repeats = 1,
+    {FILE_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
+               render_flag_plane, output.planes),
+     .not_for = HEIR_ANY, .svg = CLI_SVG_SAME, .file = CLI_WRITES, .repeats = 1,
      .manual =
          "Writes a buffer of numbers for each pixel to its own file, in addition to the picture; "
          "can be repeated. *depth* is the distance from the camera along its axis, *normal* the "
@@ -263,9 +243,9 @@ static const cli_flag flags[] = {
          "from 0, *coverage* is the share of the pixel that the object covers, *color* is linear "
          "light. If several triangles share a pixel, the buffers have the values of one of them; "
          "only *coverage* and *color* are averaged. See *PLANES*."},
-    {CLI_FLAG("turntable", "FILE", "animation: .gif .webp .mp4 .webm", cli_flag_text,
-              output.turntable),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .file = CLI_WRITES,
+    {FILE_FLAG("turntable", "FILE", "animation: .gif .webp .mp4 .webm", cli_flag_text,
+               output.turntable),
+     .not_for = HEIR_ANY, .file = CLI_WRITES,
      .manual =
          "Writes an animation instead of a picture: one turn of the camera to the right, "
          "around the up axis through the focal point. The last frame continues into the "
@@ -274,22 +254,22 @@ static const cli_flag flags[] = {
          "and *.webm* are encoded by *ffmpeg*, which must be in *PATH*; of an odd width or "
          "height one column or row is cut off. *-* writes Y4M to standard output, for other "
          "video encoders: 4:2:0, limited range, BT.709."},
-    {CLI_FLAG("frames", "N", "frames of a turntable", cli_flag_integer, output.frames),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .svg = CLI_SVG_SAME, CLI_RANGE(2, 3600),
-     .default_text = "60", .manual = "Number of frames, from 2 to 3600."},
-    {CLI_FLAG("fps", "N", "frames per second of a turntable", cli_flag_integer, output.fps),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .svg = CLI_SVG_SAME, CLI_RANGE(1, 120),
-     .default_text = "20", .aliases = "frame-rate",
+    {FILE_FLAG("frames", "N", "frames of a turntable", cli_flag_integer, output.frames),
+     .not_for = HEIR_ANY, .svg = CLI_SVG_SAME, CLI_RANGE(2, 3600), .default_text = "60",
+     .manual = "Number of frames, from 2 to 3600."},
+    {FILE_FLAG("fps", "N", "frames per second of a turntable", cli_flag_integer, output.fps),
+     .not_for = HEIR_ANY, .svg = CLI_SVG_SAME, CLI_RANGE(1, 120), .default_text = "20",
+     .aliases = "frame-rate",
      .manual = "Frames per second of a turntable, from 1 to 120; at most 50 in a GIF."},
     {CLI_SWITCH("overwrite", "replace a file that burnish did not write", output.overwrite),
-     .phases = FILE_PHASE | PROCESS, .not_for = SERVE | REQUEST | COMPARE,
+     .phases = CLI_PHASE_FILE | CLI_PHASE_PROCESS,
+     .not_for = HEIR_SERVE | HEIR_REQUEST | HEIR_COMPARE,
      .manual = "Replaces any file that has the picture's default name, or the name of *--output* "
                "without an extension of pictures. Without this flag only pictures written by "
                "burnish are replaced."},
     {.group = "Camera",
      .topic = "camera",
-     CLI_FLAG("up", "AXIS", "up axis", cli_flag_word, camera.up),
-     .phases = LOAD,
+     LOAD_FLAG("up", "AXIS", "up axis", cli_flag_word, camera.up),
      .default_text = "auto",
      .common = 1,
      .words = up_words,
@@ -302,199 +282,193 @@ static const cli_flag flags[] = {
          "is very stable on +Y. *burnish info* prints how stable it is. An object that is flat, "
          "with an extent of at most 0.5 % of its longest one, is a drawing: it keeps the axis, "
          "and the default view shows it face on. See docs/up.md."},
-    {CLI_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object", cli_flag_nonzero,
-              camera.direction),
-     .phases = DRAW, .default_label = "three-quarter", .common = 1,
+    {DRAW_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object",
+               cli_flag_nonzero, camera.direction),
+     .default_label = "three-quarter", .common = 1,
      .manual = "Direction from the camera into the scene, of any length. The camera is placed so "
                "that the whole object fills the picture, up to *--margin*."},
-    {CLI_FLAG("azimuth", "DEG", "rotate to the right around the up axis", cli_flag_real,
-              camera.azimuth),
-     .phases = DRAW, CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_text = "0", .common = 1,
+    {DRAW_FLAG("azimuth", "DEG", "rotate to the right around the up axis", cli_flag_real,
+               camera.azimuth),
+     CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_text = "0", .common = 1,
      .also = "camera-azimuth-angle", .aliases = "rotate",
      .manual = "Rotates the camera around the up axis, positive to the right. Framing takes it "
                "into account."},
-    {CLI_FLAG("elevation", "DEG", "raise the camera", cli_flag_real, camera.elevation),
-     .phases = DRAW, CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_text = "0", .common = 1,
+    {DRAW_FLAG("elevation", "DEG", "raise the camera", cli_flag_real, camera.elevation),
+     CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_text = "0", .common = 1,
      .also = "camera-elevation-angle", .aliases = "tilt",
      .manual = "Raises the camera, positive upward. Framing takes it into account."},
-    {CLI_FLAG("camera", "NAME", "camera of the input, by name or number from 0", cli_flag_text,
-              camera.own),
-     .phases = DRAW, .value_type = CLI_TYPE_NAME, .aliases = "camera-index",
+    {DRAW_FLAG("camera", "NAME", "camera of the input, by name or number from 0", cli_flag_text,
+               camera.own),
+     .value_type = CLI_TYPE_NAME, .aliases = "camera-index",
      .manual = "Uses this camera of the input (glTF), by its name or its number from 0, instead of "
                "framing the object. Standard views are still framed."},
-    {CLI_FLAG("camera-position", "X,Y,Z", "exact position, without framing", cli_flag_vector,
-              camera.position),
-     .phases = DRAW,
+    {DRAW_FLAG("camera-position", "X,Y,Z", "exact position, without framing", cli_flag_vector,
+               camera.position),
      .manual = "Puts the camera at this position, in the units of the input, instead of framing "
                "the object."},
-    {CLI_FLAG("camera-focal-point", "X,Y,Z", "point in the middle of the picture", cli_flag_vector,
-              camera.focal_point),
-     .phases = DRAW, .default_label = "middle of the object",
+    {DRAW_FLAG("camera-focal-point", "X,Y,Z", "point in the middle of the picture", cli_flag_vector,
+               camera.focal_point),
+     .default_label = "middle of the object",
      .manual = "The point in the middle of the picture. Without *--camera-position* the framed "
                "camera moves sideways until it looks there; direction and distance do not change."},
-    {CLI_FLAG("camera-view-up", "X,Y,Z", "up direction in the picture", cli_flag_nonzero,
-              camera.view_up),
-     .phases = DRAW, .default_label = "the up axis",
+    {DRAW_FLAG("camera-view-up", "X,Y,Z", "up direction in the picture", cli_flag_nonzero,
+               camera.view_up),
+     .default_label = "the up axis",
      .manual = "Direction that points up in the picture: rolls the camera. It can not be parallel "
                "to the direction of view."},
-    {CLI_FLAG("camera-view-angle", "DEG", "vertical field of view in degrees", cli_flag_real,
-              camera.view_angle),
-     .phases = DRAW, CLI_RANGE(0.001, 179), .default_text = "30", .aliases = "fov,field-of-view",
+    {DRAW_FLAG("camera-view-angle", "DEG", "vertical field of view in degrees", cli_flag_real,
+               camera.view_angle),
+     CLI_RANGE(0.001, 179), .default_text = "30", .aliases = "fov,field-of-view",
      .manual = "Vertical field of view: the angle from the lower to the upper edge of the picture, "
                "in degrees, from 0.001 to 179."},
-    {CLI_FLAG("zoom", "F", "divide the distance by F", cli_flag_real, camera.zoom), .phases = DRAW,
+    {DRAW_FLAG("zoom", "F", "divide the distance by F", cli_flag_real, camera.zoom),
      CLI_RANGE(1e-3, 1e3), .default_text = "1", .also = "camera-zoom-factor",
      .manual = "Moves the camera nearer: divides the distance from the focal point, or the height "
                "of a parallel projection, by _F_, from 0.001 to 1000."},
-    {CLI_FLAG("camera-orthographic", "no", "parallel projection; no: perspective",
-              render_flag_projection, camera.projection),
-     .phases = DRAW, .default_label = "for --views", .common = 1, .optional = 1,
-     .aliases = "ortho,parallel", .off = "no",
+    {DRAW_FLAG("camera-orthographic", "no", "parallel projection; no: perspective",
+               render_flag_projection, camera.projection),
+     .default_label = "for --views", .common = 1, .optional = 1, .aliases = "ortho,parallel",
+     .off = "no",
      .manual =
          "Parallel projection, which is the default for standard views; *no* draws all views in "
          "perspective. With *--camera-position* the object still fills the height of the picture."},
-    {CLI_FLAG("camera-orthographic-height", "H", "parallel projection, H units of the input high",
-              cli_flag_real, camera.orthographic_height),
-     .phases = DRAW, CLI_RANGE(1e-30, 1e30), .default_label = "what fits",
+    {DRAW_FLAG("camera-orthographic-height", "H", "parallel projection, H units of the input high",
+               cli_flag_real, camera.orthographic_height),
+     CLI_RANGE(1e-30, 1e30), .default_label = "what fits",
      .aliases = "parallel-scale,ortho-scale,orthographic-height",
      .manual = "Parallel projection in which the height of the picture is _H_ units of the input: "
                "pictures of different objects, or of different runs, have the same scale. The "
                "object stays in the middle; *--margin* has no effect."},
-    {CLI_SWITCH("same-scale", "one scale for all cells of a sheet", camera.same_scale),
-     .phases = DRAW, .not_for = SESSION,
+    {DRAW_SWITCH("same-scale", "one scale for all cells of a sheet", camera.same_scale),
+     .not_for = HEIR_SESSION,
      .manual =
          "Draws all cells of a sheet in one scale, the largest in which each view fits: lengths "
          "can be compared across views, and a feature has the same height in *front* and in "
          "*right*. Implies *--camera-orthographic*. The scale is *pixels_per_unit* in the report."},
-    {CLI_FLAG("margin", "F", "free share of the picture at each side", cli_flag_real,
-              camera.margin),
-     .phases = DRAW, CLI_RANGE(0, 0.45), .default_text = "0.05",
+    {DRAW_FLAG("margin", "F", "free share of the picture at each side", cli_flag_real,
+               camera.margin),
+     CLI_RANGE(0, 0.45), .default_text = "0.05",
      .manual = "Share of the picture's shorter side that framing leaves free at each side."},
     {.group = "Surface and light",
      .topic = "light",
-     CLI_FLAG("look", "NAME", "style", cli_flag_word, shading.look),
-     .phases = DRAW,
+     DRAW_FLAG("look", "NAME", "style", cli_flag_word, shading.look),
      .default_text = "studio",
      .common = 1,
      .words = render_look_words,
      .manual = "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
                "see *LOOKS*. Other flags change parts of it. With *--equation=phong* or another "
                " *--lobe* than the default, the default look is *three-point*."},
-    {CLI_FLAG("color", "COLOR", "colour of the whole object", cli_flag_color, shading.color),
-     .phases = DRAW, .value_type = CLI_TYPE_COLOR, .common = 1, .aliases = "colour,object-color",
+    {DRAW_FLAG("color", "COLOR", "colour of the whole object", cli_flag_color, shading.color),
+     .value_type = CLI_TYPE_COLOR, .common = 1, .aliases = "colour,object-color",
      .manual = "Colour of the whole object, instead of the colours of the input; see *COLOURS*."},
-    {CLI_SWITCH("no-colors", "ignore the colours of the input", shading.no_colors), .phases = DRAW,
+    {DRAW_SWITCH("no-colors", "ignore the colours of the input", shading.no_colors),
      .svg = CLI_SVG_SAME, .common = 1, .aliases = "no-colours,ignore-colors,monochrome",
      .manual = "Ignores colours, materials and textures of the input, but not its opacity: the "
                "object has the grey of the look, or the colour of *--color*."},
-    {CLI_FLAG("material", "NAME", "material preset", cli_flag_word, shading.material),
-     .phases = DRAW, .common = 1, .words = render_preset_words,
+    {DRAW_FLAG("material", "NAME", "material preset", cli_flag_word, shading.material), .common = 1,
+     .words = render_preset_words,
      .manual = "A material preset for the whole object; see *MATERIALS*. Colours do not change."},
-    {CLI_FLAG("opacity", "F", "opacity of the whole object", cli_flag_real, shading.opacity),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 1), .default_label = "the input's",
+    {DRAW_FLAG("opacity", "F", "opacity of the whole object", cli_flag_real, shading.opacity),
+     .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 1), .default_label = "the input's",
      .manual =
          "Opacity of the whole object, from 0 to 1. It is multiplied by the opacity of materials "
          "(*d*, *Tr*) and colours (alpha). Both sides of transparent surfaces are drawn, sorted by "
          "depth at every sample. They cast no shadows, unless they are opaque apart from a mask."},
-    {CLI_FLAG("specular", "F", "strength of the highlight, ks", cli_flag_real, shading.specular),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 1), .default_label = "the input's",
+    {DRAW_FLAG("specular", "F", "strength of the highlight, ks", cli_flag_real, shading.specular),
+     .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 1), .default_label = "the input's",
      .manual = "Strength of the highlight, the specular coefficient ks, for every material."},
-    {CLI_FLAG("exponent", "N", "exponent of the highlight, n", cli_flag_real, shading.exponent),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, CLI_RANGE(1, 65536), .aliases = "shininess",
+    {DRAW_FLAG("exponent", "N", "exponent of the highlight, n", cli_flag_real, shading.exponent),
+     .svg = CLI_SVG_REFUSED, CLI_RANGE(1, 65536), .aliases = "shininess",
      .manual = "Exponent n of the highlight, for every material: a larger exponent makes it "
                "smaller and sharper."},
-    {CLI_FLAG("lobe", "FIT:ORDER", "shape of the highlight; a list: a sheet", render_flag_lobes,
-              shading.lobes),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, .default_text = "energy:2", .common = 1,
+    {DRAW_FLAG("lobe", "FIT:ORDER", "shape of the highlight; a list: a sheet", render_flag_lobes,
+               shading.lobes),
+     .svg = CLI_SVG_REFUSED, .default_text = "energy:2", .common = 1,
      .manual = "The specular lobe; see *LOBES*. A list with commas makes one labelled sheet."},
-    {CLI_FLAG("equation", "NAME", "cosine that the lobe is applied to", cli_flag_word,
-              shading.equation),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, .default_text = "blinn", .words = equation_words,
+    {DRAW_FLAG("equation", "NAME", "cosine that the lobe is applied to", cli_flag_word,
+               shading.equation),
+     .svg = CLI_SVG_REFUSED, .default_text = "blinn", .words = equation_words,
      .manual = "The cosine that the lobe is applied to: *blinn*, N.H with the half vector, or "
                "*phong*, R.V with the mirrored light."},
-    {CLI_FLAG("viewer", "NAME", "position of the viewer for highlights", cli_flag_word,
-              shading.viewer),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, .default_text = "local", .words = viewer_words,
+    {DRAW_FLAG("viewer", "NAME", "position of the viewer for highlights", cli_flag_word,
+               shading.viewer),
+     .svg = CLI_SVG_REFUSED, .default_text = "local", .words = viewer_words,
      .manual = "Position of the viewer for highlights: *local*, at the camera, or *distant*, "
                "infinitely far away along the camera's axis."},
-    {CLI_FLAG("light", "SPEC", "KIND:X,Y,Z[:...], file; repeatable", render_flag_light,
-              shading.lights),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, .default_label = "the look's", .off = "none",
-     .repeats = 1,
+    {DRAW_FLAG("light", "SPEC", "KIND:X,Y,Z[:...], file; repeatable", render_flag_light,
+               shading.lights),
+     .svg = CLI_SVG_REFUSED, .default_label = "the look's", .off = "none", .repeats = 1,
      .manual = "A light that replaces the lights of the look; see *LIGHTS*. "
                "Can be repeated: up to 64 lights and 8 area lights. *file* adds the lights of the "
                "input. *none* "
                "removes the rig and all lights so far."},
-    {CLI_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
-              cli_flag_text, shading.environment.name),
-     .phases = DRAW, .default_label = "none", .file = CLI_READS, .aliases = "hdri-file",
+    {DRAW_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
+               cli_flag_text, shading.environment.name),
+     .default_label = "none", .file = CLI_READS, .aliases = "hdri-file",
      .manual =
          "Light from all directions, which replaces the lights of the look: *sky*, *room*, or an "
          "equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces reflect "
          "it. Lights of *--light* are added."},
-    {CLI_FLAG("environment-strength", "F", "factor of the environment's light", cli_flag_real,
-              shading.environment.strength),
-     .phases = DRAW, CLI_RANGE(0, 1000), .default_text = "1",
-     .manual = "Factor of the environment's light."},
-    {CLI_FLAG("environment-turn", "DEGREES", "rotation of the environment about the up axis",
-              cli_flag_real, shading.environment.turn),
-     .phases = DRAW, CLI_RANGE(-3600, 3600), .default_text = "0",
+    {DRAW_FLAG("environment-strength", "F", "factor of the environment's light", cli_flag_real,
+               shading.environment.strength),
+     CLI_RANGE(0, 1000), .default_text = "1", .manual = "Factor of the environment's light."},
+    {DRAW_FLAG("environment-turn", "DEGREES", "rotation of the environment about the up axis",
+               cli_flag_real, shading.environment.turn),
+     CLI_RANGE(-3600, 3600), .default_text = "0",
      .manual = "Turns the environment about the up axis, counter-clockwise from above. At 0 the "
                "middle of its image is to the right of an object seen from the front."},
-    {CLI_FLAG("ambient", "F|COLOR", "ambient light, linear", render_flag_ambient, shading.ambient),
-     .phases = DRAW, .value_type = CLI_TYPE_LIGHT, CLI_RANGE(0, 16), .default_label = "the look's",
+    {DRAW_FLAG("ambient", "F|COLOR", "ambient light, linear", render_flag_ambient, shading.ambient),
+     .value_type = CLI_TYPE_LIGHT, CLI_RANGE(0, 16), .default_label = "the look's",
      .manual = "Ambient light: a number from 0 to 16, linear, or a colour."},
-    {CLI_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
-              shading.occlusion),
-     .phases = DRAW, .value_type = CLI_TYPE_INTEGER, .svg = CLI_SVG_REFUSED,
-     CLI_RANGE(1, BURNISH_OCCLUSION_MAX), .default_label = "the look's",
-     .aliases = "ambient-occlusion,ao", .off = "none",
+    {DRAW_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
+               shading.occlusion),
+     .value_type = CLI_TYPE_INTEGER, .svg = CLI_SVG_REFUSED, CLI_RANGE(1, BURNISH_OCCLUSION_MAX),
+     .default_label = "the look's", .aliases = "ambient-occlusion,ao", .off = "none",
      .manual = "Ambient occlusion darkens creases, holes and undersides. _N_ is the number of "
                "directions from which light arrives, or *none*; odd numbers are rounded up. More "
                "directions are smoother and slower."},
-    {CLI_SWITCH("ground", "draw a soft shadow below the object", shading.ground), .phases = DRAW,
+    {DRAW_SWITCH("ground", "draw a soft shadow below the object", shading.ground),
      .svg = CLI_SVG_REFUSED, .common = 1, .aliases = "contact-shadow,ground-shadow",
      .manual = "A soft shadow on the horizontal plane through the object's lowest point, if the "
                "camera is above it. The plane itself is invisible: it darkens the background, and "
                "a transparent background becomes black with the shadow as alpha. Framing leaves "
                "room for the shadow, and more on the right with *--shadow*."},
-    {CLI_SWITCH("shadow", "shadow of the key light on the object", shading.shadow), .phases = DRAW,
+    {DRAW_SWITCH("shadow", "shadow of the key light on the object", shading.shadow),
      .svg = CLI_SVG_REFUSED, .aliases = "shadows,cast-shadows",
      .manual =
          "The first light, which must be directional, casts a shadow with a soft edge on the "
          "object "
          "itself, and on the ground of *--ground*. In the look *studio*, or if all lights are area "
          "lights, the strongest area light does, as if all of its light came from its centre."},
-    {CLI_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges), .phases = DRAW,
+    {DRAW_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges),
      .value_type = CLI_TYPE_WORDS, .common = 1, .optional = 1, .words = edge_words, .off = "none",
      .aliases = "outline,outlines,feature-edges",
      .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "
                "edges; *boundaries* of open surfaces; borders between *materials*; or *none*. "
                "Without _LIST_ all of them; without the flag the look decides. Lines at a step in "
                "depth are *--edge-width* wide, others 3/5 of it."},
-    {CLI_SWITCH("wireframe", "draw the edges of all triangles", shading.wireframe), .phases = DRAW,
+    {DRAW_SWITCH("wireframe", "draw the edges of all triangles", shading.wireframe),
      .aliases = "wire,mesh-lines", .manual = "Draws the visible edges of all triangles as lines."},
-    {CLI_SWITCH("hidden-lines", "draw hidden edges as dashed lines", shading.hidden_lines),
-     .phases = DRAW, .aliases = "hidden",
+    {DRAW_SWITCH("hidden-lines", "draw hidden edges as dashed lines", shading.hidden_lines),
+     .aliases = "hidden",
      .manual = "Draws the edges that the object hides as dashed lines, 3/5 as wide as outlines, "
                "where no other line covers them. Draws edges like *--edges* if the look does not."},
-    {CLI_SWITCH("center-lines", "draw axes of holes and cylinders", shading.center_lines),
-     .phases = DRAW, .aliases = "centre-lines,axis-lines",
+    {DRAW_SWITCH("center-lines", "draw axes of holes and cylinders", shading.center_lines),
+     .aliases = "centre-lines,axis-lines",
      .manual = "Draws axes that two circles of hard edges have in common as chain lines, with a "
                "cross where the axis points to the viewer. Axes of hidden circles are drawn only "
                "together with *--hidden-lines*. Draws edges like *--edges* if the look does not."},
-    {CLI_FLAG("edge-width", "PIXELS", "width of outlines; other lines: 3/5 of it", cli_flag_real,
-              shading.edge_width),
-     .phases = DRAW, CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8",
-     .aliases = "line-width",
+    {DRAW_FLAG("edge-width", "PIXELS", "width of outlines; other lines: 3/5 of it", cli_flag_real,
+               shading.edge_width),
+     CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .aliases = "line-width",
      .manual = "Width of lines at a step in depth, in pixels, from 0.1 to 100. Other lines have "
                "3/5 of it."},
-    {CLI_FLAG("edge-color", "COLOR", "colour of lines", cli_flag_color, shading.edge_color),
-     .phases = DRAW, .value_type = CLI_TYPE_COLOR, .default_label = "near black",
+    {DRAW_FLAG("edge-color", "COLOR", "colour of lines", cli_flag_color, shading.edge_color),
+     .value_type = CLI_TYPE_COLOR, .default_label = "near black",
      .aliases = "edge-colour,line-color", .manual = "Colour of lines; see *COLOURS*."},
-    {CLI_FLAG("outline-contrast", "N", "least contrast to the background, 0 to 255", cli_flag_real,
-              shading.outline_contrast),
-     .phases = DRAW, .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 255), .default_label = "36 in studio",
+    {DRAW_FLAG("outline-contrast", "N", "least contrast to the background, 0 to 255", cli_flag_real,
+               shading.outline_contrast),
+     .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 255), .default_label = "36 in studio",
      .manual = "Draws a hairline along the object's outline where it differs from the background "
                "by less than *N* of 255, so white objects on a white background stay visible. "
                "Other pixels keep their values; 0 draws none. Not drawn on transparent "
@@ -502,38 +476,38 @@ static const cli_flag flags[] = {
     {.group = "Input and report",
      .topic = "report",
      CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
-    {CLI_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
-              render_flag_clip, input.clip),
-     .phases = LOAD, .value_type = CLI_TYPE_VECTOR, .not_for = COMPARE,
+    {LOAD_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
+               render_flag_clip, input.clip),
+     .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE,
      .aliases = "clipping,clip-plane,cut,section", .repeats = 1,
      .manual = "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
                "the coordinates of the input. *--clip=0,0,1,5* removes everything above z = 5. Can "
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
                "winding, are filled and hatched; cuts through other meshes and transparent "
                "surfaces are not. The camera frames the rest."},
-    {CLI_FLAG("color-by", "VALUE", "height, normal or a property of PLY or glTF", cli_flag_text,
-              input.coloring.by),
-     .phases = LOAD, .not_for = COMPARE | VIEW, .svg = CLI_SVG_REFUSED,
+    {LOAD_FLAG("color-by", "VALUE", "height, normal or a property of PLY or glTF", cli_flag_text,
+               input.coloring.by),
+     .not_for = HEIR_COMPARE | HEIR_VIEW, .svg = CLI_SVG_REFUSED,
      .manual =
          "Colours the object by values of its vertices instead of its own colours: *height* along "
          "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
          "property of the vertices of a PLY or glTF file, such as *intensity* or *_HEAT*. Values "
          "are interpolated over triangles and then mapped. A legend shows the range; framing "
          "leaves room for it. Not for *--look=drawing*, which has no colours."},
-    {CLI_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
-     .phases = LOAD, .not_for = COMPARE | VIEW, .words = color_map_words, .default_text = "viridis",
+    {LOAD_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
+     .not_for = HEIR_COMPARE | HEIR_VIEW, .words = color_map_words, .default_text = "viridis",
      .manual = "Colours of *--color-by*: *viridis*, *coolwarm*, which diverges from a grey middle, "
                "or *grey*. The colours are then lit like any others."},
-    {CLI_FLAG("color-range", "LO:HI", "range of --color-by", render_flag_range,
-              input.coloring.range),
-     .phases = LOAD, .not_for = COMPARE | VIEW, .default_label = "of the values",
+    {LOAD_FLAG("color-range", "LO:HI", "range of --color-by", render_flag_range,
+               input.coloring.range),
+     .not_for = HEIR_COMPARE | HEIR_VIEW, .default_label = "of the values",
      .manual = "Values with the first and the last colour of the map. Values beyond them get the "
                "nearest of the two. If _LO_ is more than _HI_, the map is reversed."},
-    {CLI_SWITCH("no-legend", "no legend of --color-by", input.coloring.no_legend), .phases = DRAW,
-     .not_for = COMPARE | VIEW,
+    {DRAW_SWITCH("no-legend", "no legend of --color-by", input.coloring.no_legend),
+     .not_for = HEIR_COMPARE | HEIR_VIEW,
      .manual = "Omits the bar of *--color-by* with its numbers, and the room for it."},
-    {CLI_FLAG("normals", "NAME", "source", cli_flag_word, input.normals), .phases = LOAD,
-     .words = normals_words, .default_text = "auto",
+    {LOAD_FLAG("normals", "NAME", "source", cli_flag_word, input.normals), .words = normals_words,
+     .default_text = "auto",
      .manual =
          "Source of the normals. *file* uses those of the input and generates missing ones; "
          "*own* generates all of them. *auto*, the default, is *own* if *--crease-angle* is "
@@ -541,8 +515,8 @@ static const cli_flag flags[] = {
          "a "
          "glTF file without normal textures, are replaced, with a warning, if they smooth the "
          "sharp edges of flat faces on more than 10 % of the area."},
-    {CLI_FLAG("crease-angle", "DEG", "smooth edges below this angle", cli_flag_real, input.crease),
-     .phases = LOAD, CLI_RANGE(0, 180), .default_label = "auto",
+    {LOAD_FLAG("crease-angle", "DEG", "smooth edges below this angle", cli_flag_real, input.crease),
+     CLI_RANGE(0, 180), .default_label = "auto",
      .manual =
          "Generates normals: edges whose faces differ by less than this angle are smooth; 0 "
          "shades every face flat. Normals of the input are used only with *--normals=file*; "
@@ -558,24 +532,26 @@ static const cli_flag flags[] = {
     {CLI_STRICT_FLAG(render_settings, input.load)},
     {CLI_NO_TEXTURES_FLAG(render_settings, input.load)},
     {CLI_NO_LIBRARIES_FLAG(render_settings, input.load)},
-    {CLI_MAX_TRIANGLES_FLAG(render_settings, input.load), .not_for = REQUEST},
-    {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, input.load), .not_for = REQUEST},
-    {CLI_MAX_INPUT_BYTES_FLAG(render_settings, input.load), .not_for = REQUEST},
+    {CLI_MAX_TRIANGLES_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
+    {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
+    {CLI_MAX_INPUT_BYTES_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
     {CLI_FLAG("max-overdraw", "N", "limit on large triangles", cli_flag_real, job.max_overdraw),
-     .phases = DRAW | PROCESS, .not_for = REQUEST, CLI_RANGE(1, 1e9), .default_text = "1000",
+     .phases = CLI_PHASE_DRAW | CLI_PHASE_PROCESS, .not_for = HEIR_REQUEST, CLI_RANGE(1, 1e9),
+     .default_text = "1000",
      .manual =
          "Limits the time: a mesh is refused (exit code 5) if its large triangles, visible or "
          "hidden, cover the picture more than _N_ times (a picture with less than 512 x 512 pixels "
          "counts as one with so many), or a depth map of ambient occlusion, ground or shadow more "
          "than 2 _N_ times. Transparent triangles count 16 times. Triangles of up to 16 pixels do "
          "not count; *--max-triangles* limits them. The number is *overdraw* in *--json*."},
-    {CLI_FLAG("max-seconds", "N", "time limit", cli_flag_real, job.max_seconds), .phases = PROCESS,
-     .not_for = ALL_OTHERS, CLI_RANGE(0, 1e6), .default_text = "0", .default_label = "never",
+    {CLI_FLAG("max-seconds", "N", "time limit", cli_flag_real, job.max_seconds),
+     .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, CLI_RANGE(0, 1e6), .default_text = "0",
+     .default_label = "never",
      .manual = "Ends the run after _N_ seconds of wall-clock time, without a picture and with exit "
                "code 5. 0: no limit."},
     {CLI_FLAG("max-memory", "N", "memory limit, such as 500M or 2G", cli_flag_bytes,
               job.max_memory),
-     .phases = PROCESS, .not_for = ALL_OTHERS, CLI_RANGE(1, 9e18), .default_label = "all",
+     .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, CLI_RANGE(1, 9e18), .default_label = "all",
      .manual =
          "Limit on the address space of the process in bytes, including reserved but unused "
          "memory such as the stacks of threads. An STL, PLY, OBJ or OFF file that would "
@@ -583,7 +559,7 @@ static const cli_flag flags[] = {
          "others), as points, with a warning. Any other run that needs more ends with exit code 6. "
          "_N_ can end in *K*, *M* or *G*."},
     {CLI_SWITCH("sandbox", "read and draw in a process that can't open files", job.sandbox),
-     .phases = PROCESS, .not_for = ALL_OTHERS,
+     .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY,
      .manual = "Reads, draws and encodes in a separate process that can not open files or sockets "
                "or start programs: Linux's seccomp ends the process if it tries, and Landlock, if "
                "the kernel has it, denies access to files as well. The process receives the open "
@@ -592,51 +568,53 @@ static const cli_flag flags[] = {
                "Pictures are the same. See docs/security.md."},
     {CLI_FLAG("no-sandbox", NULL, "read and draw in this process", render_flag_no_sandbox,
               job.sandbox),
-     .phases = PROCESS, .not_for = ALL_OTHERS,
+     .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY,
      .manual = "Reads and draws in this process. This is the default."},
     {CLI_JSON_FLAG(render_settings, output.json, "report on standard output, or in FILE",
                    "JSON OUTPUT"),
-     .phases = FILE_PHASE | PROCESS, .not_for = ALL_OTHERS},
+     .phases = CLI_PHASE_FILE | CLI_PHASE_PROCESS, .not_for = HEIR_ANY},
     {CLI_SWITCH("timing", "milliseconds per phase on standard error", job.timing),
-     .phases = PROCESS, .not_for = ALL_OTHERS, .also = "verbose", .aliases = "time",
+     .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, .also = "verbose", .aliases = "time",
      .manual = "Prints the milliseconds of each phase on standard error: *start* is the processor "
                "time before loading; *total* begins after it."},
-    {CLI_SWITCH("quiet", "no warnings, no progress", job.quiet), .phases = PROCESS, .letter = 'q',
+    {CLI_SWITCH("quiet", "no warnings, no progress", job.quiet), .phases = CLI_PHASE_PROCESS,
+     .letter = 'q',
      .manual = "No warnings and no progress on standard error; errors are still printed."},
     {CLI_FLAG("threads", "N", "number of threads (does not affect the result)", cli_flag_integer,
               job.threads),
-     .phases = LOAD | DRAW | PROCESS, .not_for = BATCH | REQUEST, CLI_RANGE(0, 1024),
-     .default_text = "0", .default_label = "all cores", .aliases = "jobs",
+     .phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_PROCESS,
+     .not_for = HEIR_BATCH | HEIR_REQUEST, CLI_RANGE(0, 1024), .default_text = "0",
+     .default_label = "all cores", .aliases = "jobs",
      .manual =
          "Number of threads, 0 for all processors. The bytes of the picture do not depend on it."},
     {CLI_FLAG("isa", "NAME", "instruction set (does not affect the result)", cli_flag_text,
               job.isa_name),
-     .phases = DRAW | PROCESS, .not_for = REQUEST, .default_text = "auto",
+     .phases = CLI_PHASE_DRAW | CLI_PHASE_PROCESS, .not_for = HEIR_REQUEST, .default_text = "auto",
      .manual =
          "The instruction set of the kernels: *auto* for the fastest one that the processor "
          "supports, *scalar*, *sse2*, *avx2*, *avx512* or *neon*. *auto* follows the environment "
          "variable *BURNISH_ISA* if it is set. The bytes of the picture do not depend on it."},
-    {CLI_SWITCH("fail-on-blank", "exit code 8 and no file if blank", output.fail_on_blank),
-     .phases = FILE_PHASE, .svg = CLI_SVG_SAME, .common = 1,
+    {FILE_SWITCH("fail-on-blank", "exit code 8 and no file if blank", output.fail_on_blank),
+     .svg = CLI_SVG_SAME, .common = 1,
      .manual =
          "If the picture, or a cell of a sheet, shows nothing or has only one colour, ends with "
          "exit code 8 and writes no picture. Without this flag a blank picture is a warning."},
-    {CLI_FLAG("reference", "FILE", "compare with a PNG; exit code 10 if different", cli_flag_text,
-              output.reference),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .file = CLI_READS, .aliases = "ref",
+    {FILE_FLAG("reference", "FILE", "compare with a PNG; exit code 10 if different", cli_flag_text,
+               output.reference),
+     .not_for = HEIR_ANY, .file = CLI_READS, .aliases = "ref",
      .manual =
          "Compares the picture, or the sheet, with a PNG of the same size. If they differ, the "
          "picture is still written, one line describes the difference, and the exit code is 10. "
          "The numbers, the same as those of *burnish compare*, are under *reference* in *--json*."},
-    {CLI_FLAG("reference-threshold", "X", "largest accepted error", cli_flag_real,
-              output.reference_threshold),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, CLI_RANGE(0, 1),
-     .default_label = "no pixel may differ", .aliases = "ref-threshold",
+    {FILE_FLAG("reference-threshold", "X", "largest accepted error", cli_flag_real,
+               output.reference_threshold),
+     .not_for = HEIR_ANY, CLI_RANGE(0, 1), .default_label = "no pixel may differ",
+     .aliases = "ref-threshold",
      .manual = "The picture passes if its error, 1 minus the structural similarity to the "
                "reference, is at most _X_, from 0 to 1. Identical pictures always pass."},
-    {CLI_FLAG("reference-difference", "FILE", "reference, picture and difference side by side",
-              cli_flag_text, output.reference_difference),
-     .phases = FILE_PHASE, .not_for = ALL_OTHERS, .file = CLI_WRITES,
+    {FILE_FLAG("reference-difference", "FILE", "reference, picture and difference side by side",
+               cli_flag_text, output.reference_difference),
+     .not_for = HEIR_ANY, .file = CLI_WRITES,
      .manual = "If the sizes are the same, writes the reference, the picture and their difference "
                "side by side into _FILE_, as *burnish compare --output* does."},
 };
@@ -685,6 +663,6 @@ const cli_command render_options_command = {
     .name = "options",
     .base = &render_command,
     .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW,
-    .heir = RENDER_HEIR_SESSION,
+    .heir = HEIR_SESSION,
     .settings_size = sizeof(render_settings),
 };

@@ -7,12 +7,14 @@
 /* Commands that inherit the flags, for cli_command.heir: a new flag of render is theirs, too, if it
  * acts in one of their phases (cli_command.base_phases) and does not name them in `not_for`. */
 enum {
-    RENDER_HEIR_BATCH = 1,
-    RENDER_HEIR_SERVE = 2,
-    RENDER_HEIR_REQUEST = 4, /* of serve-stdio: without the operator's limits and without files */
-    RENDER_HEIR_COMPARE = 8,
-    RENDER_HEIR_VIEW = 16,
-    RENDER_HEIR_SESSION = 32 /* the bindings */
+    HEIR_BATCH = 1,
+    HEIR_SERVE = 2,
+    HEIR_REQUEST = 4, /* of serve-stdio: without the operator's limits and without files */
+    HEIR_COMPARE = 8,
+    HEIR_VIEW = 16,
+    HEIR_SESSION = 32, /* the bindings */
+    HEIR_ONE_PICTURE = HEIR_COMPARE | HEIR_VIEW | HEIR_SESSION,
+    HEIR_ANY = 63
 };
 
 /* Sections of the man page. */

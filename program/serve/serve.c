@@ -112,7 +112,7 @@ const cli_command serve_command = {
     .flag_count = sizeof flags / sizeof *flags,
     .base = &render_command,
     .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_FILE,
-    .heir = RENDER_HEIR_SERVE,
+    .heir = HEIR_SERVE,
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(serve_settings),
@@ -125,7 +125,7 @@ const cli_command serve_request_command = {
     .operands_max = 0,
     .base = &render_command,
     .base_phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_FILE,
-    .heir = RENDER_HEIR_REQUEST,
+    .heir = HEIR_REQUEST,
     .settings_size = sizeof(render_settings),
 };
 

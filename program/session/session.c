@@ -45,14 +45,14 @@ static const cli_command open_command = {
     .name = "open",
     .base = &render_command,
     .base_phases = CLI_PHASE_LOAD,
-    .heir = RENDER_HEIR_SESSION,
+    .heir = HEIR_SESSION,
     .settings_size = sizeof(render_settings),
 };
 static const cli_command draw_command = {
     .name = "render",
     .base = &render_command,
     .base_phases = CLI_PHASE_DRAW,
-    .heir = RENDER_HEIR_SESSION,
+    .heir = HEIR_SESSION,
     .settings_size = sizeof(render_settings),
 };
 
