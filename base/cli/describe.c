@@ -69,23 +69,11 @@ static cJSON *describe_flag(const cli_flag *flag, const char *topic, int *failed
     return row;
 }
 
-/* The topic of a flag, which its table or the table of the command's base names. */
-static const char *topic_of(const cli_command *command, const cli_flag *flag) {
-    const int is_own =
-        flag >= command->flags && flag < command->flags + command->flag_count;
-    const cli_flag *at = is_own || !command->base ? command->flags : command->base->flags;
-    const char *topic = NULL;
-    for (; at <= flag; ++at) {
-        topic = at->topic ? at->topic : topic;
-    }
-    return topic;
-}
-
 static cJSON *describe_flags(const cli_command *command, int *failed) {
     cJSON *array = cJSON_CreateArray();
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
-        cli_json_add(array, NULL, describe_flag(flag, topic_of(command, flag), failed), failed);
+        cli_json_add(array, NULL, describe_flag(flag, cli_group_of(command, flag)->topic, failed), failed);
     }
     return array;
 }

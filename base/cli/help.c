@@ -63,27 +63,26 @@ typedef struct screen {
 } screen;
 
 static int shows(const screen *s, const cli_flag *flag, int is_own, const char *topic) {
-    return s->all || (s->topic ? strcmp(s->topic, topic) == 0 : flag->common && is_own);
+    return s->all || (s->topic ? topic && strcmp(s->topic, topic) == 0 : flag->common && is_own);
 }
 
 /* Prints the groups or, if print is 0, only measures the names. */
 static int print_groups(const screen *s, int width, int print) {
-    const char *topic = "", *group = NULL;
+    const char *group = "";
     char names[ROW_MAX];
     int widest = flag_names(&help_row, names);
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(s->command, i)) != NULL; ++i) {
-        group = flag->group ? flag->group : group;
-        topic = flag->group && flag->topic ? flag->topic : topic;
-        if (!shows(s, flag, i < s->command->flag_count, topic)) {
+        const cli_flag *head = cli_group_of(s->command, flag);
+        if (!shows(s, flag, i < s->command->flag_count, head->topic)) {
             continue;
         }
         int length = flag_names(flag, names);
         widest = length > widest ? length : widest;
-        if (print && group) {
-            printf("\n%s\n", group);
+        if (print && strcmp(group, head->group) != 0) {
+            printf("\n%s\n", head->group);
         }
-        group = NULL;
+        group = head->group;
         if (print) {
             print_flag(flag, width);
         }
@@ -119,11 +118,14 @@ const char *cli_topic_at(const cli_command *command, size_t index) {
     if (!has_topics(command)) {
         return NULL;
     }
+    const char *last = "";
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
-        if (flag->topic && index-- == 0) {
-            return flag->topic;
+        const char *topic = cli_group_of(command, flag)->topic;
+        if (strcmp(topic, last) != 0 && index-- == 0) {
+            return topic;
         }
+        last = topic;
     }
     return index == 0 ? "all" : NULL;
 }

@@ -144,6 +144,15 @@ const cli_flag *cli_flag_at(const cli_command *command, size_t index) {
     return NULL;
 }
 
+const cli_flag *cli_group_of(const cli_command *command, const cli_flag *flag) {
+    const int is_own = flag >= command->flags && flag < command->flags + command->flag_count;
+    const cli_flag *table = is_own ? command->flags : command->base->flags;
+    while (flag > table && !flag->group) {
+        --flag;
+    }
+    return flag;
+}
+
 const cli_flag *cli_find_flag(const cli_command *command, const char *name, size_t length) {
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {

@@ -211,6 +211,9 @@ burnish_status cli_check_needs(const cli_command *command, const void *settings,
 /* The flags of a command, its own first and then its base's; NULL past the last. */
 const cli_flag *cli_flag_at(const cli_command *command, size_t index);
 
+/* The row that begins a flag's group, with its heading and topic. */
+const cli_flag *cli_group_of(const cli_command *command, const cli_flag *flag);
+
 /* The flag of a command with this name, or with it among its other names; NULL: none. */
 const cli_flag *cli_find_flag(const cli_command *command, const char *name, size_t length);
 

@@ -26,26 +26,19 @@ for part in $lobe; do
 done
 run info --help
 cat "$out" >>lobe.txt
-for topic in comparing picture camera light report; do
-    run compare --help=$topic
-    check "burnish compare --help=$topic does not fit 40 lines of 100 columns" fits "$out"
-    cat "$out" >>lobe.txt
-done
-for topic in window camera light report; do
-    run view --help=$topic
-    check "burnish view --help=$topic does not fit 40 lines of 100 columns" fits "$out"
-    cat "$out" >>lobe.txt
-done
-for topic in batch picture camera light report; do
-    run batch --help=$topic
-    check "burnish batch --help=$topic does not fit 40 lines of 100 columns" fits "$out"
-    cat "$out" >>lobe.txt
-done
-for topic in server picture files camera light report; do
-    run serve-stdio --help=$topic
-    check "burnish serve-stdio --help=$topic does not fit 40 lines of 100 columns" fits "$out"
-    cat "$out" >>lobe.txt
-done
+"$burnish" help --json >flags.json
+python3 -c 'import json
+for command in json.load(open("flags.json"))["commands"]:
+    for topic in dict.fromkeys(flag["topic"] for flag in command["flags"] if flag["topic"]):
+        print(command["name"], topic)' >topics_of.txt
+check "fewer than 20 topics" [ "$(wc -l <topics_of.txt)" -ge 20 ]
+while read -r command topic; do
+    run "$command" "--help=$topic"
+    check "burnish $command --help=$topic does not fit 40 lines of 100 columns" fits "$out"
+    check "burnish $command --help lacks $topic" sh -c "'$burnish' $command --help | grep -q -- '--help=$topic'"
+    cat "$out" >>"topics.$command"
+done <topics_of.txt
+cat topics.* >>lobe.txt
 run --help
 cp "$out" main.txt
 check "exit codes are not in order" sh -c "grep -o '^  [0-9] ' main.txt | sort -nc"
@@ -54,27 +47,16 @@ for code_text in '0  success' '8  a blank picture' '10  pictures differ' 'compar
 done
 run render --help
 cp "$out" render.txt
-for topic in picture files camera light report; do
-    run render --help=$topic
-    check "burnish render --help=$topic does not fit 40 lines of 100 columns" fits "$out"
-    check "burnish render --help lacks $topic" grep -q -- "--help=$topic" render.txt
-    cat "$out" >>topics.txt
-done
 run render --help=all
 check "burnish render --help=all: a row is too long" awk 'length($0) > 100 { exit 1 }' "$out"
 sed -n 's/^  \(-[a-z],\|   \) \(--[a-z-]*\).*/\2/p' "$out" | sort >all.txt
-sed -n 's/^  \(-[a-z],\|   \) \(--[a-z-]*\).*/\2/p' topics.txt | sort >by_topic.txt
+sed -n 's/^  \(-[a-z],\|   \) \(--[a-z-]*\).*/\2/p' topics.render | sort >by_topic.txt
 check "the topics show all flags, each once: $(diff all.txt by_topic.txt | head -3 | tr '\n' ' ')" cmp all.txt by_topic.txt
 check "fewer than 40 flags of render" [ "$(wc -l <all.txt)" -ge 40 ]
 check "lobe table --help=all differs" sh -c "'$burnish' lobe table --help=all | grep -q -- --metrics"
 check "burnish help render differs from render --help" sh -c "'$burnish' help render | cmp - render.txt"
 check "flags before --help count" sh -c "'$burnish' render --samples=4 --help | cmp - render.txt"
 
-# A flag of a command replaces the inherited one.
-for command in batch serve-stdio compare view; do
-    "$burnish" $command --help=all | grep -o '^ *\(-., \)\?--[a-z-]*' | sort | uniq -d >twice.txt
-    check "$command: twice: $(cat twice.txt)" [ ! -s twice.txt ]
-done
 for command in batch serve-stdio; do
     check "$command: --size and --resolution have the same default" \
         [ "$("$burnish" $command --help=picture | grep -Ec -- '--(resolution|size)=.*\[512[,x]512\]')" = 2 ]
@@ -88,7 +70,6 @@ run help --man
 cp "$out" burnish.1
 check "burnish help --man: exit code $code" [ "$code" = 0 ]
 tr -d '\\' <burnish.1 >page.txt
-cat topics.txt >>render.txt
 grep -oh -- '--[a-z][a-z-]*' render.txt lobe.txt | sort -u >flags.txt
 check "fewer than 50 flags on the help screens" [ "$(wc -l <flags.txt)" -ge 50 ]
 while read -r flag; do
@@ -126,8 +107,6 @@ check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>
 check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
 rm -f p.png d.npy t.gif
 # help --json has the flags of the help screens, and the keys that the manual lists.
-gives 0 help --json
-cp "$out" flags.json
 sed -n '/^.SH "FLAGS IN JSON"/,/^.SH/p' page.txt | grep -o '^f[BI][a-z_, ]*fR$' | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort >told.txt
 check "flags in JSON" python3 - "$burnish" <<'END'
 import json, re, subprocess, sys
@@ -142,7 +121,9 @@ assert all_keys(description) == told | {"summary", "operand", "flags"}, all_keys
 for command in description["commands"]:
     screen = subprocess.run([sys.argv[1], *command["name"].split(), "--help=all"], capture_output=True, text=True, check=True).stdout
     listed = re.findall(r"^  (?:-., |    )--([a-z-]+)", screen, re.M)
-    assert sorted([flag["name"] for flag in command["flags"]] + ["help"]) in (sorted(listed), sorted(listed + ["help"])), command["name"]
+    names = [flag["name"] for flag in command["flags"]]
+    assert len(set(names)) == len(names), f"twice: {sorted(names)}"  # a command's own replaces the inherited one
+    assert sorted(names + ["help"]) in (sorted(listed), sorted(listed + ["help"])), command["name"]
 render = {flag["name"]: flag for flag in description["commands"][0]["flags"]}
 def picked(name, *keys):
     return [render[name][key] for key in keys]
