@@ -137,7 +137,7 @@ def main(language, path):
         sys.path.insert(0, path)
         import _burnish
 
-        rows, fields, text = _burnish.flags(), python_fields, PYTHON_FILE
+        rows, fields, text = json.loads(_burnish.flags()), python_fields, PYTHON_FILE
         path += "/_options.py"
     else:  # load() has the threads of the module
         rows = [row for row in json.load(sys.stdin)["options"] if row["name"] != "threads"]

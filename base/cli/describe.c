@@ -78,6 +78,12 @@ static cJSON *describe_flags(const cli_command *command, int *failed) {
     return array;
 }
 
+char *cli_describe_flags(const cli_command *command) {
+    int failed = 0;
+    cJSON *array = describe_flags(command, &failed);
+    return cli_json_string(array, failed, 0);
+}
+
 /* Commands, and the subcommands of those that have some. */
 static void add_commands(cJSON *array, const cli_command *const *commands, int *failed) {
     for (size_t i = 0; commands[i]; ++i) {

@@ -19,6 +19,9 @@ typedef struct cli_program {
 /* Prints the man page in roff on standard output. */
 void cli_print_man(const cli_program *program);
 
+/* The flags of a command as a JSON array; release with free. NULL: out of memory. */
+char *cli_describe_flags(const cli_command *command);
+
 /* Prints all commands and flags as JSON on standard output. Errors: MEMORY. */
 burnish_status cli_print_json(const cli_program *program, burnish_error *error);
 

@@ -1,9 +1,11 @@
 /* burnish.Mesh: a loaded mesh, which can be drawn many times. */
 #include <stdatomic.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "base/cli/values.h"
+#include "base/cli/program.h"
+#include "cli/main.h"
 #include "module.h"
 
 typedef struct mesh_object {
@@ -332,49 +334,11 @@ PyObject *mesh_check(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-/* The items of a list with commas, without those of NULL. */
-static PyObject *split(const char *list) {
-    PyObject *text = list ? PyUnicode_FromString(list) : NULL, *comma = PyUnicode_FromString(",");
-    PyObject *items = !list           ? PyList_New(0)
-                      : text && comma ? PyUnicode_Split(text, comma, -1)
-                                      : NULL;
-    Py_XDECREF(text);
-    Py_XDECREF(comma);
-    return items;
-}
-
-/* The keys and values of a flag in `burnish help --json` that types of options need. */
-static PyObject *describe_flag(const cli_flag *flag, unsigned stages) {
-    const char *phases = stages == CLI_PHASE_LOAD   ? "load"
-                         : stages == CLI_PHASE_DRAW ? "draw"
-                                                    : "load,draw";
-    PyObject *words = PyList_New(0);
-    for (const cli_word *word = flag->words; words && word && word->name; ++word) {
-        PyObject *name = PyUnicode_FromString(word->name);
-        if (!name || PyList_Append(words, name) != 0) {
-            Py_CLEAR(words);
-        }
-        Py_XDECREF(name);
-    }
-    return Py_BuildValue("{s:s,s:N,s:s,s:z,s:N,s:N,s:z,s:N,s:N}", "name", flag->name, "also",
-                         split(flag->also), "type", cli_type_word(cli_type_of(flag)), "value",
-                         flag->value, "optional", PyBool_FromLong(flag->optional), "repeats",
-                         PyBool_FromLong(flag->repeats), "off", flag->off, "words", words, "phases",
-                         split(phases));
-}
-
 PyObject *mesh_flags(PyObject *module, PyObject *unused) {
     (void)module, (void)unused;
-    PyObject *rows = PyList_New(0);
-    const cli_flag *flag;
-    unsigned stages;
-    for (size_t i = 0; rows && (flag = session_flag_at(i, &stages)) != NULL; ++i) {
-        PyObject *row = describe_flag(flag, stages);
-        if (!row || PyList_Append(rows, row) != 0) {
-            Py_CLEAR(rows);
-        }
-        Py_XDECREF(row);
-    }
+    char *text = cli_describe_flags(&render_options_command);
+    PyObject *rows = text ? PyUnicode_FromString(text) : PyErr_NoMemory();
+    free(text);
     return rows;
 }
 

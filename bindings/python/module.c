@@ -152,7 +152,7 @@ static PyMethodDef functions[] = {
      "build(cls, name, vertices, faces, normals, colors, uv, up, options)"},
     {"check", mesh_check, METH_VARARGS, "check(options)"},
     {"flags", mesh_flags, METH_NOARGS,
-     "flags() -> {name: (of loading, of drawing, value, help, other names, words)}"},
+     "flags() -> the options, as `options` of `burnish help --json`"},
     {"image", image_restore, METH_VARARGS,
      "image(pixels, shape, covered_pixels, camera, planes, warnings)"},
     {"lobe_values", lobe_values, METH_VARARGS, "lobe_values(lobe, exponent, cosines)"},

@@ -10,7 +10,6 @@
 #include "cli/colors.h"
 #include "cli/input.h"
 #include "cli/main.h"
-#include "render/flags.h"
 
 static const cli_command help_command;
 

@@ -18,6 +18,9 @@
 CLI_COMMAND_LIST(CLI_DECLARE_COMMAND)
 #undef CLI_DECLARE_COMMAND
 
+/* Not a command: the flags of render that are options of the bindings (session/session.h). */
+extern const cli_command render_options_command;
+
 /* The work of render_command, whose table is also linked without it, into the bindings. */
 cli_work render_work;
 

@@ -20,7 +20,4 @@ enum {
 /* Sections of the man page. */
 extern const cli_section render_sections[];
 
-/* The options of the bindings: the flags that a session inherits. */
-extern const cli_command render_options_command;
-
 #endif

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import copyreg
 import difflib
+import json
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any, Unpack
@@ -28,7 +29,7 @@ __all__ = [
 ]  # fmt: skip
 __version__: str = _burnish.version
 
-_FLAGS = {name.replace("-", "_"): row["phases"] for row in _burnish.flags() for name in (row["name"], *row["also"])}
+_FLAGS = {name.replace("-", "_"): row["phases"] for row in json.loads(_burnish.flags()) for name in (row["name"], *row["also"])}
 _PLANES = {"depth": 1, "normal": 2, "triangle": 4, "coverage": 8}  # as in session.h
 _AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1), "-Z": (0, 0, -1)}
 
