@@ -4,10 +4,10 @@
 #include "batch/index.h"
 #include "batch/inputs.h"
 #include "batch/names.h"
-#include "batch/pool.h"
 #include "batch/report.h"
 #include "batch/runner.h"
 #include "batch/sheet.h"
+#include "batch/workers.h"
 
 #include <errno.h>
 #include <fcntl.h>

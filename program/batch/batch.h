@@ -2,7 +2,7 @@
  *
  *   inputs.c  operands, folders and lists -> items        names.c  -> an output for each item
  *   cost.c    largest first, and parts of a batch for independent tasks
- *   pool.c    hands items to runners, one per core, and collects their lines
+ *   workers.c hands items to runners, one per core, and collects their lines
  *   runner.c  one process per core: skips an unchanged item, else forks a sandboxed worker for it
  *             (sandbox/), which draws as `burnish render` does
  *   report.c  a line of JSON per item, from which the next run detects unchanged items

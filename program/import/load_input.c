@@ -120,9 +120,9 @@ static const import_source *source = &files;
 /* ---- Any source ---- */
 
 /* Runs the importer and builds the mesh of its stream. */
-static burnish_status import(const import_program *importer, const char *extension,
-                             const char *input, const burnish_load_options *options,
-                             burnish_mesh **mesh, burnish_error *error) {
+static burnish_status run_importer(const import_program *importer, const char *extension,
+                                   const char *input, const burnish_load_options *options,
+                                   burnish_mesh **mesh, burnish_error *error) {
     import_stream stream = {0};
     burnish_status status =
         source->import(importer, extension, input, options->max_input_bytes, &stream, error);
@@ -144,9 +144,9 @@ static burnish_status import(const import_program *importer, const char *extensi
 static const import_source files = {burnish_mesh_load, NULL, NULL, NULL};
 static const import_source *source = &files;
 
-static burnish_status import(const import_program *importer, const char *extension,
-                             const char *input, const burnish_load_options *options,
-                             burnish_mesh **mesh, burnish_error *error) {
+static burnish_status run_importer(const import_program *importer, const char *extension,
+                                   const char *input, const burnish_load_options *options,
+                                   burnish_mesh **mesh, burnish_error *error) {
     (void)importer, (void)extension, (void)input, (void)mesh;
     return cli_refuse_foreign((int)options->format, error);
 }
@@ -172,7 +172,7 @@ burnish_status import_load(const char *input, const burnish_load_options *option
         handed.referenced_files = source->files(input);
     }
     if (importer) {
-        status = import(importer, extension, input, &handed, mesh, error);
+        status = run_importer(importer, extension, input, &handed, mesh, error);
         return import_may_be_other(status, format) &&
                        source->load(input, &handed, mesh, &native) == BURNISH_STATUS_OK
                    ? BURNISH_STATUS_OK

@@ -29,7 +29,7 @@ typedef struct import_sink {
 burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error);
 
-/* ---- Compressed streams in glTF (decode.c) ---- */
+/* ---- Compressed streams in glTF (decoder.c) ---- */
 
 /* Decodes `bytes` of an input into an empty stream. */
 typedef burnish_status import_decode(const char *name, const void *bytes, size_t size,

@@ -183,8 +183,8 @@ static burnish_status parse_request(const char *frame, size_t size, request *r, 
 /* ---- Drawing ---- */
 
 /* The input is in memory. */
-static burnish_status load_input(const char *input, const burnish_load_options *options,
-                                 burnish_mesh **mesh, burnish_error *error) {
+static burnish_status load_request_input(const char *input, const burnish_load_options *options,
+                                         burnish_mesh **mesh, burnish_error *error) {
     return *input == ':'
                ? burnish_mesh_load(input, options, mesh, error)
                : burnish_mesh_load_memory(only.bytes, only.size, input, options, mesh, error);
@@ -279,7 +279,8 @@ static void warm_up(void) {
 static burnish_status get_ready(const serve_settings *settings, burnish_error *error) {
     burnish_processor_count(); /* reads files, once */
     /* only the mesh itself is worth another process */
-    static const import_source source = {load_input, import_in_broker, list_files, .decode = NULL};
+    static const import_source source = {load_request_input, import_in_broker, list_files,
+                                         .decode = NULL};
     cli_file_set_writer(keep_output);
     import_set_source(&source);
     burnish_status status = cli_limit_memory(settings->render.job.max_memory, error);

@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 #include "burnish/annotate.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "image/text/strokes.h"
 
 /* Pixels from the top left corner of the picture. */

@@ -2,7 +2,7 @@
 
 #include "base/arithmetic.h"
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* The polynomials are fitted to the lobe that split-sum methods integrate (Karis, Real Shading in
  * Unreal Engine 4, 2013: N = V = R), K(c) ~ D(h) max(0, c) with h^2 = (1 + c) / 2. Energy in wrong

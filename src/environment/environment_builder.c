@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "image/xxh64.h"
 
 /* ---- Shares ---- */

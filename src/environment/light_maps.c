@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "environment/environment.h"
 #include "environment/map_fill.h"
 

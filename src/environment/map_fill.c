@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "environment/area_lights.h"
 #include "environment/environment_ops.h"
 #include "shading/shading_ops.h"

@@ -8,7 +8,7 @@
 #include "environment/environment.h"
 
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 
 typedef burnish_vec3 vec3;
 

@@ -6,7 +6,7 @@
 #include "base/layout.h"
 #include "base/numbers.h"
 #include "core/float_mode.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/build/build.h"
 #include "mesh/data/material.h"
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/builtin.h"
 #include "mesh/data/mesh.h"
 #include "mesh/teapot_data.h"

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/numbers.h"
 #include "core/float_mode.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/data/mesh.h"
 
 /* The three-quarter view: from the front, turned this far to the right and lifted this far. */

@@ -7,7 +7,7 @@
 
 #include "base/numbers.h"
 #include "core/srgb.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/data/mesh.h"
 
 /* The result of the cut. */

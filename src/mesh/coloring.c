@@ -3,7 +3,7 @@
 
 #include "base/layout.h"
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/data/material.h"
 #include "mesh/data/mesh.h"
 

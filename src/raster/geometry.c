@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "raster/discs.h"
 #include "raster/raster_ops.h"
 #include "raster/tile_layout.h"

@@ -1,4 +1,7 @@
-/* A tile's triangles from its lists to the buffer: list, HiZ, setup, stamps. */
+/* A tile's triangles from its lists to the buffer. hiz_simd.h leaves out hidden ones, setup_simd.h
+ * prepares as many as a vector has lanes; tiny_simd.h, stamps_simd.h or, cell by cell, large_simd.h
+ * find out which pixels each covers, by its size; samples_simd.h stores what these show.
+ * discs_simd.h draws points. */
 #ifndef BURNISH_RASTER_TILE_SIMD_H
 #define BURNISH_RASTER_TILE_SIMD_H
 

@@ -4,7 +4,7 @@
 #define BURNISH_RENDER_SPACE_H
 
 #include "burnish/mesh.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* How a point of the screen becomes one of space. What is visible at (x, y), in pixels from the
  * image's centre, right and up, lies from the eye at

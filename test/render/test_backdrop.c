@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "burnish/light.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "draw_floats.h"
 #include "mesh_arrays.h"
 #include "support.h"

@@ -8,7 +8,7 @@
 
 #include "base/bytes.h"
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/data/material.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/points.h"

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* Half pixels: the maximum distance of a straight line from the points that it replaces. Those of a
  * straight border are up to 1 off it, and the line may begin on either side. */

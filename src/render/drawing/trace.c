@@ -12,7 +12,7 @@
 #include "burnish/render.h"
 #include "core/float_mode.h"
 #include "core/srgb.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "image/text/drawing.h"
 #include "render/drawing/regions.h"
 #include "render/frame/caps.h"

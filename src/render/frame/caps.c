@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* Solves rows^T x = b for x by elimination with partial pivoting; 0 if the system is singular. */
 static int solve_transposed(const float rows[4][4], const double b[4], double x[4]) {

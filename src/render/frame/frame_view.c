@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* Distance of the near plane in units of the scene's size; a power of two, so 1/w can be computed
  * from the depth exactly. */

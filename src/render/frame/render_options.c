@@ -4,7 +4,7 @@
 #include "base/layout.h"
 #include "base/numbers.h"
 #include "core/tasks.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "raster/raster_view.h"
 
 #define COOKIE BURNISH_COOKIE(0x62726e64, burnish_render_options)

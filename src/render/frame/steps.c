@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "render/space.h"
 
 /* NULL where every triangle is opaque. */

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* The least of the largest sizes of maps. */
 enum { SMALL_MAP = 64 };

@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 #include "burnish/render.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "environment/light_maps.h"
 #include "render/light/area_near.h"
 #include "render/render_ops.h"

@@ -3,7 +3,7 @@
 #define BURNISH_RENDER_LIGHT_BACKDROP_H
 
 #include "burnish/render.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 
 typedef struct burnish_backdrop {
     const burnish_environment *environment;

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "core/elementary.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "render/space.h"
 
 /* Pieces' edges, per diagonal of the mesh's bounds, while the budget lasts. */

@@ -3,7 +3,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "raster/maps.h"
 #include "raster/raster_ops.h"
 #include "render/space.h"

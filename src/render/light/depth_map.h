@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 #include "burnish/mesh.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "raster/maps.h"
 #include "raster/raster_view.h"
 #include "raster/tile.h"

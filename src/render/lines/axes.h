@@ -3,7 +3,7 @@
 #define BURNISH_RENDER_LINES_AXES_H
 
 #include "base/memory.h"
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/edges.h"
 
 typedef struct burnish_line_axis {

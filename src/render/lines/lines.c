@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "image/text/strokes.h"
 #include "render/lines/lines_steps.h"
 

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* Pixels: an end meets the lines in its cell and in the eight around it. */
 #define CELL 2.0f

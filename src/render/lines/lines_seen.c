@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 
 enum {
     SAMPLES_MAX = 1 << 16, /* of a chain, which has at most 32,000 pixels and a segment more */

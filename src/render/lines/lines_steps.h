@@ -2,7 +2,7 @@
 #ifndef BURNISH_RENDER_LINES_LINES_STEPS_H
 #define BURNISH_RENDER_LINES_LINES_STEPS_H
 
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "render/lines/lines.h"
 
 /* ---- lines_projection.c: from the mesh's space to the screen, in double precision ---- */

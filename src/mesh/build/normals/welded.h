@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/data/data.h"
 
 /* The welded mesh, to measure the faces around a vertex and to look beyond them. */

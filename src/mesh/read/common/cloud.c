@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 
 enum {
     BOX_SAMPLES = 1 << 16,

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 
 /* Cells are so many spacings long: the 27 around a point hold about 45 points of a surface. Smaller
  * ones follow for thin objects of few points, larger ones for scans whose noise is as large as their

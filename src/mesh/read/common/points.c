@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/read/common/cloud.h"
 #include "mesh/read/io/budget.h"
 

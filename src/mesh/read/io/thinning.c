@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/vector.h"
+#include "core/vec3.h"
 #include "mesh/read/io/streaming.h"
 
 /* Of a preview; fuzzing takes fewer. */

@@ -1,6 +1,6 @@
 /* Three-vectors in double precision, for set-up work. */
-#ifndef BURNISH_CORE_VECTOR_H
-#define BURNISH_CORE_VECTOR_H
+#ifndef BURNISH_CORE_VEC3_H
+#define BURNISH_CORE_VEC3_H
 
 #include "core/elementary.h"
 

@@ -3,10 +3,10 @@
 #include <string.h>
 
 #include "batch/cost.h"
-#include "batch/pool.h"
 #include "batch/report.h"
 #include "batch/runner.h"
 #include "batch/types.h"
+#include "batch/workers.h"
 
 #ifndef _WIN32
 
