@@ -2,7 +2,7 @@
 #ifndef BURNISH_CORE_VEC3_H
 #define BURNISH_CORE_VEC3_H
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 typedef struct burnish_vec3 {
     double x, y, z;

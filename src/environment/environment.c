@@ -4,7 +4,7 @@
 
 #include "base/context.h"
 #include "base/numbers.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "core/float_mode.h"
 #include "environment/environment_builder.h"
 #include "image/decode/decode.h"

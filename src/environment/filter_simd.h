@@ -4,7 +4,7 @@
 #define BURNISH_ENVIRONMENT_FILTER_SIMD_H
 
 #include "base/numbers.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "environment/environment_ops.h"
 #include "simd/vector.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/layout.h"
 #include "base/memory.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "core/float_mode.h"
 #include "core/tasks.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "core/srgb.h"
 #include "image/compare.h"
 

@@ -2,7 +2,7 @@
  * visibility to structural similarity", IEEE Transactions on Image Processing 13, 2004. */
 #include <string.h>
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "image/compare.h"
 
 enum {

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/layout.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 #define COOKIE BURNISH_COOKIE(0x706f6c79, burnish_kernels_polygon)
 

@@ -2,9 +2,8 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/elementary.h"
 #include "base/layout.h"
-#include "core/elementary.h"
-#include "shading/lobe_words.h"
 #include "shading/shader.h"
 
 #define COOKIE BURNISH_COOKIE(0x6c676874, burnish_kernels_lighting)
@@ -48,44 +47,6 @@ static void exponent_constants(float n, int body, burnish_lobe_constants *consta
     constants->least = (float)(1.0 + burnish_expm1(-126.0 * ln2 / (double)n));
     constants->slope =
         body == BURNISH_LOBE_BODY_GAUSSIAN ? (float)(-((double)n + 0.775) * log2_e) : 0.5f * n;
-}
-
-burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe, burnish_error *error) {
-    char name[BURNISH_LOBE_NAME_SIZE];
-    if (!burnish_lobe_is_drawn(lobe->kind)) {
-        burnish_lobe_spec_name(lobe, name, sizeof name);
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: \"%s\" can't be drawn; %s", name,
-                            BURNISH_LOBE_DRAWN_WORDS);
-    }
-    if (lobe->kind != BURNISH_LOBE_FAMILY && lobe->kind != BURNISH_LOBE_LYON) {
-        return BURNISH_STATUS_OK;
-    }
-    if (!burnish_lobe_order_is_valid(lobe->order)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: order %d is not 2, 4, 8, 16 or 32", lobe->order);
-    }
-    if (lobe->kind == BURNISH_LOBE_LYON) {
-        return BURNISH_STATUS_OK;
-    }
-    if ((unsigned)lobe->fit >= BURNISH_FIT_COUNT) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: unknown fit %d", (int)lobe->fit);
-    }
-    if (lobe->fit == BURNISH_FIT_LEVEL && !(lobe->parameter > 0 && lobe->parameter < 1)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: level %g is not between 0 and 1, as in level0.5:2",
-                            lobe->parameter);
-    }
-    if (lobe->fit == BURNISH_FIT_GIVEN &&
-        !(lobe->parameter > 0 && lobe->parameter <= (double)BURNISH_LOBE_ZETA_MAX)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: zeta %g is not above 0 and at most 65536, as in zeta6.645:2",
-                            lobe->parameter);
-    }
-    if (lobe->order != 2 && (lobe->fit == BURNISH_FIT_SHIFT7 || lobe->fit == BURNISH_FIT_SHIFT3)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "lobe: shift7 and shift3 exist for order 2 only");
-    }
-    return BURNISH_STATUS_OK;
 }
 
 burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float exponent,

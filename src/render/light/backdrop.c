@@ -1,7 +1,7 @@
 #include "render/light/backdrop.h"
 
 #include "base/numbers.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "environment/environment.h"
 #include "environment/light_maps.h"
 

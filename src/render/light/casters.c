@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "core/vec3.h"
 #include "render/space.h"
 

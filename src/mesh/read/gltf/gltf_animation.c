@@ -2,7 +2,7 @@
  * keep their pose from the file. */
 #include "mesh/read/gltf/gltf.h"
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 /* A channel's keyframes around the requested time. */
 typedef struct gltf_keys {

@@ -7,7 +7,7 @@
 
 #include <stdatomic.h>
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "core/srgb.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/points.h"

@@ -2,7 +2,7 @@
  * each node is visited once, so a loop of nodes is an error. */
 #include "mesh/read/gltf/gltf.h"
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 

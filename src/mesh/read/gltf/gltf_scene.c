@@ -2,7 +2,7 @@
 #include "mesh/read/gltf/gltf.h"
 
 #include "base/numbers.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 /* ---- Cameras ---- */
 

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "mesh/read/common/textures.h"
 
 enum {

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/bytes.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 enum {
     HEADER_ATTRIBUTES = 0xA0, /* and the version, 0 or 1 */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "mesh/data/material.h"
 #include "mesh/read/common/textures.h"
 

@@ -3,7 +3,6 @@
  * Usage: prove_q15 [short]     short: every 64th exponent */
 #include <stdlib.h>
 
-#include "core/tasks.h"
 #include "q15_proof.h"
 #include "support.h"
 
@@ -22,36 +21,25 @@ static void merge(q15_result *to, const q15_result *from) {
 
 enum { EXPONENTS = 1023 };
 
-/* A proof for every exponent, each on its own. */
-typedef struct proof {
-    const q15_case *c;
-    int of_lambdas;
-    int stride;
-    q15_result found[EXPONENTS];
-} proof;
-
-static void prove_exponent(void *of, size_t index, int thread) {
-    proof *p = of;
-    const uint32_t n = (uint32_t)index * (uint32_t)p->stride + 1;
-    (void)thread;
-    if (p->of_lambdas) {
-        q15_prove_lambdas(p->c, n, 1, &p->found[index]);
-    } else {
-        q15_prove_cosines(p->c, n, &p->found[index]);
-    }
-}
-
 /* One proof over every stride-th exponent, shared by threads. */
 static q15_result all(const q15_case *c, int of_lambdas, int stride) {
-    const size_t count = (size_t)((EXPONENTS + stride - 1) / stride);
-    static proof p;
+    static q15_result found[EXPONENTS];
+    const int count = (EXPONENTS + stride - 1) / stride;
     q15_result result = {0};
-    burnish_tasks tasks, *pool = &tasks;
-    burnish_tasks_begin(&tasks, NULL, 0);
-    p = (proof){.c = c, .of_lambdas = of_lambdas, .stride = stride};
-    burnish_tasks_run(pool, count, 1, 0, prove_exponent, &p);
-    for (size_t i = 0; i < count; ++i) {
-        merge(&result, &p.found[i]);
+    memset(found, 0, sizeof found);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (int i = 0; i < count; ++i) {
+        const uint32_t n = (uint32_t)(i * stride + 1);
+        if (of_lambdas) {
+            q15_prove_lambdas(c, n, 1, &found[i]);
+        } else {
+            q15_prove_cosines(c, n, &found[i]);
+        }
+    }
+    for (int i = 0; i < count; ++i) {
+        merge(&result, &found[i]);
     }
     return result;
 }

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "burnish/core.h"
-#include "core/elementary.h"
+#include "base/elementary.h"
 #include "support.h"
 
 /* The largest error of one function, and where. */

@@ -1,7 +1,7 @@
 /* Elementary functions by argument reduction and Taylor series. The constants are the leading bits
  * of pi/2, ln 2 and atan(k/8); the forms that keep the rounding errors small (two-part arguments,
  * f - (f*f/2 - ...)) are from the classic libm literature (Cody and Waite 1980; Ng 1992). */
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 #include <stdint.h>
 #include <string.h>

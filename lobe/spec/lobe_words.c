@@ -1,11 +1,21 @@
 /* The words for lobes: "energy:2", "level0.5:4", "zeta6.645:2", "table256:linear" ... */
-#include "shading/lobe_words.h"
+#include "burnish/lobe_spec.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/error.h"
+
+#define DRAWN_WORDS                                                                                \
+    "use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, "       \
+    "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, "   \
+    "schlick, gaussian, gx"
+
+/* Whether kernels have the lobe. */
+static int is_drawn(burnish_lobe_kind kind) {
+    return (unsigned)kind < BURNISH_LOBE_NV2X;
+}
 
 /* What follows a word. */
 typedef enum { PLAIN, ORDER, NUMBER_ORDER, ENTRIES } word_tail;
@@ -140,6 +150,44 @@ static int read_tail(const struct word *word, const char *rest, burnish_lobe_spe
     return number >= 0 && lobe->order != 0;
 }
 
+burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe, burnish_error *error) {
+    char name[BURNISH_LOBE_NAME_SIZE];
+    if (!is_drawn(lobe->kind)) {
+        burnish_lobe_spec_name(lobe, name, sizeof name);
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: \"%s\" can't be drawn; %s", name,
+                            DRAWN_WORDS);
+    }
+    if (lobe->kind != BURNISH_LOBE_FAMILY && lobe->kind != BURNISH_LOBE_LYON) {
+        return BURNISH_STATUS_OK;
+    }
+    if (!burnish_lobe_order_is_valid(lobe->order)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "lobe: order %d is not 2, 4, 8, 16 or 32", lobe->order);
+    }
+    if (lobe->kind == BURNISH_LOBE_LYON) {
+        return BURNISH_STATUS_OK;
+    }
+    if ((unsigned)lobe->fit >= BURNISH_FIT_COUNT) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: unknown fit %d", (int)lobe->fit);
+    }
+    if (lobe->fit == BURNISH_FIT_LEVEL && !(lobe->parameter > 0 && lobe->parameter < 1)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "lobe: level %g is not between 0 and 1, as in level0.5:2",
+                            lobe->parameter);
+    }
+    if (lobe->fit == BURNISH_FIT_GIVEN &&
+        !(lobe->parameter > 0 && lobe->parameter <= (double)BURNISH_LOBE_ZETA_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "lobe: zeta %g is not above 0 and at most 65536, as in zeta6.645:2",
+                            lobe->parameter);
+    }
+    if (lobe->order != 2 && (lobe->fit == BURNISH_FIT_SHIFT7 || lobe->fit == BURNISH_FIT_SHIFT3)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "lobe: shift7 and shift3 exist for order 2 only");
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status parse_lobe(const char *text, int only_drawn, burnish_lobe_spec *lobe,
                                  burnish_error *error) {
     if (!text || !lobe) {
@@ -166,11 +214,11 @@ static burnish_status parse_lobe(const char *text, int only_drawn, burnish_lobe_
     }
     if (!word || !read_tail(word, rest, &read)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "\"%.40s\" is not a lobe; %s%s", text,
-                            BURNISH_LOBE_DRAWN_WORDS,
+                            DRAWN_WORDS,
                             only_drawn ? "" : ", nv2x, kuijk-blake, tableN[:linear]");
     }
     burnish_status status = BURNISH_STATUS_OK;
-    if (only_drawn || burnish_lobe_is_drawn(read.kind)) {
+    if (only_drawn || is_drawn(read.kind)) {
         status = burnish_lobe_spec_check(&read, error);
     }
     if (status == BURNISH_STATUS_OK) {

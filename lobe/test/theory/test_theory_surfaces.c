@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "burnish/theory.h"
-#include "environment/area_lights.h"
 #include "support.h"
 
 static const double PI = 3.14159265358979323846;
@@ -199,24 +198,6 @@ static void check_sums(void) {
            BURNISH_STATUS_ARGUMENT);
 }
 
-/* The renderer's floats have the same polynomials; slopes of near lights are 0.78 of them. */
-static void check_renderer(void) {
-    for (int i = 2; i <= 201; ++i) {
-        const double alpha = (float)(0.01 * (i / 2)), scale = i % 2 ? 0.78 : 1;
-        const burnish_light_lobes lobes =
-            i % 2 ? burnish_light_lobes_near((float)alpha) : burnish_light_lobes_for((float)alpha);
-        burnish_theory_lobe_sum sum;
-        CHECK1(!burnish_theory_lobe_sum_fit(BURNISH_THEORY_GGX, alpha, lobes.count, &sum, NULL));
-        for (int j = 0; j < lobes.count; ++j) {
-            CHECK(lobes.lobe[j].order == sum.order[j] &&
-                      fabs(lobes.lobe[j].zeta / fmax(1, scale * sum.zeta[j]) - 1) < 1e-5 &&
-                      fabs(lobes.lobe[j].weight - sum.weight[j]) < 1e-6,
-                  "alpha %g, lobe %d: zeta %g, not %g, weight %g, not %g", alpha, j,
-                  lobes.lobe[j].zeta, sum.zeta[j], lobes.lobe[j].weight, sum.weight[j]);
-        }
-    }
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_zonal());
@@ -226,6 +207,5 @@ int main(int count, char **arguments) {
     RUN(check_blinn_and_phong());
     RUN(check_rough_lobes());
     RUN(check_sums());
-    RUN(check_renderer());
     return test_end("theory_surfaces");
 }

@@ -1,9 +1,9 @@
 /* From exponent to lobe: slope and peak of every fit. Pictures depend on this, so no libm here.
  *
  * Notation: lambda = 1 - c, u = 1 - zeta lambda, lobe = scale u^m, power = (1 - lambda)^n. */
-#include "burnish/shading.h"
+#include "burnish/lobe_spec.h"
 
-#include "core/elementary.h"
+#include "base/elementary.h"
 
 enum { STEPS = 200 }; /* bounds every search; ten or so are taken */
 

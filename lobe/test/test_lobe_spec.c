@@ -1,8 +1,7 @@
-/* burnish/shading.h: lobe words there and back, the searched fits against an independent evaluation
- * in long double, and every lobe that a choice recommends drawn. */
+/* burnish/lobe_spec.h: lobe words there and back, and the searched fits against an independent
+ * evaluation in long double. */
 #include <math.h>
 
-#include "burnish/render.h"
 #include "burnish/theory.h"
 #include "support.h"
 
@@ -252,73 +251,6 @@ static void check_bits(void) {
     CHECK(hash == FITS_HASH, "hash %#llx", (unsigned long long)hash);
 }
 
-/* Arrays have the peak that the fit gives. */
-static void check_affine_array(void) {
-    const burnish_lobe_spec lobe = {.fit = BURNISH_FIT_AFFINE, .order = 4};
-    float values[3] = {1, 0.97f, 0.2f};
-    double zeta, scale;
-    CHECK1(burnish_lobe_solve(&lobe, 50, &zeta, &scale) == BURNISH_LOBE_OK && scale < 0.99);
-    CHECK1(burnish_kernels_lobe_of_cosines(burnish_kernels_best(), &lobe, 50, 3, values, values,
-                                           NULL) == BURNISH_STATUS_OK);
-    CHECK1(values[0] == (float)scale && values[2] == 0);
-    CHECK1(fabs((double)values[1] - scale * burnish_theory_family(zeta, 4, (double)0.97f)) < 1e-6);
-}
-
-/* ---- What a choice recommends ---- */
-
-static void check_choice_is_drawn(void) {
-    static const double epsilons[] = {0.3, 0.1, 0.06, 0.03, 0.0285, 0.01, 1 / 256.0, 0.001, 1e-6};
-    int drawn = 0, words = 0;
-    char names[32][BURNISH_LOBE_NAME_SIZE];
-    burnish_mesh *sphere;
-    burnish_load_options load = burnish_load_options_default();
-    load.tessellation = 2;
-    if (!CHECK1(burnish_mesh_load(":sphere", &load, &sphere, NULL) == BURNISH_STATUS_OK)) {
-        return;
-    }
-    burnish_render_options options = burnish_render_options_default();
-    options.width = options.height = 12;
-    options.threads = 1;
-    options.camera.position[2] = 5;
-    for (double n = 1; n < 65536; n = n < 4 ? n + 0.25 : n * 1.8) {
-        burnish_material material = burnish_material_default();
-        material.exponent = (float)n;
-        CHECK1(burnish_mesh_set_material(sphere, 0, &material, NULL) == BURNISH_STATUS_OK);
-        for (size_t i = 0; i < 2 * sizeof epsilons / sizeof epsilons[0]; ++i) {
-            burnish_theory_model model;
-            burnish_error error = {BURNISH_STATUS_OK, ""};
-            burnish_image image;
-            burnish_render_report report;
-            char name[BURNISH_LOBE_NAME_SIZE];
-            CHECK1(burnish_theory_choose((double)(float)n, epsilons[i / 2], i % 2, &model, NULL,
-                                         NULL, NULL) == BURNISH_STATUS_OK);
-            burnish_lobe_spec_name(&model.lobe, name, sizeof name);
-            if (!CHECK_OK(burnish_lobe_spec_parse(name, &options.lobe, &error), error)) {
-                continue;
-            }
-            CHECK(burnish_render(sphere, &options, &image, &report, &error) == BURNISH_STATUS_OK &&
-                      report.lobe_fallbacks == 0,
-                  "%s at n=%g: %zu fallbacks, %s", name, n, report.lobe_fallbacks, error.text);
-            burnish_image_destroy(&image);
-            int at = 0;
-            while (at < words && strcmp(names[at], name) != 0) {
-                ++at;
-            }
-            if (at == words && words < 32) {
-                strcpy(names[words++], name);
-            }
-            ++drawn;
-        }
-    }
-    burnish_mesh_destroy(sphere);
-    printf("%d lobes drawn:", drawn);
-    for (int i = 0; i < words; ++i) {
-        printf(" %s", names[i]);
-    }
-    printf("\n");
-    CHECK(words >= 10, "only %d different lobes", words);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_words());
@@ -326,7 +258,5 @@ int main(int count, char **arguments) {
     RUN(check_searched_fits());
     RUN(check_exact_fits());
     RUN(check_bits());
-    RUN(check_affine_array());
-    RUN(check_choice_is_drawn());
     return test_end("lobe_spec");
 }

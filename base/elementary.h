@@ -2,8 +2,8 @@
  * operations in a fixed order, no libm. For set-up work (cameras, built-in objects, angle weights,
  * fits), not for pixels. Each states its largest error against the exact value, in units in the
  * last place (ulp) of the result; test_elementary measures it and fails above it. */
-#ifndef BURNISH_CORE_ELEMENTARY_H
-#define BURNISH_CORE_ELEMENTARY_H
+#ifndef BURNISH_BASE_ELEMENTARY_H
+#define BURNISH_BASE_ELEMENTARY_H
 
 #include <stddef.h>
 

@@ -2,7 +2,6 @@
  * Monte Carlo, and shapes whose integrals are known. */
 #include <math.h>
 
-#include "burnish/kernels.h"
 #include "burnish/theory.h"
 #include "support.h"
 
@@ -419,74 +418,6 @@ static void check_rules(void) {
     }
 }
 
-/* A parallelogram in front of the origin, counter-clockwise from there. */
-static void random_parallelogram(float (*corners)[3]) {
-    double middle[3], x[3], y[3], a = exp(test_uniform(&random_state, -3, 1));
-    double b = exp(test_uniform(&random_state, -3, 1)), tilt = test_uniform(&random_state, 0, 0.4);
-    random_direction(middle);
-    frame(middle, x, y);
-    for (int i = 0; i < 4; ++i) {
-        double u = i == 1 || i == 2 ? a : -a, v = i < 2 ? b : -b, w = 1 + tilt * u / (1 + a);
-        for (int j = 0; j < 3; ++j) {
-            corners[i][j] = (float)(w * middle[j] + u * x[j] + (v + 0.2 * u) * y[j]);
-        }
-    }
-}
-
-/* How far the axis is from the nearest corner. */
-static double corner_distance(const double axis[3], double (*corners)[3], int count) {
-    double nearest = 2;
-    for (int i = 0; i < count; ++i) {
-        long double corner[3], squared = 0;
-        unit(corners[i], corner);
-        for (int j = 0; j < 3; ++j) {
-            squared += (corner[j] - axis[j]) * (corner[j] - axis[j]);
-        }
-        nearest = fmin(nearest, sqrt((double)squared));
-    }
-    return nearest;
-}
-
-/* The float kernels, within what kernels.h states. Closer to a corner they lose digits. */
-static void check_kernels(void) {
-    static const float slopes[] = {0.6F, 1, 2, 10, 300, 20000};
-    random_state = test_seed(7);
-    for (int i = 0; i < 6000; ++i) {
-        burnish_kernels_polygon light = burnish_kernels_polygon_default();
-        double corners[4][3], axis[3], normal[3];
-        float n[3], r[3], diffuse, specular;
-        random_parallelogram(light.vertices);
-        for (int k = 0; k < 12; ++k) {
-            corners[k / 3][k % 3] = light.vertices[k / 3][k % 3];
-        }
-        light.is_distant = 1;
-        light.vertex_count = 4;
-        light.lobes[0] = (burnish_kernels_lobe){orders[i % ORDERS], slopes[i / ORDERS % 6], 1};
-        random_axis(corners, 4, light.lobes[0].zeta, axis);
-        random_direction(normal);
-        double length = sqrt((double)dot(axis, axis));
-        for (int k = 0; k < 3; ++k) {
-            n[k] = (float)normal[k];
-            r[k] = (float)(axis[k] / length);
-            normal[k] = n[k];
-            axis[k] = r[k];
-        }
-        burnish_kernels_points points = {.normal = {&n[0], &n[1], &n[2]}};
-        burnish_kernels_axes axes = {.axis = {&r[0], &r[1], &r[2]}};
-        float *const received[2] = {&diffuse, &specular};
-        CHECK1(!burnish_kernels_polygon_light(NULL, &light, &points, &axes, 1, received, NULL));
-        double lambert = clipped(1, 1, normal, normal, corners, 4) / (double)PI;
-        double share =
-            clipped(light.lobes[0].order, light.lobes[0].zeta, axis, normal, corners, 4) /
-            whole(light.lobes[0].order, light.lobes[0].zeta);
-        CHECK(fabs(diffuse - lambert) < 1e-6, "case %d: diffuse %g, not %g", i, diffuse, lambert);
-        CHECK(corner_distance(axis, corners, 4) < 1e-3 ||
-                  fabs(specular - share) < (light.lobes[0].zeta < 1 ? 2e-4 : 5e-5),
-              "case %d, order %d, zeta %g: specular %g, not %g", i, light.lobes[0].order,
-              light.lobes[0].zeta, specular, share);
-    }
-}
-
 static void check_bad_input(void) {
     double good[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, axis[3] = {1, 1, 1};
     double bad[][3] = {{0, 0, 0}, {NAN, 0, 1}, {INFINITY, 0, 0}};
@@ -523,7 +454,6 @@ int main(int count, char **arguments) {
     RUN(check_lambert());
     RUN(check_identities());
     RUN(check_rules());
-    RUN(check_kernels());
     RUN(check_bad_input());
     return test_end("theory_polygon");
 }

@@ -25,9 +25,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "burnish/core.h"
-#include "burnish/lobe.h"
-#include "burnish/shading.h"
+#include "burnish/lobe_spec.h"
 
 #ifdef __cplusplus
 extern "C" {
