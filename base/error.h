@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-#include "burnish/core.h"
 #include "base/arithmetic.h"
 #include "base/show_text.h"
+#include "burnish/core.h"
 
 /* Fills *error (may be NULL), cleaned, and returns status, so callers can
  * `return burnish_fail(...)`. */

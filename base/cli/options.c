@@ -384,7 +384,8 @@ static burnish_status parse_short(const cli_command *command, const char *argume
                         flag->letter, flag->letter, flag->value, flag->name, flag->value,
                         flag->letter, flag->value);
     }
-    if (argument[2] && cli_is_input_name && cli_is_input_name(argument)) { /* a shell's * can list such a file */
+    if (argument[2] && cli_is_input_name &&
+        cli_is_input_name(argument)) { /* a shell's * can list such a file */
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "%.200s: a mesh, or a value of -%c? Write ./%.200s, or --%s=%.200s",
                         argument, flag->letter, argument, flag->name, argument + 2);

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "burnish/core.h"
 #include "base/cli/file.h"
 #include "base/cli/platform.h"
 #include "base/show_text.h"
+#include "burnish/core.h"
 
 const cli_word cli_format_words[] = {
     {"text", CLI_FORMAT_TEXT}, {"csv", CLI_FORMAT_CSV}, {"json", CLI_FORMAT_JSON}, {NULL, 0}};

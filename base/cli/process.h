@@ -12,9 +12,10 @@ enum { CLI_KEPT_MAX = 8 };
 
 /* What a child keeps. */
 typedef struct cli_plan {
-    int kept[CLI_KEPT_MAX]; /* descriptor i of the child is kept[i] of the parent, or one of these */
-    int count;              /* of them; all others are closed; 0: all descriptors stay open */
-    int ended_by;           /* the signal that ends it when its parent ends */
+    int kept
+        [CLI_KEPT_MAX]; /* descriptor i of the child is kept[i] of the parent, or one of these */
+    int count;          /* of them; all others are closed; 0: all descriptors stay open */
+    int ended_by;       /* the signal that ends it when its parent ends */
 } cli_plan;
 
 /* As fork, which returns twice: in the child with 0 and the descriptors of the plan. What the parent has

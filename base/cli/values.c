@@ -7,8 +7,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "burnish/core.h"
 #include "base/cli/platform.h"
+#include "burnish/core.h"
 
 static size_t digits(const char *text, size_t length, size_t at) {
     size_t start = at;

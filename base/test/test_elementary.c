@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "burnish/core.h"
 #include "base/elementary.h"
+#include "burnish/core.h"
 #include "support.h"
 
 /* The largest error of one function, and where. */

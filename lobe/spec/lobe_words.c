@@ -214,8 +214,7 @@ static burnish_status parse_lobe(const char *text, int only_drawn, burnish_lobe_
     }
     if (!word || !read_tail(word, rest, &read)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "\"%.40s\" is not a lobe; %s%s", text,
-                            DRAWN_WORDS,
-                            only_drawn ? "" : ", nv2x, kuijk-blake, tableN[:linear]");
+                            DRAWN_WORDS, only_drawn ? "" : ", nv2x, kuijk-blake, tableN[:linear]");
     }
     burnish_status status = BURNISH_STATUS_OK;
     if (only_drawn || is_drawn(read.kind)) {

@@ -8,7 +8,7 @@
 #include "support.h"
 #include "sweep.h"
 
-/* ---- Reference values: test/data/lobes.csv ------------------------------------------------------
+/* ---- Reference values: lobe/test/data/lobes.csv ------------------------------------------------------
  *
  * 400 of 4,000 random rows. Of each lobe, order and fit 16 or 20: those with the least and the
  * largest exponent, cosine and value, a zero, the largest absolute and relative error in float, and

@@ -1,4 +1,4 @@
-/* Shared by the files of src/theory. */
+/* Shared by the files of theory. */
 #ifndef BURNISH_THEORY_INTERNAL_H
 #define BURNISH_THEORY_INTERNAL_H
 

@@ -1,4 +1,4 @@
-/* Sums of lobes by distribution and number. Written by scripts/generate/lobe_sums.c; do
+/* Sums of lobes by distribution and number. Written by scripts/lobe_sums.c; do
  * not edit. */
 #ifndef BURNISH_THEORY_LOBE_SUMS_TABLE_H
 #define BURNISH_THEORY_LOBE_SUMS_TABLE_H

@@ -3,8 +3,8 @@
 #ifndef BURNISH_ENVIRONMENT_FILTER_SIMD_H
 #define BURNISH_ENVIRONMENT_FILTER_SIMD_H
 
-#include "base/numbers.h"
 #include "base/elementary.h"
+#include "base/numbers.h"
 #include "environment/environment_ops.h"
 #include "simd/vector.h"
 

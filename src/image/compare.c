@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/elementary.h"
 #include "base/layout.h"
 #include "base/memory.h"
-#include "base/elementary.h"
 #include "core/float_mode.h"
 #include "core/tasks.h"
 

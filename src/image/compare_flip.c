@@ -7,8 +7,8 @@
  * filtered along y. Beyond its border a picture goes on with its outermost pixels. */
 #include <string.h>
 
-#include "base/numbers.h"
 #include "base/elementary.h"
+#include "base/numbers.h"
 #include "core/srgb.h"
 #include "image/compare.h"
 

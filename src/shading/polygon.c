@@ -3,9 +3,9 @@
 
 #include <string.h>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/layout.h"
-#include "base/elementary.h"
 
 #define COOKIE BURNISH_COOKIE(0x706f6c79, burnish_kernels_polygon)
 

@@ -1,8 +1,8 @@
 /* From a lighting's description to the constants that the kernels read. */
 #include <string.h>
 
-#include "base/error.h"
 #include "base/elementary.h"
+#include "base/error.h"
 #include "base/layout.h"
 #include "shading/shader.h"
 

@@ -6,6 +6,11 @@
 
 #include "support.h"
 
+/* What lobe/ may see of the public headers: nothing of meshes, images and kernels. */
+#define LOBE                                                                                       \
+    "burnish/core.h burnish/lobe.h burnish/lobe_q15.h burnish/lobe_spec.h burnish/shade_q15.h "    \
+    "burnish/theory.h"
+
 /* What the files of a folder may include: those of the same folder, and these folders' and files'.
  * "burnish/NAME" is include/burnish/NAME. A folder that is not listed fails. */
 static const struct layer {
@@ -16,9 +21,16 @@ static const struct layer {
     {"base", "burnish/core.h"},
     {"base/cli", "base burnish/core.h"},
     {"base/include/burnish", ""},
+    {"base/test", "base burnish/core.h"},
+    {"lobe/include/burnish", LOBE},
+    {"lobe/spec", "base " LOBE},
+    {"lobe/theory", "base " LOBE},
+    {"lobe/test", "base burnish/ring.h " LOBE},
+    {"lobe/test/theory", "base theory " LOBE},
+    {"lobe/test/shaders", LOBE},
+    {"lobe/scripts", "theory"},
     {"src/core", "base burnish/core.h"},
     {"src/simd", "base core burnish/core.h"},
-    {"src/theory", "base burnish/core.h burnish/lobe.h burnish/shading.h burnish/theory.h"},
     {"src/shading",
      "base core simd burnish/core.h burnish/kernels.h burnish/lobe.h burnish/shading.h"},
     {"src/mesh", "base core mesh/data mesh/build mesh/read mesh/read/common mesh/read/io "
@@ -85,17 +97,16 @@ static const struct layer {
     {"bench/peers", "base core simd shading burnish"},
     {"bindings/wasm", "base base/cli cli lobe picture/read_png.h core/pool.h image/decode "
                       "mesh/read/io/beside.h burnish wasi"},
-    {"hardware/arduino/src", "burnish"},
-    {"hardware/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
-    {"hardware/arduino/examples/OledBall", ""},
-    {"hardware/firmware", "OledBall burnish/lobe_q15.h burnish/shade_q15.h"},
-    {"hardware/firmware/arm", ""},
-    {"hardware/firmware/avr", ""},
-    {"hardware/firmware/host", ""},
-    {"hardware/firmware/rv32", ""},
-    {"hardware/rtl/demo/test", "../../test burnish/shade_q15.h"},
-    {"hardware/rtl/test",
-     "burnish/image.h burnish/lobe.h burnish/lobe_q15.h burnish/mesh.h burnish/shade_q15.h"},
+    {"lobe/arduino/src", "burnish"},
+    {"lobe/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
+    {"lobe/arduino/examples/OledBall", ""},
+    {"lobe/firmware", "OledBall burnish/lobe_q15.h burnish/shade_q15.h"},
+    {"lobe/firmware/arm", ""},
+    {"lobe/firmware/avr", ""},
+    {"lobe/firmware/host", ""},
+    {"lobe/firmware/rv32", ""},
+    {"lobe/rtl/demo/test", "../../test burnish/shade_q15.h"},
+    {"lobe/rtl/test", "burnish/lobe_q15.h burnish/shade_q15.h"},
     {"bindings/python", "base base/cli cli burnish"},
 };
 
@@ -257,6 +268,24 @@ static void check_directions(void) {
     }
 }
 
+/* base knows neither half, lobe nothing of the renderer, and the renderer only lobe's headers. */
+static void check_halves(void) {
+    static const char *const RENDERER[] = {"burnish/mesh.h", "burnish/kernels.h", "core/tasks.h",
+                                           "burnish/shading.h", "render/render.h"};
+    static const char *const LOBES[] = {"theory/internal.h", "spec/words.h", "program/lobe.h"};
+    for (size_t i = 0; i < sizeof LAYERS / sizeof LAYERS[0]; ++i) {
+        const int is_lobe = strncmp(LAYERS[i].folder, "lobe/", 5) == 0;
+        const int is_base = strncmp(LAYERS[i].folder, "base", 4) == 0;
+        for (size_t k = 0; k < sizeof RENDERER / sizeof RENDERER[0] && (is_lobe || is_base); ++k) {
+            CHECK(!allowed(&LAYERS[i], RENDERER[k]), "%s knows the renderer", LAYERS[i].folder);
+        }
+        for (size_t k = 0; k < sizeof LOBES / sizeof LOBES[0] && !is_lobe; ++k) {
+            CHECK(!allowed(&LAYERS[i], LOBES[k]), "%s knows inner lobe files", LAYERS[i].folder);
+        }
+        CHECK(!is_base || !allowed(&LAYERS[i], "burnish/lobe.h"), "base knows the lobes");
+    }
+}
+
 /* The test must be able to fail: these includes would turn the arrows round. */
 static void check_that_wrong_arrows_are_found(void) {
     CHECK(!allowed(find_layer("src/mesh"), "raster/tile.h"), "mesh knows no raster");
@@ -267,20 +296,21 @@ static void check_that_wrong_arrows_are_found(void) {
     CHECK(!find_layer("src/gltf"), "an unknown folder is found out");
     CHECK(allowed(find_layer("src/render/frame"), "raster/tile.h"), "render leads raster");
     CHECK(!allowed(find_layer("src/simd"), "raster/tile.h"), "simd knows no raster");
-    CHECK(!allowed(find_layer("hardware/firmware"), "burnish/core.h"), "integer headers only");
+    CHECK(!allowed(find_layer("lobe/firmware"), "burnish/core.h"), "integer headers only");
     CHECK(!may_include_templates("/src/raster/tile.c"), "templates are called through tables");
     CHECK1(count_parameters("int a, int (*b)(int, int),\n    int c) {") == 3);
 }
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    static const char *const ROOTS[] = {"base",  "src",       "program",  "bindings",
-                                        "bench", "importers", "hardware", "include"};
+    static const char *const ROOTS[] = {"base",  "src",       "program", "bindings",
+                                        "bench", "importers", "lobe",    "include"};
     for (size_t i = 0; i < sizeof ROOTS / sizeof ROOTS[0]; ++i) {
         CHECK(check_folder(ROOTS[i]) > 0, "no include found in %s", ROOTS[i]);
     }
     check_folder("test");
     check_directions();
+    check_halves();
     RUN(check_that_wrong_arrows_are_found());
     return test_end("layers");
 }

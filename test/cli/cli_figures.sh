@@ -1,5 +1,5 @@
 #!/bin/sh
-# burnish lobe plot: the figures of docs/theory.md are what the program draws, their numbers agree with closed
+# burnish lobe plot: the figures of lobe/docs/theory.md are what the program draws, their numbers agree with closed
 # forms, runs repeat, errors are one line and leave nothing. Without gnuplot the drawings are skipped.
 # usage: cli_figures.sh BURNISH SCRATCH
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -163,11 +163,11 @@ rm -f kept.csv again.csv script.gp
 
 if [ "$has_gnuplot" = 1 ]; then
     mkdir one
-    for file in "$root"/docs/figures/*.svg; do
+    for file in "$root"/lobe/docs/figures/*.svg; do
         name=$(basename "$file")
         gives 0 lobe plot "${name%.*}" -o "one/$name"
-        check "docs/figures/$name is not what the program draws; run make figures" cmp "one/$name" "$file"
-        check "docs/figures/$name is not in docs/theory.md" grep -q "(figures/$name)" "$root/docs/theory.md"
+        check "lobe/docs/figures/$name is not what the program draws; run make figures" cmp "one/$name" "$file"
+        check "lobe/docs/figures/$name is not in lobe/docs/theory.md" grep -q "(figures/$name)" "$root/lobe/docs/theory.md"
     done
     for file in one/*.svg; do
         check "$file: no end" sh -c "tail -n 2 '$file' | grep -q '</svg>'"
@@ -213,7 +213,7 @@ says() {
     run lobe table --lobes="$1" --exponents="$2" --metrics="$3" --range="${6:-all}" --format=csv
     check "$3 of $1 at n = $2 is not $4" awk -F, -v said="$4" -v digits="$5" \
         'NR == 2 { exit !(sprintf("%." digits "f", $3) == sprintf("%." digits "f", said)) }' "$out"
-    check "docs/theory.md doesn't say $4" grep -qF "${4#0}" "$root/docs/theory.md"
+    check "lobe/docs/theory.md doesn't say $4" grep -qF "${4#0}" "$root/lobe/docs/theory.md"
 }
 says schlick 100 angle:8 73.6 1
 says power 100 angle:8 18.9 1
@@ -226,7 +226,7 @@ says shift7 1000 max-relative 1.9 1 inflection
 
 # Every command of the page and of the help screens and the man page.
 {
-    grep -o '`burnish lobe plot [^`]*`' "$root/docs/theory.md" | tr -d '`'
+    grep -o '`burnish lobe plot [^`]*`' "$root/lobe/docs/theory.md" | tr -d '`'
     for screen in --help "lobe --help" "lobe plot --help" "help --man"; do
         # shellcheck disable=SC2086
         "$burnish" $screen 2>/dev/null | tr -d '\\' | grep -o 'burnish lobe plot [a-z0-9].*' | sed 's/  .*//; s/fR$//'

@@ -98,7 +98,7 @@ if ninja -C "$build" -t commands burnish_installed >"$scratch/commands" 2>/dev/n
     [ "$(wc -l <"$scratch/built")" -gt 4 ] || fail "cmake_install.cmake names no files"
     while read -r file; do
         name=$(basename "$(readlink -f "$file")")
-        grep -qE "(-o|>|qc|scripts/shaders) $name( |\$)" "$scratch/commands" || fail "make install does not build $name"
+        grep -qE "(-o|>|qc|lobe/scripts/shaders) $name( |\$)" "$scratch/commands" || fail "make install does not build $name"
     done <"$scratch/built"
 fi
 

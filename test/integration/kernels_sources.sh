@@ -3,15 +3,13 @@
 flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_GNU_SOURCE"
 
 # includes SOURCE_DIR
-includes() { echo "-I$1 -I$1/include -I$1/base/include -I$1/lobe/include -I$1/src -I$1/test/support"; }
+includes() { echo "-I$1 -I$1/include -I$1/base/include -I$1/lobe/include -I$1/src -I$1/base/test -I$1/test/support"; }
 
 # kernel_sources SOURCE_DIR
 kernel_sources() {
     echo "$1"/src/simd/*.c
-    for file in shading/kernels shading/lobe_fit shading/lobe_words shading/shader core/elementary; do
-        echo "$1/src/$file.c"
-    done
-    for file in error layout memory; do
+    echo "$1"/lobe/spec/*.c "$1/src/shading/kernels.c" "$1/src/shading/shader.c"
+    for file in elementary error layout memory; do
         echo "$1/base/$file.c"
     done
 }
@@ -23,10 +21,11 @@ renderer_sources() {
         find "$1/src/render" -name "$file.c"
     done
     echo "$1"/src/mesh/data/*.c
-    for file in elementary processors srgb tasks pool; do
+    echo "$1"/lobe/spec/*.c
+    for file in processors srgb tasks pool; do
         echo "$1/src/core/$file.c"
     done
-    for file in context error layout memory; do
+    for file in context elementary error layout memory; do
         echo "$1/base/$file.c"
     done
 }

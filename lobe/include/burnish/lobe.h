@@ -35,7 +35,7 @@
  * lobe's own zeta or exponent. Absolute errors are in units of 2^-24. Relative errors are in units
  * in the last place of the exact value, for values of at least 2^-10. Each entry is a bound,
  * followed in parentheses by the largest error found in 240 million random cases. The tests fail if
- * an error exceeds its bound (test/support/sweep.h).
+ * an error exceeds its bound (test/sweep.h).
  *
  *     lobe     order  exponents    absolute      relative
  *     family       2  [1, 65536]   2.25  (1.98)  70   (64.2)

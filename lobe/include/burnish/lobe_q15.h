@@ -119,7 +119,7 @@ typedef struct burnish_lobe_q15 {
 
 /* ---- Steps -------------------------------------------------------------------------------------
  *
- * The steps of the functions below; hardware/rtl has a module for each. */
+ * The steps of the functions below; rtl has a module for each. */
 
 /* 1 - cosine in UQ1.15.  cosine  any; above 0x8000 counts as 1 */
 BURNISH_Q15_INLINE uint16_t burnish_q15_lambda(uint16_t cosine) {

@@ -382,7 +382,7 @@ static void check_identities(void) {
 
 /* ---- The evaluations ---- */
 
-/* Largest errors, of the whole lobe, of the evaluations that docs/theory.md compares. */
+/* Largest errors, of the whole lobe, of the evaluations that lobe/docs/theory.md compares. */
 static void check_rules(void) {
     static const struct {
         burnish_theory_polygon_rule rule;

@@ -1,4 +1,4 @@
-/* docs/theory.md, "Two places at most": sign changes of the difference of the slopes of a lobe and
+/* lobe/docs/theory.md, "Two places at most": sign changes of the difference of the slopes of a lobe and
  * of the power, counted on fine grids, against the places that burnish_theory_stationary finds. */
 #include <math.h>
 

@@ -154,7 +154,7 @@ static void check_rough_lobes(void) {
     CHECK1(isnan(burnish_theory_rough_value(BURNISH_THEORY_BECKMANN, 1.5, 0)));
 }
 
-/* The largest errors of docs/theory.md, for roughness from 0.05 to 1 and below. */
+/* The largest errors of lobe/docs/theory.md, for roughness from 0.05 to 1 and below. */
 static void check_sums(void) {
     static const struct {
         double small, large; /* moved, for roughness up to 0.5 and above */

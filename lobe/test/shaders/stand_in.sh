@@ -1,0 +1,15 @@
+#!/bin/sh
+# Compiles the shaders for Metal and OSL as C++, with a test that includes stand_in.h, and runs it.
+# Usage: stand_in.sh SOURCE.cc "ARCHIVES" LOBE_DIR SCRATCH [COMPILER_OPTION...]
+set -eu
+test=$1 archives=$2 lobe=$3 scratch=$4
+shift 4
+mkdir -p "$scratch"
+for language in METAL OSL; do
+    # in both languages a literal without a suffix is a float
+    # shellcheck disable=SC2086
+    g++ -std=c++17 -O1 -ffp-contract=off -fsingle-precision-constant -Wall -Wextra -Werror -Wno-unused-function -D$language \
+        -I"$lobe/test/shaders" -I"$lobe/test/shaders/metal" -I"$lobe/shaders" -I"$lobe/include" -I"$lobe/../base/include" "$@" "$test" $archives -lm \
+        -o "$scratch/$language"
+    "$scratch/$language" "$lobe/test/data/lobes.csv" "$lobe/test/data/area.csv"
+done
