@@ -9,22 +9,20 @@
 /* The program whose completions are printed. */
 static const cli_program *described;
 
-/* Called for every command that has a work function; path is "render" or "lobe table". */
 typedef void visitor(const cli_command *command);
 
-static void visit(const cli_command *const *commands, visitor *take) {
-    for (size_t i = 0; commands[i]; ++i) {
-        if (commands[i]->parts) {
-            visit(commands[i]->parts, take);
-        } else {
-            take(commands[i]);
+/* Calls take for every command that this program runs, or that another program runs. */
+static void visit(int others, visitor *take) {
+    for (size_t i = 0; described->commands[i]; ++i) {
+        if (!described->commands[i]->program == !others) {
+            take(described->commands[i]);
         }
     }
 }
 
 static void print_names(const cli_command *const *commands) {
     for (size_t i = 0; commands[i]; ++i) {
-        printf("%s%s", i > 0 ? " " : "", cli_short_name(commands[i]));
+        printf("%s%s", i > 0 ? " " : "", commands[i]->name);
     }
 }
 
@@ -83,29 +81,33 @@ static void print_bash_command(const cli_command *command) {
     printf("        esac ;;\n");
 }
 
-/* The words after a command with parts, and after help. */
-static void print_bash_parts(void) {
-    for (size_t i = 0; described->commands[i]; ++i) {
-        const cli_command *whole = described->commands[i];
-        if (whole->parts) {
-            printf("    if [[ $command == %s ]]; then\n"
-                   "        ((COMP_CWORD == 2)) && words='",
-                   whole->name);
-            print_names(whole->parts);
-            printf(" --help'\n        command+=\" ${COMP_WORDS[2]}\"\n    fi\n"
-                   "    [[ $command == help && $previous == %s ]] && words='",
-                   whole->name);
-            print_names(whole->parts);
-            printf("'\n");
-        }
+/* The name of a shell function for the completions of a program: it has no dashes. */
+static const char *function_name(const char *program) {
+    static char name[CLI_NAME_MAX];
+    snprintf(name, sizeof name, "_%s", program);
+    for (char *c = name; *c; ++c) {
+        *c = *c == '-' ? '_' : *c;
     }
+    return name;
+}
+
+/* What follows the name of another program's command is completed by that program's completions. */
+static void print_bash_other(const cli_command *command) {
+    const char *function = function_name(command->program);
+    printf("    if [[ $command == %s ]] && ((COMP_CWORD > 1)); then\n"
+           "        declare -F %s >/dev/null || eval \"$(%s help --completion=bash 2>/dev/null)\"\n"
+           "        declare -F %s >/dev/null || return\n"
+           "        local COMP_WORDS=(\"${COMP_WORDS[@]:1}\") COMP_CWORD=$((COMP_CWORD - 1))\n"
+           "        %s\n        return\n    fi\n",
+           command->name, function, command->program, function, function);
 }
 
 /* File names are left to readline, which knows how to quote them. */
 static void print_bash(void) {
-    printf("# bash completion of burnish; made by burnish help --completion=bash\n"
-           "_burnish() {\n"
-           "    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
+    const char *name = described->name;
+    printf("# bash completion of %s; made by %s help --completion=bash\n%s() {\n", name, name,
+           function_name(name));
+    printf("    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
            "    local command=${COMP_WORDS[1]} flags='' words='' list='' prefix='' joined=''\n"
            "    local commands='");
     print_names(described->commands);
@@ -125,11 +127,12 @@ static void print_bash(void) {
            "            compopt -o filenames\n"
            "        fi\n"
            "        return\n    fi\n"
-           "    [[ \" $commands \" == *\" $command \"* ]] || command=render\n"
-           "    [[ $command == help && $previous == help ]] && words=$commands\n");
-    print_bash_parts();
+           "    [[ \" $commands \" == *\" $command \"* ]] || command=%s\n"
+           "    [[ $command == help && $previous == help ]] && words=$commands\n",
+           described->implied ? described->implied->name : "''");
+    visit(1, print_bash_other);
     printf("    case $command in\n");
-    visit(described->commands, print_bash_command);
+    visit(0, print_bash_command);
     printf("    esac\n"
            "    ((COMP_CWORD == 1)) && flags+=' --version'\n"
            "    if [[ $current == -* && ! $joined ]]; then\n"
@@ -141,7 +144,8 @@ static void print_bash(void) {
            "        [[ $list ]] && compopt -o nospace\n"
            "        compopt +o default\n"
            "    fi\n"
-           "}\ncomplete -o default -F _burnish burnish\n");
+           "}\ncomplete -o default -F %s %s\n",
+           function_name(name), name);
 }
 
 /* ---- zsh ---- */
@@ -176,50 +180,41 @@ static void print_zsh_command(const cli_command *command) {
     if (strcmp(command->name, "help") == 0) {
         printf(" '*:command:(");
         print_names(described->commands);
-        for (size_t i = 0; described->commands[i]; ++i) {
-            if (described->commands[i]->parts) {
-                printf(" ");
-                print_names(described->commands[i]->parts);
-            }
-        }
         printf(")' ;;\n");
     } else {
         printf(" '*:file:_files' ;;\n");
     }
 }
 
+static void print_zsh_other(const cli_command *command) {
+    printf("    if [[ $command == %s ]]; then\n        words[1]=%s\n        _normal\n"
+           "        return\n    fi\n",
+           command->name, command->program);
+}
+
 static void print_zsh(void) {
-    printf("#compdef burnish\n# zsh completion of burnish; made by burnish help --completion=zsh\n"
-           "_burnish() {\n    local command=$words[2]\n    local -a commands=(");
+    const char *name = described->name, *function = function_name(name);
+    printf("#compdef %s\n# zsh completion of %s; made by %s help --completion=zsh\n"
+           "%s() {\n    local command=$words[2]\n    local -a commands=(",
+           name, name, name, function);
     print_names(described->commands);
     printf(")\n    if ((CURRENT == 2)) && [[ $command != -* ]]; then\n"
            "        compadd -a commands\n        _files\n        return\n    fi\n"
            "    if ((CURRENT == 2)); then\n        compadd -- --version\n    fi\n"
-           "    if ((! $commands[(Ie)$command])); then\n        command=render\n"
-           "    else\n        shift words\n        ((CURRENT--))\n    fi\n");
-    for (size_t i = 0; described->commands[i]; ++i) {
-        const cli_command *whole = described->commands[i];
-        if (whole->parts) {
-            printf("    if [[ $command == %s ]]; then\n"
-                   "        if ((CURRENT == 2)); then\n            compadd -- ",
-                   whole->name);
-            print_names(whole->parts);
-            printf(" --help\n            return\n        fi\n"
-                   "        command+=\" $words[2]\"\n        shift words\n"
-                   "        ((CURRENT--))\n    fi\n");
-        }
-    }
+           "    if ((! $commands[(Ie)$command])); then\n        command=%s\n"
+           "    else\n        shift words\n        ((CURRENT--))\n    fi\n",
+           described->implied ? described->implied->name : "''");
+    visit(1, print_zsh_other);
     printf("    case $command in\n");
-    visit(described->commands, print_zsh_command);
-    printf("    esac\n}\n_burnish \"$@\"\n");
+    visit(0, print_zsh_command);
+    printf("    esac\n}\n%s \"$@\"\n", function);
 }
 
 /* ---- fish ---- */
 
-/* The condition under which a flag of the command is offered: render is implied. */
+/* The condition under which a flag of the command is offered: one command can be implied. */
 static void print_fish_condition(const cli_command *command) {
-    const char *space = strchr(command->name, ' ');
-    printf("complete -c burnish -n '");
+    printf("complete -c %s -n '", described->name);
     if (command == described->implied) {
         printf("not __fish_seen_subcommand_from");
         for (size_t i = 0; described->commands[i]; ++i) {
@@ -228,13 +223,16 @@ static void print_fish_condition(const cli_command *command) {
             }
         }
     } else {
-        printf("__fish_seen_subcommand_from %.*s",
-               space ? (int)(space - command->name) : (int)strlen(command->name), command->name);
-    }
-    if (space) {
-        printf("; and __fish_seen_subcommand_from %s", space + 1);
+        printf("__fish_seen_subcommand_from %s", command->name);
     }
     printf("'");
+}
+
+static void print_fish_other(const cli_command *command) {
+    print_fish_condition(command);
+    printf(" -f -a '(complete -C (string join \" \" -- %s (commandline -opc | tail -n +3) "
+           "(commandline -ct)))'\n",
+           command->program);
 }
 
 static void print_fish_command(const cli_command *command) {
@@ -270,24 +268,17 @@ static void print_fish_command(const cli_command *command) {
 }
 
 static void print_fish(void) {
-    printf("# fish completion of burnish; made by burnish help --completion=fish\n");
+    const char *name = described->name;
+    printf("# fish completion of %s; made by %s help --completion=fish\n", name, name);
     for (size_t i = 0; described->commands[i]; ++i) {
-        const cli_command *whole = described->commands[i];
-        printf("complete -c burnish -n __fish_use_subcommand -a %s\n", whole->name);
-        if (whole->parts) {
-            printf("complete -c burnish -n '__fish_seen_subcommand_from %s; and not "
-                   "__fish_seen_subcommand_from ",
-                   whole->name);
-            print_names(whole->parts);
-            printf("' -f -a '");
-            print_names(whole->parts);
-            printf("'\n");
-        }
+        printf("complete -c %s -n __fish_use_subcommand -a %s\n", name,
+               described->commands[i]->name);
     }
-    printf("complete -c burnish -n '__fish_seen_subcommand_from help' -f -a '");
+    printf("complete -c %s -n '__fish_seen_subcommand_from help' -f -a '", name);
     print_names(described->commands);
     printf("'\n");
-    visit(described->commands, print_fish_command);
+    visit(1, print_fish_other);
+    visit(0, print_fish_command);
 }
 
 void cli_print_completion(const cli_program *program, const char *shell) {

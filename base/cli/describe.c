@@ -73,7 +73,8 @@ static cJSON *describe_flags(const cli_command *command, int *failed) {
     cJSON *array = cJSON_CreateArray();
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
-        cli_json_add(array, NULL, describe_flag(flag, cli_group_of(command, flag)->topic, failed), failed);
+        cli_json_add(array, NULL, describe_flag(flag, cli_group_of(command, flag)->topic, failed),
+                     failed);
     }
     return array;
 }
@@ -84,16 +85,12 @@ char *cli_describe_flags(const cli_command *command) {
     return cli_json_string(array, failed, 0);
 }
 
-/* Commands, and the subcommands of those that have some. */
 static void add_commands(cJSON *array, const cli_command *const *commands, int *failed) {
     for (size_t i = 0; commands[i]; ++i) {
         const cli_command *command = commands[i];
-        if (command->parts) {
-            add_commands(array, command->parts, failed);
-            continue;
-        }
         cJSON *object = cJSON_CreateObject();
         cli_json_add(object, "name", cli_json_text(command->name), failed);
+        cli_json_add(object, "program", text_or_null(command->program), failed);
         cli_json_add(object, "operand", text_or_null(command->operand), failed);
         cli_json_add(object, "summary", cli_json_text(command->summary), failed);
         cli_json_add(object, "flags", describe_flags(command, failed), failed);
@@ -105,8 +102,10 @@ burnish_status cli_print_json(const cli_program *program, burnish_error *error) 
     int failed = 0;
     cJSON *object = cJSON_CreateObject(), *array = cJSON_CreateArray();
     add_commands(array, program->commands, &failed);
-    cli_json_add(object, program->name, cli_json_text(burnish_version()), &failed);
+    cli_json_add(object, "burnish", cli_json_text(burnish_version()), &failed);
     cli_json_add(object, "commands", array, &failed);
-    cli_json_add(object, "options", describe_flags(program->options, &failed), &failed);
+    if (program->options) {
+        cli_json_add(object, "options", describe_flags(program->options, &failed), &failed);
+    }
     return cli_json_print(stdout, object, failed, error);
 }

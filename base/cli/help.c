@@ -8,11 +8,6 @@
 
 enum { ROW_MAX = 240, NAME_WIDTH = 16 };
 
-const char *cli_short_name(const cli_command *command) {
-    const char *space = strrchr(command->name, ' ');
-    return space ? space + 1 : command->name;
-}
-
 const char *cli_default_label(const cli_flag *flag) {
     return flag->default_label ? flag->default_label : flag->default_text ? flag->default_text : "";
 }
@@ -105,12 +100,12 @@ void cli_print_examples(const cli_example *examples) {
     }
 }
 
-void cli_print_parts(const cli_command *const *parts) {
+void cli_print_commands(const cli_command *const *commands) {
     printf("\nCommands\n");
-    for (size_t i = 0; parts[i]; ++i) {
+    for (size_t i = 0; commands[i]; ++i) {
         char usage[ROW_MAX];
-        snprintf(usage, sizeof usage, "%s %s", cli_short_name(parts[i]), parts[i]->operand);
-        printf("  %-*s  %s\n", NAME_WIDTH, usage, parts[i]->summary);
+        snprintf(usage, sizeof usage, "%s %s", commands[i]->name, commands[i]->operand);
+        printf("  %-*s  %s\n", NAME_WIDTH, usage, commands[i]->summary);
     }
 }
 
@@ -179,10 +174,7 @@ const char *cli_exit_text(int code) {
 static void print_head(const cli_command *command) {
     printf("Usage: %s %s%s[options]   %s\n", cli_full_name(command).text, command->operand,
            *command->operand ? " " : "", command->summary);
-    if (command->parts) {
-        cli_print_parts(command->parts);
-        printf("\n%s\n", command->operand_help);
-    } else if (command->operand_help) {
+    if (command->operand_help) {
         const int indent = printf("  %s%s", command->operand, *command->operand ? "  " : "");
         cli_print_wrapped(stdout, command->operand_help, indent, CLI_TEXT_WIDTH);
     }

@@ -4,9 +4,6 @@
 
 #include "base/cli/options.h"
 
-/* The name without the parent command. */
-const char *cli_short_name(const cli_command *command);
-
 /* Text of a flag's default, "" for none. */
 const char *cli_default_label(const cli_flag *flag);
 
@@ -17,9 +14,9 @@ const char *cli_topic_at(const cli_command *command, size_t index);
 const char *cli_exit_text(int code);
 enum { CLI_EXIT_END = 16 };
 
-/* Prints "  COMMAND  what" rows: examples, subcommands. */
+/* Prints "  COMMAND  what" rows: examples, commands. */
 void cli_print_examples(const cli_example *examples);
-void cli_print_parts(const cli_command *const *parts);
+void cli_print_commands(const cli_command *const *commands);
 
 /* Prints the screen: the common flags, or the flags of a topic, or all flags for "all". Errors:
  * ARGUMENT. */

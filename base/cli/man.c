@@ -126,7 +126,7 @@ static void print_upper(const char *text) {
     }
 }
 
-/* A command and its subcommands, each with a heading. */
+/* A command, with a heading. */
 static void print_command(const cli_command *command) {
     printf(".SH \"");
     print_upper(command->name);
@@ -138,24 +138,15 @@ static void print_command(const cli_command *command) {
         }
         print_flag(&command->flags[i]);
     }
-    for (size_t i = 0; command->parts && command->parts[i]; ++i) {
-        print_command(command->parts[i]);
-    }
 }
 
 static void print_synopsis(const cli_command *command) {
     char line[160];
-    if (command->parts) {
-        for (size_t i = 0; command->parts[i]; ++i) {
-            print_synopsis(command->parts[i]);
-        }
-        return;
-    }
     if (*command->operand) {
-        snprintf(line, sizeof line, "*burnish %s* _%s_ [_options_]", command->name,
+        snprintf(line, sizeof line, "*%s* _%s_ [_options_]", cli_full_name(command).text,
                  command->operand);
     } else {
-        snprintf(line, sizeof line, "*burnish %s* [_options_]", command->name);
+        snprintf(line, sizeof line, "*%s* [_options_]", cli_full_name(command).text);
     }
     print_text(line);
     printf(".br\n");
@@ -183,9 +174,6 @@ static void print_sections(const cli_command *command) {
     for (const cli_section *s = command->sections; s && s->heading; ++s) {
         print_section(s);
     }
-    for (size_t i = 0; command->parts && command->parts[i]; ++i) {
-        print_sections(command->parts[i]);
-    }
 }
 
 static void print_exit_status(void) {
@@ -210,17 +198,6 @@ static void print_example_list(const cli_example *examples) {
     }
 }
 
-static void print_examples(const cli_program *program) {
-    printf(".SH EXAMPLES\n");
-    print_example_list(program->examples);
-    for (size_t i = 0; program->commands[i]; ++i) {
-        const cli_command *command = program->commands[i];
-        for (size_t k = 0; command->parts && command->parts[k]; ++k) {
-            print_example_list(command->parts[k]->examples);
-        }
-    }
-}
-
 void cli_print_man(const cli_program *program) {
     printf(".\\\" Made by %s help --man; do not edit.\n.TH ", program->name);
     print_upper(program->name);
@@ -229,9 +206,12 @@ void cli_print_man(const cli_program *program) {
     for (size_t i = 0; program->commands[i]; ++i) {
         print_synopsis(program->commands[i]);
     }
-    print_text("*burnish* *--help* | *--version*");
+    char line[160];
+    snprintf(line, sizeof line, "*%s* *--help* | *--version*", program->name);
+    print_text(line);
     printf(".br\n");
-    print_text("*burnish* _COMMAND_ *--help*[*=*_TOPIC_]");
+    snprintf(line, sizeof line, "*%s* _COMMAND_ *--help*[*=*_TOPIC_]", program->name);
+    print_text(line);
     printf(".SH DESCRIPTION\n");
     print_paragraphs(program->description);
     for (size_t i = 0; program->commands[i]; ++i) {
@@ -243,6 +223,7 @@ void cli_print_man(const cli_program *program) {
     }
     print_exit_status();
     print_section(program->environment);
-    print_examples(program);
-    printf(".SH \"SEE ALSO\"\n.BR man (1),\n.BR xxhsum (1)\n");
+    printf(".SH EXAMPLES\n");
+    print_example_list(program->examples);
+    printf(".SH \"SEE ALSO\"\n%s\n", program->see_also);
 }

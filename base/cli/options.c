@@ -23,9 +23,11 @@ burnish_status cli_fail(burnish_error *error, burnish_status status, const char 
     return status;
 }
 
+const char *cli_program_name = "burnish";
+
 cli_command_name cli_full_name(const cli_command *command) {
     cli_command_name name;
-    snprintf(name.text, sizeof name.text, "%s%s", command->alone ? "" : "burnish ", command->name);
+    snprintf(name.text, sizeof name.text, "%s %s", cli_program_name, command->name);
     return name;
 }
 

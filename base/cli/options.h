@@ -13,9 +13,15 @@
     X(1, "ended by a crash or the sandbox")                                                        \
     X(8, "a blank picture")                                                                        \
     X(10, "pictures differ")                                                                       \
-    X(11, "some inputs failed")
+    X(11, "some inputs failed")                                                                    \
+    X(12, "a command's program is not installed")
 
-enum { CLI_EXIT_BLANK = 8, CLI_EXIT_DIFFERENT = 10, CLI_EXIT_SOME_FAILED = 11 };
+enum {
+    CLI_EXIT_BLANK = 8,
+    CLI_EXIT_DIFFERENT = 10,
+    CLI_EXIT_SOME_FAILED = 11,
+    CLI_EXIT_NO_PROGRAM = 12
+};
 
 /* Longest name of a flag or command, without dashes. */
 #define CLI_NAME_MAX 48
@@ -99,7 +105,7 @@ struct cli_flag {
     double low, high;      /* range of a number */
     const cli_word *words; /* the valid values */
     cli_file file;         /* whether the value names a file */
-    cli_type value_type; /* if cli_type_of can not derive it */
+    cli_type value_type;   /* if cli_type_of can not derive it */
     unsigned phases;       /* sum of cli_phase */
     unsigned not_for;      /* sum of the `heir` of commands that do not inherit it */
     cli_svg svg;
@@ -160,10 +166,10 @@ typedef burnish_status cli_work(void *settings, cli_call *call, burnish_error *e
 
 typedef struct cli_command cli_command;
 
-/* A subcommand, or a command with subcommands of its own. */
+/* A subcommand. */
 struct cli_command {
-    const char *name;         /* as typed: "render", "lobe table" */
-    int alone;                /* 1: a separate program, whose name does not begin with "burnish" */
+    const char *name;         /* as typed: "render" */
+    const char *program;      /* the program that runs it, "burnish-lobe"; NULL: this one */
     const char *operand;      /* placeholder of the operand; "" for none */
     const char *summary;      /* one line */
     const char *operand_help; /* one line for the help screen */
@@ -171,15 +177,14 @@ struct cli_command {
     size_t operands_max;
     const cli_flag *flags;
     size_t flag_count;
-    const cli_command *
-        base; /* a command whose flags it inherits and whose settings are the first member of its
+    const cli_command
+        *base; /* a command whose flags it inherits and whose settings are the first member of its
                  own; or NULL */
-    unsigned base_phases;            /* inherits flags of one of these phases, ... */
-    unsigned heir;                   /* ... without this bit in not_for, and not named as its own */
-    const cli_example *examples;     /* the last has a NULL command; may be NULL */
-    const cli_section *sections;     /* the last has a NULL heading; may be NULL */
-    const cli_command *const *parts; /* its subcommands, the last is NULL; or NULL */
-    size_t settings_size;            /* bytes, zero before the defaults of the flags */
+    unsigned base_phases;        /* inherits flags of one of these phases, ... */
+    unsigned heir;               /* ... without this bit in not_for, and not named as its own */
+    const cli_example *examples; /* the last has a NULL command; may be NULL */
+    const cli_section *sections; /* the last has a NULL heading; may be NULL */
+    size_t settings_size;        /* bytes, zero before the defaults of the flags */
     size_t given; /* offset of a cli_given in the settings, for at most 128 flags; 0: none */
     cli_work *work;
 };
@@ -217,7 +222,8 @@ const cli_flag *cli_group_of(const cli_command *command, const cli_flag *flag);
 /* The flag of a command with this name, or with it among its other names; NULL: none. */
 const cli_flag *cli_find_flag(const cli_command *command, const char *name, size_t length);
 
-/* "burnish lobe table" */
+/* "burnish render", with the name of the program that runs; by default burnish. */
+extern const char *cli_program_name;
 typedef struct cli_command_name {
     char text[64];
 } cli_command_name;
@@ -235,7 +241,7 @@ static inline burnish_status cli_errno_status(int code) {
 /* Replaces by '?' what is not UTF-8 or controls a terminal (base/show_text.h), such as ends of lines. */
 void cli_clean(char *text);
 
-/* "burnish: warning: TEXT" on standard error. */
+/* "burnish: warning: TEXT" on standard error, for every program. */
 void cli_warn(const char *text);
 
 /* Sets all flags to their defaults. */
@@ -260,7 +266,7 @@ const char *cli_nearest(const char *typed, cli_name_at *name_at, const void *lis
 
 /* ARGUMENT with one line: where the name was typed, the unknown name, and the most similar name or
  * the command that lists all names.
- *   where  "lobe plot", "--metrics"
+ *   where  "plot", "--metrics"
  *   kind   "figure" */
 burnish_status cli_fail_unknown(burnish_error *error, const char *where, const char *kind,
                                 const char *typed, cli_name_at *name_at, const void *list,

@@ -47,66 +47,28 @@ int cli_exit_code(burnish_status status, const burnish_error *error) {
     return burnish_status_exit_code(status);
 }
 
-static const char *short_name_at(const void *list, size_t index) {
+static const char *name_at(const void *list, size_t index) {
     const cli_command *const *commands = list;
-    return commands[index] ? cli_short_name(commands[index]) : NULL;
+    return commands[index] ? commands[index]->name : NULL;
 }
 
-const cli_command *cli_find_command(const cli_command *const *commands, const cli_command *whole,
-                                    const char *name, burnish_error *error) {
-    const char *prefix = whole ? whole->name : "", *space = whole ? " " : "";
+const cli_command *cli_find_command(const cli_command *const *commands, const char *name,
+                                    burnish_error *error) {
     for (size_t i = 0; commands[i]; ++i) {
-        if (strcmp(cli_short_name(commands[i]), name) == 0) {
+        if (strcmp(commands[i]->name, name) == 0) {
             return commands[i];
         }
     }
-    const char *nearest = cli_nearest(name, short_name_at, commands);
+    const char *nearest = cli_nearest(name, name_at, commands);
     if (nearest) {
-        cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                 "\"%s%s%.60s\": unknown command; did you mean %s%s%s?", prefix, space, name,
-                 prefix, space, nearest);
+        cli_fail(error, BURNISH_STATUS_ARGUMENT, "\"%.60s\": unknown command; did you mean %s?",
+                 name, nearest);
     } else {
         cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                 "\"%s%s%.60s\": unknown command; \"burnish %s%s--help\" lists the commands",
-                 prefix, space, name, prefix, space);
+                 "\"%.60s\": unknown command; \"%s --help\" lists the commands", name,
+                 cli_program_name);
     }
     return NULL;
-}
-
-/* "table, claims or plot" */
-static void name_list(const cli_command *const *commands, char *text, size_t size) {
-    size_t used = 0;
-    for (size_t i = 0; commands[i] && used < size; ++i) {
-        const char *separator = i == 0 ? "" : commands[i + 1] ? ", " : " or ";
-        used += (size_t)snprintf(text + used, size - used, "%s%s", separator,
-                                 cli_short_name(commands[i]));
-    }
-}
-
-static int run_part(const cli_command *whole, int argc, char **argv) {
-    burnish_error error;
-    char names[160] = "";
-    name_list(whole->parts, names, sizeof names);
-    if (argc == 0) {
-        return cli_exit_code(
-            cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                     "%s: what comes next is one of %s; \"burnish %s --help\" explains them",
-                     whole->name, names, whole->name),
-            &error);
-    }
-    if (strcmp(argv[0], "--help") == 0 || strcmp(argv[0], "-h") == 0) {
-        burnish_status status = cli_print_help(whole, NULL, &error);
-        status = status == BURNISH_STATUS_OK ? cli_finish_output(&error) : status;
-        return cli_exit_code(status, &error);
-    }
-    if (argv[0][0] == '-' && argv[0][1]) {
-        return cli_exit_code(cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                                      "%s %.60s: one of %s comes first", whole->name, argv[0],
-                                      names),
-                             &error);
-    }
-    const cli_command *part = cli_find_command(whole->parts, whole, argv[0], &error);
-    return part ? cli_run(part, NULL, argc - 1, argv + 1) : cli_exit_code(error.status, &error);
 }
 
 /* The file that an argument names; NULL: none. A value can begin with the name of what it writes. */
@@ -172,9 +134,6 @@ static burnish_status check_files(const cli_call *call, burnish_error *error) {
 int cli_run(const cli_command *command, cli_work *work, int argc, char **argv) {
     burnish_error error;
     cli_call call = {0};
-    if (command->parts) {
-        return run_part(command, argc, argv);
-    }
     void *settings = calloc(1, command->settings_size + 1); /* + 1: never 0 bytes */
     call.arguments = calloc((size_t)argc + 1, sizeof *call.arguments);
     burnish_status status = settings && call.arguments ? cli_defaults(command, settings, &error)

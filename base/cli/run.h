@@ -5,16 +5,15 @@
 #include "base/cli/options.h"
 
 /* Runs a command: defaults, parsing, --help, the work, the message of an error. argv[0] is the
- * first argument after the command, or the name of a subcommand.
+ * first argument after the command.
  *   work  NULL: the one in the command's table
  * Returns the exit code. */
 int cli_run(const cli_command *command, cli_work *work, int argc, char **argv);
 
-/* The command of that name in a list that ends with NULL. A subcommand has its short name: "table"
- * finds "lobe table". The error for an unknown name suggests the most similar one. `whole` is the
- * command that the list is part of; NULL: the list of all. NULL after an error. */
-const cli_command *cli_find_command(const cli_command *const *commands, const cli_command *whole,
-                                    const char *name, burnish_error *error);
+/* The command of that name in a list that ends with NULL. The error for an unknown name suggests the
+ * most similar one. NULL after an error. */
+const cli_command *cli_find_command(const cli_command *const *commands, const char *name,
+                                    burnish_error *error);
 
 /* A closed pipe and a file that is too large become errors instead of signals; a signal that ends
  * the program removes temporary files. */

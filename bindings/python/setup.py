@@ -106,9 +106,10 @@ class Sources(sdist):
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)
         sources = Path(base_dir, "sources")
-        for folder in ("base", "include", "src", "program", "scripts/cmake"):
+        lobe = [f"lobe/{part}" for part in ("include", "spec", "theory", "program", "shaders", "scripts")]
+        for folder in ("base", *lobe, "include", "src", "program", "scripts/cmake"):
             shutil.copytree(ROOT / folder, sources / folder)
-        for file in (ROOT / "CMakeLists.txt", ROOT / "bindings/options.py", HERE / "CMakeLists.txt", *HERE.glob("*.[ch]")):
+        for file in (ROOT / "CMakeLists.txt", ROOT / "lobe/CMakeLists.txt", ROOT / "lobe/burnish-theory.pc.in", ROOT / "bindings/options.py", HERE / "CMakeLists.txt", *HERE.glob("*.[ch]")):
             target = sources / file.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(file, target)

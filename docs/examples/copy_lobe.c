@@ -1,6 +1,6 @@
 /* The first way in: copy lobe.h beside your shader and call it in the loop that you already have.
  *
- *     cc -I../../include/burnish copy_lobe.c -lm -o copy_lobe && ./copy_lobe > sphere.ppm
+ *     cc -I../../lobe/include/burnish copy_lobe.c -lm -o copy_lobe && ./copy_lobe > sphere.ppm
  */
 #include <math.h>
 #include <stdio.h>

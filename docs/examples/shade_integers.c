@@ -1,7 +1,7 @@
 /* The third way in: copy lobe_q15.h and shade_q15.h, and shade with integers only. The loop below is
  * what a microcontroller would run; only the last lines, which write a picture, need a host.
  *
- *     cc -std=c99 -I../../include/burnish shade_integers.c -o shade_integers && ./shade_integers > sphere.ppm
+ *     cc -std=c99 -I../../lobe/include/burnish shade_integers.c -o shade_integers && ./shade_integers > sphere.ppm
  */
 #include <stdio.h>
 

@@ -50,7 +50,7 @@ async function showCode(facts) {
   }
 }
 
-// Rows of `burnish lobe table`, once per lobe: they do not depend on the chosen exponent.
+// Rows of `burnish-lobe table`, once per lobe: they do not depend on the chosen exponent.
 const EXPONENTS = "--exponents=1-4096x1.0905";
 const tables = new Map();
 async function tableOf(lobe) {

@@ -3,7 +3,7 @@ import { request } from "./request.js";
 import { numberOf, parseCsv } from "./csv.js";
 import { at } from "./state.js";
 
-// The words of `burnish lobe claims`, in the order in which they are counted.
+// The words of `burnish-lobe claims`, in the order in which they are counted.
 const MARKS = {
   holds: ["holds", "✓"], "holds in part": ["part", "≈"], "does not hold": ["fails", "✕"],
   "measured by benchmark": ["elsewhere", "·"], "counted in machine code": ["elsewhere", "·"],

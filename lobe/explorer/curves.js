@@ -93,7 +93,7 @@ export function makeCurves() {
       value.setData(side((v) => v));
       error.setData(side((v, i) => v - power[i]));
     },
-    /** Rows of `burnish lobe table` over the exponent, of lobe, other and power. */
+    /** Rows of `burnish-lobe table` over the exponent, of lobe, other and power. */
     overExponent(n, lobe, other, power) {
       largest.setData([n, lobe.error, other.error]);
       energy.setData([n, lobe.energy, other.energy]);

@@ -36,7 +36,7 @@ const calls = {
     };
   },
 
-  // The output of `burnish lobe`.
+  // The output of `burnish-lobe`.
   lobe: (burnish, { words }) => burnish.lobe(words),
 
   // Values at angles in radians, and the facts of each lobe at the exponent.

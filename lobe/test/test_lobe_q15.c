@@ -127,7 +127,7 @@ static void test_zeta(void) {
     }
 }
 
-/* The memory of `burnish lobe boundary` in place of the lobe's own cutoff: with bits = 0 no result
+/* The memory of `burnish-lobe boundary` in place of the lobe's own cutoff: with bits = 0 no result
  * changes; with 8, only results below 2^-8, and those beyond become 0. */
 static void test_boundary(void) {
     burnish_theory_memory memory = {.format = {0, 0, 15}, .rounding = BURNISH_THEORY_DOWN};

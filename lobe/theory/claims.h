@@ -14,8 +14,8 @@ typedef struct burnish_claim_source {
     const char *source;                           /* NULL: the paper */
 } burnish_claim_source;
 
-/* The command of a claim that `burnish lobe claims` shows best. */
-#define BURNISH_CLAIM_SHOW(id) "burnish lobe claims " id
+/* The command of a claim that `burnish-lobe claims` shows best. */
+#define BURNISH_CLAIM_SHOW(id) "burnish-lobe claims " id
 
 /* The claims in the order of the paper; a NULL id ends each list. */
 extern const burnish_claim_source burnish_claims_w[];       /* W: shape, blooming, curvature */

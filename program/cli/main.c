@@ -1,20 +1,31 @@
-/* burnish: the program. The table of commands, and `burnish help`. */
+/* burnish: the program, and the table of its commands. */
+#include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#ifdef _WIN32
+#include <process.h>
+#endif
 
-#include "base/cli/help.h"
 #include "base/cli/program.h"
-#include "base/cli/run.h"
 #include "base/cli/values.h"
 #include "cli/colors.h"
 #include "cli/input.h"
 #include "cli/main.h"
 
-static const cli_command help_command;
+static const cli_command lobe_command = {
+    .name = "lobe",
+    .program = "burnish-lobe",
+    .operand = "COMMAND",
+    .summary = "numbers, claims and figures of the lobes: lobe/docs/lobes.md",
+    .manual = "Runs *burnish-lobe* with the same arguments: see burnish-lobe(1). If it is not "
+              "installed next to *burnish*, the exit code is 12.",
+};
 
 #define ROW(table) &table,
-static const cli_command *const commands[] = {CLI_COMMAND_LIST(ROW) & help_command, NULL};
+static const cli_command *const commands[] = {CLI_COMMAND_LIST(ROW) & lobe_command,
+                                              &cli_help_command, NULL};
 #undef ROW
 
 static const cli_example examples[] = {
@@ -26,7 +37,6 @@ static const cli_example examples[] = {
     {"burnish batch parts --recursive -d thumbs --index", "many files, and an index page"},
     {"burnish compare before.stl after.stl -o changes.png", "the differences"},
     {"burnish render - --input-format=ply -o - <in.ply >out.png", "in a pipe"},
-    {"burnish lobe choose --exponent=100 --epsilon=0.02", "the cheapest suitable lobe"},
     {NULL, NULL},
 };
 
@@ -38,15 +48,115 @@ static const cli_section environment = {
              "the folder of the programs *burnish-import-assimp* and *burnish-import-occt*, "
              "which read other formats (FBX, COLLADA, STEP ...), instead of the folder in "
              "which they are installed."},
-            {"*BURNISH_FIGURES*",
-             "the gnuplot script of *burnish lobe plot*, instead of the installed figures.gp."},
             {"*BURNISH_ISA*", "the instruction set if *--isa* is *auto*; the same values."},
-            {"*PATH*",
-             "the folders of gnuplot, for *burnish lobe plot*, and of ffmpeg, for videos."},
+            {"*PATH*", "the folders of ffmpeg, for videos."},
             {NULL, NULL},
         },
     .closing = "The locale is ignored: the decimal separator is always a point.",
 };
+
+/* ---- Programs of other commands ---- */
+
+/* Whether the program is in that folder, or in the one of importers; *path receives its name. */
+static int find_beside(char *folder, const char *name, char *path, size_t size) {
+    static const char *const below[] = {"", "/" BURNISH_IMPORTERS_FOLDER};
+#ifdef _WIN32
+    char *slash = strrchr(folder, '\\');
+    const char *const extension = ".exe";
+#else
+    char *slash = strrchr(folder, '/');
+    const char *const extension = "";
+#endif
+    *(slash ? slash : folder) = 0;
+    for (size_t i = 0; i < sizeof below / sizeof *below; ++i) {
+        const int length = snprintf(path, size, "%s%s/%s%s", folder, below[i], name, extension);
+        if (length > 0 && (size_t)length < size && access(path, R_OK) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+#ifdef _WIN32
+/* In quotes, for the C library that splits the command line again. Never released: the program ends. */
+static char *quote(const char *text) {
+    char *const quoted = malloc(2 * strlen(text) + 3), *at = quoted;
+    size_t slashes = 0;
+    if (!quoted) {
+        return NULL;
+    }
+    for (*at++ = '"'; *text; *at++ = *text++) {
+        for (slashes += *text == '"'; *text == '"' && slashes > 0; --slashes) {
+            *at++ = '\\';
+        }
+        slashes = *text == '\\' ? slashes + 1 : 0;
+    }
+    for (; slashes > 0; --slashes) {
+        *at++ = '\\';
+    }
+    memcpy(at, "\"", 2);
+    return quoted;
+}
+
+static int run(const char *path, char **words) {
+    for (char **word = words; *word; ++word) {
+        *word = quote(*word);
+    }
+    return (int)_spawnv(_P_WAIT, path, (const char *const *)words);
+}
+
+static size_t own_path(char *path, size_t size) {
+    char *name = NULL;
+    return _get_pgmptr(&name) == 0 ? (size_t)snprintf(path, size, "%s", name) : 0;
+}
+#else
+static int run(const char *path, char **words) {
+    execv(path, words); /* returns only if it fails */
+    return -1;
+}
+
+static size_t own_path(char *path, size_t size) {
+    const ssize_t length = readlink("/proc/self/exe", path, size - 1);
+    return length > 0 ? (size_t)length : 0;
+}
+#endif
+
+/* As git does with its commands: `burnish lobe table` is `burnish-lobe table`. */
+static int start_beside(const cli_command *command, int argc, char **argv) {
+    char own[4000] = "", path[4200], name[CLI_NAME_MAX];
+    const size_t length = own_path(own, sizeof own - 1);
+    snprintf(name, sizeof name, "%s", command->program);
+    own[length < sizeof own ? length : 0] = 0;
+    if (!find_beside(own, name, path, sizeof path)) {
+        fprintf(stderr,
+                "burnish: %s: %s is not installed next to this program; install it, or build it "
+                "by cmake -S lobe\n",
+                command->name, name);
+        return CLI_EXIT_NO_PROGRAM;
+    }
+    char **words = calloc((size_t)argc + 2, sizeof *words);
+    int code = -1;
+    if (words) {
+        words[0] = name;
+        memcpy(words + 1, argv, (size_t)argc * sizeof *words);
+        fflush(stdout);
+        code = run(path, words);
+    }
+    if (code < 0) {
+        fprintf(stderr, "burnish: %s: %s can't be started: %s; install it again\n", command->name,
+                path, strerror(errno));
+        code = CLI_EXIT_NO_PROGRAM;
+    }
+    free(words);
+    return code;
+}
+
+/* Whether the first argument is a mesh or a flag instead of a command: `render` is implied. */
+static int implies_render(const char *argument) {
+    const char *dot = strrchr(argument, '.');
+    return argument[0] == ':' || argument[0] == '-' || strchr(argument, '/') ||
+           (dot && strlen(dot) <= 5) || access(argument, F_OK) == 0;
+}
 
 static const cli_program burnish = {
     .name = "burnish",
@@ -60,197 +170,20 @@ static const cli_program burnish = {
         "*-h* and *--help*, which list its flags on one screen. Commands with many flags list the "
         "common ones; *--help=*_TOPIC_ lists others, and *--help=all* all of them.",
     .commands = commands,
+    .usage = "burnish INPUT [OUTPUT] [options], or burnish COMMAND [options]",
+    .advice = "\"burnish render :teapot\" or \"burnish --help\"",
     .implied = &render_command,
     .options = &render_options_command,
+    .implied_work = render_work,
+    .implies = implies_render,
+    .start = start_beside,
     .examples = examples,
     .values = &cli_color_section,
     .environment = &environment,
+    .see_also = ".BR burnish\\-lobe (1),\n.BR man (1),\n.BR xxhsum (1)",
 };
-
-/* ---- help ---- */
-
-enum { SHELL_NONE, SHELL_BASH, SHELL_ZSH, SHELL_FISH };
-
-typedef struct help_settings {
-    int man, shell, json;
-} help_settings;
-
-static cli_work help_work;
-
-static const cli_word shell_words[] = {
-    {"bash", SHELL_BASH}, {"zsh", SHELL_ZSH}, {"fish", SHELL_FISH}, {NULL, 0}};
-
-static const cli_flag help_flags[] = {
-    {.group = "Options",
-     .name = "man",
-     .help = "print the manual page of all commands in roff",
-     .manual = "Prints this page: *burnish help --man | man -l -*",
-     .handler = cli_flag_switch,
-     .offset = offsetof(help_settings, man)},
-    {.name = "completion",
-     .value = "SHELL",
-     .help = "print completions to source",
-     .words = shell_words,
-     .manual = "Prints the completions of commands, flags and their values for a shell. They are "
-               "installed with the program. To load them manually: *source <(burnish help "
-               "--completion=bash)*.",
-     .handler = cli_flag_word,
-     .offset = offsetof(help_settings, shell)},
-    {.name = "json",
-     .help = "print all commands and flags as JSON",
-     .manual = "Prints the tables of all commands and flags, for generators of bindings, forms and "
-               "other completions; see *FLAGS IN JSON*.",
-     .handler = cli_flag_switch,
-     .offset = offsetof(help_settings, json)},
-};
-
-static const cli_term json_terms[] = {
-    {"*burnish*", "the version"},
-    {"*commands*",
-     "an array with *name* (*render*, *lobe table*), *operand*, *summary* and *flags*, "
-     "which has the inherited ones, too"},
-    {"*options*", "an array of the flags that are options in Python, JavaScript and MCP"},
-    {"*name, letter, also*", "of a flag, without dashes; *also* is an array of other names"},
-    {"*type*",
-     "*switch*, *integer*, *number*, *bytes* (an integer that can end in K, M or G), *size* "
-     "(two integers), *square* (one or two), *vector* (numbers between commas), *color*, "
-     "*number or color*, *word*, *words* (between commas), *text*, or *name* (a text or "
-     "a number)"},
-    {"*value, help*", "the placeholder of the value and the row of the help screen"},
-    {"*optional*", "true: the flag can be given without its value"},
-    {"*repeats*", "true: repeated values add up; otherwise the last one counts"},
-    {"*off*", "the value that switches the flag off, or null"},
-    {"*words, low, high*", "the valid values; null if any value is valid"},
-    {"*default, default_label*", "the value without the flag, and a description of it; or null"},
-    {"*topic*", "of *--help=*_TOPIC_, or null"},
-    {"*phases*", "in which the flag acts, an array: *load*, *draw*, *file*; *process*: it does not "
-                 "change the result, but limits, drives or reports the work. Empty if the flag is "
-                 "not about pictures"},
-    {"*svg*", "what an SVG or PDF does with the flag: *drawn*, *same* (nothing), or *refused*"},
-    {"*file*",
-     "what the value names: *folder*, *reads*, *writes*, *reports* (a file of text), or null"},
-    {NULL, NULL},
-};
-
-static const cli_section help_sections[] = {
-    {.heading = "FLAGS IN JSON",
-     .text = "The output of *burnish help --json* is one object. Keys are added, but never renamed "
-             "or removed within a major version.",
-     .terms = json_terms},
-    {.heading = NULL},
-};
-
-static const cli_command help_command = {
-    .name = "help",
-    .operand = "[COMMAND]",
-    .summary = "a command's flags; --man prints the manual page (roff)",
-    .operand_help = "a command, such as render or lobe table; default: a list of all commands",
-    .manual = "Prints the help screen of a command, or the list of commands.",
-    .operands_max = 2,
-    .flags = help_flags,
-    .flag_count = sizeof help_flags / sizeof *help_flags,
-    .sections = help_sections,
-    .settings_size = sizeof(help_settings),
-    .work = help_work,
-};
-
-static void print_first_screen(void) {
-    printf("burnish %s: %s\n\n"
-           "Usage: burnish INPUT [OUTPUT] [options], or burnish COMMAND [options]\n",
-           burnish_version(), burnish.summary);
-    cli_print_parts(commands);
-    printf("  %-16s  %s\n", "-h, -V", "--help: this screen; --version: the version");
-    cli_print_examples(examples);
-    printf("\nExit codes\n");
-    for (int code = 0; code < CLI_EXIT_END; ++code) {
-        if (cli_exit_text(code)) {
-            printf("  %d  %s\n", code, cli_exit_text(code));
-        }
-    }
-    printf(
-        "\nburnish COMMAND --help lists the flags; burnish help --man | man -l - explains them.\n");
-}
-
-/* `burnish help render`, `burnish help lobe table`. */
-static burnish_status help_about(const cli_call *call, burnish_error *error) {
-    const cli_command *command = cli_find_command(commands, NULL, call->operands[0], error);
-    if (command && call->operand_count == 2) {
-        if (!command->parts) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "help: \"%.60s\": %s has no subcommands; try burnish help %s",
-                            call->operands[1], command->name, command->name);
-        }
-        command = cli_find_command(command->parts, command, call->operands[1], error);
-    }
-    return command ? cli_print_help(command, NULL, error) : error->status;
-}
-
-static burnish_status help_work(void *from, cli_call *call, burnish_error *error) {
-    const help_settings *settings = from;
-    if (call->operand_count > 0) {
-        return help_about(call, error);
-    }
-    if (settings->json) {
-        return cli_print_json(&burnish, error);
-    }
-    if (settings->man) {
-        cli_print_man(&burnish);
-    } else if (settings->shell != SHELL_NONE) {
-        cli_print_completion(&burnish, shell_words[settings->shell - SHELL_BASH].name);
-    } else {
-        print_first_screen();
-    }
-    return BURNISH_STATUS_OK;
-}
-
-/* ---- The program ---- */
-
-static int is_command(const char *name) {
-    for (size_t i = 0; commands[i]; ++i) {
-        if (strcmp(name, commands[i]->name) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-/* Whether the first argument is a mesh or a flag instead of a command: `render` is implied. */
-static int implies_render(const char *argument) {
-    const char *dot = strrchr(argument, '.');
-    if (is_command(argument)) {
-        return 0;
-    }
-    return argument[0] == ':' || argument[0] == '-' || strchr(argument, '/') ||
-           (dot && strlen(dot) <= 5) || access(argument, F_OK) == 0;
-}
 
 int main(int argc, char **argv) {
-    burnish_error error;
-    cli_handle_signals();
     cli_is_input_name = cli_is_mesh_name;
-    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
-        print_first_screen();
-        return cli_exit_code(cli_finish_output(&error), &error);
-    }
-    if (argc == 2 && strncmp(argv[1], "--help=", 7) == 0 && is_command(argv[1] + 7)) {
-        char *name = argv[1] + 7;
-        return cli_run(&help_command, NULL, 1, &name);
-    }
-    if (argc > 1 && (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)) {
-        printf("burnish %s\n", burnish_version());
-        return cli_exit_code(cli_finish_output(&error), &error);
-    }
-    if (argc < 2) {
-        return cli_exit_code(
-            cli_fail(&error, BURNISH_STATUS_ARGUMENT,
-                     "no command; try \"burnish render :teapot\" or \"burnish --help\""),
-            &error);
-    }
-    if (implies_render(argv[1])) {
-        return cli_run(&render_command, render_work, argc - 1, argv + 1);
-    }
-    const cli_command *command = cli_find_command(commands, NULL, argv[1], &error);
-    cli_work *work = command == &render_command ? render_work : NULL;
-    return command ? cli_run(command, work, argc - 2, argv + 2)
-                   : cli_exit_code(error.status, &error);
+    return cli_run_program(&burnish, argc, argv);
 }

@@ -1,4 +1,4 @@
-/* All commands: a subcommand is one file and one row here, or in the table of its command. */
+/* All commands: a subcommand is one file and one row here. */
 #ifndef TOOL_CLI_MAIN_H
 #define TOOL_CLI_MAIN_H
 
@@ -11,8 +11,7 @@
     X(batch_command)                                                                               \
     X(serve_command)                                                                               \
     X(compare_command)                                                                             \
-    X(info_command)                                                                                \
-    X(lobe_command)
+    X(info_command)
 
 #define CLI_DECLARE_COMMAND(table) extern const cli_command table;
 CLI_COMMAND_LIST(CLI_DECLARE_COMMAND)

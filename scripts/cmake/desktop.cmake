@@ -13,6 +13,10 @@ if(CMAKE_C_FLAGS MATCHES "sanitize=memory") # its program can't use libraries th
   return()
 endif()
 foreach(size 48 128 256)
-  burnish_installed_text(icon-${size}.png ${share}/icons/hicolor/${size}x${size}/apps burnish.png
-    render :knot --color=\#d9822b --material=polished --no-background --size=${size} --samples=16 --margin=0.03 --output=-)
+  add_custom_command(OUTPUT icon-${size}.png DEPENDS burnish_cli COMMENT "Drawing icon-${size}.png" VERBATIM
+    COMMAND burnish_cli render :knot --color=\#d9822b --material=polished --no-background --size=${size} --samples=16 --margin=0.03 --output=- > icon-${size}.png)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/icon-${size}.png RENAME burnish.png DESTINATION ${share}/icons/hicolor/${size}x${size}/apps)
+  list(APPEND icons icon-${size}.png)
 endforeach()
+add_custom_target(burnish_icons ALL DEPENDS ${icons})
+add_dependencies(burnish_installed burnish_icons)

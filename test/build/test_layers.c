@@ -25,6 +25,7 @@ static const struct layer {
     {"lobe/include/burnish", LOBE},
     {"lobe/spec", "base " LOBE},
     {"lobe/theory", "base " LOBE},
+    {"lobe/program", "base base/cli " LOBE},
     {"lobe/test", "base burnish/ring.h " LOBE},
     {"lobe/test/theory", "base theory " LOBE},
     {"lobe/test/shaders", LOBE},
@@ -73,7 +74,6 @@ static const struct layer {
     {"program/font", "base base/cli cli burnish"},
     {"program/import", "base base/cli cli burnish"},
     {"program/info", "base base/cli batch cli import render/scene burnish"},
-    {"program/lobe", "base base/cli cli burnish"},
     {"program/picture", "base base/cli cli burnish"},
     {"program/render",
      "base base/cli batch/batch.h cli font picture render/output render/scene render/settings "
@@ -97,7 +97,7 @@ static const struct layer {
     {"bench/peers", "base core simd shading burnish"},
     {"bindings/wasm", "base base/cli cli lobe picture/read_png.h core/pool.h image/decode "
                       "mesh/read/io/beside.h burnish wasi"},
-    {"lobe/arduino/src", "burnish"},
+    {"lobe/arduino/src", "burnish/lobe_q15.h burnish/shade_q15.h burnish/ring.h burnish/strip.h"},
     {"lobe/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
     {"lobe/arduino/examples/OledBall", ""},
     {"lobe/firmware", "OledBall burnish/lobe_q15.h burnish/shade_q15.h"},

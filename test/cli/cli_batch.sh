@@ -3,7 +3,7 @@
 # the number of workers.
 # Usage: cli_batch.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/lib.sh"
+. "$here/../../base/test/lib.sh"
 
 # batch ARGUMENTS...: a run.
 memory=$(unlimited)

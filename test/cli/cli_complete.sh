@@ -3,12 +3,15 @@
 # the syntax where they are installed.
 # Lines are typed into real shells, on a pseudo-terminal, where there is one.
 # usage: cli_complete.sh BURNISH SCRATCH
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../../base/test/lib.sh"
 
 for shell in bash zsh fish; do
     gives 0 help --completion=$shell
     cp "$out" burnish.$shell
+    gives 0 lobe help --completion=$shell
+    cp "$out" burnish-lobe.$shell
 done
+PATH=$(dirname "$burnish"):$PATH # burnish-lobe, which completes `burnish lobe`
 
 # words LINE...: bash's completions of the last word, after bash has split the line at =.
 cat >ask.bash <<'END'
@@ -47,6 +50,7 @@ if has "completion of bash" bash; then
     offers "" burnish render part # readline completes names of files
     offers "--exponents=" burnish lobe table --exp
     offers "markdown" burnish lobe table --format ma
+    offers "markdown" burnish lobe table --format = ma
 fi
 
 # typed SHELL: types lines into a shell. Prints the words that each line passes to burnish, or the reason why it can't.
@@ -84,7 +88,7 @@ for line in sys.stdin.read().splitlines():
     print(until(b"end\r\n").rpartition("reply")[2])
 os.close(terminal)
 END
-mkdir -p typed && cp burnish.bash typed && cp burnish.zsh typed/_burnish
+mkdir -p typed && cp burnish.bash typed && cp burnish.zsh typed/_burnish && cp burnish-lobe.zsh typed/_burnish-lobe
 touch typed/part.stl "typed/my part (v2).stl" 'typed/Größe – 部品.stl' "typed/it's.stl"
 cat >typed.table <<'END'
 burnish pa^                           <part.stl>
@@ -101,6 +105,7 @@ burnish --wid^20                      <--width=20>
 burnish help rend^                    <help><render>
 burnish help pa^                      <help><pa>
 burnish lobe tab^                     <lobe><table>
+burnish lobe table --exp^10           <lobe><table><--exponents=10>
 END
 for shell in bash zsh; do
     command -v $shell >/dev/null || continue
@@ -123,7 +128,7 @@ if has "completion of fish" fish; then
     check "fish offers no render" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish ren\"' 2>&1 | grep -q render"
     check "fish offers no --camera-position" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish render x --camera-pos\"' 2>&1 | grep -q camera-position"
     fish_offers() { # LINE WANTED
-        found=$(cd typed && fish --no-config -c "source ../burnish.fish; complete -C '$1'" 2>&1 | cut -f1 | tr '\n' ' ')
+        found=$(cd typed && fish --no-config -c "source ../burnish.fish; source ../burnish-lobe.fish; complete -C '$1'" 2>&1 | cut -f1 | tr '\n' ' ')
         check "fish offers '$found' for $1" [ "$found" = "$2 " ]
     }
     fish_offers "burnish pa" part.stl
@@ -133,6 +138,7 @@ if has "completion of fish" fish; then
     fish_offers "burnish part.stl --views=front,to" --views=front,top
     fish_offers "burnish help rend" render
     fish_offers "burnish ba" batch
+    fish_offers "burnish lobe tab" table
     check "fish offers no --help=camera" sh -c "fish --no-config -c 'source burnish.fish; complete -C \"burnish render x --help=cam\"' 2>&1 | grep -q camera"
 fi
 # Every flag of the help screen is in each.

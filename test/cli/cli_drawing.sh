@@ -2,7 +2,7 @@
 # SVG from the command line: every flag of render is drawn, refused, or changes no picture at all; flags
 # without effect; sheets, millimetres and warnings.
 # usage: cli_drawing.sh BURNISH SCRATCH
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../../base/test/lib.sh"
 
 # What the table of flags says about each: drawn (the drawing of a teapot differs), same (it does not), or
 # refused (exit code 2). A value is in the middle of the flag's range, or one of its words, unless it is
@@ -283,8 +283,7 @@ for format in stl gltf glb obj off ply 3mf bms stl.gz step FBX; do
     cp part.obj "keep.$format"
     for flags in 'part.obj --output=' 'part.obj --output-format=png --output=' 'part.obj --turntable=' 'part.obj --json=' \
         'part.obj --plane=depth:' 'info part.obj --json=' 'info part.obj --csv=' 'compare :sphere :torus --output=' \
-        'compare :sphere :torus --json=' 'batch part.obj --sheet=' 'batch part.obj --report=' 'lobe table --output=' \
-        'lobe plot --format=svg curves --output='; do
+        'compare :sphere :torus --json=' 'batch part.obj --sheet=' 'batch part.obj --report='; do
         # shellcheck disable=SC2086
         gives 2 ${flags}keep.$format
     done
@@ -297,8 +296,7 @@ expect 2 'burnish: --json: "./new.png" is the picture; name another file' part.o
 expect 2 'burnish: --json: "./new.png" is the picture; name another file' compare part.obj part.obj -o new.png --json=./new.png
 cp part.obj kept.obj
 ln -s kept.obj link.png
-for flags in 'part.obj --output=' 'part.obj --plane=depth:' 'compare :sphere :torus --output=' 'batch part.obj -d . --sheet=' \
-    'lobe table --output='; do
+for flags in 'part.obj --output=' 'part.obj --plane=depth:' 'compare :sphere :torus --output=' 'batch part.obj -d . --sheet='; do
     # shellcheck disable=SC2086
     gives 2 ${flags}link.png
     check "${flags}link.png: $(cat "$err")" grep -q 'is a link to a mesh; name another file' "$err"

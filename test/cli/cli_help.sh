@@ -1,7 +1,7 @@
 #!/bin/sh
 # The help screens fit a screen, the man page is clean roff and covers every flag.
 # usage: cli_help.sh BURNISH SCRATCH
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../../base/test/lib.sh"
 
 # fits FILE: at most 40 lines of at most 100 columns, no blanks at the ends of lines.
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }
@@ -66,10 +66,29 @@ run --version
 check "version" grep -qx 'burnish [0-9]*\.[0-9]*\.[0-9]*' "$out"
 check "-V" sh -c "'$burnish' -V | cmp - '$out'"
 
+# `burnish lobe` is the program burnish-lobe.
+lobes=$(dirname "$burnish")/burnish-lobe
+for words in "lobe --help,--help" "help lobe,--help" "help lobe table,help table" "lobe claims core-w,claims core-w"; do
+    # shellcheck disable=SC2086
+    check "burnish ${words%,*} is not burnish-lobe ${words#*,}" sh -c "'$burnish' ${words%,*} >a.txt; '$lobes' ${words#*,} | cmp - a.txt && [ -s a.txt ]"
+done
+"$lobes" frobnicate 2>expected.txt
+check "burnish-lobe: exit code" [ $? = 2 ]
+run lobe frobnicate
+check "burnish lobe: another error" sh -c "[ $code = 2 ] && cmp '$err' expected.txt"
+cp "$burnish" alone
+./alone lobe table 2>"$err"
+check "without burnish-lobe: exit code and message" [ "$? $(cat "$err")" = \
+    "12 burnish: lobe: burnish-lobe is not installed next to this program; install it, or build it by cmake -S lobe" ]
+rm alone
+
 run help --man
 cp "$out" burnish.1
 check "burnish help --man: exit code $code" [ "$code" = 0 ]
-tr -d '\\' <burnish.1 >page.txt
+run lobe help --man
+cp "$out" burnish-lobe.1
+check "burnish-lobe help --man: exit code $code" [ "$code" = 0 ]
+cat burnish.1 burnish-lobe.1 | tr -d '\\' >page.txt
 grep -oh -- '--[a-z][a-z-]*' render.txt lobe.txt | sort -u >flags.txt
 check "fewer than 50 flags on the help screens" [ "$(wc -l <flags.txt)" -ge 50 ]
 while read -r flag; do
@@ -81,8 +100,10 @@ check "the man page describes no flags" [ -s described.txt ]
 while read -r flag; do
     check "$flag is not on a help screen" sh -c "grep -q -- $flag render.txt lobe.txt || '$burnish' help --help | grep -q -- $flag"
 done <described.txt
-for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE '"LOBE TABLE"' '"LOBE BOUNDARY"' COLOURS MATERIALS \
-    LOBES METRICS LIGHTS INFO '"JSON OUTPUT"' '"FACTS IN JSON"' \
+for heading in NAME SYNOPSIS DESCRIPTION TABLE BOUNDARY LOBES METRICS '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
+    check "burnish-lobe(1) lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish-lobe.1
+done
+for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE COLOURS MATERIALS LIGHTS INFO '"JSON OUTPUT"' '"FACTS IN JSON"' \
     '"EXIT STATUS"' ENVIRONMENT EXAMPLES; do
     check "the man page lacks $heading" grep -q "^.SH \"*$(echo "$heading" | tr -d '"')" burnish.1
 done
@@ -118,7 +139,10 @@ def all_keys(value):
     return set().union(*map(all_keys, value)) if isinstance(value, list) else set()
 told = set(open("told.txt").read().split())
 assert all_keys(description) == told | {"summary", "operand", "flags"}, all_keys(description) ^ told
+assert [command["name"] for command in description["commands"] if command["program"]] == ["lobe"]
 for command in description["commands"]:
+    if command["program"]:
+        continue
     screen = subprocess.run([sys.argv[1], *command["name"].split(), "--help=all"], capture_output=True, text=True, check=True).stdout
     listed = re.findall(r"^  (?:-., |    )--([a-z-]+)", screen, re.M)
     names = [flag["name"] for flag in command["flags"]]

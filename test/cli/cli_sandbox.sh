@@ -2,7 +2,7 @@
 # render --sandbox: the same pictures, messages and exit codes, and nothing beyond; --max-seconds, --max-memory.
 # Usage: cli_sandbox.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/lib.sh"
+. "$here/../../base/test/lib.sh"
 
 # Limits that the system keeps, in a sandbox and without.
 awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }' >sheets.obj

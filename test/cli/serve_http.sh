@@ -6,7 +6,7 @@ for tool in waitress-serve curl; do
 done
 here=$(cd "$(dirname "$0")" && pwd)
 example=$(realpath "$3")/docs/examples/thumbnails.py
-. "$here/lib.sh"
+. "$here/../../base/test/lib.sh"
 if ! "$burnish" render :sphere --size=8 --sandbox --max-memory=2G -o s.png 2>/dev/null; then
     echo "serve_http: no sandbox here"
     exit 77

@@ -11,7 +11,7 @@ decoders= # of textures and gzip: those that the archive may have been built wit
 for module in expat libpng libjpeg libwebp OpenEXR libisal zlib; do
     decoders="$decoders $(pkg-config --libs $module 2>/dev/null || true)"
 done
-$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$source/docs/examples/copy_lobe.c" -lm -o "$scratch/copy_lobe"
+$compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/lobe/include/burnish" "$source/docs/examples/copy_lobe.c" -lm -o "$scratch/copy_lobe"
 $compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" -I"$source/base/include" -I"$source/lobe/include" "$source/docs/examples/link_kernels.c" "$archive" -lm -o "$scratch/link_kernels"
 "$scratch/copy_lobe" >"$scratch/copy.ppm"
 "$scratch/link_kernels" >"$scratch/link.ppm" 2>"$scratch/link.txt"
@@ -27,7 +27,7 @@ echo "examples: $far bytes differ by more than 1, $bright bright pixels"
 [ "$far" -eq 0 ] && [ "$bright" -gt 50 ]
 
 # Integer results have the same bits with every compiler, so one checksum is enough.
-$compiler -std=c99 -O2 -Wall -Wextra -Werror -I"$source/include/burnish" "$source/docs/examples/shade_integers.c" -o "$scratch/shade_integers"
+$compiler -std=c99 -O2 -Wall -Wextra -Werror -I"$source/lobe/include/burnish" "$source/docs/examples/shade_integers.c" -o "$scratch/shade_integers"
 sum=$("$scratch/shade_integers" | cksum)
 echo "examples: integers $sum"
 [ "$sum" = "775226584 27661" ]

@@ -23,7 +23,8 @@ libdir=$(dirname "$(find "$scratch/moved" -name libburnish.a)")
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 export LD_LIBRARY_PATH="$libdir"
 "$scratch/moved/bin/burnish" render :teapot -o "$scratch/expected.png" || fail "the installed program"
-for text in man/man1/burnish.1 burnish/shaders/burnish.glsl burnish/shaders/glsl/lighting/specular/burnish.glsl bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
+"$scratch/moved/bin/burnish" lobe claims core-w >/dev/null || fail "the installed burnish-lobe"
+for text in man/man1/burnish.1 man/man1/burnish-lobe.1 burnish/shaders/burnish.glsl burnish/shaders/glsl/lighting/specular/burnish.glsl bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
     [ -s "$scratch/moved/share/$text" ] || fail "no $text"
 done
 
@@ -94,11 +95,11 @@ done <"$scratch/page.txt"
 if ninja -C "$build" -t commands burnish_installed >"$scratch/commands" 2>/dev/null; then
     grep -oE -- '-o (CMakeFiles/)?(test|bench|python|importers|burnish_(bench|python|import))[^ ]*' "$scratch/commands" | head -n 3 >"$scratch/others"
     [ ! -s "$scratch/others" ] || fail "make install also builds: $(cat "$scratch/others")"
-    grep -oE "\"$build/[^\"]+\"" "$build/cmake_install.cmake" | tr -d '"' | grep -vE '\.cmake$|\.pc$|MANIFEST' | sort -u >"$scratch/built"
+    grep -ohE "\"$build/[^\"]+\"" "$build/cmake_install.cmake" "$build/lobe/cmake_install.cmake" | tr -d '"' | grep -vE '\.cmake$|\.pc$|MANIFEST' | sort -u >"$scratch/built"
     [ "$(wc -l <"$scratch/built")" -gt 4 ] || fail "cmake_install.cmake names no files"
     while read -r file; do
         name=$(basename "$(readlink -f "$file")")
-        grep -qE "(-o|>|qc|lobe/scripts/shaders) $name( |\$)" "$scratch/commands" || fail "make install does not build $name"
+        grep -qE "(-o|>|qc|scripts/shaders) ([^ ]*/)?$name( |\$)" "$scratch/commands" || fail "make install does not build $name"
     done <"$scratch/built"
 fi
 

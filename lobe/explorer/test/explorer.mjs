@@ -162,7 +162,7 @@ try {
   check("statements not of the paper", await page.locator("#claims .source").count(), 1);
   check("a claim's verdict", await page.textContent("#claim-w05-large .verdict"), "does not hold");
   await page.click("#claim-core-w summary");
-  check("a claim's command", await page.textContent("#claim-core-w code"), "burnish lobe claims core-w");
+  check("a claim's command", await page.textContent("#claim-core-w code"), "burnish-lobe claims core-w");
   check("verdicts are counted", /43 claims, computed just now. 18 hold, 18 hold in part, 2 do not hold,/.test(await page.textContent("#claims-count")), true);
 
   // ---- Code ----

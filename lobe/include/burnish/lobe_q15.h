@@ -422,7 +422,7 @@ static inline uint16_t burnish_q15_reach(uint16_t slope, uint8_t shift) {
     return largest >= BURNISH_Q15_ONE ? (uint16_t)BURNISH_Q15_ONE : (uint16_t)largest;
 }
 
-/* Sets the boundary from a word that `burnish lobe boundary --format-word=UQ0.15` prints: cosines
+/* Sets the boundary from a word that `burnish-lobe boundary --format-word=UQ0.15` prints: cosines
  * up to the word give 0. A word for --bits=0 of the same lobe changes no result. With a threshold,
  * values below it become 0 and less is computed. A word below the lobe's own cutoff changes
  * nothing.

@@ -536,7 +536,7 @@ BURNISH_THEORY_API burnish_status burnish_theory_memory_fill(const burnish_theor
 
 /* ---- Metrics ----
  *
- * The properties above by name: the columns of `burnish lobe table`. */
+ * The properties above by name: the columns of `burnish-lobe table`. */
 
 typedef struct burnish_theory_metric {
     const char *group;          /* "shape", "widths", "energies", "errors", "cost", "sums" */

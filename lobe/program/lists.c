@@ -1,11 +1,11 @@
-/* Shared by the subcommands of `burnish lobe`: lists of exponents, lobes and metrics, costs as text. */
+/* Shared by the subcommands of `burnish-lobe`: lists of exponents, lobes and metrics, costs as text. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/cli/values.h"
-#include "lobe/lists.h"
+#include "program/lists.h"
 
 /* A range: each number is the previous one plus `by` or, with multiply, times `by`. */
 typedef struct span {
@@ -229,7 +229,7 @@ static burnish_status add_metrics(const char *flag, const char *item, size_t len
     snprintf(where, sizeof where, "--%s", flag);
     snprintf(typed, sizeof typed, "%.*s", name < CLI_NAME_MAX ? (int)name : CLI_NAME_MAX, item);
     return cli_fail_unknown(error, where, "metric", typed, metric_name_at, NULL,
-                            "burnish help --man");
+                            "burnish-lobe help --man");
 }
 
 burnish_status lobe_read_metrics(const char *flag, const char *text, lobe_metrics *list,

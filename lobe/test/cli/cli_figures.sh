@@ -1,16 +1,16 @@
 #!/bin/sh
-# burnish lobe plot: the figures of lobe/docs/theory.md are what the program draws, their numbers agree with closed
+# burnish-lobe plot: the figures of lobe/docs/theory.md are what the program draws, their numbers agree with closed
 # forms, runs repeat, errors are one line and leave nothing. Without gnuplot the drawings are skipped.
 # usage: cli_figures.sh BURNISH SCRATCH
 root=$(cd "$(dirname "$0")/../.." && pwd)
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../../../base/test/lib.sh"
 LC_ALL=C
 export LC_ALL
 command -v gnuplot >/dev/null && has_gnuplot=1 || has_gnuplot=0
 
 # data FIGURE ARGUMENTS...: its CSV in data.csv.
 data() {
-    gives 0 lobe plot "$@" --format=csv
+    gives 0 plot "$@" --format=csv
     cp "$out" data.csv
 }
 
@@ -112,20 +112,20 @@ rm -f data.csv disagreements.txt
 
 # ---- Errors ----------------------------------------------------------------------------------------
 
-expect 2 'burnish: lobe plot: "curvs": unknown figure; did you mean curves?' lobe plot curvs
-expect 2 'burnish: lobe plot: no FIGURE; try "burnish lobe plot curves" or "burnish lobe plot --help"' lobe plot
-expect 2 'burnish: --exponents: more than 32 items; leave some out' lobe plot curves --exponents=1-33
+expect 2 'burnish: plot: "curvs": unknown figure; did you mean curves?' plot curvs
+expect 2 'burnish: plot: no FIGURE; try "burnish-lobe plot curves" or "burnish-lobe plot --help"' plot
+expect 2 'burnish: --exponents: more than 32 items; leave some out' plot curves --exponents=1-33
 expect 2 'burnish: --exponents: the figure core has an axis of exponents; give its two ends, such as 2,1000' \
-    lobe plot core --exponents=5
-expect 2 'burnish: --exponents: the figure cost is drawn for one exponent' lobe plot cost --exponents=5,6
-expect 2 'burnish: --bits: "0" is not a number above 0 up to 64' lobe plot ratio --bits=0
-expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 1024,768' lobe plot curves --size=9,9
+    plot core --exponents=5
+expect 2 'burnish: --exponents: the figure cost is drawn for one exponent' plot cost --exponents=5,6
+expect 2 'burnish: --bits: "0" is not a number above 0 up to 64' plot ratio --bits=0
+expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 1024,768' plot curves --size=9,9
 expect 2 "burnish: --size: the names in the figure ratio take 400,250 or more" \
-    lobe plot ratio --size=200,300
-expect 2 'burnish: --output: the figure curves is written as svg, png, csv or gp' lobe plot curves -o curves.pdf
+    plot ratio --size=200,300
+expect 2 'burnish: --output: the figure curves is written as svg, png, csv or gp' plot curves -o curves.pdf
 expect 2 'burnish: curves: more than 48 curves; leave out some lobes, exponents or bits' \
-    lobe plot curves --exponents=1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17
-expect 7 "burnish: none/x.csv: can't be written: No such file or directory; create the folder first" lobe plot curves -o none/x.csv
+    plot curves --exponents=1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17
+expect 7 "burnish: none/x.csv: can't be written: No such file or directory; create the folder first" plot curves -o none/x.csv
 nothing_left "errors"
 # with_gnuplot SCRIPT LINE: with that as gnuplot, or without one for "", plotting ends with that line.
 with_gnuplot() {
@@ -138,7 +138,7 @@ with_gnuplot() {
     burnish=$out.tools/burnish
     printf '#!/bin/sh\nPATH=%s exec %s "$@"\n' "$out.tools" "$real" >"$burnish"
     chmod +x "$burnish"
-    expect 7 "burnish: gnuplot: $2" lobe plot curves
+    expect 7 "burnish: gnuplot: $2" plot curves
     burnish=$real
     rm -r "$out.tools"
 }
@@ -149,25 +149,25 @@ nothing_left "a gnuplot that fails"
 
 # ---- Drawings --------------------------------------------------------------------------------------
 
-run lobe plot curves -o kept.csv
+run plot curves -o kept.csv
 cp kept.csv again.csv
 check "by the extension: csv" grep -q '^series,angle_deg,value$' kept.csv
-check "to standard output: the same" sh -c "'$burnish' lobe plot curves --format=csv | cmp - kept.csv"
-run lobe plot curves -o script.gp
+check "to standard output: the same" sh -c "'$burnish' plot curves --format=csv | cmp - kept.csv"
+run plot curves -o script.gp
 check "by the extension: gp" grep -q '^figure = "curves"$' script.gp
 cp "$burnish" alone
-burnish=./alone expect 7 "burnish: figures.gp: not found beside the program; name the file in BURNISH_FIGURES" lobe plot curves
+burnish=./alone expect 7 "burnish: figures.gp: not found beside the program; name the file in BURNISH_FIGURES" plot curves
 rm -f alone
-check "an output that can't be written is kept as it was" sh -c "chmod 400 kept.csv; '$burnish' lobe plot curves --lobes=foo -o kept.csv; cmp kept.csv again.csv"
+check "an output that can't be written is kept as it was" sh -c "chmod 400 kept.csv; '$burnish' plot curves --lobes=foo -o kept.csv; cmp kept.csv again.csv"
 rm -f kept.csv again.csv script.gp
 
 if [ "$has_gnuplot" = 1 ]; then
     mkdir one
-    for file in "$root"/lobe/docs/figures/*.svg; do
+    for file in "$root"/docs/figures/*.svg; do
         name=$(basename "$file")
-        gives 0 lobe plot "${name%.*}" -o "one/$name"
+        gives 0 plot "${name%.*}" -o "one/$name"
         check "lobe/docs/figures/$name is not what the program draws; run make figures" cmp "one/$name" "$file"
-        check "lobe/docs/figures/$name is not in lobe/docs/theory.md" grep -q "(figures/$name)" "$root/lobe/docs/theory.md"
+        check "lobe/docs/figures/$name is not in lobe/docs/theory.md" grep -q "(figures/$name)" "$root/docs/theory.md"
     done
     for file in one/*.svg; do
         check "$file: no end" sh -c "tail -n 2 '$file' | grep -q '</svg>'"
@@ -175,23 +175,23 @@ if [ "$has_gnuplot" = 1 ]; then
         check "$file: a number that is none" sh -c "! grep -qi '[^a-z]nan[^a-z]' '$file'"
         check "$file: not well-formed" python3 -c 'import sys, xml.dom.minidom as dom; dom.parse(sys.argv[1])' "$file"
     done
-    run lobe plot energy -o energy.gp
-    check "figures.gp by hand" sh -c "gnuplot -d -c '$root/program/lobe/figures.gp' energy.gp | tail -n 2 | grep -q '</svg>'"
+    run plot energy -o energy.gp
+    check "figures.gp by hand" sh -c "gnuplot -d -c '$root/program/figures.gp' energy.gp | tail -n 2 | grep -q '</svg>'"
     rm energy.gp
-    run lobe plot energy -o -
+    run plot energy -o -
     check "standard output" cmp "$out" one/energy.svg
     # Other lobes and exponents: nothing to draw, long axes, many names; as PNG too.
     for arguments in "core --lobes=power" "error --lobes=power" "cost --lobes=power" "ratio --exponents=1,65536" \
         "ratio --lobes=taylor:2,schlick,minimax:8,gaussian,gx --bits=2,4,8,12" "curves --exponents=1" "energy --size=400,250"; do
         # shellcheck disable=SC2086
-        gives 0 lobe plot $arguments -o other.svg
+        gives 0 plot $arguments -o other.svg
     done
-    run lobe plot core --exponents=3,700 -o other.svg
+    run plot core --exponents=3,700 -o other.svg
     for end in 3 700; do
         check "an axis of exponents ends without its label $end" grep -q "> *$end</tspan>" other.svg
     done
-    run lobe plot curves -o other.png
-    check "burnish lobe plot curves -o other.png: $(cat "$err")" \
+    run plot curves -o other.png
+    check "burnish-lobe plot curves -o other.png: $(cat "$err")" \
         [ "$(png_size other.png)" = "720 440" ]
     rm other.svg other.png
 fi
@@ -202,7 +202,7 @@ nothing_left "figures"
 
 # Rounded numbers in its text.
 about() {
-    run lobe table --lobes="$1" --exponents="$2" --metrics="$3" --format=csv
+    run table --lobes="$1" --exponents="$2" --metrics="$3" --format=csv
     check "$3 of $1 at n = $2 is not about $4" awk -F, -v about="$4" 'NR == 2 { exit !(int($3 + 0.5) == about) }' "$out"
 }
 about taylor:2 100 zero-angle 11
@@ -210,10 +210,10 @@ about energy:2 10 zero-angle 43
 
 # says LOBE N METRIC VALUE DIGITS [RANGE]: the same with that many digits after the point.
 says() {
-    run lobe table --lobes="$1" --exponents="$2" --metrics="$3" --range="${6:-all}" --format=csv
+    run table --lobes="$1" --exponents="$2" --metrics="$3" --range="${6:-all}" --format=csv
     check "$3 of $1 at n = $2 is not $4" awk -F, -v said="$4" -v digits="$5" \
         'NR == 2 { exit !(sprintf("%." digits "f", $3) == sprintf("%." digits "f", said)) }' "$out"
-    check "lobe/docs/theory.md doesn't say $4" grep -qF "${4#0}" "$root/lobe/docs/theory.md"
+    check "lobe/docs/theory.md doesn't say $4" grep -qF "${4#0}" "$root/docs/theory.md"
 }
 says schlick 100 angle:8 73.6 1
 says power 100 angle:8 18.9 1
@@ -226,12 +226,12 @@ says shift7 1000 max-relative 1.9 1 inflection
 
 # Every command of the page and of the help screens and the man page.
 {
-    grep -o '`burnish lobe plot [^`]*`' "$root/lobe/docs/theory.md" | tr -d '`'
-    for screen in --help "lobe --help" "lobe plot --help" "help --man"; do
+    grep -o '`burnish-lobe plot [^`]*`' "$root/docs/theory.md" | tr -d '`'
+    for screen in --help "plot --help" "help --man"; do
         # shellcheck disable=SC2086
-        "$burnish" $screen 2>/dev/null | tr -d '\\' | grep -o 'burnish lobe plot [a-z0-9].*' | sed 's/  .*//; s/fR$//'
+        "$burnish" $screen 2>/dev/null | tr -d '\\' | grep -o 'burnish-lobe plot [a-z0-9].*' | sed 's/  .*//; s/fR$//'
     done
-} | sort -u | grep -v '^burnish lobe plot FIGURE' >"$out.commands"
+} | sort -u | grep -v '^burnish-lobe plot FIGURE' >"$out.commands"
 check "no examples" [ "$(wc -l <"$out.commands")" -ge 10 ]
 while read -r command; do
     [ "$has_gnuplot" = 1 ] || continue

@@ -1,10 +1,10 @@
-/* `burnish lobe table`: any lobes, exponents and metrics. */
+/* `burnish-lobe table`: any lobes, exponents and metrics. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/lists.h"
-#include "lobe/lobe.h"
+#include "program/lists.h"
+#include "program/lobe.h"
 
 typedef struct table_settings {
     const char *lobes, *exponents, *metrics, *range, *output;
@@ -42,17 +42,17 @@ static const cli_flag table_flags[] = {
 };
 
 static const cli_example examples[] = {
-    {"burnish lobe table", "a first look"},
-    {"burnish lobe table --lobes=taylor:2 --range=inflection --metrics=max-relative", "figure 4"},
-    {"burnish lobe table --lobes=minimax:8 --exponents=8-1024x2 --metrics=errors", "against n"},
-    {"burnish lobe table --metrics=angle:4,angle:8,ratio:4,ratio:8", "widths"},
-    {"burnish lobe table --metrics=all --format=csv -o lobes.csv", "everything"},
+    {"burnish-lobe table", "a first look"},
+    {"burnish-lobe table --lobes=taylor:2 --range=inflection --metrics=max-relative", "figure 4"},
+    {"burnish-lobe table --lobes=minimax:8 --exponents=8-1024x2 --metrics=errors", "against n"},
+    {"burnish-lobe table --metrics=angle:4,angle:8,ratio:4,ratio:8", "widths"},
+    {"burnish-lobe table --metrics=all --format=csv -o lobes.csv", "everything"},
     {NULL, NULL},
 };
 
 static const cli_section sections[] = {
     {.heading = "METRICS",
-     .text = "The columns of *burnish lobe table*. The groups *shape*, *widths*, *energies*, "
+     .text = "The columns of *burnish-lobe table*. The groups *shape*, *widths*, *energies*, "
              "*errors* and *cost* are subsets, *all* has every column but those of *sums*, which "
              "are of "
              "sums of lobes and not of the row's lobe. _BITS_ (default 8), _DEG_ (10), _LENGTH_ "
@@ -62,10 +62,10 @@ static const cli_section sections[] = {
 };
 
 const cli_command lobe_table_command = {
-    .name = "lobe table",
+    .name = "table",
     .operand = "",
     .summary = "lobes in numbers: errors, widths, energy, cost",
-    .operand_help = "burnish help --man lists the metrics; angles are degrees",
+    .operand_help = "burnish-lobe help --man lists the metrics; angles are degrees",
     .manual = "Prints a table with a row for every lobe and exponent.",
     .operands_max = 0,
     .flags = table_flags,
@@ -155,7 +155,7 @@ static burnish_status make_table(const plan *p, cli_table *table, burnish_error 
     table->rows_in_group = p->lobes.count > 1 && p->exponents.count > 1 ? p->lobes.count : 0;
     if (table->row_count > CLI_CELLS_MAX / table->column_count) {
         return cli_fail(error, BURNISH_STATUS_LIMIT,
-                        "lobe table: %zu rows of %zu columns are more than %d cells; use fewer "
+                        "table: %zu rows of %zu columns are more than %d cells; use fewer "
                         "lobes, exponents or metrics",
                         table->row_count, table->column_count, CLI_CELLS_MAX);
     }

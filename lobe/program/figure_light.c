@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "base/cli/values.h"
-#include "lobe/figures.h"
+#include "program/figures.h"
 
 enum { QUADS = 150, SLOPES = 61 };
 #define SLOPE_MAX 1000.0

@@ -1,9 +1,9 @@
-/* `burnish lobe claims`: recomputes the paper's statements and gives verdicts. */
+/* `burnish-lobe claims`: recomputes the paper's statements and gives verdicts. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/lobe.h"
+#include "program/lobe.h"
 
 typedef struct claims_settings {
     const char *output;
@@ -18,14 +18,14 @@ static const cli_flag claims_flags[] = {
 };
 
 static const cli_example examples[] = {
-    {"burnish lobe claims", "all of them, with a count of the verdicts"},
-    {"burnish lobe claims core-w", "one"},
-    {"burnish lobe claims --format=json -o claims.json", "for programs"},
+    {"burnish-lobe claims", "all of them, with a count of the verdicts"},
+    {"burnish-lobe claims core-w", "one"},
+    {"burnish-lobe claims --format=json -o claims.json", "for programs"},
     {NULL, NULL},
 };
 
 const cli_command lobe_claims_command = {
-    .name = "lobe claims",
+    .name = "claims",
     .operand = "[ID]",
     .summary = "check the paper's statements",
     .operand_help = "a claim, such as core-w; default: all claims",
@@ -71,9 +71,9 @@ static burnish_status compute(const char *id, claim_list *list, burnish_error *e
         (void)burnish_theory_claim_compute(i, &list->items[list->count]); /* i is in range */
         list->count += !id || strcmp(list->items[list->count].id, id) == 0;
     }
-    return list->count > 0 ? BURNISH_STATUS_OK
-                           : cli_fail_unknown(error, "lobe claims", "claim", id, id_at, NULL,
-                                              "burnish lobe claims");
+    return list->count > 0
+               ? BURNISH_STATUS_OK
+               : cli_fail_unknown(error, "claims", "claim", id, id_at, NULL, "burnish-lobe claims");
 }
 
 /* ---- Text ---- */

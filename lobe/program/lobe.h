@@ -1,13 +1,12 @@
-/* `burnish lobe`: its subcommands and what they share. */
-#ifndef TOOL_LOBE_LOBE_H
-#define TOOL_LOBE_LOBE_H
+/* burnish-lobe: its commands and what they share. */
+#ifndef BURNISH_PROGRAM_LOBE_H
+#define BURNISH_PROGRAM_LOBE_H
 
 #include "base/cli/options.h"
 #include "base/cli/output.h"
 #include "base/cli/values.h"
 #include "burnish/theory.h"
 
-extern const cli_command lobe_command;
 extern const cli_command lobe_table_command;
 extern const cli_command lobe_claims_command;
 extern const cli_command lobe_boundary_command;

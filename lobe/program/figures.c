@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/cli/values.h"
-#include "lobe/figures.h"
+#include "program/figures.h"
 
 static const double DEGREES = 1 / CLI_DEGREE;
 

@@ -1,11 +1,11 @@
-/* `burnish lobe choose`: the cheapest lobe close enough to cos^n, as C code. */
+/* `burnish-lobe choose`: the cheapest lobe close enough to cos^n, as C code. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/choose_sum.h"
-#include "lobe/lists.h"
-#include "lobe/lobe.h"
+#include "program/choose_sum.h"
+#include "program/lists.h"
+#include "program/lobe.h"
 
 typedef struct choose_settings {
     const char *output;
@@ -27,7 +27,7 @@ static const cli_flag choose_flags[] = {
               roughness),
      CLI_RANGE(1e-3, 1),
      .manual = "Instead of a lobe for cos^n, the sum of the fewest lobes for a rough surface: see "
-               "*burnish lobe rough*. *--epsilon* then limits the energy in the wrong direction."},
+               "*burnish-lobe rough*. *--epsilon* then limits the energy in the wrong direction."},
     {CLI_FLAG("distribution", "NAME", "distribution of normals, with --roughness", cli_flag_word,
               distribution),
      .default_text = "ggx", .words = lobe_distribution_words,
@@ -45,14 +45,14 @@ static const cli_flag choose_flags[] = {
 };
 
 static const cli_example examples[] = {
-    {"burnish lobe choose --exponent=100 --epsilon=0.02", "constants for C, and other candidates"},
-    {"burnish lobe choose --exponent=20 --epsilon=0.03 --affine", "with a peak below 1"},
-    {"burnish lobe choose --roughness=0.4 --epsilon=0.05", "a sum of lobes for GGX"},
+    {"burnish-lobe choose --exponent=100 --epsilon=0.02", "constants for C, and other candidates"},
+    {"burnish-lobe choose --exponent=20 --epsilon=0.03 --affine", "with a peak below 1"},
+    {"burnish-lobe choose --roughness=0.4 --epsilon=0.05", "a sum of lobes for GGX"},
     {NULL, NULL},
 };
 
 const cli_command lobe_choose_command = {
-    .name = "lobe choose",
+    .name = "choose",
     .operand = "",
     .summary = "the cheapest lobe close enough to cos^n, as C",
     .operand_help = "cheapest: fewest functions, then divisions, then other operations",
@@ -269,7 +269,7 @@ static burnish_status work(void *target, cli_call *call, burnish_error *error) {
     }
     if (!settings->exponent.given || !settings->epsilon.given) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "lobe choose: --%s is missing; try \"burnish lobe choose "
+                        "choose: --%s is missing; try \"burnish-lobe choose "
                         "--exponent=100 --epsilon=0.02\"",
                         settings->exponent.given || settings->roughness.given ? "epsilon"
                                                                               : "exponent");

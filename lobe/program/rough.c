@@ -1,10 +1,10 @@
-/* `burnish lobe rough`: sums of lobes that approximate GGX and Beckmann. */
+/* `burnish-lobe rough`: sums of lobes that approximate GGX and Beckmann. */
 #include <math.h>
 #include <string.h>
 
 #include "base/cli/values.h"
-#include "lobe/choose_sum.h"
-#include "lobe/lobe.h"
+#include "program/choose_sum.h"
+#include "program/lobe.h"
 
 enum { ROUGH_MAX = 64, ROUGH_COLUMNS = 15 };
 
@@ -31,13 +31,13 @@ static const cli_flag rough_flags[] = {
 };
 
 static const cli_example examples[] = {
-    {"burnish lobe rough", "three lobes for GGX"},
-    {"burnish lobe rough --roughness=0.35 --lobes=2 --format=json", "constants for a shader"},
+    {"burnish-lobe rough", "three lobes for GGX"},
+    {"burnish-lobe rough --roughness=0.35 --lobes=2 --format=json", "constants for a shader"},
     {NULL, NULL},
 };
 
 const cli_command lobe_rough_command = {
-    .name = "lobe rough",
+    .name = "rough",
     .operand = "",
     .summary = "sums of lobes for GGX and Beckmann, and their errors",
     .operand_help = "energies are shares of 1; angles are from the mirror direction",

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/figures.h"
+#include "program/figures.h"
 
 /* Kinds of series in figures.gp. */
 enum { COST_FRONT = 1, COST_FAMILY, COST_OTHER, COST_EXACT, COST_HEADING };

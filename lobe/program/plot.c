@@ -1,11 +1,11 @@
-/* `burnish lobe plot`: the paper's figures and our own, drawn from code for any lobes. */
+/* `burnish-lobe plot`: the paper's figures and our own, drawn from code for any lobes. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "burnish/core.h"
-#include "lobe/figures.h"
-#include "lobe/lobe.h"
+#include "program/figures.h"
+#include "program/lobe.h"
 
 typedef struct plot_settings {
     const char *exponents, *lobes, *bits, *output;
@@ -46,12 +46,12 @@ static const cli_flag plot_flags[] = {
      CLI_FLAG("exponents", "LIST", "from 1 to 65536, such as 3,10,30; or the ends of the axis",
               cli_flag_text, exponents),
      .default_label = "the figure's own",
-     .manual = "Exponents to plot, between commas, or ranges as in *burnish lobe table*. In "
+     .manual = "Exponents to plot, between commas, or ranges as in *burnish-lobe table*. In "
                "figures whose horizontal axis is the exponent "
                "the axis runs from the least to the greatest of them."},
     {CLI_FLAG("lobes", "LIST", "such as power,energy:2,schlick", cli_flag_text, lobes),
      .default_label = "the figure's own",
-     .manual = "Lobes to plot, between commas, in the words of *burnish lobe table*."},
+     .manual = "Lobes to plot, between commas, in the words of *burnish-lobe table*."},
     {CLI_FLAG("bits", "LIST", "thresholds q: a lobe ends at 2^-q; ratio, widths", cli_flag_text,
               bits),
      .default_label = "the figure's own",
@@ -77,14 +77,14 @@ static const cli_flag plot_flags[] = {
 };
 
 static const cli_example plot_examples[] = {
-    {"burnish lobe plot curves --exponents=50", "the paper's figure 3 for another exponent"},
-    {"burnish lobe plot error --lobes=energy:4 -o error.svg", "another lobe"},
-    {"burnish lobe plot ratio --bits=8,10 --format=csv", "the numbers of a figure"},
+    {"burnish-lobe plot curves --exponents=50", "the paper's figure 3 for another exponent"},
+    {"burnish-lobe plot error --lobes=energy:4 -o error.svg", "another lobe"},
+    {"burnish-lobe plot ratio --bits=8,10 --format=csv", "the numbers of a figure"},
     {NULL, NULL},
 };
 
 const cli_command lobe_plot_command = {
-    .name = "lobe plot",
+    .name = "plot",
     .operand = "FIGURE",
     .summary = "the paper's figures and our own, as SVG by gnuplot",
     .operand_help = "the paper's error, curves, core, ratio, w1, w1-extreme (figures 2 to 6);\n"
@@ -298,8 +298,8 @@ static const plot_figure *find_figure(const char *name, burnish_error *error) {
             return figure;
         }
     }
-    cli_fail_unknown(error, "lobe plot", "figure", name, figure_name_at, NULL,
-                     "burnish lobe plot --help");
+    cli_fail_unknown(error, "plot", "figure", name, figure_name_at, NULL,
+                     "burnish-lobe plot --help");
     return NULL;
 }
 
@@ -326,8 +326,8 @@ static burnish_status plot(void *from, cli_call *call, burnish_error *error) {
                                             : FORMAT_SVG;
     if (call->operand_count == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "lobe plot: no FIGURE; try \"burnish lobe plot curves\" or "
-                        "\"burnish lobe plot --help\"");
+                        "plot: no FIGURE; try \"burnish-lobe plot curves\" or "
+                        "\"burnish-lobe plot --help\"");
     }
     const plot_figure *figure = find_figure(call->operands[0], error);
     if (!figure) {

@@ -1,4 +1,4 @@
-#include "lobe/choose_sum.h"
+#include "program/choose_sum.h"
 
 #include <math.h>
 

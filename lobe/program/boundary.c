@@ -1,12 +1,12 @@
-/* `burnish lobe boundary`: the memory of boundary cosines as C, Verilog memory or CSV. */
+/* `burnish-lobe boundary`: the memory of boundary cosines as C, Verilog memory or CSV. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lobe/lists.h"
-#include "lobe/lobe.h"
+#include "program/lists.h"
+#include "program/lobe.h"
 
 typedef enum boundary_form { FORM_C, FORM_PROGMEM, FORM_MEM, FORM_CSV } boundary_form;
 
@@ -70,15 +70,15 @@ static const cli_flag boundary_flags[] = {
 };
 
 static const cli_example examples[] = {
-    {"burnish lobe boundary -o boundary.c", "a C array"},
-    {"burnish lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "for $readmemh"},
-    {"burnish lobe boundary --exponents=1-255 --as=progmem -o boundary.h", "for an AVR"},
-    {"burnish lobe boundary --lobe=power --lambda --format-word=UQ0.16 --as=csv", "table"},
+    {"burnish-lobe boundary -o boundary.c", "a C array"},
+    {"burnish-lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "for $readmemh"},
+    {"burnish-lobe boundary --exponents=1-255 --as=progmem -o boundary.h", "for an AVR"},
+    {"burnish-lobe boundary --lobe=power --lambda --format-word=UQ0.16 --as=csv", "table"},
     {NULL, NULL},
 };
 
 const cli_command lobe_boundary_command = {
-    .name = "lobe boundary",
+    .name = "boundary",
     .operand = "",
     .summary = "tables of the cosines below which a lobe is dark",
     .operand_help = "a word per exponent: the cosine below which the lobe need not be computed",
@@ -180,7 +180,7 @@ static void print_c(FILE *stream, const contents *c) {
     fprintf(stream,
             "/* Boundary memory of the lobe %s: the %s at which it has fallen to %s.\n"
             " * Words are %s, %d bits, rounded %s: 1 is %" PRIu64 ".%s\n"
-            " * Written by burnish %s: burnish lobe boundary. */\n#include <stdint.h>\n%s\n",
+            " * Written by burnish %s: burnish-lobe boundary. */\n#include <stdint.h>\n%s\n",
             c->lobe, what_is_stored(c), level, c->format,
             burnish_theory_format_width(&c->memory.format), rounding_name(c),
             UINT64_C(1) << c->memory.format.fraction_bits,
@@ -215,7 +215,7 @@ static void print_mem(FILE *stream, const contents *c) {
     fprintf(stream,
             "// Boundary memory of the lobe %s: the %s at which it has fallen to %s.\n"
             "// %zu words of %d bits, %s, rounded %s. For $readmemh.\n"
-            "// Written by burnish %s: burnish lobe boundary.\n@0\n",
+            "// Written by burnish %s: burnish-lobe boundary.\n@0\n",
             c->lobe, what_is_stored(c), level, c->exponents.count,
             burnish_theory_format_width(&c->memory.format), c->format, rounding_name(c),
             burnish_version());

@@ -12,7 +12,7 @@
 #endif
 
 #include "base/cli/output.h"
-#include "lobe/figures.h"
+#include "program/figures.h"
 
 /* Inks on light and on dark pages: text, axis, grid, paper, cos^n; seven hues for lobes; eight steps for
  * numbers. Source of the hues: Okabe and Ito 2008, which people with any colour vision distinguish;
@@ -91,7 +91,7 @@ void plot_write_numbers(const plot_chart *chart, int is_png, FILE *file) {
         *c = *c == '-' ? '_' : *c;
     }
     fprintf(file,
-            "# %s. Made by burnish lobe plot %s; gnuplot -c figures.gp THIS draws it.\n"
+            "# %s. Made by burnish-lobe plot %s; gnuplot -c figures.gp THIS draws it.\n"
             "figure = \"%s\"\nid = \"%s\"\nformat = \"%s\"\nwidth = %d.0\nheight = %d.0\n"
             "panel = \"%s\"\ncondition = \"%s\"\nlines = %zu\nlight = \"",
             chart->title, chart->name, chart->name, id, is_png ? "png" : "svg", chart->width,

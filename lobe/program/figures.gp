@@ -1,7 +1,7 @@
 # Draws the figures of lobe/docs/theory.md:
-#   burnish lobe plot curves -o curves.gp              the numbers, which this file loads
+#   burnish-lobe plot curves -o curves.gp              the numbers, which this file loads
 #   gnuplot -c figures.gp curves.gp >curves.svg
-# burnish lobe plot does the same and adds colours for dark pages. To use a changed copy of this file, name it
+# burnish-lobe plot does the same and adds colours for dark pages. To use a changed copy of this file, name it
 # in BURNISH_FIGURES.
 load ARG1
 

@@ -6,7 +6,7 @@
 
 #include "base/cli/options.h"
 #include "burnish/theory.h"
-#include "lobe/lists.h"
+#include "program/lists.h"
 
 enum {
     PLOT_LIST_MAX = 32,   /* items of --exponents, --lobes, --bits */
