@@ -4,7 +4,7 @@
 //   const material = new BurnishPhongMaterial({ shininess: 60 }, { fit: "minimax", order: 4 });
 import { MeshPhongNodeMaterial, PhongLightingModel } from "three/webgpu";
 import { F_Schlick, float, materialSpecularStrength, normalView, positionViewDirection, shininess, specularColor } from "three/tsl";
-import { checkLobe } from "./lobe.js";
+import { checkLobe } from "./fits.js";
 
 const MINIMAX = { 2: [0.355859, 0.2345, 0.104], 4: [0.211335, 0.14, 0.058], 8: [0.114995, 0.0762, 0.031], 16: [0.0599556, 0.0397, 0.016], 32: [0.0306084, 0.0202, 0.008] };
 

@@ -9,7 +9,7 @@
 // contains the replaced source text.
 import { RectAreaLight, ShaderChunk } from "three";
 import glsl from "./glsl.js";
-import { checkLobe } from "./lobe.js";
+import { checkLobe } from "./fits.js";
 
 // The replaced text of three.js' chunks.
 const POWER = { chunk: "bsdfs", text: "pow( dotNH, shininess )" };

@@ -1,4 +1,4 @@
-/** The renderer of burnish in WebAssembly, and facts of its lobes. */
+/** The renderer of burnish in WebAssembly. */
 
 import type { DrawFlags, LoadFlags } from "./options.js";
 export type { Color, Vector, Words } from "./options.js";
@@ -135,35 +135,6 @@ export interface Mesh {
   close(): void;
 }
 
-/** Facts of a lobe at an exponent. Angles are in radians; undefined values are NaN. */
-export interface Theory {
-  /** Slope of the family, else 0. */
-  zeta: number;
-  /** Value at the peak. */
-  scale: number;
-  /** The lobe is 0 for cosines up to this one. */
-  cutoffCosine: number;
-  zeroAngle: number;
-  /** The angle at which the lobe is 1/2. */
-  halfAngle: number;
-  /** Largest absolute difference from cos^n over cosines in [0, 1]. */
-  maximumError: number;
-  /** Over the hemisphere, in steradians; then weighted by the cosine. */
-  integral: number;
-  cosineIntegral: number;
-  /** Operations of one evaluation from a cosine. */
-  multiplications: number;
-  additions: number;
-  comparisons: number;
-  divisions: number;
-  transcendentals: number;
-  lookups: number;
-}
-
-export type Conversion =
-  | "exponentFromRoughness" | "roughnessFromExponent" | "exponentFromAlpha" | "alphaFromExponent"
-  | "phongFromBlinn" | "blinnFromPhong";
-
 /** A flag of the program. */
 export interface Flag {
   /** Without dashes at the beginning: "edge-width". */
@@ -202,12 +173,6 @@ export interface Burnish {
   compare(a: Pick<Picture, "width" | "height" | "channels" | "pixels">, b: Pick<Picture, "width" | "height" | "channels" | "pixels">, options?: { tolerance?: number }): Comparison;
   /** The lobe at cosines, in single precision: the same bits as in pictures. */
   lobeValues(words: string, exponent: number, cosines: ArrayLike<number>): Float32Array;
-  /** The lobe at angles, in double precision. */
-  theoryValues(words: string, exponent: number, angles: ArrayLike<number>): Float64Array;
-  theory(words: string, exponent: number): Theory;
-  convert(name: Conversion, value: number): number;
-  /** The output of `burnish lobe` for words such as ["claims", "--format=csv"]: table, claims, choose, boundary; JSON is not available. */
-  lobe(words: (string | number)[]): string;
   /** File extensions that open() reads: ".obj". */
   readonly extensions: string[];
 }

@@ -1,4 +1,4 @@
-// burnish/wasm: lobes, their theory and the renderer in WebAssembly, with the same pixels as the program `burnish`.
+// burnish/wasm: the renderer in WebAssembly, with the same pixels as the program `burnish`.
 //
 //   import { render } from "burnish/wasm";
 //   const picture = await render(bytes, { name: "part.stl", size: 256, lobe: "minimax:4" });
@@ -6,14 +6,9 @@
 //
 // Options are the flags of `burnish render` in camelCase, listed in options.d.ts.
 
-/** A failure: one line in `message`, a word such as "FORMAT" in `status`. */
-export class BurnishError extends Error {
-  constructor(message, status) {
-    super(message);
-    this.name = "BurnishError";
-    this.status = status;
-  }
-}
+import { BurnishError, Memory, compileFile } from "./module.js";
+
+export { BurnishError };
 
 // i8x16.popcnt of a splat: valid with SIMD128.
 const SIMD_PROBE = new Uint8Array([
@@ -23,22 +18,13 @@ const SIMD_PROBE = new Uint8Array([
 /** Whether this engine supports SIMD128. */
 export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 
-// In the order of session_number, theory_number and theory_convert.
+// In the order of session_number.
 const NUMBERS = ["width", "height", "channels", "hashHigh", "hashLow", "coveredPixels"];
-const FACTS = [
-  "zeta", "scale", "cutoffCosine", "zeroAngle", "halfAngle", "maximumError", "integral", "cosineIntegral",
-  "multiplications", "additions", "comparisons", "divisions", "transcendentals", "lookups",
-];
 const COUNTS = [
   "triangles", "vertices", "shells", "edges", "openEdges", "nonManifoldEdges", "inconsistentEdges", "flippedTriangles",
   "unorientableParts", "degenerateTriangles", "duplicateTriangles",
 ];
 const UPS = ["", "+X", "-X", "+Y", "-Y", "+Z", "-Z"];
-const CONVERSIONS = [
-  "exponentFromRoughness", "roughnessFromExponent", "exponentFromAlpha", "alphaFromExponent", "phongFromBlinn",
-  "blinnFromPhong",
-];
-
 const NO_FLAGS = new Set(["name", "files", "decode", "rgba", "measure"]);
 const [LOADS, DRAWS] = [1, 2]; // as in session.h
 const [CAMEL_CASE, DASHES] = [1, 2];
@@ -64,23 +50,6 @@ function values(key, value) {
 const list = (options) => Object.entries(options)
   .filter(([key, value]) => !NO_FLAGS.has(key) && value !== undefined && value !== null)
   .flatMap(([key, value]) => values(key, value).map((one) => [key, one]));
-
-// The name is an argument because bundlers for browsers try to resolve literal ones.
-const importModule = (name) => import(/* webpackIgnore: true */ /* @vite-ignore */ name);
-
-async function compileFile(url) {
-  if (url.protocol === "file:" && globalThis.process?.versions?.node) {
-    const { readFile } = await importModule("node:fs/promises");
-    return WebAssembly.compile(await readFile(url));
-  }
-  const response = await fetch(url);
-  if (!response.ok) {
-    throw new BurnishError(`${url}: can't be fetched: ${response.status} ${response.statusText}`, "READ");
-  }
-  // streaming, which browsers cache, needs the server to send the right type
-  const isNamed = response.headers.get("content-type")?.trim().toLowerCase() === "application/wasm";
-  return isNamed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
-}
 
 // Decodes an image in a browser: its 8-bit values, ignoring colour profiles. They are read back through WebGL,
 // because a 2D canvas premultiplies alpha and loses precision.
@@ -134,8 +103,7 @@ async function readBlobs(input, { files = {}, ...options }) {
 /** One instance of the module. It belongs to one thread: each worker loads its own. */
 class Burnish {
   #exports;
-  #encoder = new TextEncoder();
-  #decoder = new TextDecoder();
+  #memory;
   #reading = Promise.resolve();
 
   #startThreads;
@@ -143,11 +111,12 @@ class Burnish {
 
   constructor(exports, simd, threads, startThreads, naming) {
     this.#exports = exports;
+    this.#memory = new Memory(exports);
     this.#naming = naming;
     this.simd = simd;
     this.threads = threads;
     this.#startThreads = startThreads;
-    this.version = this.#text(exports.version());
+    this.version = this.#memory.text(exports.version());
     this.flags = this.#readFlags();
   }
 
@@ -157,57 +126,19 @@ class Burnish {
     this.#startThreads = () => {};
   }
 
-  // ---- Memory ----
-
-  #allocate(size) {
-    const at = this.#exports.allocate(size);
-    if (at === 0) {
-      throw new BurnishError(`out of memory: ${size} bytes; draw a smaller mesh or picture`, "MEMORY");
-    }
-    return at;
-  }
-
-  #put(bytes) {
-    const at = this.#allocate(bytes.length);
-    new Uint8Array(this.#exports.memory.buffer).set(bytes, at);
-    return at;
-  }
-
-  // Calls use(pointers) with strings and bytes in the module's memory, which are released afterwards.
-  #with(items, use) {
-    const pointers = [];
-    try {
-      for (const item of items) {
-        pointers.push(this.#put(typeof item === "string" ? this.#encoder.encode(item + "\0") : item));
-      }
-      return use(...pointers);
-    } finally {
-      pointers.forEach((at) => this.#exports.release(at));
-    }
-  }
-
   // Calls use(at, count) with session_options in the module's memory.
   #withOptions(pairs, use) {
     const items = pairs.flatMap(([name, value]) =>
       [name, typeof value === "boolean" ? "" : typeof value === "string" ? value : new Uint8Array(Float64Array.from(value).buffer)]);
-    this.#with(items, (...at) => {
+    this.#memory.with(items, (...at) => {
       const fields = pairs.flatMap(([, value], i) => {
         const [name, content] = [at[2 * i], at[2 * i + 1]];
         return typeof value === "boolean" ? [name, 0, 0, 0, value ? 0 : 1]
           : typeof value === "string" ? [name, content, 0, 0, 0]
           : [name, 0, content, value.length, 0];
       });
-      this.#with([new Uint8Array(Uint32Array.from(fields).buffer)], (optionsAt) => use(optionsAt, pairs.length));
+      this.#memory.with([new Uint8Array(Uint32Array.from(fields).buffer)], (optionsAt) => use(optionsAt, pairs.length));
     });
-  }
-
-  #text(at) {
-    const bytes = new Uint8Array(this.#exports.memory.buffer, at);
-    return this.#decoder.decode(bytes.slice(0, bytes.indexOf(0)));
-  }
-
-  #failure() {
-    return new BurnishError(this.#text(this.#exports.failure_text()), this.#text(this.#exports.failure_status()));
   }
 
   // ---- Options ----
@@ -216,7 +147,7 @@ class Burnish {
   #readFlags() {
     const flags = {};
     for (let at, i = 0; (at = this.#exports.flag_row(i)) !== 0; ++i) {
-      const [name, stages, kind, others, words] = this.#text(at).split("\t");
+      const [name, stages, kind, others, words] = this.#memory.text(at).split("\t");
       const flag = {
         name, loads: (stages & LOADS) !== 0, draws: (stages & DRAWS) !== 0, isSwitch: kind === "", isOptional: kind === "?",
         repeats: kind === "+", words: words === "" ? [] : words.split(", "),
@@ -256,13 +187,13 @@ class Burnish {
       e.session_request_facts(session);
     }
     try {
-      this.#with(items, (nameAt, bytesAt, ...offers) => {
+      this.#memory.with(items, (nameAt, bytesAt, ...offers) => {
         files.forEach(([, content], i) => {
           e.session_offer(session, offers[2 * i], offers[2 * i + 1], content.length);
         });
         this.#withOptions(list(options), (optionsAt, count) => {
           if (!e.session_open(session, nameAt, bytesAt, bytes.length, optionsAt, count, this.#naming)) {
-            throw this.#failure();
+            throw this.#memory.failure();
           }
         });
       });
@@ -306,7 +237,7 @@ class Burnish {
     this.#refuse(options, "draws", "an option of loading; pass it to open()");
     this.#withOptions(list(options), (optionsAt, count) => {
       if (!e.session_draw(session, optionsAt, count, this.#naming)) {
-        throw this.#failure();
+        throw this.#memory.failure();
       }
     });
     const facts = Object.fromEntries(NUMBERS.map((key, i) => [key, e.session_number(session, i)]));
@@ -315,7 +246,7 @@ class Burnish {
     const camera = [...new Float64Array(e.memory.buffer, e.session_camera(session), 11)];
     const warnings = [];
     for (let at, i = 0; (at = e.session_warning(session, i)) !== 0; ++i) {
-      warnings.push(this.#text(at));
+      warnings.push(this.#memory.text(at));
     }
     const hex = (half) => half.toString(16).padStart(8, "0");
     return {
@@ -338,7 +269,7 @@ class Burnish {
   }
 
   #rgba(session, size) {
-    const at = this.#allocate(size);
+    const at = this.#memory.allocate(size);
     this.#exports.session_rgba(session, at);
     const pixels = new Uint8Array(this.#exports.memory.buffer, at, size).slice();
     this.#exports.release(at);
@@ -403,9 +334,9 @@ class Burnish {
       throw new BurnishError(`compare: ${a.width} x ${a.height} and ${b.width} x ${b.height} pixels; draw both in one size`, "ARGUMENT");
     }
     const e = this.#exports;
-    return this.#with([a, b].map(({ pixels }) => asBytes(pixels, "compare")), (aAt, bAt) => {
+    return this.#memory.with([a, b].map(({ pixels }) => asBytes(pixels, "compare")), (aAt, bAt) => {
       if (!e.images_compare(aAt, a.channels, bAt, b.channels, a.width, a.height, tolerance)) {
-        throw this.#failure();
+        throw this.#memory.failure();
       }
       const [pixels, differentPixels, meanSquaredError, psnr, ssim, flip, silhouetteIou, ...rest] = Array.from({ length: 15 }, (_, i) => e.images_number(i));
       const bounds = differentPixels > 0 ? rest.slice(0, 4) : null;
@@ -419,60 +350,11 @@ class Burnish {
   lobeValues(words, exponent, cosines) {
     const e = this.#exports;
     const input = Float32Array.from(cosines);
-    return this.#with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
+    return this.#memory.with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
       if (!e.lobe_values(text, exponent, input.length, from, to)) {
-        throw this.#failure();
+        throw this.#memory.failure();
       }
       return new Float32Array(e.memory.buffer, to, input.length).slice();
-    });
-  }
-
-  /** Values of a lobe at angles in radians, in double precision. */
-  theoryValues(words, exponent, angles) {
-    const e = this.#exports;
-    const input = Float64Array.from(angles);
-    return this.#with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
-      if (!e.theory_values(text, exponent, input.length, from, to)) {
-        throw this.#failure();
-      }
-      return new Float64Array(e.memory.buffer, to, input.length).slice();
-    });
-  }
-
-  /** Facts of a lobe at an exponent. */
-  theory(words, exponent) {
-    const e = this.#exports;
-    return this.#with([words], (text) => {
-      const values = FACTS.map((_, i) => e.theory_number(text, exponent, i));
-      if (this.#text(e.failure_text())) {
-        throw this.#failure();
-      }
-      return Object.fromEntries(FACTS.map((key, i) => [key, values[i]]));
-    });
-  }
-
-  /** Exponents and roughness: exponentFromRoughness and the like. */
-  convert(name, value) {
-    const which = CONVERSIONS.indexOf(name);
-    if (which < 0) {
-      throw new BurnishError(`"${name}": unknown conversion; one of ${CONVERSIONS.join(", ")}`, "ARGUMENT");
-    }
-    return this.#exports.theory_convert(which, value);
-  }
-
-  /** The output of `burnish lobe`: ["claims", "--format=csv"], or table, choose, boundary. */
-  lobe(words) {
-    const e = this.#exports;
-    const texts = words.map(String);
-    if (texts.some((word) => /^(--format=)?json$/.test(word))) {
-      throw new BurnishError("--format: JSON is not available here; use csv", "ARGUMENT");
-    }
-    return this.#with([texts.join("\0")], (wordsAt) => {
-      const text = e.lobe_command(wordsAt, texts.length);
-      if (text === 0) {
-        throw this.#failure();
-      }
-      return this.#text(text);
     });
   }
 
@@ -480,7 +362,7 @@ class Burnish {
   get extensions() {
     const extensions = [];
     for (let i = 0, at; (at = this.#exports.format_extensions(i)) !== 0; ++i) {
-      extensions.push(...this.#text(at).split(" ").filter(Boolean));
+      extensions.push(...this.#memory.text(at).split(" ").filter(Boolean));
     }
     return extensions;
   }
@@ -489,7 +371,7 @@ class Burnish {
   get lobes() {
     const words = [];
     for (let at; (at = this.#exports.lobe_example(words.length)) !== 0; ) {
-      words.push(this.#text(at));
+      words.push(this.#memory.text(at));
     }
     return words;
   }

@@ -1,8 +1,8 @@
 /* Facts of meshes, and comparisons of images. */
 #include <math.h>
 
+#include "base/wasm/module.h"
 #include "burnish/compare.h"
-#include "module.h"
 #include "session.h"
 
 WASM_EXPORT(session_request_facts) void open_request_facts(session *s);

@@ -1,11 +1,13 @@
 /* Images that the caller decodes: loading a mesh lists the images of its materials, the caller
  * decodes them, and the mesh is loaded again with them. */
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/error.h"
+#include "base/wasm/module.h"
 #include "image/decode/decode.h"
-#include "module.h"
+#include "mesh/read/io/beside.h"
 
 /* A file that a material refers to, and its decoded pixels. */
 typedef struct wanted {
@@ -114,4 +116,11 @@ burnish_status burnish_decode_jpeg(const burnish_encoded *from, burnish_memory *
 burnish_status burnish_decode_webp(const burnish_encoded *from, burnish_memory *memory,
                                    burnish_image *picture) {
     return decode(from, memory, picture);
+}
+
+/* Other files are the caller's, too. */
+int burnish_open_beside(const char *input, const char *name, burnish_memory *memory) {
+    (void)input, (void)name, (void)memory;
+    errno = ENOENT;
+    return -1;
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/cli/values.h"
-#include "module.h"
+#include "base/wasm/module.h"
 #include "session.h"
 
 static burnish_camera camera_shown; /* of open_camera: one caller at a time */

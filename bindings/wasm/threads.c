@@ -5,8 +5,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/wasm/module.h"
 #include "core/pool.h"
-#include "module.h"
 
 #ifndef __wasm_atomics__
 

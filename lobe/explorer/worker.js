@@ -1,5 +1,8 @@
 // Draws and computes off the page's thread.
+import { load as loadLobes } from "./burnish/lobe.js";
 import { load } from "./burnish/wasm.js";
+
+const computing = loadLobes();
 
 let mesh = null;
 
@@ -37,11 +40,12 @@ const calls = {
   },
 
   // The output of `burnish-lobe`.
-  lobe: (burnish, { words }) => burnish.lobe(words),
+  lobe: async (burnish, { words }) => (await computing).lobe(words),
 
   // Values at angles in radians, and the facts of each lobe at the exponent.
-  theory(burnish, { lobes, exponent, angles }) {
-    return lobes.map((lobe) => ({ values: burnish.theoryValues(lobe, exponent, angles), facts: burnish.theory(lobe, exponent) }));
+  async theory(burnish, { lobes, exponent, angles }) {
+    const facts = await computing;
+    return lobes.map((lobe) => ({ values: facts.theoryValues(lobe, exponent, angles), facts: facts.theory(lobe, exponent) }));
   },
 };
 

@@ -101,6 +101,9 @@ static char *quote(const char *text) {
 static int run(const char *path, char **words) {
     for (char **word = words; *word; ++word) {
         *word = quote(*word);
+        if (!*word) {
+            return -1;
+        }
     }
     return (int)_spawnv(_P_WAIT, path, (const char *const *)words);
 }

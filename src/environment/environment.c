@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "base/context.h"
-#include "base/numbers.h"
 #include "base/elementary.h"
+#include "base/numbers.h"
 #include "core/float_mode.h"
 #include "environment/environment_builder.h"
 #include "image/decode/decode.h"

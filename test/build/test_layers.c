@@ -22,10 +22,12 @@ static const struct layer {
     {"base/cli", "base burnish/core.h"},
     {"base/include/burnish", ""},
     {"base/test", "base burnish/core.h"},
+    {"base/wasm", "burnish/core.h"},
     {"lobe/include/burnish", LOBE},
     {"lobe/spec", "base " LOBE},
     {"lobe/theory", "base " LOBE},
     {"lobe/program", "base base/cli " LOBE},
+    {"lobe/wasm", "base base/cli base/wasm program " LOBE},
     {"lobe/test", "base burnish/ring.h " LOBE},
     {"lobe/test/theory", "base theory " LOBE},
     {"lobe/test/shaders", LOBE},
@@ -95,7 +97,7 @@ static const struct layer {
     {"bench/kernels", "burnish"},
     {"bench/load", "burnish"},
     {"bench/peers", "base core simd shading burnish"},
-    {"bindings/wasm", "base base/cli cli lobe picture/read_png.h core/pool.h image/decode "
+    {"bindings/wasm", "base base/cli base/wasm cli picture/read_png.h core/pool.h image/decode "
                       "mesh/read/io/beside.h burnish wasi"},
     {"lobe/arduino/src", "burnish/lobe_q15.h burnish/shade_q15.h burnish/ring.h burnish/strip.h"},
     {"lobe/arduino/src/burnish", ""}, /* packed next to these: the integer headers */

@@ -1,7 +1,7 @@
 #include "render/light/backdrop.h"
 
-#include "base/numbers.h"
 #include "base/elementary.h"
+#include "base/numbers.h"
 #include "environment/environment.h"
 #include "environment/light_maps.h"
 

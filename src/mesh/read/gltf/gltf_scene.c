@@ -1,8 +1,8 @@
 /* Cameras and lights (KHR_lights_punctual). Both look along -z of their node; y is up. */
 #include "mesh/read/gltf/gltf.h"
 
-#include "base/numbers.h"
 #include "base/elementary.h"
+#include "base/numbers.h"
 
 /* ---- Cameras ---- */
 

@@ -1,4 +1,4 @@
-/* `burnish lobe COMMAND`, which returns its output as a string: the program's tables, claims
+/* `burnish-lobe COMMAND`, which returns its output as a string: the program's tables, claims
  * and boundary memories. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,19 +6,13 @@
 
 #include "base/cli/file.h"
 #include "base/cli/output.h"
-#include "lobe/lobe.h"
-#include "module.h"
+#include "base/wasm/module.h"
+#include "program/lobe.h"
 
 WASM_EXPORT(lobe_command)
 const char *run_lobe(const char *arguments, int count);
 
 static char *printed; /* the last output */
-
-/* There are no files; libc's fopen would import WASI's. */
-FILE *fopen(const char *restrict path, const char *restrict mode) {
-    (void)path, (void)mode;
-    return NULL;
-}
 
 burnish_status cli_file_write(const char *path, const void *bytes, size_t size,
                               burnish_error *error) {
@@ -40,12 +34,12 @@ static const cli_command *find(const char *name, burnish_error *error) {
     static const cli_command *const commands[] = {&lobe_table_command, &lobe_claims_command,
                                                   &lobe_choose_command, &lobe_boundary_command};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; ++i) {
-        if (strcmp(commands[i]->name + strlen("lobe "), name) == 0) {
+        if (strcmp(commands[i]->name, name) == 0) {
             return commands[i];
         }
     }
     cli_fail(error, BURNISH_STATUS_ARGUMENT,
-             "\"lobe %.60s\": not available here; use table, claims, choose or boundary", name);
+             "\"%.60s\": not available here; use table, claims, choose or boundary", name);
     return NULL;
 }
 
@@ -53,7 +47,7 @@ static const cli_command *find(const char *name, burnish_error *error) {
 static burnish_status run(const char *words, int count, burnish_error *error) {
     const cli_command *command =
         count > 0 ? find(words, error)
-                  : (cli_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: no command"), NULL);
+                  : (cli_fail(error, BURNISH_STATUS_ARGUMENT, "no command"), NULL);
     if (!command) {
         return error->status;
     }

@@ -1,5 +1,5 @@
 /* Memory for the caller's bytes, and the error of the last call that failed. */
-#include "module.h"
+#include "base/wasm/module.h"
 
 #include <stdlib.h>
 
