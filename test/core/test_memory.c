@@ -1,19 +1,15 @@
 /* Memory runs short at every allocation of loading, drawing and encoding, one after another: the
  * call says so, or the picture is right; nothing is lost, and a renderer goes on afterwards. */
-#include <stdatomic.h>
 #include <unistd.h>
 
 #include "burnish/image.h"
-#include "burnish/mesh.h"
-#include "burnish/render.h"
+#include "burnish/light.h"
 #include "counting_context.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "failing_malloc.h"
+#include "pictures.h"
+#include "shapes.h"
 
 /* ---- The linker leads the library's calls of malloc and its kin here ---- */
-
-static atomic_long allocations_left = -1; /* before one fails; negative: none fails */
-static atomic_long live;                  /* taken and not given back */
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
@@ -27,15 +23,6 @@ void *__wrap_realloc(void *old, size_t size);
 void *__wrap_aligned_alloc(size_t alignment, size_t size);
 char *__wrap_strdup(const char *text);
 void __wrap_free(void *memory);
-
-static int fails(void) {
-    return atomic_load(&allocations_left) >= 0 && atomic_fetch_sub(&allocations_left, 1) == 0;
-}
-
-static void *count_one(void *memory) {
-    atomic_fetch_add(&live, memory != NULL);
-    return memory;
-}
 
 void *__wrap_malloc(size_t size) {
     return fails() ? NULL : count_one(__real_malloc(size));
@@ -60,7 +47,7 @@ void __wrap_free(void *memory) {
 
 /* ---- File to PNG ---- */
 
-enum { SIZE = 96, MOST_FAILURES = 4000 };
+enum { SIZE = 96 };
 
 typedef struct picture_job {
     const char *path; /* of the file, or a built-in object */
@@ -68,7 +55,8 @@ typedef struct picture_job {
 } picture_job;
 
 /* File to mesh to picture to PNG. *hash: of the picture and of the PNG's bytes; 0 on error. */
-static burnish_status work(const picture_job *job, uint64_t *hash, burnish_error *error) {
+static burnish_status work(const void *data, uint64_t *hash, burnish_error *error) {
+    const picture_job *job = data;
     burnish_load_options load = burnish_load_options_default();
     burnish_framing framing = burnish_framing_default();
     burnish_render_options render = burnish_render_options_default();
@@ -95,46 +83,12 @@ static burnish_status work(const picture_job *job, uint64_t *hash, burnish_error
         status = burnish_png_encode(&pixels, &options, &png, &png_size, error);
     }
     if (status == BURNISH_STATUS_OK) {
-        *hash = burnish_image_hash(&image) * 31;
-        for (size_t i = 0; i < png_size; ++i) {
-            *hash = (*hash ^ png[i]) * UINT64_C(0x100000001B3);
-        }
+        *hash = test_add_hash(burnish_image_hash(&image), png, png_size);
     }
     burnish_release(NULL, png);
     burnish_image_destroy(&image);
     burnish_mesh_destroy(mesh);
     return status;
-}
-
-/* Lets the k-th allocation fail, for every k until all are there. */
-static void check_job(const picture_job *job) {
-    burnish_error error = {0};
-    uint64_t expected = 0, hash;
-    int failed = 0, k = 0;
-    for (int warm = 0; warm < 2; ++warm) { /* the pool of threads keeps its memory */
-        CHECK(work(job, &expected, &error) == BURNISH_STATUS_OK, "%s: %s", job->path, error.text);
-    }
-    const long before = atomic_load(&live);
-    for (; k < MOST_FAILURES; ++k) {
-        error = (burnish_error){0};
-        atomic_store(&allocations_left, k);
-        burnish_status status = work(job, &hash, &error);
-        const int ran_short = atomic_exchange(&allocations_left, -1) < 0;
-        failed += status != BURNISH_STATUS_OK;
-        CHECK(status == BURNISH_STATUS_OK
-                  ? hash == expected
-                  : status == BURNISH_STATUS_MEMORY && strstr(error.text, "memory"),
-              "%s, %d samples, allocation %d: status %d, hash %#llx, \"%s\"", job->path,
-              job->samples, k, (int)status, (unsigned long long)hash, error.text);
-        CHECK(atomic_load(&live) == before, "%s, %d samples, allocation %d: %ld blocks lost",
-              job->path, job->samples, k, atomic_load(&live) - before);
-        if (!ran_short) {
-            break;
-        }
-    }
-    printf("%s, %d samples, %d threads: %d failures\n", job->path, job->samples, job->threads,
-           failed);
-    CHECK(k < MOST_FAILURES && failed > 10, "%d of %d failed", failed, k);
 }
 
 /* A file of each format in the current folder, with as much in it as the format holds. */
@@ -170,7 +124,8 @@ static void check_formats(int threads) {
     static const char *const paths[] = {"memory.obj", "memory.ply", "memory.stl", ":teapot"};
     for (int i = 0; i < 4; ++i) {
         for (int samples = 1; samples <= 4; samples += 3) {
-            check_job(&(picture_job){.path = paths[i], .samples = samples, .threads = threads});
+            const picture_job job = {paths[i], samples, threads};
+            fail_each(paths[i], work, &job, 11);
         }
     }
 }
@@ -190,144 +145,122 @@ static void test_files(void) {
 
 /* ---- A renderer, used again ---- */
 
-/* Inside a coloured box: every kind of array is needed, those of clipped triangles too. mode: of
- * its textures' alpha; -1: it has none. */
-static burnish_mesh *make_box(int mode) {
-    static const float POSITIONS[24] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1,
-                                        -1, -1, 1,  1, -1, 1,  -1, 1, 1,  1, 1, 1};
-    static const uint32_t FACES[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
-                                       2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+/* Kinds of boxes: the mode of their textures' alpha, without textures, with edges, or with all kinds
+ * of lights. */
+enum { PLAIN = BURNISH_ALPHA_BLEND + 1, EDGES, LIGHTS };
+
+/* Every kind of array is needed from inside a coloured box, those of clipped triangles too. */
+static burnish_mesh *make_box(int kind) {
+    static const float coordinates[24] = {-1, -1, 1, -1, -1, 1, 1, 1, -1, -1, 1, -1, -1, 1, 1, 1};
+    const shape s = box_at(-1, -1, -1, 2, 2, 2);
     uint8_t colors[32];
     for (int i = 0; i < 32; ++i) {
         colors[i] = (uint8_t)(40 + 6 * i);
     }
-    burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, FACES, 12);
+    burnish_mesh_description arrays = describe_arrays(s.points, NULL, colors, 8, s.corners, 12);
     const burnish_texture texture = {"colours", 4, 2, colors, 1};
     burnish_material material = burnish_material_default();
     for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
         material.textures[slot].texture = 1;
     }
-    material.alpha_mode = mode < 0 ? BURNISH_ALPHA_IGNORE : (burnish_alpha_mode)mode;
+    material.alpha_mode = (burnish_alpha_mode)kind;
     material.alpha_cutoff = 0.15f; /* of the product of two */
-    if (mode >= 0) {
-        arrays.texture_coordinates = (burnish_array){POSITIONS, 8, 12};
-        arrays.materials = &material;
-        arrays.textures = &texture;
-        arrays.material_count = arrays.texture_count = 1;
+    if (kind < PLAIN) {
+        give_textures(&arrays, coordinates, &texture, 1);
+        give_materials(&arrays, &material, 1);
     }
     return create_mesh(&arrays, NULL);
 }
 
-static burnish_render_options box_options(int samples, int threads) {
+static burnish_render_options box_options(int kind, int samples, int threads,
+                                          const burnish_environment *environment) {
     burnish_render_options options = burnish_render_options_default();
-    options.width = 200;
-    options.height = 150;
+    options.width = kind < LIGHTS ? 100 : 24;
+    options.height = kind < LIGHTS ? 75 : 24;
     options.samples = samples;
     options.threads = threads;
-    options.camera.position[0] = 0.9;
-    options.camera.position[1] = 0.8;
-    options.camera.position[2] = 0.7;
-    options.camera.view_angle = 90;
+    options.camera = (burnish_camera){{0.9, 0.8, 0.7}, {0, 0, 0}, {0, 1, 0}, 90, 0};
     options.occlusion = 3;
-    options.ground = 1;
-    options.shadow = 1;
+    options.ground = options.shadow = 1;
+    options.edges = kind == EDGES ? BURNISH_EDGES_FEATURES : 0;
+    options.environment = kind == LIGHTS ? environment : NULL;
+    options.area_light_count = kind == LIGHTS ? 2 : 0;
+    for (int i = 0; i < options.area_light_count; ++i) {
+        options.area_lights[i] = (burnish_area_light){.is_distant = i,
+                                                      .is_two_sided = 1,
+                                                      .center = {1, 2, 3},
+                                                      .half_u = {1, 0, 0},
+                                                      .half_v = {0, 1, 0},
+                                                      .color = {1, 2, 3}};
+    }
     return options;
 }
 
-/* Allocation k of a fresh renderer's first frame fails, then the frame is drawn again. Returns 0
- * once there is no allocation k. */
-static int fail_one(const burnish_mesh *mesh, const burnish_render_options *options, long k,
-                    uint64_t expected) {
+/* A new renderer's first frame is stopped at an allocation or a question, or not at all, then drawn
+ * again. All memory is the context's. Returns 0 where nothing stopped it. */
+static int stop_one(const burnish_mesh *mesh, const burnish_render_options *options, counts *own,
+                    const burnish_context *context, uint64_t expected) {
+    const long before = atomic_load(&own->live), others = atomic_load(&live) - before;
+    const burnish_status stop =
+        own->questions < 0 ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_CANCELLED;
     burnish_renderer *renderer;
     burnish_image image = {0};
-    burnish_render_report report;
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    if (!CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK)) {
-        return 0;
+    burnish_status status = burnish_renderer_create(context, &renderer, &error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_draw(renderer, mesh, options, &image, NULL, &error);
     }
-    allocations_left = k;
-    burnish_status status = burnish_renderer_draw(renderer, mesh, options, &image, &report, &error);
-    const int has_failed = allocations_left < 0;
-    allocations_left = -1;
-    CHECK(status == (has_failed ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_OK) &&
-              error.status == status && (image.pixels == NULL) == has_failed,
-          "allocation %ld: status %d, \"%s\"", k, (int)status, error.text);
-    status = burnish_renderer_draw(renderer, mesh, options, &image, &report, &error);
-    CHECK(status == BURNISH_STATUS_OK && burnish_image_hash(&image) == expected,
-          "after allocation %ld: status %d or other pixels", k, (int)status);
+    const int is_stopped = atomic_exchange(&own->left, -1) < 0 && own->questions < 0;
+    own->questions = -1;
+    CHECK(status == (is_stopped ? stop : BURNISH_STATUS_OK) && error.status == status &&
+              (status == BURNISH_STATUS_OK) == (image.pixels != NULL),
+          "status %d, \"%s\"", (int)status, error.text);
+    CHECK(atomic_load(&live) - atomic_load(&own->live) == others,
+          "%ld blocks are not the context's",
+          atomic_load(&live) - atomic_load(&own->live) - others);
+    if (renderer) {
+        CHECK_OK(burnish_renderer_draw(renderer, mesh, options, &image, NULL, &error), error);
+        CHECK(burnish_image_hash(&image) == expected, "other pixels afterwards");
+    }
     burnish_image_destroy(&image);
     burnish_renderer_destroy(renderer);
-    return has_failed;
+    CHECK(atomic_load(&own->live) == before, "%ld blocks lost", atomic_load(&own->live) - before);
+    return is_stopped;
 }
 
-static void test_renderer(int samples, int threads, int mode) {
-    burnish_mesh *mesh = make_box(mode);
-    const burnish_render_options options = box_options(samples, threads);
-    burnish_image image;
-    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
-    const uint64_t expected = burnish_image_hash(&image);
-    burnish_image_destroy(&image);
-    long k = 0;
-    while (fail_one(mesh, &options, k, expected)) {
-        ++k;
-    }
-    CHECK(k >= 20, "only %ld allocations", k);
-    burnish_mesh_destroy(mesh);
-}
-
-/* All that a renderer takes comes from its context, and goes back there; it runs short there too.
- */
-static void test_context(int samples, int threads) {
-    burnish_mesh *mesh = make_box(BURNISH_ALPHA_BLEND);
-    burnish_render_options options = box_options(samples, threads);
+static void test_renderer(int kind, int samples, int threads) {
+    static const float light[3 * 8] = {1, 2, 3, [12] = 4, 5, 6};
+    burnish_environment *environment;
+    burnish_error error;
     counts own;
+    CHECK_OK(burnish_environment_create(NULL, 4, 2, light, &environment, &error), error);
+    burnish_mesh *mesh = make_box(kind);
+    const burnish_render_options options = box_options(kind, samples, threads, environment);
+    const uint64_t expected = hash_drawn(mesh, &options);
     burnish_context *context = make_context(&own);
-    burnish_target target = burnish_target_default();
-    static uint8_t pixels[150][200 * 4];
-    static float depth[150][200];
-    burnish_status status = BURNISH_STATUS_MEMORY;
-    int failed = 0;
-    target.pixels = (burnish_pixels){options.width, options.height, BURNISH_PIXELS_BGRA8,
-                                     sizeof pixels[0], pixels[0]};
-    target.depth = depth[0];
-    target.depth_stride = sizeof depth[0];
-    for (long k = 0; status == BURNISH_STATUS_MEMORY; ++k) {
-        const long others = atomic_load(&live) - atomic_load(&own.live);
-        const long before = atomic_load(&own.live);
-        burnish_renderer *renderer;
-        burnish_error error = {BURNISH_STATUS_OK, ""};
-        atomic_store(&own.left, k);
-        status = burnish_renderer_create(context, &renderer, &error);
-        if (status == BURNISH_STATUS_OK) {
-            status = burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error);
-        }
-        CHECK(error.status == status &&
-                  (status == BURNISH_STATUS_OK) == (atomic_load(&own.left) >= 0),
-              "allocation %ld: status %d, \"%s\"", k, (int)status, error.text);
-        CHECK(atomic_load(&live) - atomic_load(&own.live) == others,
-              "allocation %ld: %ld blocks are not the context's", k,
-              atomic_load(&live) - atomic_load(&own.live) - others);
-        burnish_renderer_destroy(renderer);
-        CHECK(atomic_load(&own.live) == before, "allocation %ld: %ld blocks lost", k,
-              atomic_load(&own.live) - before);
-        atomic_store(&own.left, -1);
-        failed += status == BURNISH_STATUS_MEMORY;
+    for (int cancels = 0; cancels < 2; ++cancels) {
+        int k = 0;
+        do {
+            own.left = cancels ? -1 : k;
+            own.questions = cancels ? k : -1;
+        } while (stop_one(mesh, &options, &own, context, expected) && ++k < 1000);
+        CHECK(k >= (cancels ? threads == 1 ? 10 : 2 : 20) && k < 1000, "%d stops", k);
     }
-    CHECK(status == BURNISH_STATUS_OK && failed >= 20, "%d allocations, then status %d", failed,
-          (int)status);
     burnish_context_destroy(context);
     CHECK1(atomic_load(&own.live) == 0);
+    burnish_environment_destroy(environment);
     burnish_mesh_destroy(mesh);
 }
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_files());
-    RUN(test_renderer(1, 1, -1));
-    RUN(test_renderer(4, 1, BURNISH_ALPHA_BLEND));
-    RUN(test_renderer(1, 1, BURNISH_ALPHA_MASK));
-    RUN(test_renderer(8, 3, -1));
-    RUN(test_context(1, 1));
-    RUN(test_context(4, 3));
+    RUN(test_renderer(PLAIN, 1, 1));
+    RUN(test_renderer(PLAIN, 8, 3));
+    RUN(test_renderer(BURNISH_ALPHA_BLEND, 4, 1));
+    RUN(test_renderer(BURNISH_ALPHA_BLEND, 4, 3));
+    RUN(test_renderer(BURNISH_ALPHA_MASK, 1, 1));
+    RUN(test_renderer(EDGES, 4, 1));
+    RUN(test_renderer(LIGHTS, 1, 1));
     return test_end("memory");
 }

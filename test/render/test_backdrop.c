@@ -3,9 +3,7 @@
 
 #include "burnish/light.h"
 #include "core/vec3.h"
-#include "draw_floats.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "pictures.h"
 
 enum { WIDTH = 90, HEIGHT = 70, COLUMNS = 256, ROWS = 128 };
 
@@ -100,14 +98,9 @@ static void test_rows_and_shares(const burnish_mesh *mesh, const burnish_environ
     draw_floats(mesh, &options, whole[0][0], NULL);
     options.first_row = 21;
     options.row_count = 30;
-    burnish_target target = burnish_target_default();
-    burnish_renderer *renderer;
-    burnish_error error;
-    target.pixels = (burnish_pixels){WIDTH, options.row_count, BURNISH_PIXELS_RGBA_FLOAT,
-                                     sizeof part[0], (uint8_t *)part};
-    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
-    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error), error);
-    burnish_renderer_destroy(renderer);
+    const burnish_target target =
+        make_target(floats_of(part[0][0], WIDTH, options.row_count), NULL, NULL, NULL, NULL);
+    draw_into(mesh, &options, &target, NULL);
     CHECK1(memcmp(part, whole[options.first_row], sizeof part[0] * 30) == 0);
     options = make_options(environment);
     options.background_environment = 0;
@@ -125,24 +118,11 @@ static void test_rows_and_shares(const burnish_mesh *mesh, const burnish_environ
     }
 }
 
-static void test_refusals(const burnish_mesh *mesh, const burnish_environment *environment) {
-    burnish_image image = {0};
-    burnish_error error;
-    burnish_render_options options = make_options(NULL);
-    CHECK1(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&
-           strstr(error.text, "no environment"));
-    options = make_options(environment);
-    options.transparent = 1;
-    CHECK1(burnish_render(mesh, &options, &image, NULL, &error) == BURNISH_STATUS_ARGUMENT &&
-           strstr(error.text, "transparent"));
-}
-
 int main(void) {
     burnish_mesh *mesh = load_mesh(":sphere", NULL);
     burnish_environment *environment = make_environment();
     RUN(test_gradient(mesh, environment));
     RUN(test_rows_and_shares(mesh, environment));
-    RUN(test_refusals(mesh, environment));
     burnish_environment_destroy(environment);
     burnish_mesh_destroy(mesh);
     return test_end("backdrop");

@@ -7,107 +7,19 @@
 
 #define PI 3.14159265358979323846
 
-typedef struct edge {
-    float from[3], to[3];
-} edge;
-
-static int compare_edges(const void *a, const void *b) {
-    return memcmp(a, b, sizeof(edge));
+/* V - E + F */
+static long euler(const burnish_mesh_facts *facts) {
+    return (long)facts->vertex_count - (long)facts->edge_count + (long)facts->triangle_count;
 }
 
-/* What the edges of a mesh say, by position. */
-typedef struct topology {
-    size_t edges;    /* undirected */
-    size_t vertices; /* different positions */
-    size_t open;     /* edges with one triangle */
-    size_t wrong;    /* edges with the same direction twice */
-    size_t loops;    /* closed chains of open edges */
-} topology;
-
-static int compare_points(const void *a, const void *b) {
-    return memcmp(a, b, 3 * sizeof(float));
-}
-
-/* Follows open edges from end to start until all are used; counts the loops. */
-static size_t count_loops(edge *open, size_t count) {
-    size_t loops = 0;
-    char *used = calloc(count ? count : 1, 1);
-    for (size_t i = 0; i < count; ++i) {
-        for (size_t at = i; !used[at];) {
-            used[at] = 1;
-            size_t next = 0; /* sorted by start: binary search by bsearch on the first 12 bytes */
-            edge *found = bsearch(open[at].to, open, count, sizeof *open, compare_points);
-            if (!CHECK(found != NULL, "an open chain ends")) {
-                free(used);
-                return 0;
-            }
-            next = (size_t)(found - open);
-            if (next == i) {
-                ++loops;
-            }
-            at = next;
-        }
-    }
-    free(used);
-    return loops;
-}
-
-static topology examine(const burnish_mesh_view *mesh) {
-    topology result = {0};
-    size_t count = 3 * mesh->triangle_count, open_count = 0;
-    edge *edges = malloc(count * sizeof *edges), *open = malloc(count * sizeof *open);
-    float *points = malloc(count * 3 * sizeof *points);
-    for (size_t i = 0; i < count; ++i) {
-        size_t next = i - i % 3 + (i + 1) % 3;
-        memcpy(edges[i].from, mesh->positions + 3 * mesh->indices[i], 12);
-        memcpy(edges[i].to, mesh->positions + 3 * mesh->indices[next], 12);
-        memcpy(points + 3 * i, edges[i].from, 12);
-    }
-    qsort(edges, count, sizeof *edges, compare_edges);
-    qsort(points, count, 12, compare_points);
-    for (size_t i = 0; i < count; ++i) {
-        result.vertices += i == 0 || memcmp(points + 3 * i, points + 3 * i - 3, 12) != 0;
-        result.wrong += i > 0 && compare_edges(&edges[i], &edges[i - 1]) == 0;
-        edge back;
-        memcpy(back.from, edges[i].to, 12);
-        memcpy(back.to, edges[i].from, 12);
-        if (bsearch(&back, edges, count, sizeof *edges, compare_edges)) {
-            result.edges += compare_edges(&edges[i], &back) < 0;
-        } else {
-            open[open_count++] = edges[i];
-            ++result.edges;
-        }
-    }
-    result.open = open_count;
-    result.loops = count_loops(open, open_count);
-    free(edges);
-    free(open);
-    free(points);
-    return result;
-}
-
-static long euler(const topology *t, const burnish_mesh_view *mesh) {
-    return (long)t->vertices - (long)t->edges + (long)mesh->triangle_count;
-}
-
-/* Signed volume by the divergence theorem, and area. */
-static void measure(const burnish_mesh_view *mesh, double *volume, double *area) {
-    *volume = *area = 0;
-    for (size_t i = 0; i < mesh->triangle_count; ++i) {
-        double p[3][3], u[3], v[3], c[3];
-        for (int k = 0; k < 9; ++k) {
-            p[k / 3][k % 3] = (double)mesh->positions[3 * mesh->indices[3 * i + k / 3] + k % 3];
-        }
-        for (int k = 0; k < 3; ++k) {
-            u[k] = p[1][k] - p[0][k];
-            v[k] = p[2][k] - p[0][k];
-        }
-        for (int k = 0; k < 3; ++k) {
-            c[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-        }
-        *volume += (p[0][0] * c[0] + p[0][1] * c[1] + p[0][2] * c[2]) / 6;
-        *area += sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) / 2;
-    }
+/* Closed, in one piece, with a vertex for each position. */
+static void check_closed(const burnish_mesh *mesh, const char *name, long expected) {
+    const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
+    CHECK(facts->is_solid && facts->shell_count == 1 && euler(facts) == expected &&
+              facts->non_manifold_edge_count == 0,
+          "%s: %zu open edges, Euler %ld", name, facts->open_edge_count, euler(facts));
+    CHECK1(burnish_mesh_get_view(mesh)->vertex_count == facts->vertex_count &&
+           burnish_mesh_get_warning_count(mesh) == 0);
 }
 
 /* Every normal has unit length and agrees with its triangles within the given cosine. */
@@ -148,14 +60,11 @@ static void test_sphere(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *mesh = load_tessellated(":sphere", n);
+        burnish_mesh *mesh = load_measured(":sphere", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        topology t = examine(view);
-        CHECK(t.open == 0 && t.wrong == 0, "%zu open, %zu wrong", t.open, t.wrong);
-        CHECK(euler(&t, view) == 2, "%ld", euler(&t, view));
+        const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
+        check_closed(mesh, "sphere", 2);
         CHECK(view->triangle_count == 48u * n * n, "%zu", view->triangle_count);
-        CHECK(view->vertex_count == t.vertices, "%zu, %zu", view->vertex_count, t.vertices);
-        CHECK1(burnish_mesh_get_warning_count(mesh) == 0);
         size_t equator = 0;
         for (size_t i = 0; i < view->vertex_count; ++i) {
             const float *p = view->positions + 3 * i;
@@ -169,11 +78,9 @@ static void test_sphere(void) {
             equator += p[1] == 0;
         }
         CHECK(equator == 8u * n, "%zu vertices around", equator);
-        double volume, area;
-        measure(view, &volume, &area);
-        error[k] = 4 * PI / 3 - volume;
-        CHECK(error[k] > 0 && error[k] < 1.6 / (n * n), "volume %g", volume);
-        CHECK(fabs(area - 4 * PI) < 1.7 / (n * n), "area %g", area);
+        error[k] = 4 * PI / 3 - facts->volume;
+        CHECK(error[k] > 0 && error[k] < 1.6 / (n * n), "volume %g", facts->volume);
+        CHECK(fabs(facts->area - 4 * PI) < 1.7 / (n * n), "area %g", facts->area);
         check_normals(view, "sphere", 0.99);
         for (int axis = 0; axis < 3; ++axis) {
             CHECK1(view->bounds_min[axis] == -1 && view->bounds_max[axis] == 1);
@@ -187,17 +94,15 @@ static void test_torus(void) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
-        burnish_mesh *mesh = load_tessellated(":torus", n);
+        burnish_mesh *mesh = load_measured(":torus", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        topology t = examine(view);
-        double volume, area, exact = 2 * PI * PI * 0.4 * 0.4;
-        CHECK(t.open == 0 && t.wrong == 0 && euler(&t, view) == 0, "%zu open, Euler %ld", t.open,
-              euler(&t, view));
-        CHECK1(view->vertex_count == t.vertices && view->vertex_count == 32u * n * n);
-        measure(view, &volume, &area);
-        error[k] = exact - volume;
-        CHECK(error[k] > 0 && error[k] < 3.2 / (n * n), "volume %g of %g", volume, exact);
-        CHECK(fabs(area - 4 * PI * PI * 0.4) < 8.0 / (n * n), "area %g", area);
+        const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
+        const double exact = 2 * PI * PI * 0.4 * 0.4;
+        check_closed(mesh, "torus", 0);
+        CHECK1(view->vertex_count == 32u * n * n);
+        error[k] = exact - facts->volume;
+        CHECK(error[k] > 0 && error[k] < 3.2 / (n * n), "volume %g of %g", facts->volume, exact);
+        CHECK(fabs(facts->area - 4 * PI * PI * 0.4) < 8.0 / (n * n), "area %g", facts->area);
         for (size_t i = 0; i < view->vertex_count; ++i) {
             const float *p = view->positions + 3 * i, *normal = view->normals + 3 * i;
             double ring = hypot((double)p[0], (double)p[2]), y = (double)p[1];
@@ -212,22 +117,18 @@ static void test_torus(void) {
 }
 
 static void test_knot(void) {
-    burnish_mesh *mesh = load_tessellated(":knot", 16);
-    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    topology t = examine(view);
-    CHECK(t.open == 0 && t.wrong == 0 && euler(&t, view) == 0, "%zu open, Euler %ld", t.open,
-          euler(&t, view));
-    CHECK1(view->vertex_count == t.vertices && burnish_mesh_get_warning_count(mesh) == 0);
-    check_normals(view, "knot", 0.95);
+    burnish_mesh *mesh = load_measured(":knot", 16);
+    const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
+    check_closed(mesh, "knot", 0);
+    check_normals(burnish_mesh_get_view(mesh), "knot", 0.95);
     /* A tube's volume is its section times the length of the knot (Pappus). */
-    double volume, area, length = 0;
-    measure(view, &volume, &area);
+    double length = 0;
     for (int i = 0; i < 100000; ++i) {
         double a = 2 * PI * (i + 0.5) / 100000, r = 2 + cos(3 * a);
         length += 2 * PI / 100000 * sqrt(9 + 4 * r * r);
     }
-    CHECK(fabs(volume / (PI * 0.36 * length) - 1) < 0.01, "%g", volume / (PI * 0.36 * length));
-    CHECK(fabs(area / (2 * PI * 0.6 * length) - 1) < 0.01, "%g", area / (2 * PI * 0.6 * length));
+    CHECK(fabs(facts->volume / (PI * 0.36 * length) - 1) < 0.01, "%g", facts->volume);
+    CHECK(fabs(facts->area / (2 * PI * 0.6 * length) - 1) < 0.01, "%g", facts->area);
     burnish_mesh_destroy(mesh);
 }
 
@@ -237,17 +138,16 @@ static void test_knot(void) {
  * triangles of the spout's lip contradict the surface's normals, and are turned. */
 static void test_teapot(void) {
     for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
-        burnish_mesh *mesh = load_tessellated(":teapot", n);
-        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        topology t = examine(view);
+        burnish_mesh *mesh = load_measured(":teapot", n);
+        const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
         size_t triangles = 32u * 2 * n * n - 8u * n;
-        CHECK(view->triangle_count == triangles, "%d: %zu", n, view->triangle_count);
-        CHECK(t.wrong == 0, "%d: %zu edges used twice in one direction", n, t.wrong);
-        CHECK(t.open == 16u * n, "%d: %zu open edges", n, t.open);
-        CHECK(t.loops == 6, "%d: %zu loops", n, t.loops);
+        CHECK(facts->triangle_count == triangles, "%d: %zu", n, facts->triangle_count);
+        CHECK(facts->is_consistent && facts->shell_count == 4, "%d: %zu shells", n,
+              facts->shell_count);
+        CHECK(facts->open_edge_count == 16u * n, "%d: %zu open edges", n, facts->open_edge_count);
         /* Body, rim and bottom: a disc (1); lid: a disc (1); handle and spout: tubes (0). The
          * common point counts once. */
-        CHECK(euler(&t, view) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(&t, view));
+        CHECK(euler(facts) == 1 + 1 + 0 + 0 - 1, "%d: Euler %ld", n, euler(facts));
         CHECK(burnish_mesh_get_warning_count(mesh) == 0, "%s", burnish_mesh_get_warning(mesh, 0));
         burnish_mesh_destroy(mesh);
     }

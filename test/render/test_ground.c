@@ -1,10 +1,7 @@
 /* The shadow on the ground against integrals over the part of the sky that is hidden. */
 #include <math.h>
 
-#include "draw_floats.h"
-#include "kept_renderer.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "pictures.h"
 
 enum { SIZE = 201 };
 
@@ -21,10 +18,7 @@ static float *draw(const burnish_mesh *mesh, double height, int transparent, int
                    burnish_render_report *report) {
     float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
     burnish_render_options options = burnish_render_options_default();
-    options.camera.position[1] = 10;
-    options.camera.view_up[1] = 0;
-    options.camera.view_up[2] = -1;
-    options.camera.orthographic_height = height;
+    options.camera = (burnish_camera){{0, 10, 0}, {0, 0, 0}, {0, 0, -1}, 30, height};
     options.width = options.height = SIZE;
     options.samples = samples;
     options.transparent = transparent;
@@ -54,8 +48,7 @@ static void test_ball(void) {
         const double hidden = pow(1 / (1 + distance * distance), 1.5);
         const float *pixel = pixel_at(pixels, i, i);
         if (distance > 1.05 && distance < 2.1) {
-            const double found = (1 - (double)pixel[0]) / STRENGTH;
-            worst = fabs(found - hidden) > worst ? fabs(found - hidden) : worst;
+            worst = fmax(worst, fabs((1 - (double)pixel[0]) / STRENGTH - hidden));
         }
     }
     CHECK(worst < 0.02, "a ball hides up to %g more or less than its share of the sky", worst);
@@ -81,22 +74,23 @@ static double hidden_by_plate(double x, double z) {
     return sum * (2.0 / STEPS) * (2.0 / STEPS) / acos(-1);
 }
 
+/* A plate at height 1, and a splinter under it, which says where the ground is. */
+static burnish_mesh *make_plate(float half) {
+    const float positions[] = {-half, 1, -half, half,  1, -half, half, 1, half,  -half, 1, half,
+                               0,     0, 0,     0.05f, 0, 0,     0,    0, 0.05f, 0,     0, 0.05f};
+    return create_quads(positions, NULL, 2);
+}
+
 static void test_plate(void) {
-    /* a splinter under the plate says where the ground is */
-    static const float positions[] = {-1, 1, -1, 1, 1,     -1, 1, 1, 1, -1,   1,
-                                      1,  0, 0,  0, 0.05f, 0,  0, 0, 0, 0.05f};
-    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6};
-    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 7, indices, 3);
     const double height = 5;
     double worst = 0;
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    burnish_mesh *mesh = make_plate(1);
     float *pixels = draw(mesh, height, 1, 1, NULL);
     for (int i = 0; i < SIZE; ++i) {
         const double x = (i - SIZE / 2) * height / SIZE;
         const float *pixel = pixel_at(pixels, i, SIZE / 2);
         if (fabs(x) > 1.05 && fabs(x) < 1.5) {
-            const double difference = fabs((double)pixel[3] / STRENGTH - hidden_by_plate(x, 0));
-            worst = difference > worst ? difference : worst;
+            worst = fmax(worst, fabs((double)pixel[3] / STRENGTH - hidden_by_plate(x, 0)));
             CHECK(pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0, "the shadow is not black");
         }
     }
@@ -109,13 +103,9 @@ static void test_plate(void) {
 /* Of a plate 1 x 1 at height 1 the light from (1, 1, 0) makes a shadow as large around (-1, 0, 0).
  */
 static void test_light(void) {
-    static const float positions[] = {-.5f, 1, -.5f, .5f, 1,      -.5f, .5f, 1, .5f, -.5f,  1,
-                                      .5f,  0, 0,    0,   0.001f, 0,    0,   0, 0,   0.001f};
-    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6};
-    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 7, indices, 3);
     const double height = 4;
     double edges[2] = {0, 0}, before = 1;
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    burnish_mesh *mesh = make_plate(0.5f);
     float *sky = draw(mesh, height, 0, 1, NULL);
     casts_shadow = 1;
     float *both = draw(mesh, height, 0, 1, NULL);
@@ -154,8 +144,7 @@ static void test_border(void) {
     pixels = draw(mesh, 3, 0, 1, NULL);
     casts_shadow = 0;
     for (int i = 0; i < SIZE; ++i) {
-        const double lost = 1 - (double)pixel_at(pixels, 0, i)[0];
-        darkest = lost > darkest ? lost : darkest;
+        darkest = fmax(darkest, 1 - (double)pixel_at(pixels, 0, i)[0]);
     }
     CHECK(darkest < 0.01, "the edge of the image loses %g", darkest);
     CHECK((double)pixel_at(pixels, 30, SIZE / 2)[0] < 0.7, "no shadow further inside");
@@ -174,8 +163,7 @@ static void test_transparent(void) {
         partly += alpha > 0 && alpha < 1;
         for (int k = 0; k < 3; ++k) {
             const double over = (double)clear[4 * i + k] * alpha + (1 - alpha);
-            const double difference = fabs(over - (double)opaque[4 * i + k]);
-            worst = difference > worst ? difference : worst;
+            worst = fmax(worst, fabs(over - (double)opaque[4 * i + k]));
         }
     }
     CHECK(worst < 1e-5, "over white %g off", worst);
@@ -191,7 +179,6 @@ static burnish_image draw_along(const burnish_mesh *mesh, const double direction
     burnish_framing framing = burnish_framing_default();
     burnish_render_options options = burnish_render_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_image image;
     memcpy(framing.direction, direction, sizeof framing.direction);
     framing.orthographic = parallel;
     framing.margin = 0.2;
@@ -199,8 +186,7 @@ static burnish_image draw_along(const burnish_mesh *mesh, const double direction
     options.width = options.height = 64;
     options.ground = ground;
     options.occlusion = 8;
-    CHECK_OK(burnish_render(mesh, &options, &image, report, &error), error);
-    return image;
+    return draw_image(mesh, &options, report);
 }
 
 /* The ground is not drawn from below, or in parallel projection from the side. */
@@ -224,38 +210,6 @@ static void test_directions(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A renderer that drew another mesh, up axis, shadow or width draws what a new one does. */
-static void test_renderer_again(void) {
-    static const struct {
-        const char *name;
-        int is_turned, shadow, width;
-    } frames[] = {{":knot", 0, 0, 100},  {":torus", 0, 0, 100},  {":torus", 1, 0, 100},
-                  {":torus", 1, 1, 100}, {":torus", 1, 1, 1100}, {":torus", 1, 0, 1100},
-                  {":knot", 1, 1, 1100}};
-    burnish_render_options options = burnish_render_options_default();
-    burnish_renderer *kept;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_image image = {0};
-    options.height = 100;
-    options.occlusion = 6;
-    options.ground = 1;
-    burnish_mesh *mesh = load_mesh(frames[0].name, NULL);
-    burnish_renderer_create(NULL, &kept, &error);
-    for (size_t i = 0; i < sizeof frames / sizeof *frames; ++i) {
-        if (i > 0 && strcmp(frames[i].name, frames[i - 1].name) != 0) {
-            burnish_mesh_destroy(mesh);
-            mesh = load_mesh(frames[i].name, NULL);
-        }
-        options.up[2] = frames[i].is_turned;
-        options.shadow = frames[i].shadow;
-        options.width = frames[i].width;
-        check_kept_renderer(kept, &image, mesh, &options, frames[i].name);
-    }
-    burnish_mesh_destroy(mesh);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(kept);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_ball());
@@ -264,6 +218,5 @@ int main(int count, char **arguments) {
     RUN(test_border());
     RUN(test_transparent());
     RUN(test_directions());
-    RUN(test_renderer_again());
     return test_end("ground");
 }

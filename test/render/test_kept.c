@@ -1,12 +1,9 @@
 /* A renderer that is kept draws what a new one does, whatever changes from frame to frame: meshes,
  * materials, cuts, looks, cameras, sizes, lights, samples, edges, ground, shadow, rows, threads,
  * instruction sets; and whatever failed in between. */
-#include "burnish/kernels.h"
 #include "burnish/look.h"
-#include "burnish/render.h"
 #include "counting_context.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "pictures.h"
 
 enum {
     MESHES = 3,
@@ -101,7 +98,6 @@ static burnish_mesh *make_quads(void) {
     static uint8_t texels[TEXTURES][4 * 50 * 50];
     float positions[QUADS][4][3], coordinates[QUADS][4][2];
     uint8_t colors[QUADS][4][4];
-    uint32_t indices[QUADS][6];
     uint16_t triangle_materials[QUADS][2];
     burnish_texture textures[TEXTURES];
     burnish_material materials[MATERIALS];
@@ -133,18 +129,13 @@ static burnish_mesh *make_quads(void) {
                 colors[i][c][k] = (uint8_t)(k < 3 || i % 5 == 1 ? test_random32(&state) : 255);
             }
         }
-        const uint32_t v = 4 * (uint32_t)i;
-        memcpy(indices[i], (uint32_t[]){v, v + 1, v + 2, v, v + 2, v + 3}, sizeof indices[i]);
         triangle_materials[i][0] = triangle_materials[i][1] = (uint16_t)below(MATERIALS);
     }
-    burnish_mesh_description arrays = describe_arrays(
-        positions[0][0], NULL, chance(50) ? colors[0][0] : NULL, 4 * QUADS, indices[0], 2 * QUADS);
-    arrays.texture_coordinates = (burnish_array){coordinates, 4 * QUADS, 0};
+    burnish_mesh_description arrays =
+        describe_quads(positions[0][0], chance(50) ? colors[0][0] : NULL, QUADS);
     arrays.triangle_materials = (burnish_array){triangle_materials, 2 * QUADS, 0};
-    arrays.materials = materials;
-    arrays.material_count = MATERIALS;
-    arrays.textures = textures;
-    arrays.texture_count = TEXTURES;
+    give_materials(&arrays, materials, MATERIALS);
+    give_textures(&arrays, coordinates[0][0], textures, TEXTURES);
     return create_mesh(&arrays, NULL);
 }
 
@@ -177,13 +168,10 @@ static burnish_mesh *make_cloud(void) {
 
 static burnish_mesh *make_mesh(void) {
     static const char *const names[] = {":knot", ":torus", ":sphere"};
-    burnish_load_options load = burnish_load_options_default();
     if (chance(75)) {
         return chance(75) ? make_quads() : make_cloud();
     }
-    load.tessellation = 3;
-    load.measure = 1; /* cuts are filled */
-    return load_mesh(names[below(3)], &load);
+    return load_measured(names[below(3)], 3); /* cuts are filled */
 }
 
 /* ---- Changes ---- */
@@ -409,24 +397,15 @@ typedef struct result {
 } result;
 
 static void draw(burnish_renderer *renderer, const frame *f, result *to) {
-    const size_t width = (size_t)f->options.width;
+    const int width = f->options.width;
     const int rows = f->options.row_count ? f->options.row_count : f->options.height;
-    burnish_target target = burnish_target_default();
+    const burnish_target target =
+        make_target((burnish_pixels){width, rows, f->format, (size_t)width * PIXEL_MAX,
+                                     f->planes & 1 ? NULL : to->pixels},
+                    f->planes & 2 ? to->depth : NULL, f->planes & 8 ? to->normals : NULL,
+                    f->planes & 4 ? to->triangles : NULL, f->planes & 16 ? to->coverage : NULL);
     memset(to, 0x5a, sizeof *to);
     memset(&to->report, 0, sizeof to->report);
-    target.pixels.width = f->options.width;
-    target.pixels.height = rows;
-    target.pixels.format = f->format;
-    target.pixels.stride = width * PIXEL_MAX;
-    target.pixels.pixels = f->planes & 1 ? NULL : to->pixels;
-    target.depth = f->planes & 2 ? to->depth : NULL;
-    target.depth_stride = width * sizeof *to->depth;
-    target.triangles = f->planes & 4 ? to->triangles : NULL;
-    target.triangle_stride = width * sizeof *to->triangles;
-    target.normals = f->planes & 8 ? to->normals : NULL;
-    target.normal_stride = 3 * width * sizeof *to->normals;
-    target.coverage = f->planes & 16 ? to->coverage : NULL;
-    target.coverage_stride = width;
     to->error.text[0] = 0;
     to->status = burnish_renderer_draw_into(renderer, f->meshes[f->mesh], &f->options, &target,
                                             &to->report, &to->error);

@@ -1,16 +1,12 @@
 /* Lines against analytic pictures: which edges of boxes show and where hidden parts end, the circle
  * that a sphere's silhouette is, ink against length times width, SVG against the lines; edges of
- * meshes against their facts; bits, memory, cancelling. */
+ * meshes against their facts. */
 #include <math.h>
 
 #include "burnish/drawing.h"
-#include "burnish/kernels.h"
 #include "burnish/look.h"
-#include "burnish/render.h"
-#include "core/srgb.h"
-#include "counting_context.h"
 #include "mesh/edges.h"
-#include "mesh_arrays.h"
+#include "pictures.h"
 #include "render/lines/lines.h"
 #include "render/lines/lines_steps.h"
 #include "shapes.h"
@@ -20,34 +16,50 @@ enum { SIZE = 400 };
 
 static burnish_error error;
 
-static burnish_mesh *mesh_of(const shape *s) {
-    burnish_load_options load = burnish_load_options_default();
-    load.measure = 1;
-    const burnish_mesh_description arrays =
-        describe_arrays(s->points, NULL, NULL, s->point_count, s->corners, s->triangle_count);
-    return create_mesh(&arrays, &load);
-}
+/* A drawing, whose renderer and lines the test looks at. */
+typedef struct drawn {
+    burnish_mesh *mesh;
+    burnish_render_options options;
+    burnish_renderer *renderer;
+    burnish_image image;
+    const burnish_lines *lines;
+} drawn;
 
+/* A square picture from a position, z up or, along z, y. */
 static burnish_render_options make_options(const double position[3], double height, int edges) {
     burnish_render_options options = burnish_render_options_default();
     CHECK_OK(burnish_render_options_set_look(&options, BURNISH_LOOK_DRAWING, &error), error);
     memcpy(options.camera.position, position, sizeof options.camera.position);
     options.camera.orthographic_height = height;
-    options.camera.view_up[1] = 0;
-    options.camera.view_up[2] = 1;
+    options.camera.view_up[1] = position[0] == 0 && position[1] == 0;
+    options.camera.view_up[2] = options.camera.view_up[1] == 0;
     options.width = options.height = SIZE;
     options.edges = edges;
     options.threads = 1;
     return options;
 }
 
-/* Draws and leaves the renderer, whose lines the test looks at. */
-static const burnish_lines *draw(burnish_mesh *mesh, const burnish_render_options *options,
-                                 burnish_renderer **renderer, burnish_image *image) {
+static void draw_again(drawn *d) {
+    CHECK_OK(burnish_renderer_draw(d->renderer, d->mesh, &d->options, &d->image, NULL, &error),
+             error);
+    d->lines = burnish_renderer_get_lines(d->renderer);
+}
+
+static drawn draw(burnish_mesh *mesh, burnish_render_options options) {
+    drawn d = {.mesh = mesh, .options = options, .renderer = make_renderer(NULL)};
     CHECK_OK(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error), error);
-    CHECK_OK(burnish_renderer_create(NULL, renderer, &error), error);
-    CHECK_OK(burnish_renderer_draw(*renderer, mesh, options, image, NULL, &error), error);
-    return burnish_renderer_get_lines(*renderer);
+    draw_again(&d);
+    return d;
+}
+
+static drawn draw_shape(const shape *s, const double position[3], double height, int edges) {
+    return draw(create_shape(s), make_options(position, height, edges));
+}
+
+static void drop(drawn *d) {
+    burnish_image_destroy(&d->image);
+    burnish_renderer_destroy(d->renderer);
+    burnish_mesh_destroy(d->mesh);
 }
 
 /* ---- A camera of the test's own ---- */
@@ -138,17 +150,13 @@ static void box_corner(const double low[3], const double high[3], int edge, int 
  * taller box that was cut: what is inside of it hides behind the cap. */
 static void test_cube(double height, int is_cut) {
     static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {6, -9, 5};
-    shape s = {.point_count = 0};
-    add_box(&s, low, (double[3]){1, 1, is_cut ? 3 : 1});
-    burnish_mesh *mesh = mesh_of(&s);
-    burnish_render_options options = make_options(position, height, BURNISH_EDGES_FEATURES);
-    burnish_renderer *renderer;
-    burnish_image image = {0};
+    const shape s = box_at(-1, -1, -1, 2, 2, is_cut ? 4 : 2);
+    burnish_mesh *mesh = create_shape(&s);
     if (is_cut) {
         const burnish_clip_plane plane = {{0, 0, 1}, 1};
         CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
     }
-    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    drawn d = draw(mesh, make_options(position, height, BURNISH_EDGES_FEATURES));
     int seen = 0, hidden = 0;
     double sum = 0;
     for (int edge = 0; edge < 12; ++edge) {
@@ -162,8 +170,8 @@ static void test_cube(double height, int is_cut) {
             middle[k] = (p[0][k] + p[1][k]) / 2;
             outside = fmax(outside, middle[k] != 0 ? position[k] * far / middle[k] - 1 : 0);
         }
-        const screen a = project(&options, p[0]), b = project(&options, p[1]);
-        const double length = hypot(b.x - a.x, b.y - a.y), on = covered(lines, a, b);
+        const screen a = project(&d.options, p[0]), b = project(&d.options, p[1]);
+        const double length = hypot(b.x - a.x, b.y - a.y), on = covered(d.lines, a, b);
         if (outside > 0) {
             CHECK(on > length - (is_cut ? 1 : 0.5), "edge %d: %g of %g pixels", edge, on, length);
             sum += length;
@@ -171,16 +179,15 @@ static void test_cube(double height, int is_cut) {
         } else {
             CHECK(on < 2, "hidden edge %d: %g of %g pixels", edge, on, length);
             const int x = (int)((a.x + b.x) / 2), y = (int)((a.y + b.y) / 2);
-            CHECK(is_cut || image.pixels[3 * (y * SIZE + x)] == 255, "ink on hidden edge %d", edge);
+            CHECK(is_cut || d.image.pixels[3 * (y * SIZE + x)] == 255, "ink on hidden edge %d",
+                  edge);
             ++hidden;
         }
     }
     CHECK(seen == 9 && hidden == 3, "%d and %d", seen, hidden);
-    CHECK(fabs(length_of_lines(lines) - sum) < 1, "%g pixels of lines, expected %g",
-          length_of_lines(lines), sum);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    CHECK(fabs(length_of_lines(d.lines) - sum) < 1, "%g pixels of lines, expected %g",
+          length_of_lines(d.lines), sum);
+    drop(&d);
 }
 
 /* The three hidden edges of a cube are dashed from end to end, with gaps of 4 widths between dashes
@@ -189,32 +196,25 @@ static void test_dashes(double height) {
     static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {6, -9, 5};
     static const int edges[3] = {1, 4, 10}; /* those of the corner -1, 1, -1 */
     const int kinds = BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN;
-    shape s = {.point_count = 0};
-    add_box(&s, low, high);
-    burnish_mesh *mesh = mesh_of(&s);
-    const burnish_render_options options = make_options(position, height, kinds);
-    burnish_renderer *renderer;
-    burnish_image image = {0};
-    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
-    const double period = 15 * 0.6 * (double)options.edge_width;
+    const shape s = box_at(-1, -1, -1, 2, 2, 2);
+    drawn d = draw_shape(&s, position, height, kinds);
+    const double period = 15 * 0.6 * (double)d.options.edge_width;
     for (int i = 0; i < 3; ++i) {
         double p[2][3];
         box_corner(low, high, edges[i], 0, p[0]);
         box_corner(low, high, edges[i], 1, p[1]);
-        const screen a = project(&options, p[0]), b = project(&options, p[1]);
-        const double length = hypot(b.x - a.x, b.y - a.y), on = covered(lines, a, b);
+        const screen a = project(&d.options, p[0]), b = project(&d.options, p[1]);
+        const double length = hypot(b.x - a.x, b.y - a.y), on = covered(d.lines, a, b);
         const double count = floor((length + period * 4 / 15) / period + 0.5);
         const double expected = length * 11 * count / (15 * count - 4);
         CHECK(fabs(on - expected) < 3, "edge %d: %g of %g pixels", i, on, expected);
         for (int end = 0; end < 2; ++end) {
             const double t = 5 / length, u = end ? t : 1 - t;
             const screen near = {a.x + u * (b.x - a.x), a.y + u * (b.y - a.y)};
-            CHECK(covered(lines, end ? a : b, near) > 4, "edge %d, end %d", i, end);
+            CHECK(covered(d.lines, end ? a : b, near) > 4, "edge %d, end %d", i, end);
         }
     }
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    drop(&d);
 }
 
 /* The axis of a prism of 24 sides: a chain line from the side, a cross along it, 12 widths longer at
@@ -236,47 +236,30 @@ static void test_centers(int is_along) {
             add_triangle(&s, 0, 2 * next, 2 * i);
         }
     }
-    burnish_mesh *mesh = mesh_of(&s);
-    burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
-    if (is_along) {
-        options.camera.view_up[1] = 1;
-        options.camera.view_up[2] = 0;
-    }
-    burnish_renderer *renderer;
-    burnish_image image = {0};
-    const double bare = length_of_lines(draw(mesh, &options, &renderer, &image));
-    options.edges |= BURNISH_EDGES_CENTERS;
-    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
-    const burnish_lines *lines = burnish_renderer_get_lines(renderer);
-    const double width = 0.6 * (double)options.edge_width, over = 12 * width;
+    drawn d = draw_shape(&s, position, 4, BURNISH_EDGES_FEATURES);
+    const double bare = length_of_lines(d.lines);
+    d.options.edges |= BURNISH_EDGES_CENTERS;
+    draw_again(&d);
+    const double width = 0.6 * (double)d.options.edge_width, over = 12 * width;
     const double reach = 1.0 * SIZE / 4 + over, length = 2 * reach;
     const double count = floor((length + 8 * width) / (31 * width) + 0.5);
     const double expected = length * 23 * count / (31 * count - 8);
-    const double sum = length_of_lines(lines) - bare;
+    const double sum = length_of_lines(d.lines) - bare;
     CHECK(fabs(sum - (is_along ? 2 : 1) * expected) < 2, "%g pixels, expected %g", sum, expected);
     const screen middle = {SIZE / 2.0, SIZE / 2.0};
     const screen end = {middle.x, middle.y - reach}, near = {middle.x, middle.y - reach + 5};
-    CHECK(covered(lines, end, near) > 4, "%g", covered(lines, end, near));
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    CHECK(covered(d.lines, end, near) > 4, "%g", covered(d.lines, end, near));
+    drop(&d);
 }
 
 /* Along an axis each hidden edge of a box is behind a visible one. */
 static void test_covered_lines(void) {
-    static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {0, -9, 0};
-    shape s = {.point_count = 0};
-    add_box(&s, low, high);
-    burnish_mesh *mesh = mesh_of(&s);
-    const burnish_render_options options =
-        make_options(position, 4, BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN);
-    burnish_renderer *renderer;
-    burnish_image image = {0};
-    const double length = length_of_lines(draw(mesh, &options, &renderer, &image));
+    static const double position[3] = {0, -9, 0};
+    const shape s = box_at(-1, -1, -1, 2, 2, 2);
+    drawn d = draw_shape(&s, position, 4, BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN);
+    const double length = length_of_lines(d.lines);
     CHECK(fabs(length - 8 * SIZE / 4.0) < 1, "%g pixels", length);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    drop(&d);
 }
 
 /* Of a plate's upper edge, seen along y, a box before it hides the part between its sides. */
@@ -287,24 +270,19 @@ static void test_hidden_part(void) {
     shape s = {.point_count = 0};
     add_box(&s, back[0], back[1]);
     add_box(&s, front[0], front[1]);
-    burnish_mesh *mesh = mesh_of(&s);
-    burnish_render_options options = make_options(position, 5, BURNISH_EDGES_FEATURES);
-    burnish_renderer *renderer;
-    burnish_image image = {0};
-    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    drawn d = draw_shape(&s, position, 5, BURNISH_EDGES_FEATURES);
     for (int side = 0; side < 2; ++side) {
         const double x = front[side][0];
         for (int step = -1; step <= 1; step += 2) { /* two pixels before the end and beyond it */
             const double at[3] = {x + step * 2 * 5.0 / SIZE, 1, 1};
             const double further[3] = {x + step * 3 * 5.0 / SIZE, 1, 1};
-            const double on = covered(lines, project(&options, at), project(&options, further));
+            const double on =
+                covered(d.lines, project(&d.options, at), project(&d.options, further));
             const int is_seen = step == (side ? 1 : -1);
             CHECK(is_seen ? on > 0.9 : on < 0.1, "side %d, %d: %g", side, step, on);
         }
     }
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    drop(&d);
 }
 
 /* A box on a plate, seen from above, is one grey without its edges; they are drawn, and its outline
@@ -316,60 +294,40 @@ static void test_step(void) {
     shape s = {.point_count = 0};
     add_box(&s, plate[0], plate[1]);
     add_box(&s, boss[0], boss[1]);
-    burnish_mesh *mesh = mesh_of(&s);
-    burnish_render_options options = make_options(position, 5, BURNISH_EDGES_FEATURES);
-    options.camera.view_up[1] = 1;
-    options.camera.view_up[2] = 0;
-    burnish_renderer *renderer;
-    burnish_image image = {0};
-    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
-    CHECK(fabs(length_of_lines(lines) - (16 + 8) * SIZE / 5.0) < 2, "%g pixels",
-          length_of_lines(lines));
-    for (size_t i = 0; i < lines->line_count; ++i) {
-        CHECK(lines->widths[i] == options.edge_width, "line %zu is %g wide", i,
-              (double)lines->widths[i]);
+    drawn d = draw_shape(&s, position, 5, BURNISH_EDGES_FEATURES);
+    CHECK(fabs(length_of_lines(d.lines) - (16 + 8) * SIZE / 5.0) < 2, "%g pixels",
+          length_of_lines(d.lines));
+    for (size_t i = 0; i < d.lines->line_count; ++i) {
+        CHECK(d.lines->widths[i] == d.options.edge_width, "line %zu is %g wide", i,
+              (double)d.lines->widths[i]);
     }
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    drop(&d);
 }
 
 /* ---- A sphere, a grid ---- */
 
-static burnish_mesh *load(const char *name, int tessellation) {
-    burnish_load_options options = burnish_load_options_default();
-    options.tessellation = tessellation;
-    options.measure = 1;
-    return load_mesh(name, &options);
-}
-
 /* In perspective the silhouette of a sphere at distance d has the radius of tan(asin(r / d)). */
 static void test_sphere(void) {
     static const double position[3] = {3, -5, 1};
-    burnish_mesh *mesh = load(":sphere", 96);
+    burnish_mesh *mesh = load_measured(":sphere", 96);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const double r = ((double)view->bounds_max[0] - (double)view->bounds_min[0]) / 2;
     burnish_render_options options = make_options(position, 0, BURNISH_EDGES_FEATURES);
-    burnish_renderer *renderer;
-    burnish_image image = {0};
     for (int k = 0; k < 3; ++k) {
         options.camera.position[k] *= r;
     }
-    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
-    const double d = sqrt(35.0) * r;
+    drawn d = draw(mesh, options);
     const double radius =
-        tan(asin(r / d)) / tan(options.camera.view_angle * acos(-1) / 360) * SIZE / 2;
-    for (size_t i = 0; i < lines->point_count; ++i) {
-        const double at = hypot((double)lines->points[2 * i] - SIZE / 2.0,
-                                (double)lines->points[2 * i + 1] - SIZE / 2.0);
+        tan(asin(1 / sqrt(35.0))) / tan(options.camera.view_angle * acos(-1) / 360) * SIZE / 2;
+    for (size_t i = 0; i < d.lines->point_count; ++i) {
+        const double at = hypot((double)d.lines->points[2 * i] - SIZE / 2.0,
+                                (double)d.lines->points[2 * i + 1] - SIZE / 2.0);
         CHECK(fabs(at - radius) < 0.35, "point %zu: %g from the middle, expected %g", i, at,
               radius);
     }
-    CHECK(fabs(length_of_lines(lines) / (2 * acos(-1) * radius) - 1) < 0.02,
-          "a circle of %g pixels, expected %g", length_of_lines(lines), 2 * acos(-1) * radius);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    CHECK(fabs(length_of_lines(d.lines) / (2 * acos(-1) * radius) - 1) < 0.02,
+          "a circle of %g pixels, expected %g", length_of_lines(d.lines), 2 * acos(-1) * radius);
+    drop(&d);
 }
 
 static shape *make_grid(int n) {
@@ -391,16 +349,9 @@ static shape *make_grid(int n) {
 /* No edge becomes a line, in a renderer that had no lines before: no array exists. */
 static void test_no_lines(void) {
     static const double position[3] = {0, 0, 10};
-    burnish_render_options options = make_options(position, 3, BURNISH_EDGES_MATERIALS);
-    burnish_renderer *renderer;
-    burnish_image image = {0};
-    options.camera.view_up[1] = 1;
-    options.camera.view_up[2] = 0;
-    burnish_mesh *mesh = load_mesh(":sphere", NULL);
-    CHECK1(draw(mesh, &options, &renderer, &image)->line_count == 0);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    drawn d = draw(load_mesh(":sphere", NULL), make_options(position, 3, BURNISH_EDGES_MATERIALS));
+    CHECK1(d.lines->line_count == 0);
+    drop(&d);
 }
 
 /* n x n squares have 2 n (n + 1) sides and n^2 diagonals; only the border is a feature. */
@@ -408,55 +359,38 @@ static void test_grid(void) {
     enum { N = 6 };
     static const double position[3] = {0, 0, 10};
     shape *s = make_grid(N);
-    burnish_mesh *mesh = mesh_of(s);
-    burnish_render_options options = make_options(position, N + 1, BURNISH_EDGES_ALL);
-    options.camera.view_up[1] = 1;
-    options.camera.view_up[2] = 0;
-    burnish_renderer *renderer;
-    burnish_image image = {0};
-    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    drawn d = draw_shape(s, position, N + 1, BURNISH_EDGES_ALL);
     const double pixel = SIZE / (N + 1.0);
     double expected = (2 * N * (N + 1) + N * N * sqrt(2)) * pixel;
     /* at two corners no diagonal ends: the line goes on */
-    CHECK(lines->line_count == 2 * N * (N + 1) + N * N - 2, "%zu lines", lines->line_count);
-    CHECK(fabs(length_of_lines(lines) - expected) < 0.01 * expected, "%g pixels, expected %g",
-          length_of_lines(lines), expected);
-    options.edges = BURNISH_EDGES_BOUNDARIES;
-    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
-    CHECK(fabs(length_of_lines(lines) - 4 * N * pixel) < 1, "%g pixels of boundary",
-          length_of_lines(lines));
-    options.edges = BURNISH_EDGES_CREASES | BURNISH_EDGES_MATERIALS;
-    CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
-    CHECK(lines->line_count == 0, "%zu lines on a plane", lines->line_count);
-    options.edges = 0;
-    CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error) ==
-               BURNISH_STATUS_OK &&
-           lines->line_count == 0);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    CHECK(d.lines->line_count == 2 * N * (N + 1) + N * N - 2, "%zu lines", d.lines->line_count);
+    CHECK(fabs(length_of_lines(d.lines) - expected) < 0.01 * expected, "%g pixels, expected %g",
+          length_of_lines(d.lines), expected);
+    d.options.edges = BURNISH_EDGES_BOUNDARIES;
+    draw_again(&d);
+    CHECK(fabs(length_of_lines(d.lines) - 4 * N * pixel) < 1, "%g pixels of boundary",
+          length_of_lines(d.lines));
+    d.options.edges = BURNISH_EDGES_CREASES | BURNISH_EDGES_MATERIALS;
+    draw_again(&d);
+    CHECK(d.lines->line_count == 0, "%zu lines on a plane", d.lines->line_count);
+    d.options.edges = 0;
+    draw_again(&d);
+    CHECK1(d.lines->line_count == 0);
+    drop(&d);
     free(s);
 }
 
 /* Along an axis and in parallel projection AXIS_VIEWS are features, elsewhere nothing. */
 static void test_axis_views(void) {
     static const double along[3] = {0, -9, 0}, aslant[3] = {1, -9, 0};
-    shape s = {.point_count = 0};
-    add_box(&s, (double[]){-1, -1, -1}, (double[]){1, 1, 1});
-    burnish_mesh *mesh = mesh_of(&s);
+    const shape s = box_at(-1, -1, -1, 2, 2, 2);
     for (int i = 0; i < 3; ++i) {
-        burnish_render_options options =
-            make_options(i == 1 ? aslant : along, i == 2 ? 0 : 4, BURNISH_EDGES_AXIS_VIEWS);
-        burnish_renderer *renderer;
-        burnish_image image = {0};
-        const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
-        CHECK(fabs(length_of_lines(lines) - (i == 0 ? 4 * SIZE / 2.0 : 0)) < 0.5,
-              "view %d: %g pixels", i, length_of_lines(lines));
-        CHECK1(i > 0 || (lines->widths[0] < options.edge_width && lines->opacity < 1));
-        burnish_image_destroy(&image);
-        burnish_renderer_destroy(renderer);
+        drawn d = draw_shape(&s, i == 1 ? aslant : along, i == 2 ? 0 : 4, BURNISH_EDGES_AXIS_VIEWS);
+        CHECK(fabs(length_of_lines(d.lines) - (i == 0 ? 4 * SIZE / 2.0 : 0)) < 0.5,
+              "view %d: %g pixels", i, length_of_lines(d.lines));
+        CHECK1(i > 0 || (d.lines->widths[0] < d.options.edge_width && d.lines->opacity < 1));
+        drop(&d);
     }
-    burnish_mesh_destroy(mesh);
 }
 
 /* ---- Noise ---- */
@@ -524,34 +458,25 @@ static void test_loose(void) {
 
 /* Of the cube's picture in linear light the missing light is the ink: length times width. */
 static void test_ink(void) {
-    static const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, position[3] = {6, -9, 5};
+    static const double position[3] = {6, -9, 5};
     static float light[SIZE * SIZE * 4];
-    shape s = {.point_count = 0};
-    add_box(&s, low, high);
-    burnish_mesh *mesh = mesh_of(&s);
+    const shape s = box_at(-1, -1, -1, 2, 2, 2);
     burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
-    burnish_renderer *renderer;
-    burnish_target target = burnish_target_default();
-    target.pixels =
-        (burnish_pixels){SIZE, SIZE, BURNISH_PIXELS_RGBA_FLOAT, SIZE * 16, (uint8_t *)light};
-    burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error);
     memset(options.edge_color, 0, sizeof options.edge_color);
     options.edge_width = 3;
-    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
-    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error), error);
-    const burnish_lines *lines = burnish_renderer_get_lines(renderer);
+    drawn d = draw(create_shape(&s), options);
+    draw_floats(d.mesh, &options, light, NULL);
     double ink = 0, expected = 0;
     for (int i = 0; i < SIZE * SIZE; ++i) {
         ink += 1 - (double)light[4 * i];
     }
-    for (size_t i = 0; i < lines->line_count; ++i) {
+    for (size_t i = 0; i < d.lines->line_count; ++i) {
         const burnish_lines one = {
-            .line_count = 1, .starts = lines->starts + i, .points = lines->points};
-        expected += length_of_lines(&one) * (double)lines->widths[i];
+            .line_count = 1, .starts = d.lines->starts + i, .points = d.lines->points};
+        expected += length_of_lines(&one) * (double)d.lines->widths[i];
     }
     CHECK(fabs(ink / expected - 1) < 0.03, "ink %g, expected %g", ink, expected);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    drop(&d);
 }
 
 /* ---- SVG ---- */
@@ -560,18 +485,15 @@ static void test_ink(void) {
 static void test_svg(void) {
     static const double position[3] = {6, -9, 5};
     static svg_path read;
-    burnish_mesh *mesh = load(":teapot", 8);
+    burnish_mesh *mesh = load_measured(":teapot", 8);
     burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
-    burnish_framing framing = burnish_framing_default();
-    burnish_renderer *renderer;
-    burnish_image image = {0};
     char *text = NULL;
     size_t size = 0, found = 0;
-    CHECK_OK(burnish_camera_frame(mesh, &framing, &options.camera, &error), error);
-    const burnish_lines *lines = draw(mesh, &options, &renderer, &image);
+    options.camera = framed_options(mesh, SIZE, SIZE).camera;
+    drawn d = draw(mesh, options);
     burnish_drawing *drawing = NULL;
     CHECK_OK(burnish_drawing_create(NULL, SIZE, SIZE, &drawing, &error), error);
-    CHECK_OK(burnish_renderer_trace(renderer, mesh, &options, drawing, &error), error);
+    CHECK_OK(burnish_renderer_trace(d.renderer, mesh, &options, drawing, &error), error);
     CHECK_OK(burnish_drawing_encode_svg(drawing, "a<b>&\"c\n", options.background, 0, &text, &size,
                                         &error),
              error);
@@ -588,13 +510,13 @@ static void test_svg(void) {
         const double(*points)[2] = (const double(*)[2])read.points;
         const size_t count = read.starts[read.count];
         size_t at = 0;
-        for (size_t l = 0; l < lines->line_count; ++l) {
-            if (fabs((double)lines->widths[l] - wide) > 0.006) {
+        for (size_t l = 0; l < d.lines->line_count; ++l) {
+            if (fabs((double)d.lines->widths[l] - wide) > 0.006) {
                 continue;
             }
             ++found;
-            for (size_t k = lines->starts[l]; k < lines->starts[l + 1]; ++k) {
-                const float *p = lines->points + 2 * k;
+            for (size_t k = d.lines->starts[l]; k < d.lines->starts[l + 1]; ++k) {
+                const float *p = d.lines->points + 2 * k;
                 if (at < count && fabs(points[at][0] - (double)p[0]) < 0.0052 &&
                     fabs(points[at][1] - (double)p[1]) < 0.0052) {
                     ++at;
@@ -607,12 +529,11 @@ static void test_svg(void) {
         }
         CHECK(at == count, "%zu points of %zu", at, count);
     }
-    CHECK(found == lines->line_count && found > 10, "%zu of %zu lines", found, lines->line_count);
+    CHECK(found == d.lines->line_count && found > 10, "%zu of %zu lines", found,
+          d.lines->line_count);
     burnish_release(NULL, text);
     burnish_drawing_destroy(drawing);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_mesh_destroy(mesh);
+    drop(&d);
 }
 
 /* ---- Edges of meshes ---- */
@@ -670,76 +591,6 @@ static burnish_mesh *random_mesh(void) {
     return create_mesh(&arrays, &options);
 }
 
-/* ---- Bits, memory, cancelling ---- */
-
-static uint64_t hash_of(const burnish_mesh *mesh, const burnish_render_options *options) {
-    burnish_image image;
-    CHECK_OK(burnish_render(mesh, options, &image, NULL, &error), error);
-    const uint64_t hash = burnish_image_hash(&image);
-    burnish_image_destroy(&image);
-    return hash;
-}
-
-static void test_bits(void) {
-    burnish_mesh *mesh = load(":knot", 12);
-    burnish_framing framing = burnish_framing_default();
-    burnish_render_options options = burnish_render_options_default();
-    burnish_render_options_set_look(&options, BURNISH_LOOK_TECHNICAL, &error);
-    burnish_camera_frame(mesh, &framing, &options.camera, &error);
-    options.width = options.height = 200;
-    options.edges |= BURNISH_EDGES_ALL;
-    options.threads = 1;
-    const uint64_t expected = hash_of(mesh, &options);
-    for (int threads = 2; threads <= 7; threads += 5) {
-        options.threads = threads;
-        CHECK(hash_of(mesh, &options) == expected, "%d threads", threads);
-    }
-    for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-        options.kernels = burnish_kernels_for((burnish_isa)isa);
-        CHECK(!options.kernels || hash_of(mesh, &options) == expected, "%s",
-              burnish_isa_name((burnish_isa)isa));
-    }
-    burnish_mesh_destroy(mesh);
-}
-
-/* Every allocation fails once, every question is answered by no; the renderer then draws as if
- * nothing had been. */
-static void test_shortage(void) {
-    burnish_mesh *mesh = load(":teapot", 4);
-    burnish_framing framing = burnish_framing_default();
-    burnish_render_options options = burnish_render_options_default();
-    counts c;
-    burnish_context *context = make_context(&c);
-    options.edges = BURNISH_EDGES_FEATURES;
-    options.width = options.height = 64;
-    options.threads = 1;
-    burnish_camera_frame(mesh, &framing, &options.camera, &error);
-    const uint64_t expected = hash_of(mesh, &options);
-    for (int mode = 0; mode < 2; ++mode) {
-        int refused = 0;
-        burnish_status status = BURNISH_STATUS_MEMORY;
-        for (int i = 0; status != BURNISH_STATUS_OK; ++i) {
-            burnish_renderer *renderer;
-            burnish_image image = {0};
-            c.left = c.questions = -1;
-            CHECK_OK(burnish_renderer_create(context, &renderer, &error), error);
-            c.left = mode == 0 ? i : -1;
-            c.questions = mode == 1 ? i : -1;
-            status = burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error);
-            refused += status == (mode == 0 ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_CANCELLED);
-            c.left = c.questions = -1;
-            CHECK_OK(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error), error);
-            CHECK(burnish_image_hash(&image) == expected, "mode %d, %d", mode, i);
-            burnish_image_destroy(&image);
-            burnish_renderer_destroy(renderer);
-        }
-        CHECK(refused >= (mode == 0 ? 30 : 10), "mode %d: %d times", mode, refused);
-    }
-    CHECK(c.live == 1 || c.live == 0, "%ld blocks are left", (long)c.live);
-    burnish_context_destroy(context);
-    burnish_mesh_destroy(mesh);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_cube(0, 0));
@@ -760,10 +611,8 @@ int main(int count, char **arguments) {
     RUN(test_loose());
     RUN(test_ink());
     RUN(test_svg());
-    RUN(test_edges(load(":teapot", 4)));
-    RUN(test_edges(load(":knot", 6)));
+    RUN(test_edges(load_measured(":teapot", 4)));
+    RUN(test_edges(load_measured(":knot", 6)));
     RUN(test_edges(random_mesh()));
-    RUN(test_bits());
-    RUN(test_shortage());
     return test_end("lines");
 }

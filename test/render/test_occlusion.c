@@ -2,9 +2,7 @@
 #include <math.h>
 
 #include "burnish/look.h"
-#include "draw_floats.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "pictures.h"
 
 enum { SIZE = 400 };
 
@@ -74,8 +72,7 @@ static void test_wall(int directions, double tolerance) {
         const int column = first + (int)((x + 1) / 2 * (last - first + 1));
         const int at = 4 * (SIZE / 2 * SIZE + column);
         const double found = 1 - (double)(occluded[at] / open[at]);
-        const double difference = fabs(found - hidden_by_wall(x));
-        worst = difference > worst ? difference : worst;
+        worst = fmax(worst, fabs(found - hidden_by_wall(x)));
     }
     CHECK(worst < tolerance,
           "%d directions: a wall hides up to %g more or less than its share of the sky", directions,
@@ -93,8 +90,7 @@ static void test_sphere(void) {
     burnish_mesh *mesh = load_mesh(":sphere", NULL);
     float *open = draw(mesh, along, 0), *occluded = draw(mesh, along, 64);
     for (int i = 0; i < SIZE * SIZE; ++i) {
-        const double lost = 1 - (double)(occluded[4 * i] / open[4 * i]);
-        worst = lost > worst ? lost : worst;
+        worst = fmax(worst, 1 - (double)(occluded[4 * i] / open[4 * i]));
     }
     CHECK(worst < 0.005, "a sphere hides %g of the sky from itself", worst);
     free(open);
@@ -105,25 +101,20 @@ static void test_sphere(void) {
 /* Whatever its colour, no matt surface is cut off, and a fully lit white one is between `low` and
  * `high`. */
 static void test_exposure(burnish_look look, int low, int high) {
-    burnish_framing framing = burnish_framing_default();
-    burnish_render_options options = burnish_render_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_image image = {0};
     int brightest = 0;
     burnish_mesh *mesh = load_mesh(":sphere", NULL);
+    burnish_render_options options = framed_options(mesh, 200, 200);
     burnish_material material = *burnish_mesh_get_material(mesh, 0);
     CHECK(burnish_render_options_set_look(&options, look, &error) == BURNISH_STATUS_OK &&
               burnish_look_set_materials(look, mesh, &error) == BURNISH_STATUS_OK,
           "%s", error.text);
-    for (int k = 0; k < 3; ++k) {
-        material.diffuse[k] = material.ambient[k] = 1;
-        material.specular[k] = 0;
-    }
-    burnish_mesh_set_material(mesh, 0, &material, &error);
-    options.width = options.height = 200;
+    set_three(material.diffuse, 1);
+    set_three(material.ambient, 1);
+    set_three(material.specular, 0);
+    set_material(mesh, &material);
     options.transparent = 1;
-    burnish_camera_frame(mesh, &framing, &options.camera, &error);
-    CHECK_OK(burnish_render(mesh, &options, &image, NULL, &error), error);
+    burnish_image image = draw_image(mesh, &options, NULL);
     for (int i = 0; i < 4 * 200 * 200; ++i) {
         const int code = i % 4 < 3 ? image.pixels[i] : 0;
         brightest = code > brightest ? code : brightest;

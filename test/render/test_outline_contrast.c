@@ -1,8 +1,6 @@
 /* The hairline along outlines that hardly differ from the background. */
 #include "burnish/look.h"
-#include "core/srgb.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "pictures.h"
 
 enum { WIDTH = 150, HEIGHT = 101, PIXELS = WIDTH * HEIGHT, CONTRAST = 32 };
 
@@ -12,32 +10,22 @@ typedef struct picture {
 
 /* White surfaces: what they show does not depend on lights. */
 static burnish_render_options make_options(burnish_mesh *mesh, int background) {
-    burnish_render_options options = burnish_render_options_default();
-    burnish_framing framing = burnish_framing_default();
+    burnish_render_options options = framed_options(mesh, WIDTH, HEIGHT);
     burnish_error error;
     CHECK_OK(burnish_render_options_set_look(&options, BURNISH_LOOK_DRAWING, &error), error);
     CHECK_OK(burnish_look_set_materials(BURNISH_LOOK_DRAWING, mesh, &error), error);
-    options.width = WIDTH;
-    options.height = HEIGHT;
     options.edges = 0;
     options.outline_contrast = CONTRAST + 4; /* as in the studio */
     memset(options.background, background, sizeof options.background);
-    framing.aspect = (double)WIDTH / HEIGHT;
-    CHECK_OK(burnish_camera_frame(mesh, &framing, &options.camera, &error), error);
     return options;
 }
 
 static void draw(const burnish_mesh *mesh, const burnish_render_options *options, picture *out) {
-    burnish_renderer *renderer;
-    burnish_target target = burnish_target_default();
-    burnish_error error;
-    target.pixels = (burnish_pixels){WIDTH, HEIGHT, BURNISH_PIXELS_BGRA8,
-                                     sizeof out->pixels[0] * WIDTH, out->pixels[0]};
-    target.coverage = out->coverage;
-    target.coverage_stride = WIDTH;
-    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
-    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, options, &target, NULL, &error), error);
-    burnish_renderer_destroy(renderer);
+    const burnish_target target =
+        make_target((burnish_pixels){WIDTH, HEIGHT, BURNISH_PIXELS_BGRA8,
+                                     sizeof out->pixels[0] * WIDTH, out->pixels[0]},
+                    NULL, NULL, NULL, out->coverage);
+    draw_into(mesh, options, &target, NULL);
 }
 
 /* The least coverage around a pixel, and the largest difference from the background there. */
@@ -94,42 +82,6 @@ static void test_contrast(burnish_mesh *mesh) {
     CHECK(memcmp(&with, &without, sizeof with) == 0, "a white sphere changes on black");
 }
 
-/* Rows drawn in parts, by one renderer and each by its own, and linear light. */
-static void test_parts(burnish_mesh *mesh, int samples) {
-    static picture whole;
-    static float light[PIXELS][4];
-    burnish_render_options options = make_options(mesh, 240);
-    burnish_error error;
-    options.samples = samples;
-    draw(mesh, &options, &whole);
-    for (int part = 1; part < HEIGHT; part = part * 3 + 1) {
-        burnish_renderer *renderer;
-        CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
-        for (int turn = 0; turn < 2; ++turn) { /* down, then up */
-            const int count = (HEIGHT + part - 1) / part;
-            memset(light, 0, sizeof light);
-            for (int k = 0; k < count; ++k) {
-                burnish_target target = burnish_target_default();
-                options.first_row = (turn ? count - 1 - k : k) * part;
-                const int left = HEIGHT - options.first_row;
-                options.row_count = left < part ? left : part;
-                target.pixels = (burnish_pixels){WIDTH, options.row_count,
-                                                 BURNISH_PIXELS_RGBA_FLOAT, sizeof light[0] * WIDTH,
-                                                 (uint8_t *)light[options.first_row * WIDTH]};
-                CHECK_OK(
-                    burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error),
-                    error);
-            }
-            int wrong = 0;
-            for (int i = 0; i < PIXELS; ++i) {
-                wrong += burnish_linear_to_srgb(light[i][0]) != whole.pixels[i][2];
-            }
-            CHECK(wrong == 0, "%d pixels differ in parts of %d rows", wrong, part);
-        }
-        burnish_renderer_destroy(renderer);
-    }
-}
-
 int main(void) {
     burnish_mesh *mesh = load_mesh(":sphere", NULL);
     const int samples[] = {1, 4, 8, 16};
@@ -138,7 +90,6 @@ int main(void) {
         RUN(test_line(mesh, samples[i], 255, 0.95f));
         RUN(test_line(mesh, samples[i], 238, 0.7f));
         RUN(test_line(mesh, samples[i], 20, 0.01f));
-        RUN(test_parts(mesh, samples[i]));
     }
     RUN(test_contrast(mesh));
     burnish_mesh_destroy(mesh);

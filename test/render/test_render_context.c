@@ -1,22 +1,15 @@
 /* Drawing with what the caller brings: a context that cancels and hears of progress; rounding modes
  * and flushed subnormals, which change no bit and are put back. */
-#include "burnish/kernels.h"
-#include "burnish/render.h"
 #include "counting_context.h"
-#include "mesh_arrays.h"
+#include "pictures.h"
 
 enum { WIDTH = 131, HEIGHT = 77 };
 
 static burnish_render_options make_options(const burnish_mesh *mesh, int width, int height,
                                            int threads) {
-    burnish_render_options options = burnish_render_options_default();
-    burnish_framing framing = burnish_framing_default();
-    options.width = width;
-    options.height = height;
+    burnish_render_options options = framed_options(mesh, width, height);
     options.samples = 4;
     options.threads = threads;
-    framing.aspect = (double)width / height;
-    CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, NULL) == BURNISH_STATUS_OK);
     return options;
 }
 
@@ -26,10 +19,8 @@ static void test_cancel(int threads) {
     burnish_render_options options = make_options(mesh, 640, 480, threads);
     counts c;
     burnish_context *context = make_context(&c);
-    burnish_renderer *renderer;
-    burnish_image image = {0}, expected;
-    CHECK1(burnish_render(mesh, &options, &expected, NULL, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_create(context, &renderer, NULL) == BURNISH_STATUS_OK);
+    burnish_image image = {0}, expected = draw_image(mesh, &options, NULL);
+    burnish_renderer *renderer = make_renderer(context);
     burnish_status status = BURNISH_STATUS_CANCELLED;
     int cancelled = 0;
     for (long at = 0; status == BURNISH_STATUS_CANCELLED; at += at < 20 ? 1 : 7) {
@@ -59,7 +50,7 @@ static void test_cancel(int threads) {
     options.context = context;
     c.questions = 0;
     CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_CANCELLED);
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
+    renderer = make_renderer(NULL);
     CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, NULL) ==
            BURNISH_STATUS_ARGUMENT);
     burnish_renderer_destroy(renderer);
@@ -77,22 +68,10 @@ static uint64_t hash_picture(const burnish_mesh *mesh, int threads) {
     static uint8_t coverage[HEIGHT][WIDTH];
     static float depth[HEIGHT][WIDTH], normals[HEIGHT][WIDTH][3];
     static uint32_t triangles[HEIGHT][WIDTH];
-    burnish_target target = burnish_target_default();
-    burnish_renderer *renderer;
-    target.pixels =
-        (burnish_pixels){WIDTH, HEIGHT, BURNISH_PIXELS_RGBA8, sizeof pixels[0], pixels[0]};
-    target.depth = depth[0];
-    target.depth_stride = sizeof depth[0];
-    target.triangles = triangles[0];
-    target.triangle_stride = sizeof triangles[0];
-    target.normals = normals[0][0];
-    target.normal_stride = sizeof normals[0];
-    target.coverage = coverage[0];
-    target.coverage_stride = sizeof coverage[0];
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, NULL) ==
-           BURNISH_STATUS_OK);
-    burnish_renderer_destroy(renderer);
+    const burnish_target target = make_target(
+        (burnish_pixels){WIDTH, HEIGHT, BURNISH_PIXELS_RGBA8, sizeof pixels[0], pixels[0]},
+        depth[0], normals[0][0], triangles[0], coverage[0]);
+    draw_into(mesh, &options, &target, NULL);
     uint64_t hash = test_add_hash(0, pixels, sizeof pixels);
     hash = test_add_hash(test_add_hash(hash, depth, sizeof depth), coverage, sizeof coverage);
     return test_add_hash(test_add_hash(hash, normals, sizeof normals), triangles, sizeof triangles);

@@ -1,10 +1,9 @@
 /* Options for drawing that are refused, with a message that names them. */
 #include <math.h>
 
+#include "burnish/light.h"
 #include "burnish/look.h"
-#include "burnish/render.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "pictures.h"
 
 static void expect_error(const burnish_mesh *scene, const burnish_render_options *options,
                          const char *part) {
@@ -17,12 +16,8 @@ static void expect_error(const burnish_mesh *scene, const burnish_render_options
 }
 
 static void test_options(burnish_mesh *sphere) {
-    burnish_render_options good = burnish_render_options_default();
-    burnish_render_options options;
-    good.width = good.height = 64;
-    good.camera.position[2] = 10;
-    good.camera.orthographic_height = 2.2;
-    memset(&options, 0, sizeof options);
+    const burnish_render_options good = front_options(64, 64, 2.2);
+    burnish_render_options options = {0};
     expect_error(sphere, &options, "burnish_render_options_default");
     expect_error(sphere, NULL, "burnish_render_options_default");
     expect_error(NULL, &good, "mesh");
@@ -60,7 +55,60 @@ static void test_options(burnish_mesh *sphere) {
     WRONG(options.edge_width = 101, "edges: a width of 101");
     WRONG(options.edge_opacity = 1.5f, "edges: an opacity");
     WRONG(options.outline_contrast = 256, "outline: a contrast");
+    WRONG(options.background_environment = 1, "no environment");
+    WRONG(options.area_light_count = 9, "area lights: 9 is not in [0, 8]");
+    WRONG(options.has_dome = 1;
+          options.dome.nadir[0] = INFINITY, "dome: needs radiances in [0, 1e6]");
+    WRONG(options.has_dome = 1;
+          options.dome.nadir[0] = 1,
+          "dome: the radiance is negative between zenith, horizon and nadir; raise the horizon's");
+    WRONG(options.environment_strength = NAN, "environment: a strength of nan is not in [0, 1e6]");
+    WRONG(options.environment_turn = INFINITY,
+          "environment: the turn must be a finite number of degrees");
+#define SIDES "area light 1: needs two finite half sides that are not parallel"
+    options = good;
+    options.area_light_count = 1;
+    burnish_area_light *light = &options.area_lights[0];
+#define WRONG_LIGHT(change, part)                                                                  \
+    *light = (burnish_area_light){                                                                 \
+        .center = {0, 0, 2}, .half_u = {1, 0, 0}, .half_v = {0, 1, 0}, .color = {1, 1, 1}};        \
+    change;                                                                                        \
+    expect_error(sphere, &options, part)
+    WRONG_LIGHT(light->half_v[0] = 1e9, SIDES);
+    WRONG_LIGHT(light->half_u[0] = 0, SIDES);
+    WRONG_LIGHT(light->half_v[1] = NAN, SIDES);
+    WRONG_LIGHT(light->color[2] = -1, "area light 1: needs a radiance in [0, 1e6]");
+    WRONG_LIGHT(light->is_distant = 1;
+                light->center[2] = 0,
+                "area light 1: needs a finite center (not 0 for a distant light)");
+    WRONG_LIGHT(light->shape = (burnish_area_shape)2,
+                "area light 1: has a shape that does not exist");
+#undef SIDES
 #undef WRONG
+#undef WRONG_LIGHT
+}
+
+static void test_environment(burnish_mesh *sphere) {
+    const float light[3] = {1, 1, 1};
+    burnish_render_options options = front_options(64, 64, 2.2);
+    burnish_environment *environment;
+    burnish_error error;
+    CHECK_OK(burnish_environment_create(NULL, 1, 1, light, &environment, &error), error);
+    options.environment = environment;
+    options.background_environment = options.transparent = 1;
+    expect_error(sphere, &options, "transparent");
+    burnish_environment_destroy(environment);
+}
+
+static void test_materials(burnish_mesh *sphere) {
+    static const float wrong[] = {-0.1f, 1.1f, NAN, INFINITY};
+    burnish_material material = *burnish_mesh_get_material(sphere, 0);
+    burnish_error error;
+    for (int i = 0; i < 4; ++i) {
+        material.transparency = wrong[i];
+        CHECK1(burnish_mesh_set_material(sphere, 0, &material, &error) == BURNISH_STATUS_ARGUMENT);
+        CHECK(strstr(error.text, "transparency"), "%s", error.text);
+    }
 }
 
 static void test_looks(burnish_mesh *mesh) {
@@ -76,6 +124,8 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     burnish_mesh *sphere = load_mesh(":sphere", NULL);
     RUN(test_options(sphere));
+    RUN(test_environment(sphere));
+    RUN(test_materials(sphere));
     RUN(test_looks(sphere));
     burnish_mesh_destroy(sphere);
     return test_end("render_options");

@@ -1,28 +1,20 @@
-/* The shadow of the first light: where its edge must be, and that convex shapes cast none. */
+/* The shadow of the first light: where its edge must be, that convex shapes cast none, and masked
+ * triangles that of what the mask leaves. */
 #include <math.h>
 
-#include "draw_floats.h"
-#include "kept_renderer.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "pictures.h"
 
 enum { SIZE = 256 };
+
+#define AMBIENT 0.08f
 
 /* Straight from above, 4 high and wide, red of every pixel, no specular part. */
 static float *draw_options(burnish_mesh *mesh, burnish_render_options options, int shadow) {
     float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
     burnish_render_report report;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_material material = *burnish_mesh_get_material(mesh, 0);
-    for (int k = 0; k < 3; ++k) {
-        material.ambient[k] = material.diffuse[k] = 1;
-        material.specular[k] = 0;
-    }
-    burnish_mesh_set_material(mesh, 0, &material, &error);
-    options.camera.position[1] = 10;
-    options.camera.view_up[1] = 0;
-    options.camera.view_up[2] = -1;
-    options.camera.orthographic_height = 4;
+    const burnish_material material = matt_material(1);
+    set_material(mesh, &material);
+    options.camera = (burnish_camera){{0, 10, 0}, {0, 0, 0}, {0, 0, -1}, 30, 4};
     options.width = options.height = SIZE;
     options.samples = 1;
     options.shadow = shadow;
@@ -33,12 +25,8 @@ static float *draw_options(burnish_mesh *mesh, burnish_render_options options, i
 
 static float *draw(burnish_mesh *mesh, const double light[3], int shadow) {
     burnish_render_options options = burnish_render_options_default();
-    options.light_count = 1;
-    options.lights[0].follows_camera = 0;
-    for (int k = 0; k < 3; ++k) {
-        options.lights[0].vector[k] = light[k];
-        options.lights[0].color[k] = 1;
-    }
+    light_from(&options, light[0], light[1], light[2]);
+    set_three(options.ambient_light, AMBIENT);
     return draw_options(mesh, options, shadow);
 }
 
@@ -54,18 +42,16 @@ static float *draw_light(burnish_mesh *mesh, const burnish_area_light *light, in
 /* A wall x = 0, 0 < y < 1, on a floor: under a light of 45 degrees from -x its shadow ends at x =
  * 1, where only the ambient light stays. */
 static void test_edge(void) {
-    static const float positions[] = {-2, 0, -2, 2, 0, -2, 2, 0, 2, -2, 0, 2,
-                                      0,  0, -2, 0, 0, 2,  0, 1, 2, 0,  1, -2};
-    static const uint32_t indices[] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7};
+    static const float positions[] = {-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2,
+                                      0,  0, -2, 0,  0, 2, 0, 1, 2, 0, 1, -2};
     static const double light[] = {-1, 1, 0};
-    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 4);
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    burnish_mesh *mesh = create_quads(positions, NULL, 2);
     float *lit = draw(mesh, light, 0), *shaded = draw(mesh, light, 1);
     const float *row = shaded + 4 * SIZE * (SIZE / 2), *open = lit + 4 * SIZE * (SIZE / 2);
     double edge = 0;
     for (int i = 0; i < SIZE; ++i) {
         const double x = (i + 0.5) * 4 / SIZE - 2, found = (double)row[4 * i];
-        const double all = (double)open[4 * i], ambient = 0.08;
+        const double all = (double)open[4 * i], ambient = (double)AMBIENT;
         if (fabs(x) < 0.04) {
             edge += x > 0 ? 4.0 / SIZE : 0; /* the wall's foot */
             continue;
@@ -124,11 +110,9 @@ static double sum_light(const burnish_area_light *light, double height, double x
  * beside the plate, as a share of the light. */
 static double plate_error(double height, double scale) {
     const float y = (float)height;
-    const float positions[] = {-2,    0, -2,    2,    0, -2,    2,    0, 2,    -2,    0, 2,
-                               -0.5f, y, -0.5f, 0.5f, y, -0.5f, 0.5f, y, 0.5f, -0.5f, y, 0.5f};
-    static const uint32_t indices[] = {0, 2, 1, 0, 3, 2, 4, 6, 5, 4, 7, 6};
-    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 4);
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    const float positions[] = {-2,    0, -2,    -2,    0, 2,    2,    0, 2,    2,    0, -2,
+                               -0.5f, y, -0.5f, -0.5f, y, 0.5f, 0.5f, y, 0.5f, 0.5f, y, -0.5f};
+    burnish_mesh *mesh = create_quads(positions, NULL, 2);
     const burnish_area_light light = window(scale);
     float *lit = draw_light(mesh, &light, 0), *shaded = draw_light(mesh, &light, 1);
     double sum = 0;
@@ -170,8 +154,7 @@ static void test_convex(void) {
         float *lit = draw(mesh, lights[l], 0), *shaded = draw(mesh, lights[l], 1);
         double worst = 0;
         for (int i = 0; i < SIZE * SIZE; ++i) {
-            const double difference = (double)(lit[4 * i] - shaded[4 * i]);
-            worst = difference > worst ? difference : worst;
+            worst = fmax(worst, (double)(lit[4 * i] - shaded[4 * i]));
         }
         CHECK(worst < 0.01, "light %d: a sphere loses up to %g of its light", l, worst);
         free(lit);
@@ -180,55 +163,86 @@ static void test_convex(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* The holes of a mask cast no shadow, also after its cutoff changes. */
-static void test_cutoffs_again(void) {
-    static const float positions[] = {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0,
-                                      -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1};
-    static const float coordinates[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1, 0, 1};
-    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
-    static const uint16_t materials_of[] = {0, 0, 1, 1};
-    static const float cutoffs[] = {0.2f, 0.8f, 0.5f, 0.2f};
-    static uint8_t texels[4 * 8 * 8];
-    const burnish_texture texture = {NULL, 8, 8, texels, 1};
-    burnish_material materials[2] = {burnish_material_default(), burnish_material_default()};
-    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 4);
-    burnish_load_options load = burnish_load_options_default();
+/* ---- Masks ---- */
+
+enum { CARD_SIZE = 96 };
+
+typedef struct picture {
+    float pixels[CARD_SIZE * CARD_SIZE * 4];
+} picture;
+
+/* A floor and a card above it, from x = -1 to `right`; alpha: of the right half of its image. */
+static void draw_card(const burnish_material *card, float right, uint8_t alpha, int shadow,
+                      int occlusion, picture *to) {
+    const uint8_t texels[] = {255, 255, 255, 255, 255, 255, 255, alpha};
+    static const float coordinates[] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1};
+    static const uint16_t triangle_materials[] = {0, 0, 1, 1};
+    const float positions[] = {-2, -2, 0, 2,     -2, 0, 2,     2, 0, -2, 2, 0,
+                               -1, -1, 1, right, -1, 1, right, 1, 1, -1, 1, 1};
+    const burnish_texture texture = {NULL, 2, 1, texels, 1};
+    const burnish_material materials[2] = {burnish_material_default(), *card};
+    burnish_mesh_description arrays = describe_quads(positions, NULL, 2);
     burnish_render_options options = burnish_render_options_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    burnish_renderer *kept = NULL;
-    burnish_mesh *mesh = NULL;
-    burnish_image image = {0};
-    for (int i = 0; i < 8 * 8; ++i) { /* alpha rises along x */
-        memset(texels + 4 * i, 255, 3);
-        texels[4 * i + 3] = (uint8_t)(36 * (i % 8));
-    }
-    materials[1].alpha_mode = BURNISH_ALPHA_MASK;
-    materials[1].textures[BURNISH_TEXTURE_COLOR] =
-        (burnish_texture_use){.texture = 1, .strength = 1};
-    arrays.texture_coordinates = (burnish_array){coordinates, 8, 0};
-    arrays.triangle_materials = (burnish_array){materials_of, 4, 0};
-    arrays.materials = materials;
-    arrays.material_count = 2;
-    arrays.textures = &texture;
-    arrays.texture_count = 1;
-    options.width = options.height = 100;
-    options.shadow = 1;
-    options.occlusion = 8;
-    burnish_renderer_create(NULL, &kept, &error);
-    if (CHECK_OK(burnish_mesh_create(&arrays, &load, &mesh, &error), error)) {
-        uint64_t hashes[4];
-        for (int i = 0; i < 4; ++i) {
-            materials[1].alpha_cutoff = cutoffs[i];
-            CHECK_OK(burnish_mesh_set_material(mesh, 1, &materials[1], &error), error);
-            check_kept_renderer(kept, &image, mesh, &options, "a cutoff");
-            hashes[i] = burnish_image_hash(&image);
-        }
-        CHECK(hashes[0] != hashes[1] && hashes[1] != hashes[2] && hashes[0] == hashes[3],
-              "cutoffs make no difference");
-    }
+    arrays.triangle_materials = (burnish_array){triangle_materials, 4, 0};
+    give_materials(&arrays, materials, 2);
+    give_textures(&arrays, coordinates, &texture, 1);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    options.width = options.height = CARD_SIZE;
+    options.camera = (burnish_camera){{3, -6, 5}, {0, 0, 0}, {0, 0, 1}, 45, 0};
+    options.light_count = 1;
+    options.lights[0] = (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {0.2, 0.3, 0.9}, {1, 1, 1}};
+    options.shadow = shadow;
+    options.occlusion = occlusion;
+    draw_floats(mesh, &options, to->pixels, NULL);
     burnish_mesh_destroy(mesh);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(kept);
+}
+
+/* Pixels whose light differs by more than a twentieth. */
+static int different_pixels(const picture *a, const picture *b) {
+    int count = 0;
+    for (int i = 0; i < CARD_SIZE * CARD_SIZE; ++i) {
+        count += fabsf(a->pixels[4 * i] - b->pixels[4 * i]) > 0.05f;
+    }
+    return count;
+}
+
+static burnish_material masked(float cutoff) {
+    burnish_material material = burnish_material_default();
+    material.textures[BURNISH_TEXTURE_COLOR].texture = 1;
+    material.textures[BURNISH_TEXTURE_COLOR].wrap[0] = BURNISH_WRAP_CLAMP;
+    material.alpha_mode = BURNISH_ALPHA_MASK;
+    material.alpha_cutoff = cutoff;
+    return material;
+}
+
+/* Half of the card casts what half a card does. */
+static void test_half(int shadow, int occlusion) {
+    static picture opaque, left, none;
+    const burnish_material plain = burnish_material_default();
+    const burnish_material half = masked(0.5f);
+    draw_card(&plain, 0, 255, shadow, occlusion, &opaque);
+    draw_card(&half, 1, 0, shadow, occlusion, &left);
+    draw_card(&plain, 0, 255, 0, 0, &none);
+    CHECK(different_pixels(&opaque, &none) > 150, "shadow %d: it shows in %d pixels", shadow,
+          different_pixels(&opaque, &none));
+    CHECK(different_pixels(&opaque, &left) < 40, "shadow %d: %d pixels differ", shadow,
+          different_pixels(&opaque, &left));
+}
+
+/* A mask that leaves nothing casts nothing, one that leaves all casts as a whole card does. */
+static void test_extremes(void) {
+    static picture whole, all, nothing, without;
+    const burnish_material plain = burnish_material_default();
+    burnish_material material = masked(0.1f);
+    draw_card(&plain, 1, 255, 1, 0, &whole);
+    draw_card(&material, 1, 60, 1, 0, &all);
+    CHECK(different_pixels(&whole, &all) == 0, "%d pixels differ", different_pixels(&whole, &all));
+    material.alpha_cutoff = 0.5f;
+    material.transparency = 0.6f;
+    draw_card(&material, 1, 0, 1, 0, &nothing);
+    draw_card(&material, 1, 0, 0, 0, &without);
+    CHECK(different_pixels(&nothing, &without) == 0, "%d pixels differ",
+          different_pixels(&nothing, &without));
 }
 
 int main(int count, char **arguments) {
@@ -236,6 +250,8 @@ int main(int count, char **arguments) {
     RUN(test_edge());
     RUN(test_area());
     RUN(test_convex());
-    RUN(test_cutoffs_again());
+    RUN(test_half(1, 0));
+    RUN(test_half(0, 48));
+    RUN(test_extremes());
     return test_end("shadow");
 }

@@ -2,12 +2,10 @@
  * program finds. */
 #include <math.h>
 
-#include "burnish/render.h"
 #include "core/srgb.h"
-#include "mesh_arrays.h"
+#include "pictures.h"
 #include "raster/fragments.h"
 #include "raster/raster_view.h"
-#include "support.h"
 
 enum { WIDTH = 131, HEIGHT = 77, PADDING = 20, GUARD = 64, MAX_PIXEL = 16 };
 
@@ -15,10 +13,7 @@ static const uint8_t GUARD_BYTE = 0x5a;
 
 /* A dim picture, whose light nothing clamps. */
 static burnish_render_options make_options(const burnish_mesh *mesh, int samples) {
-    burnish_render_options options = burnish_render_options_default();
-    burnish_framing framing = burnish_framing_default();
-    options.width = WIDTH;
-    options.height = HEIGHT;
+    burnish_render_options options = framed_options(mesh, WIDTH, HEIGHT);
     options.samples = samples;
     options.background[0] = 30;
     options.background[1] = 90;
@@ -28,8 +23,6 @@ static burnish_render_options make_options(const burnish_mesh *mesh, int samples
             options.lights[i].color[k] *= 0.25f;
         }
     }
-    framing.aspect = (double)WIDTH / HEIGHT;
-    burnish_camera_frame(mesh, &framing, &options.camera, NULL);
     return options;
 }
 
@@ -65,13 +58,6 @@ static const uint8_t *row_at(const guarded *g, int y) {
     return g->first + (size_t)y * g->stride;
 }
 
-static uint64_t hash_rows(uint64_t hash, const guarded *g) {
-    for (int y = 0; y < g->rows; ++y) {
-        hash = test_add_hash(hash, row_at(g, y), g->row);
-    }
-    return hash;
-}
-
 /* ---- Formats ---- */
 
 /* Whether a pixel of a target equals the pixel of an image by burnish_render. */
@@ -98,19 +84,14 @@ static int same_pixel(burnish_pixel_format format, const uint8_t *pixel, const u
 
 static const size_t PIXEL_SIZES[] = {3, 4, 4, 16};
 
-static void check_format(burnish_renderer *renderer, const burnish_mesh *mesh,
-                         const burnish_render_options *options, burnish_pixel_format format,
-                         size_t padding) {
+static void check_format(const burnish_mesh *mesh, const burnish_render_options *options,
+                         burnish_pixel_format format, size_t padding) {
     guarded g = make_guarded(WIDTH * PIXEL_SIZES[format], padding, HEIGHT);
     burnish_target target = burnish_target_default();
-    burnish_image image = {0};
-    burnish_error error = {BURNISH_STATUS_OK, ""};
+    burnish_image image = draw_image(mesh, options, NULL);
     int wrong = 0;
     target.pixels = (burnish_pixels){WIDTH, HEIGHT, format, g.stride, g.first};
-    CHECK(burnish_render(mesh, options, &image, NULL, &error) == BURNISH_STATUS_OK &&
-              burnish_renderer_draw_into(renderer, mesh, options, &target, NULL, &error) ==
-                  BURNISH_STATUS_OK,
-          "%s", error.text);
+    draw_into(mesh, options, &target, NULL);
     for (int y = 0; y < HEIGHT && image.pixels; ++y) {
         for (int x = 0; x < WIDTH; ++x) {
             const uint8_t *expected =
@@ -128,55 +109,31 @@ static void check_format(burnish_renderer *renderer, const burnish_mesh *mesh,
 
 static void test_formats(int samples) {
     burnish_mesh *mesh = load_tessellated(":knot", 12);
-    burnish_renderer *renderer;
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
     for (int i = 0; i < 2 * (BURNISH_PIXELS_RGBA_FLOAT + 1); ++i) {
         const burnish_pixel_format format = (burnish_pixel_format)(i / 2);
         burnish_render_options options = make_options(mesh, samples);
         options.transparent = i % 2;
         options.threads = 1 + i % 3;
         if (format != BURNISH_PIXELS_RGB8 || !options.transparent) {
-            check_format(renderer, mesh, &options, format, 0);
-            check_format(renderer, mesh, &options, format, PADDING + (size_t)(i % 3));
+            check_format(mesh, &options, format, 0);
+            check_format(mesh, &options, format, PADDING + (size_t)(i % 3));
         }
     }
-    burnish_renderer_destroy(renderer);
     burnish_mesh_destroy(mesh);
-}
-
-static burnish_mesh *make_mesh(const float *positions, size_t vertex_count, const uint32_t *indices,
-                               size_t triangle_count) {
-    const burnish_mesh_description arrays =
-        describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count);
-    return create_mesh(&arrays, NULL);
 }
 
 /* Ten times white on a white quad is 10 in floats, also where samples are mixed. */
 static void test_unclamped(int samples) {
     static const float POSITIONS[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
-    static const uint32_t QUAD[6] = {0, 1, 2, 0, 2, 3};
-    burnish_mesh *mesh = make_mesh(POSITIONS, 4, QUAD, 2);
-    burnish_material material = burnish_material_default();
-    burnish_render_options options = burnish_render_options_default();
-    burnish_target target = burnish_target_default();
-    burnish_renderer *renderer;
+    burnish_mesh *mesh = create_quads(POSITIONS, NULL, 1);
+    burnish_material material = matt_material(1);
+    burnish_render_options options = front_options(8, 8, 3.1);
     float pixels[8][8][4], largest = 0;
-    for (int k = 0; k < 3; ++k) {
-        material.ambient[k] = 1;
-        material.diffuse[k] = material.specular[k] = 0;
-        options.ambient_light[k] = 10;
-    }
-    burnish_mesh_set_material(mesh, 0, &material, NULL);
-    options.width = options.height = 8;
+    set_material(mesh, &material);
+    light_evenly(&options);
+    set_three(options.ambient_light, 10);
     options.samples = samples;
-    options.camera.position[2] = 5;
-    options.camera.orthographic_height = 3.1;
-    options.background[0] = options.background[1] = options.background[2] = 0;
-    target.pixels =
-        (burnish_pixels){8, 8, BURNISH_PIXELS_RGBA_FLOAT, sizeof pixels[0], (uint8_t *)pixels};
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, NULL) ==
-           BURNISH_STATUS_OK);
+    draw_floats(mesh, &options, pixels[0][0], NULL);
     int mixed = 0;
     for (int i = 0; i < 64; ++i) {
         const float *pixel = pixels[i / 8][i % 8];
@@ -186,7 +143,6 @@ static void test_unclamped(int samples) {
     }
     CHECK(largest == 10 && (mixed > 0) == (samples > 1), "largest %g, %d mixed", (double)largest,
           mixed);
-    burnish_renderer_destroy(renderer);
     burnish_mesh_destroy(mesh);
 }
 
@@ -226,13 +182,6 @@ static void free_planes(planes *p) {
     free(p->coverage.bytes);
 }
 
-static uint64_t hash_planes(const planes *p) {
-    uint64_t hash = hash_rows(0xcbf29ce484222325u, &p->depth);
-    hash = hash_rows(hash, &p->triangles);
-    hash = hash_rows(hash, &p->normals);
-    return hash_rows(hash, &p->coverage);
-}
-
 static float depth_at(const planes *p, int x, int y) {
     return ((const float *)(const void *)row_at(&p->depth, y))[x];
 }
@@ -245,30 +194,17 @@ static const float *normal_at(const planes *p, int x, int y) {
     return (const float *)(const void *)row_at(&p->normals, y) + 3 * x;
 }
 
-static void draw_planes(const burnish_mesh *mesh, const burnish_render_options *options, planes *p,
-                        burnish_render_report *report) {
-    burnish_renderer *renderer;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, options, &p->target, report, &error),
-             error);
-    burnish_renderer_destroy(renderer);
-}
-
 /* The unit sphere at the origin, seen along -z: depth and normal by Pythagoras. */
 static void test_sphere(int samples, double orthographic_height) {
     enum { SIZE = 160 };
     burnish_mesh *mesh = load_tessellated(":sphere", 256);
-    burnish_render_options options = burnish_render_options_default();
+    burnish_render_options options = front_options(SIZE, SIZE, orthographic_height);
     planes p = make_planes(SIZE, SIZE, 0);
     double worst_depth = 0, worst_normal = 0, worst_length = 0;
     int inside = 0;
-    options.width = options.height = SIZE;
     options.samples = samples;
-    options.camera.position[2] = 10;
-    options.camera.orthographic_height = orthographic_height;
     options.camera.view_angle = 14;
-    draw_planes(mesh, &options, &p, NULL);
+    draw_into(mesh, &options, &p.target, NULL);
     const double extent = orthographic_height > 0 ? orthographic_height / 2 : tan(7 * M_PI / 180);
     for (int y = 0; y < SIZE; ++y) {
         for (int x = 0; x < SIZE; ++x) {
@@ -316,27 +252,33 @@ static void test_sphere(int samples, double orthographic_height) {
     burnish_mesh_destroy(mesh);
 }
 
+/* The depth of a triangle's plane at a point, and the least of the weights there times its area. */
+static double depth_of(const double c[3][3], double x, double y, double *least) {
+    const double area =
+        (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
+    double z = 0;
+    *least = 1e9;
+    for (int k = 0; k < 3; ++k) {
+        const double *a = c[(k + 1) % 3], *b = c[(k + 2) % 3];
+        const double weight = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+        *least = fmin(*least, weight * fabs(area));
+        z += weight * c[k][2];
+    }
+    return z;
+}
+
 /* The nearest triangle at a point of the screen, the plain way. Triangles are in pixels, y down, z
  * toward the viewer. Returns -1 for none, -2 where it is too close to tell. */
-static int nearest_triangle(const double (*corners)[3][3], int count, double x, double y,
-                            double *z) {
+static int nearest_triangle(const double (*corners)[3][3], int count, double x, double y) {
     int nearest = -1, unclear = 0;
-    *z = -1e9;
+    double z = -1e9;
     for (int i = 0; i < count; ++i) {
-        const double(*c)[3] = corners[i];
-        const double area =
-            (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
-        double weights[3], least = 1e9, at = 0;
-        for (int k = 0; k < 3; ++k) {
-            const double *a = c[(k + 1) % 3], *b = c[(k + 2) % 3];
-            weights[k] = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
-            least = fmin(least, weights[k]);
-            at += weights[k] * c[k][2];
-        }
-        unclear |= fabs(least) * fabs(area) < 2 || (least > 0 && fabs(at - *z) < 0.01);
-        if (least > 0 && at > *z) {
+        double least;
+        const double at = depth_of(corners[i], x, y, &least);
+        unclear |= fabs(least) < 2 || (least > 0 && fabs(at - z) < 0.01);
+        if (least > 0 && at > z) {
             nearest = i;
-            *z = at;
+            z = at;
         }
     }
     return unclear ? -2 : nearest;
@@ -350,9 +292,8 @@ static int expected_triangle(const double (*corners)[3][3], int count, int sampl
     int shown[BURNISH_MAX_SAMPLES], best = -1, best_count = 0;
     *covered = 0;
     for (int s = 0; s < samples; ++s) {
-        double z;
         shown[s] = nearest_triangle(corners, count, x + 0.5 + offsets[s][0] / 16.0,
-                                    y + 0.5 + offsets[s][1] / 16.0, &z);
+                                    y + 0.5 + offsets[s][1] / 16.0);
         if (shown[s] == -2) {
             return -2;
         }
@@ -378,17 +319,6 @@ static int expected_triangle(const double (*corners)[3][3], int count, int sampl
     return best;
 }
 
-static double depth_of(const double c[3][3], double x, double y) {
-    const double area =
-        (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
-    double z = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double *a = c[(k + 1) % 3], *b = c[(k + 2) % 3];
-        z += ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area * c[k][2];
-    }
-    return z;
-}
-
 /* Random triangles in parallel projection, a unit per pixel, against the plain way. */
 static void test_plain_reference(int samples) {
     enum { SIZE = 90, COUNT = 40 };
@@ -396,7 +326,7 @@ static void test_plain_reference(int samples) {
     static uint32_t indices[3 * COUNT];
     static double corners[COUNT][3][3];
     uint64_t state = test_seed(7);
-    burnish_render_options options = burnish_render_options_default();
+    burnish_render_options options = front_options(SIZE, SIZE, SIZE);
     planes p = make_planes(SIZE, SIZE, 1);
     burnish_render_report report;
     int clear = 0, wrong = 0, several = 0;
@@ -407,7 +337,9 @@ static void test_plain_reference(int samples) {
         positions[i] = (float)test_uniform(&state, -limit, limit);
         indices[i / 3] = (uint32_t)(i / 3);
     }
-    burnish_mesh *mesh = make_mesh(positions, 3 * COUNT, indices, COUNT);
+    const burnish_mesh_description arrays =
+        describe_arrays(positions, NULL, NULL, 3 * COUNT, indices, COUNT);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     for (int i = 0; i < COUNT; ++i) {
         for (int k = 0; k < 3; ++k) {
@@ -417,12 +349,10 @@ static void test_plain_reference(int samples) {
             corners[i][k][2] = (double)v[2];
         }
     }
-    options.width = options.height = SIZE;
     options.samples = samples;
     options.camera.position[2] = 100;
-    options.camera.orthographic_height = SIZE;
     options.transparent = 1;
-    draw_planes(mesh, &options, &p, &report);
+    draw_into(mesh, &options, &p.target, &report);
     for (int y = 0; y < SIZE; ++y) {
         for (int x = 0; x < SIZE; ++x) {
             double mean[2] = {0, 0};
@@ -442,8 +372,9 @@ static void test_plain_reference(int samples) {
             wrong += triangle_at(&p, x, y) !=
                      (expected < 0 ? BURNISH_TRIANGLE_NONE : (uint32_t)expected);
             if (expected >= 0) {
+                double least;
                 const double z = depth_of((const double(*)[3])corners[expected], x + 0.5 + mean[0],
-                                          y + 0.5 + mean[1]);
+                                          y + 0.5 + mean[1], &least);
                 worst = fmax(worst, fabs((double)depth_at(&p, x, y) - (100 - z)));
             }
         }
@@ -458,35 +389,6 @@ static void test_plain_reference(int samples) {
     burnish_mesh_destroy(mesh);
 }
 
-/* Planes do not depend on threads, on the instruction set or on pixels being drawn. Pixels do not
- * depend on planes. */
-static void test_independence(int samples) {
-    burnish_mesh *mesh = load_tessellated(":knot", 12);
-    burnish_render_options options = make_options(mesh, samples);
-    burnish_image image;
-    uint64_t first = 0;
-    options.transparent = 1;
-    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
-    for (int i = 0; i < 4 * BURNISH_ISA_COUNT; ++i) {
-        static const int THREADS[] = {1, 2, 7, 3};
-        planes p = make_planes(WIDTH, HEIGHT, i % 2);
-        options.kernels = burnish_kernels_for((burnish_isa)(i / 4));
-        options.threads = THREADS[i % 4];
-        draw_planes(mesh, &options, &p, NULL);
-        const uint64_t hash = hash_planes(&p);
-        first = i == 0 ? hash : first;
-        CHECK(hash == first, "%d threads, %s: other planes", THREADS[i % 4],
-              burnish_isa_name((burnish_isa)(i / 4)));
-        if (i % 2) {
-            CHECK(burnish_pixels_hash(&p.target.pixels) == burnish_image_hash(&image),
-                  "planes change pixels");
-        }
-        free_planes(&p);
-    }
-    burnish_image_destroy(&image);
-    burnish_mesh_destroy(mesh);
-}
-
 /* ---- Arguments ---- */
 
 static void test_errors(void) {
@@ -494,10 +396,9 @@ static void test_errors(void) {
     burnish_render_options options = make_options(mesh, 1);
     planes p = make_planes(WIDTH, HEIGHT, 1);
     const burnish_target good = p.target;
-    burnish_renderer *renderer;
+    burnish_renderer *renderer = make_renderer(NULL);
     burnish_target target;
     burnish_error error;
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
 #define WRONG(change, part)                                                                        \
     do {                                                                                           \
         target = good;                                                                             \
@@ -548,8 +449,6 @@ int main(int count, char **arguments) {
     RUN(test_plain_reference(4));
     RUN(test_plain_reference(8));
     RUN(test_plain_reference(16));
-    RUN(test_independence(1));
-    RUN(test_independence(8));
     RUN(test_errors());
     return test_end("target");
 }

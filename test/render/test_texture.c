@@ -1,15 +1,11 @@
 /* Textures against formulas: levels, filtering under perspective, wraps, normal maps, metal's
- * parameters, masks; and that pictures of them have the same bits everywhere. */
+ * parameters, masks. */
 #include <math.h>
 
-#include "burnish/kernels.h"
-#include "burnish/render.h"
 #include "core/srgb.h"
-#include "draw_floats.h"
 #include "mesh/data/mesh.h"
-#include "mesh_arrays.h"
+#include "pictures.h"
 #include "render/texture/texture_levels.h"
-#include "support.h"
 
 enum { SIZE = 64 };
 
@@ -22,36 +18,17 @@ typedef struct scene {
 
 static const float square[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
 static const float coordinates[] = {0, 0, 1, 0, 1, 1, 0, 1};
-static const uint32_t square_indices[] = {0, 1, 2, 0, 2, 3};
-
-static burnish_material white(void) {
-    burnish_material material = burnish_material_default();
-    for (int k = 0; k < 3; ++k) {
-        material.ambient[k] = material.diffuse[k] = 1;
-        material.specular[k] = 0;
-    }
-    return material;
-}
 
 /* Seen straight from the front, ambient light of 1 alone, one sample per pixel. */
 static void open_scene(scene *s, const burnish_material *material, const burnish_texture *textures,
                        size_t count, const float *normals) {
-    burnish_mesh_description arrays = describe_arrays(square, normals, NULL, 4, square_indices, 2);
-    arrays.texture_coordinates = (burnish_array){coordinates, 4, 0};
-    arrays.materials = material;
-    arrays.material_count = 1;
-    arrays.textures = textures;
-    arrays.texture_count = count;
+    burnish_mesh_description arrays = describe_quads(square, NULL, 1);
+    arrays.normals = (burnish_array){normals, normals ? 4 : 0, 0};
+    give_materials(&arrays, material, 1);
+    give_textures(&arrays, coordinates, textures, count);
     s->mesh = create_mesh(&arrays, NULL);
-    s->options = burnish_render_options_default();
-    s->options.width = s->options.height = SIZE;
-    s->options.samples = 1;
-    s->options.light_count = 0;
-    s->options.camera.position[2] = 4;
-    s->options.camera.orthographic_height = 2;
-    for (int k = 0; k < 3; ++k) {
-        s->options.ambient_light[k] = 1;
-    }
+    s->options = front_options(SIZE, SIZE, 2);
+    light_evenly(&s->options);
 }
 
 static void draw(scene *s) {
@@ -108,7 +85,7 @@ static void test_perspective(void) {
     const burnish_texture texture = {"random", 5, 3, texels, 1};
     fill_random(texels, 15, 1);
     for (int wrap = 0; wrap < 9; ++wrap) {
-        burnish_material material = white();
+        burnish_material material = matt_material(1);
         const int wraps[2] = {wrap % 3, wrap / 3};
         material.textures[BURNISH_TEXTURE_COLOR] =
             (burnish_texture_use){.texture = 1,
@@ -161,7 +138,7 @@ static void test_levels_drawn(void) {
         memset(texels + 4 * i, i % 2 ? 255 : 0, 3);
         texels[4 * i + 3] = 255;
     }
-    burnish_material material = white();
+    burnish_material material = matt_material(1);
     material.textures[BURNISH_TEXTURE_COLOR].texture = 1;
     scene s;
     open_scene(&s, &material, &texture, 1, NULL);
@@ -317,9 +294,7 @@ static void add_light(scene *s) {
     s->options.light_count = 1;
     s->options.lights[0] =
         (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {0.3, 0.4, 0.9}, {1, 0.9f, 0.8f}};
-    for (int k = 0; k < 3; ++k) {
-        s->options.ambient_light[k] = 0.1f;
-    }
+    set_three(s->options.ambient_light, 0.1f);
 }
 
 /* Largest difference of two pictures' light. */
@@ -346,7 +321,7 @@ static void test_normal_map(void) {
     }
     for (int back = 0; back < 2; ++back) {
         static scene plain, mapped;
-        burnish_material material = white();
+        burnish_material material = matt_material(1);
         material.specular[0] = 0.5f;
         open_scene(&plain, &material, NULL, 0, tilted);
         material.textures[BURNISH_TEXTURE_NORMAL] =
@@ -355,7 +330,7 @@ static void test_normal_map(void) {
         add_light(&plain);
         add_light(&mapped);
         if (back) {
-            plain.options.camera.position[2] = mapped.options.camera.position[2] = -4;
+            plain.options.camera.position[2] = mapped.options.camera.position[2] = -10;
             plain.options.lights[0].vector[2] = mapped.options.lights[0].vector[2] = -0.9;
         }
         draw(&plain);
@@ -372,7 +347,7 @@ static void test_factors(void) {
     const burnish_texture textures[] = {{NULL, 1, 1, texels, 1}, {NULL, 1, 1, texels + 4, 0}};
     for (int which = 0; which < 4; ++which) {
         static scene plain, textured;
-        burnish_material material = white();
+        burnish_material material = matt_material(1);
         material.specular[1] = 0.5f;
         material.exponent = 50;
         material.emissive[2] = 0.125f;
@@ -408,19 +383,18 @@ static void test_factors(void) {
     }
 }
 
-/* Left half alpha 0, right half 200 of 255, over a grey background. */
+/* Left half alpha 0, right half 200 of 255, over black. */
 static void test_alpha(void) {
     const uint8_t texels[] = {255, 255, 255, 0, 255, 255, 255, 200};
     const burnish_texture texture = {NULL, 2, 1, texels, 1};
     for (int mode = 0; mode < 3; ++mode) {
         scene s;
-        burnish_material material = white();
+        burnish_material material = matt_material(1);
         material.alpha_mode = (burnish_alpha_mode)mode;
         material.alpha_cutoff = 0.5f;
         material.textures[BURNISH_TEXTURE_COLOR] = (burnish_texture_use){
             .texture = 1, .wrap = {BURNISH_WRAP_CLAMP, BURNISH_WRAP_CLAMP}, .is_nearest = 1};
         open_scene(&s, &material, &texture, 1, NULL);
-        memset(s.options.background, 0, sizeof s.options.background);
         draw(&s);
         const float *row = s.pixels + 4 * SIZE * (SIZE / 2);
         const float left[] = {1, 0, 0}, right[] = {1, 1, 200 / 255.0f};
@@ -440,12 +414,10 @@ static void test_tangents(void) {
     const uint8_t texel[] = {128, 128, 255, 255};
     const burnish_texture texture = {NULL, 1, 1, texel, 0};
     burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 6, indices, 4);
-    burnish_material material = white();
+    burnish_material material = matt_material(1);
     material.textures[BURNISH_TEXTURE_NORMAL] = (burnish_texture_use){.texture = 1, .strength = 1};
-    arrays.texture_coordinates = (burnish_array){mirrored, 6, 0};
-    arrays.materials = &material;
-    arrays.textures = &texture;
-    arrays.material_count = arrays.texture_count = 1;
+    give_materials(&arrays, &material, 1);
+    give_textures(&arrays, mirrored, &texture, 1);
     burnish_mesh *mesh = create_mesh(&arrays, NULL);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK(view->vertex_count == 8 && view->tangents, "%zu vertices", view->vertex_count);
@@ -468,58 +440,6 @@ static void test_tangents(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* ---- Everything at once ---- */
-
-/* The same bits for every instruction set and number of threads. */
-static void test_bits(void) {
-    static uint8_t texels[8][4 * 32 * 32];
-    burnish_texture textures[8];
-    scene s;
-    burnish_material material = white();
-    for (int slot = 0; slot < 8; ++slot) {
-        fill_random(texels[slot], 32 * 32, 10 + (uint64_t)slot);
-        textures[slot] =
-            (burnish_texture){NULL, 32, 32, texels[slot],
-                              slot == BURNISH_TEXTURE_COLOR || slot == BURNISH_TEXTURE_SPECULAR ||
-                                  slot == BURNISH_TEXTURE_EMISSIVE};
-        for (size_t i = 0; i < 32 * 32; ++i) {
-            texels[slot][4 * i + 3] = texels[slot][4 * i];
-        }
-        material.textures[slot] = (burnish_texture_use){
-            .texture = slot + 1, .wrap = {slot % 3, slot / 3}, .strength = 0.8f};
-    }
-    material.alpha_mode = BURNISH_ALPHA_BLEND;
-    material.specular[0] = material.emissive[1] = 0.5f;
-    for (int metallic = 0; metallic < 2; ++metallic) {
-        uint64_t first = 0;
-        material.is_metallic = metallic;
-        material.metallic = material.roughness = 1;
-        open_scene(&s, &material, textures, 8, NULL);
-        s.options.camera = (burnish_camera){{0.9, -2.1, 1.1}, {0, 0, 0}, {0, 0, 1}, 40, 0};
-        s.options.samples = 4;
-        add_light(&s);
-        for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-            burnish_error error;
-            const int threads[] = {1, 2, 7};
-            if (!burnish_kernels_for((burnish_isa)isa)) {
-                continue;
-            }
-            for (int t = 0; t < 3; ++t) {
-                burnish_image image = {0};
-                s.options.kernels = burnish_kernels_for((burnish_isa)isa);
-                s.options.threads = threads[t];
-                CHECK_OK(burnish_render(s.mesh, &s.options, &image, NULL, &error), error);
-                const uint64_t hash = burnish_image_hash(&image);
-                first = first ? first : hash;
-                CHECK(hash == first, "isa %d, %d threads: %016llx, not %016llx", isa, threads[t],
-                      (unsigned long long)hash, (unsigned long long)first);
-                burnish_image_destroy(&image);
-            }
-        }
-        close_scene(&s);
-    }
-}
-
 /* An emissive texture alone, small pictures by several threads: the first that needs a part of the
  * texture makes it while others read. The thread sanitizer finds parts that are read unasked. */
 static void test_emissive_threads(void) {
@@ -527,13 +447,11 @@ static void test_emissive_threads(void) {
     static uint8_t texels[4 * TEXELS * TEXELS];
     const burnish_texture texture = {NULL, TEXELS, TEXELS, texels, 1};
     scene s;
-    burnish_material material = white();
+    burnish_material material = matt_material(1);
     fill_random(texels, TEXELS * TEXELS, 77);
     material.textures[BURNISH_TEXTURE_EMISSIVE] =
         (burnish_texture_use){.texture = 1, .strength = 1};
-    for (int k = 0; k < 3; ++k) {
-        material.emissive[k] = 1;
-    }
+    set_three(material.emissive, 1);
     open_scene(&s, &material, &texture, 1, NULL);
     s.options.camera = (burnish_camera){{0.9, -2.1, 1.1}, {0, 0, 0}, {0, 0, 1}, 50, 0};
     s.options.samples = 4;
@@ -541,11 +459,8 @@ static void test_emissive_threads(void) {
         uint64_t hashes[2] = {0, 1};
         s.options.width = s.options.height = 16 + 3 * i;
         for (int several = 0; several < 2; ++several) {
-            burnish_image image = {0};
             s.options.threads = several ? 3 : 1;
-            CHECK1(burnish_render(s.mesh, &s.options, &image, NULL, NULL) == BURNISH_STATUS_OK);
-            hashes[several] = burnish_image_hash(&image);
-            burnish_image_destroy(&image);
+            hashes[several] = hash_drawn(s.mesh, &s.options);
         }
         CHECK(hashes[0] == hashes[1], "%d pixels a side: other pixels by several threads",
               s.options.width);
@@ -556,15 +471,13 @@ static void test_emissive_threads(void) {
 static void test_refused(void) {
     const uint8_t texel[4] = {0};
     burnish_texture texture = {NULL, 1, 1, texel, 0};
-    burnish_mesh_description arrays = describe_arrays(square, NULL, NULL, 4, square_indices, 2);
+    burnish_mesh_description arrays = describe_quads(square, NULL, 1);
     burnish_load_options load = burnish_load_options_default();
-    burnish_material material = white();
+    burnish_material material = matt_material(1);
     burnish_error error;
     burnish_mesh *mesh;
-    arrays.texture_coordinates = (burnish_array){coordinates, 4, 0};
-    arrays.materials = &material;
-    arrays.textures = &texture;
-    arrays.material_count = arrays.texture_count = 1;
+    give_materials(&arrays, &material, 1);
+    give_textures(&arrays, coordinates, &texture, 1);
     material.textures[BURNISH_TEXTURE_COLOR].texture = 2;
     CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
     CHECK_TEXT(error.text,
@@ -596,7 +509,6 @@ int main(int count, char **arguments) {
     RUN(test_factors());
     RUN(test_alpha());
     RUN(test_tangents());
-    RUN(test_bits());
     RUN(test_emissive_threads());
     RUN(test_refused());
     return test_end("texture");

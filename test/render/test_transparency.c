@@ -2,10 +2,8 @@
  * against triangles drawn one by one, planes and counts against those of an opaque mesh. */
 #include <math.h>
 
-#include "burnish/render.h"
 #include "compare_scene.h"
-#include "draw_floats.h"
-#include "mesh_arrays.h"
+#include "pictures.h"
 #include "raster/layers.h"
 
 /* ---- Closed form ---- */
@@ -32,7 +30,6 @@ static stack make_stack(int count, float least, uint64_t *state) {
 /* Squares of 2 x 2, a material each, in any order and wound either way. */
 static burnish_mesh *make_squares(const stack *s, uint64_t *state) {
     static float positions[12 * SQUARES];
-    static uint32_t faces[6 * SQUARES];
     static uint16_t triangle_materials[2 * SQUARES];
     burnish_material materials[SQUARES];
     int order[SQUARES];
@@ -45,35 +42,31 @@ static burnish_mesh *make_squares(const stack *s, uint64_t *state) {
         const int at = order[i];
         const float z = s->heights[at];
         const float corners[12] = {-1, -1, z, 1, -1, z, 1, 1, z, -1, 1, z};
-        const uint32_t v = 4 * (uint32_t)i, turn = test_random32(state) % 2;
-        const uint32_t face[6] = {v, v + 1 + turn, v + 2 - turn, v, v + 2 + turn, v + 3 - turn};
         memcpy(positions + 12 * i, corners, sizeof corners);
-        memcpy(faces + 6 * i, face, sizeof face);
+        if (test_random32(state) % 2) {
+            memcpy(positions + 12 * i + 3, corners + 9, 3 * sizeof *corners);
+            memcpy(positions + 12 * i + 9, corners + 3, 3 * sizeof *corners);
+        }
         triangle_materials[2 * i] = triangle_materials[2 * i + 1] = (uint16_t)i;
         materials[i] = (burnish_material){.exponent = 1, .transparency = s->transparency[at]};
         memcpy(materials[i].ambient, s->color[at], sizeof materials[i].ambient);
     }
-    burnish_mesh_description arrays =
-        describe_arrays(positions, NULL, NULL, 4 * (size_t)s->count, faces, 2 * (size_t)s->count);
-    arrays.triangle_materials =
-        (burnish_array){triangle_materials, 2 * (size_t)s->count, sizeof *triangle_materials};
-    arrays.materials = materials;
-    arrays.material_count = (size_t)s->count;
+    burnish_mesh_description arrays = describe_quads(positions, NULL, (size_t)s->count);
+    arrays.triangle_materials = (burnish_array){triangle_materials, 2 * (size_t)s->count, 0};
+    give_materials(&arrays, materials, (size_t)s->count);
     return create_mesh(&arrays, NULL);
 }
 
 /* Ambient light of 1 and nothing else: every surface has its material's colour. Half of the picture
  * shows squares, whose edges are on the edges of pixels or in their middle. */
 static burnish_render_options square_options(int samples, int is_odd) {
-    burnish_render_options options = burnish_render_options_default();
+    burnish_render_options options =
+        front_options(SIZE + is_odd, SIZE + is_odd, 4.0 * (SIZE + is_odd) / SIZE);
     options.max_overdraw = 1e9; /* small pictures with many layers */
-    options.width = options.height = SIZE + is_odd;
     options.samples = samples;
-    options.light_count = 0;
     options.camera.position[2] = 30;
-    options.camera.orthographic_height = 4.0 * (SIZE + is_odd) / SIZE;
+    light_evenly(&options);
     for (int k = 0; k < 3; ++k) {
-        options.ambient_light[k] = 1;
         options.background[k] = (uint8_t)(60 * k + 100);
     }
     return options;
@@ -392,18 +385,7 @@ static void test_layers(int scenes) {
 static void set_transparency(burnish_mesh *mesh, float value) {
     burnish_material material = *burnish_mesh_get_material(mesh, 0);
     material.transparency = value;
-    CHECK1(burnish_mesh_set_material(mesh, 0, &material, NULL) == BURNISH_STATUS_OK);
-}
-
-static burnish_render_options options_for(const burnish_mesh *mesh, int samples) {
-    burnish_render_options options = burnish_render_options_default();
-    options.max_overdraw = 1e9;
-    const burnish_framing framing = burnish_framing_default();
-    options.width = 97;
-    options.height = 83;
-    options.samples = samples;
-    burnish_camera_frame(mesh, &framing, &options.camera, NULL);
-    return options;
+    set_material(mesh, &material);
 }
 
 typedef struct drawn_planes {
@@ -412,43 +394,27 @@ typedef struct drawn_planes {
     uint32_t triangles[83][97];
 } drawn_planes;
 
-static void draw_planes(burnish_renderer *renderer, const burnish_mesh *mesh,
-                        const burnish_render_options *options, drawn_planes *to,
-                        burnish_render_report *report) {
-    burnish_target target = burnish_target_default();
-    burnish_error error = {BURNISH_STATUS_OK, ""};
+static void draw_planes(const burnish_mesh *mesh, const burnish_render_options *options,
+                        drawn_planes *to, burnish_render_report *report) {
+    const burnish_target target = make_target(
+        (burnish_pixels){97, 83, BURNISH_PIXELS_RGBA8, sizeof to->pixels[0], to->pixels[0]},
+        to->depth[0], to->normals[0], to->triangles[0], to->coverage[0]);
     memset(to, 0, sizeof *to);
-    target.pixels =
-        (burnish_pixels){97, 83, BURNISH_PIXELS_RGBA8, sizeof to->pixels[0], to->pixels[0]};
-    target.depth = to->depth[0];
-    target.depth_stride = sizeof to->depth[0];
-    target.normals = to->normals[0];
-    target.normal_stride = sizeof to->normals[0];
-    target.triangles = to->triangles[0];
-    target.triangle_stride = sizeof to->triangles[0];
-    target.coverage = to->coverage[0];
-    target.coverage_stride = sizeof to->coverage[0];
-    CHECK_OK(burnish_renderer_draw_into(renderer, mesh, options, &target, report, &error), error);
+    draw_into(mesh, options, &target, report);
 }
 
-/* Planes show the nearest triangle, transparent or not; the pixels with planes are those without.
- * A renderer draws glass, stone and glass again as a fresh one does. */
+/* Planes show the nearest triangle, transparent or not. */
 static void test_planes(int samples) {
-    static drawn_planes stone, glass, again;
+    static drawn_planes stone, glass;
     burnish_mesh *mesh = load_tessellated(":knot", 6);
-    burnish_render_options options = options_for(mesh, samples);
+    burnish_render_options options = framed_options(mesh, 97, 83);
     burnish_render_report opaque, transparent;
-    burnish_renderer *renderer, *fresh;
-    burnish_image image = {0};
+    options.samples = samples;
     options.transparent = 1;
     options.occlusion = 4;
-    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
-    CHECK1(burnish_renderer_create(NULL, &fresh, NULL) == BURNISH_STATUS_OK);
-    draw_planes(renderer, mesh, &options, &stone, &opaque);
+    draw_planes(mesh, &options, &stone, &opaque);
     set_transparency(mesh, 0.5f);
-    draw_planes(renderer, mesh, &options, &glass, &transparent);
-    draw_planes(fresh, mesh, &options, &again, &transparent);
-    CHECK1(memcmp(&glass, &again, sizeof glass) == 0);
+    draw_planes(mesh, &options, &glass, &transparent);
     CHECK1(memcmp(stone.depth, glass.depth, sizeof stone.depth) == 0);
     CHECK1(memcmp(stone.normals, glass.normals, sizeof stone.normals) == 0);
     CHECK1(memcmp(stone.triangles, glass.triangles, sizeof stone.triangles) == 0);
@@ -458,54 +424,17 @@ static void test_planes(int samples) {
     CHECK1(memcmp(opaque.bounds, transparent.bounds, sizeof opaque.bounds) == 0);
     CHECK(opaque.triangles_drawn < transparent.triangles_drawn, "%zu, then %zu",
           opaque.triangles_drawn, transparent.triangles_drawn);
-    CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
-    CHECK1(memcmp(image.pixels, glass.pixels, sizeof glass.pixels) == 0);
-    set_transparency(mesh, 0);
-    draw_planes(renderer, mesh, &options, &again, &opaque);
-    CHECK1(memcmp(&stone, &again, sizeof stone) == 0);
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_renderer_destroy(fresh);
-    burnish_mesh_destroy(mesh);
-}
-
-/* Neither threads nor the instruction set change a bit. */
-static void test_bits(int samples) {
-    static const burnish_isa isas[] = {BURNISH_ISA_SCALAR, BURNISH_ISA_SSE2, BURNISH_ISA_AVX2,
-                                       BURNISH_ISA_AVX512, BURNISH_ISA_NEON};
-    burnish_mesh *mesh = load_tessellated(":knot", 6);
-    burnish_render_options options = options_for(mesh, samples);
-    uint64_t expected = 0;
-    set_transparency(mesh, 0.7f);
-    options.occlusion = 2;
-    for (size_t i = 0; i < sizeof isas / sizeof *isas; ++i) {
-        for (int threads = 1; threads <= 7; threads += 3) {
-            burnish_image image = {0};
-            options.kernels = burnish_kernels_for(isas[i]);
-            options.threads = threads;
-            if (!options.kernels) {
-                continue;
-            }
-            CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_OK);
-            expected = expected ? expected : burnish_image_hash(&image);
-            CHECK(burnish_image_hash(&image) == expected, "%s, %d threads",
-                  burnish_isa_name(isas[i]), threads);
-            burnish_image_destroy(&image);
-        }
-    }
     burnish_mesh_destroy(mesh);
 }
 
 /* Alpha of vertices is interpolated, and ignored with their colours. */
 static void test_vertex_alpha(void) {
     static const float positions[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
-    static const uint32_t faces[6] = {0, 1, 2, 0, 2, 3};
     static float pixels[SIZE * SIZE][4];
     const uint8_t colors[16] = {255, 255, 255, 0,   255, 255, 255, 255,
                                 255, 255, 255, 255, 255, 255, 255, 0};
-    const burnish_mesh_description arrays = describe_arrays(positions, NULL, colors, 4, faces, 2);
     burnish_render_options options = square_options(4, 0);
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    burnish_mesh *mesh = create_quads(positions, colors, 1);
     CHECK1(burnish_mesh_get_view(mesh)->has_transparent_colors);
     options.transparent = 1;
     draw_floats(mesh, &options, pixels[0], NULL);
@@ -520,19 +449,6 @@ static void test_vertex_alpha(void) {
     burnish_mesh_destroy(mesh);
 }
 
-static void test_material_check(void) {
-    burnish_mesh *mesh = load_tessellated(":sphere", 6);
-    burnish_material material = *burnish_mesh_get_material(mesh, 0);
-    burnish_error error;
-    static const float wrong[] = {-0.1f, 1.1f, NAN, INFINITY};
-    for (int i = 0; i < 4; ++i) {
-        material.transparency = wrong[i];
-        CHECK1(burnish_mesh_set_material(mesh, 0, &material, &error) == BURNISH_STATUS_ARGUMENT);
-        CHECK(strstr(error.text, "transparency"), "%s", error.text);
-    }
-    burnish_mesh_destroy(mesh);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, "--scenes");
     const int scenes = test_option() ? atoi(test_option()) : 150;
@@ -542,9 +458,6 @@ int main(int count, char **arguments) {
     RUN(test_planes(1));
     RUN(test_planes(4));
     RUN(test_planes(16));
-    RUN(test_bits(1));
-    RUN(test_bits(8));
     RUN(test_vertex_alpha());
-    RUN(test_material_check());
     return test_end("transparency");
 }

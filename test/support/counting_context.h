@@ -74,6 +74,46 @@ static inline burnish_context *make_context(counts *c) {
     return context;
 }
 
+/* A call that works by the context. *hash: of what was made. */
+typedef burnish_status stopped_call(const burnish_context *context, const void *data,
+                                    uint64_t *hash, burnish_error *error);
+
+/* Calls again and again until nothing stops it: each time a later allocation fails, then a later
+ * question is answered with yes. It says so, or makes the same, and no memory is lost. Returns the
+ * failures of allocations; *cancelled: how often it was cancelled. */
+static inline int check_stops(stopped_call *call, const void *data, int *cancelled) {
+    counts c;
+    burnish_context *context = make_context(&c);
+    burnish_error error = {0};
+    int stops[2] = {0, 0};
+    uint64_t expected = 0, hash;
+    CHECK_OK(call(context, data, &expected, &error), error);
+    const long before = atomic_load(&c.live);
+    for (int cancels = 0; cancels < 2; ++cancels) {
+        burnish_status status = BURNISH_STATUS_MEMORY;
+        for (long k = 0; status != BURNISH_STATUS_OK && k < 2000; ++k) {
+            error = (burnish_error){0};
+            atomic_store(&c.left, cancels ? -1 : k);
+            c.questions = cancels ? k : -1;
+            status = call(context, data, &hash, &error);
+            atomic_store(&c.left, -1);
+            stops[cancels] += status != BURNISH_STATUS_OK;
+            CHECK(status == BURNISH_STATUS_OK
+                      ? hash == expected
+                      : status == (cancels ? BURNISH_STATUS_CANCELLED : BURNISH_STATUS_MEMORY) &&
+                            error.status == status && *error.text,
+                  "stop %ld: status %d, \"%s\"", k, (int)status, error.text);
+            CHECK(atomic_load(&c.live) == before, "stop %ld: %ld blocks are lost", k,
+                  atomic_load(&c.live) - before);
+        }
+        CHECK1(status == BURNISH_STATUS_OK);
+    }
+    burnish_context_destroy(context);
+    CHECK1(atomic_load(&c.live) == 0);
+    *cancelled = stops[1];
+    return stops[0];
+}
+
 /* Makes a mesh with options->context; *mesh is NULL on failure. */
 typedef burnish_status mesh_maker(const void *data, const burnish_load_options *options,
                                   burnish_mesh **mesh, burnish_error *error);

@@ -20,6 +20,31 @@ static inline burnish_mesh_description describe_arrays(const float *positions, c
     return arrays;
 }
 
+/* Quads whose corners follow one another: up to 300. colors may be NULL. */
+static inline burnish_mesh_description describe_quads(const float *positions, const uint8_t *colors,
+                                                      size_t count) {
+    static uint32_t indices[6 * 300];
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t v = 4 * i;
+        memcpy(indices + 6 * i, (uint32_t[]){v, v + 1, v + 2, v, v + 2, v + 3}, 24);
+    }
+    return describe_arrays(positions, NULL, colors, 4 * count, indices, 2 * count);
+}
+
+static inline void give_materials(burnish_mesh_description *arrays,
+                                  const burnish_material *materials, size_t count) {
+    arrays->materials = materials;
+    arrays->material_count = count;
+}
+
+/* coordinates: of all vertices */
+static inline void give_textures(burnish_mesh_description *arrays, const float *coordinates,
+                                 const burnish_texture *textures, size_t count) {
+    arrays->texture_coordinates = (burnish_array){coordinates, arrays->positions.count, 0};
+    arrays->textures = textures;
+    arrays->texture_count = count;
+}
+
 /* Meshes that must be made; NULL after a failed check. options: NULL for the defaults. */
 #define MADE_MESH(make)                                                                            \
     const burnish_load_options defaults = burnish_load_options_default();                          \
@@ -39,6 +64,14 @@ static inline burnish_mesh *load_tessellated(const char *name, int tessellation)
     return load_mesh(name, &options);
 }
 
+/* With facts. */
+static inline burnish_mesh *load_measured(const char *name, int tessellation) {
+    burnish_load_options options = burnish_load_options_default();
+    options.tessellation = tessellation;
+    options.measure = 1;
+    return load_mesh(name, &options);
+}
+
 static inline burnish_mesh *load_bytes(const void *bytes, size_t size, const char *name,
                                        const burnish_load_options *options) {
     MADE_MESH(burnish_mesh_load_memory(bytes, size, name, options, &mesh, &error));
@@ -47,6 +80,12 @@ static inline burnish_mesh *load_bytes(const void *bytes, size_t size, const cha
 static inline burnish_mesh *create_mesh(const burnish_mesh_description *arrays,
                                         const burnish_load_options *options) {
     MADE_MESH(burnish_mesh_create(arrays, options, &mesh, &error));
+}
+
+static inline burnish_mesh *create_quads(const float *positions, const uint8_t *colors,
+                                         size_t count) {
+    const burnish_mesh_description arrays = describe_quads(positions, colors, count);
+    return create_mesh(&arrays, NULL);
 }
 
 static inline int same_arrays(const void *a, const void *b, size_t size) {

@@ -61,6 +61,15 @@ static inline void turn(shape *s, size_t triangle) {
     corners[2] = second;
 }
 
+/* With facts. */
+static inline burnish_mesh *create_shape(const shape *s) {
+    burnish_load_options load = burnish_load_options_default();
+    const burnish_mesh_description arrays =
+        describe_arrays(s->points, NULL, NULL, s->point_count, s->corners, s->triangle_count);
+    load.measure = 1;
+    return create_mesh(&arrays, &load);
+}
+
 static inline burnish_mesh_facts measure_arrays(const burnish_mesh_description *arrays,
                                                 int threads) {
     burnish_load_options options = burnish_load_options_default();

@@ -1,8 +1,7 @@
 /* One object in all formats: the same picture, and warnings for files with wrong names. */
 #include "burnish/look.h"
-#include "draw_floats.h"
 #include "gltf_input.h"
-#include "mesh_arrays.h"
+#include "pictures.h"
 #include "threemf_input.h"
 
 /* ---- One triangle in each format ---- */
