@@ -3,20 +3,15 @@
 #include <math.h>
 
 #include "annotate/annotate.h"
-#include "burnish/render.h"
 #include "decimal_comma.h"
-#include "mesh_arrays.h"
-#include "support.h"
+#include "images.h"
+#include "shapes.h"
 
 /* The surface of an axis-aligned block. */
 static burnish_mesh *block(const float low[3], const float high[3], const float up[3]) {
-    static const uint32_t indices[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                         2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-    float positions[24];
-    for (int i = 0; i < 24; ++i) {
-        positions[i] = (i / 3) >> (i % 3) & 1 ? high[i % 3] : low[i % 3];
-    }
-    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 8, indices, 12);
+    shape s = {.point_count = 0};
+    add_box(&s, (double[]){low[0], low[1], low[2]}, (double[]){high[0], high[1], high[2]});
+    burnish_mesh_description arrays = describe_arrays(s.points, NULL, NULL, 8, s.corners, 12);
     memcpy(arrays.up_axis, up, sizeof arrays.up_axis);
     return create_mesh(&arrays, NULL);
 }
@@ -332,8 +327,7 @@ static void test_extremes(void) {
             inside.position[k] = ((double)low[k] + (double)high[k]) / 2;
         }
         inside.orthographic_height = 0;
-        burnish_image image;
-        CHECK1(burnish_image_create(NULL, &image, 320, 240, 4, NULL) == BURNISH_STATUS_OK);
+        burnish_image image = make_image(320, 240, 4);
         const burnish_pixels pixels = burnish_image_get_pixels(&image);
         CHECK1(burnish_annotate(mesh, &annotations, &inside, &pixels, NULL, NULL) ==
                BURNISH_STATUS_OK);
@@ -344,44 +338,37 @@ static void test_extremes(void) {
 
 static void test_refusals(void) {
     burnish_mesh *mesh = block_of(1, 2, 3);
-    burnish_annotate_options good = burnish_annotate_options_default(), bad = good;
+    const burnish_annotate_options good = burnish_annotate_options_default();
     burnish_framing framing = burnish_framing_default();
     burnish_camera camera;
-    burnish_image image;
+    burnish_image image = make_image(64, 64, 3);
     burnish_error error;
     double inset[4];
     float depth[64 * 64];
     size_t left_out;
-    CHECK1(burnish_image_create(NULL, &image, 64, 64, 3, NULL) == BURNISH_STATUS_OK);
     CHECK1(burnish_camera_frame(mesh, &framing, &camera, NULL) == BURNISH_STATUS_OK);
     const burnish_pixels pixels = burnish_image_get_pixels(&image);
 #define REFUSED(...)                                                                               \
     CHECK(burnish_annotate(__VA_ARGS__, &left_out, &error) == BURNISH_STATUS_ARGUMENT &&           \
               strlen(error.text) > 10,                                                             \
           "\"%s\"", error.text)
+#define WRONG(...)                                                                                 \
+    do {                                                                                           \
+        burnish_annotate_options bad = good;                                                       \
+        __VA_ARGS__;                                                                               \
+        REFUSED(mesh, &bad, &camera, &pixels);                                                     \
+    } while (0)
     REFUSED(NULL, &good, &camera, &pixels);
     REFUSED(mesh, NULL, &camera, &pixels);
     REFUSED(mesh, &good, NULL, &pixels);
     REFUSED(mesh, &good, &camera, NULL);
-    bad.depth = depth;
-    bad.depth_stride = 63 * 4;
-    REFUSED(mesh, &bad, &camera, &pixels);
-    bad.depth_stride = 64 * 4 + 1;
-    REFUSED(mesh, &bad, &camera, &pixels);
-    bad = good;
-    bad.cookie = 0;
-    REFUSED(mesh, &bad, &camera, &pixels);
-    bad = good;
-    bad.kinds = 32;
-    REFUSED(mesh, &bad, &camera, &pixels);
-    bad = good;
-    bad.text_height = 4;
-    REFUSED(mesh, &bad, &camera, &pixels);
-    bad.text_height = NAN;
-    REFUSED(mesh, &bad, &camera, &pixels);
-    camera.focal_point[0] = camera.position[0];
-    camera.focal_point[1] = camera.position[1];
-    camera.focal_point[2] = camera.position[2];
+    WRONG(bad.depth = depth, bad.depth_stride = 63 * 4);
+    WRONG(bad.depth = depth, bad.depth_stride = 64 * 4 + 1);
+    WRONG(bad.cookie = 0);
+    WRONG(bad.kinds = 32);
+    WRONG(bad.text_height = 4);
+    WRONG(bad.text_height = NAN);
+    memcpy(camera.focal_point, camera.position, sizeof camera.position);
     REFUSED(mesh, &good, &camera, &pixels);
     CHECK1(burnish_annotate_inset(mesh, &good, NULL, 64, 64, inset, &error) ==
            BURNISH_STATUS_ARGUMENT);

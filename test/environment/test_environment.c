@@ -1,9 +1,7 @@
 /* Environments: their images, readers, and maps of light made from them. */
 #include <math.h>
 
-#include "burnish/render.h"
 #include "core/tasks.h"
-#include "counting_context.h"
 #include "environment/area_lights.h"
 #include "environment/environment.h"
 #include "environment/light_maps.h"
@@ -11,14 +9,14 @@
 
 enum { WIDTH = 64, HEIGHT = 32 };
 
+static float rgb[3 * WIDTH * HEIGHT]; /* of the environment of a test */
+
 static double identity[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-static burnish_environment *environment_of(const float *rgb) {
+static burnish_environment *make_environment(void) {
     burnish_environment *environment;
     burnish_error error;
-    CHECK(burnish_environment_create(NULL, WIDTH, HEIGHT, rgb, &environment, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    CHECK_OK(burnish_environment_create(NULL, WIDTH, HEIGHT, rgb, &environment, &error), error);
     return environment;
 }
 
@@ -71,12 +69,12 @@ static double one(const double w[3], const void *context) {
 }
 
 static void test_constant(void) {
-    static float rgb[3 * WIDTH * HEIGHT];
+    memset(rgb, 0, sizeof rgb);
     burnish_light_map levels[BURNISH_LIGHT_LEVELS];
     for (int i = 0; i < 3 * WIDTH * HEIGHT; ++i) {
         rgb[i] = 1;
     }
-    burnish_environment *environment = environment_of(rgb);
+    burnish_environment *environment = make_environment();
     burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR);
     CHECK1(compare(burnish_light_maps_diffuse(maps), one, NULL) < 1e-5);
     CHECK1(burnish_light_maps_levels(maps, 0, levels, NULL) == BURNISH_STATUS_OK);
@@ -94,13 +92,13 @@ static double half_sky(const double w[3], const void *context) {
 }
 
 static void test_turned_hemisphere(void) {
-    static float rgb[3 * WIDTH * HEIGHT];
+    memset(rgb, 0, sizeof rgb);
     const double up[3] = {0.48, -0.6, 0.64};
     double axes[3][3];
     for (int i = 0; i < 3 * WIDTH * HEIGHT / 2; ++i) {
         rgb[i] = 1;
     }
-    burnish_environment *environment = environment_of(rgb);
+    burnish_environment *environment = make_environment();
     burnish_light_axes(up, 70, axes);
     burnish_light_maps *maps = maps_of(environment, axes, BURNISH_ISA_SCALAR);
     CHECK1(compare(burnish_light_maps_diffuse(maps), half_sky, up) < 4e-3);
@@ -128,10 +126,10 @@ static double lobe_sum(const double w[3], const void *context) {
 
 static void test_spot(void) {
     enum { COLUMN = 3 * WIDTH / 4, ROW = HEIGHT / 4 };
-    static float rgb[3 * WIDTH * HEIGHT];
+    memset(rgb, 0, sizeof rgb);
     burnish_light_map map;
     rgb[3 * (ROW * WIDTH + COLUMN)] = 1000;
-    burnish_environment *environment = environment_of(rgb);
+    burnish_environment *environment = make_environment();
     burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR);
     const double polar = M_PI * (ROW + 0.5) / HEIGHT;
     const double azimuth = 2 * M_PI * (COLUMN + 0.5) / WIDTH - M_PI; /* about z */
@@ -151,13 +149,13 @@ static void test_spot(void) {
 
 /* Every instruction set and number of threads gives the same bits. */
 static void test_bits(void) {
-    static float rgb[3 * WIDTH * HEIGHT];
+    memset(rgb, 0, sizeof rgb);
     burnish_light_map first[2] = {{0}}, map;
     burnish_light_maps *all[BURNISH_ISA_COUNT] = {NULL};
     for (int i = 0; i < 3 * WIDTH * HEIGHT; ++i) {
         rgb[i] = (float)(rand() % 1000) / 100;
     }
-    burnish_environment *environment = environment_of(rgb);
+    burnish_environment *environment = make_environment();
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
         burnish_tasks tasks;
         if (!(burnish_isa_available() >> isa & 1)) {
@@ -183,14 +181,14 @@ static void test_bits(void) {
 
 /* Another environment at the same address is another source. */
 static void test_key(void) {
-    static float rgb[3 * WIDTH * HEIGHT];
-    burnish_environment *environment = environment_of(rgb);
+    memset(rgb, 0, sizeof rgb);
+    burnish_environment *environment = make_environment();
     burnish_light_sources sources = {.environment = environment, .strength = 1};
     burnish_light_maps *maps = maps_of(environment, identity, BURNISH_ISA_SCALAR);
     memcpy(sources.environment_axes, identity, sizeof identity);
     burnish_environment_destroy(environment);
     rgb[0] = 1000;
-    sources.environment = environment = environment_of(rgb);
+    sources.environment = environment = make_environment();
     CHECK1(burnish_light_maps_set(maps, &sources, NULL, NULL) == BURNISH_STATUS_OK);
     const burnish_light_map *diffuse = burnish_light_maps_diffuse(maps);
     burnish_light_map_need(diffuse, diffuse->size, diffuse->size / 2);
@@ -215,12 +213,8 @@ static void test_values(void) {
     burnish_environment *environment;
     options.log = take_log;
     CHECK1(burnish_context_create(&options, &context, NULL) == BURNISH_STATUS_OK);
-    float rgb[3 * 8];
-    for (int i = 0; i < 24; ++i) {
-        rgb[i] = (float)(i % 3);
-    }
-    rgb[0] = NAN, rgb[1] = -1, rgb[2] = INFINITY;
-    CHECK1(burnish_environment_create(context, 4, 2, rgb, &environment, NULL) == BURNISH_STATUS_OK);
+    float odd[3 * 8] = {NAN, -1, INFINITY};
+    CHECK1(burnish_environment_create(context, 4, 2, odd, &environment, NULL) == BURNISH_STATUS_OK);
     CHECK_TEXT(logged, "environment: 3 values are negative, above 1000000 or not numbers; they are "
                        "clamped");
     burnish_environment_destroy(environment);
@@ -230,7 +224,6 @@ static void test_values(void) {
 static void test_arguments(void) {
     burnish_environment *environment;
     burnish_error error;
-    float rgb[3] = {1, 1, 1};
     CHECK1(burnish_environment_create(NULL, 0, 1, rgb, &environment, &error) ==
            BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_environment_create(NULL, 1, 1, NULL, &environment, &error) ==
@@ -299,74 +292,6 @@ static void test_room(void) {
     burnish_environment_destroy(environment);
 }
 
-/* ---- Memory ---- */
-
-/* A sphere under an environment, a distant and a near light; *hash: of the picture. */
-static burnish_status draw(const burnish_context *context, const burnish_mesh *mesh, uint64_t *hash,
-                           burnish_error *error) {
-    static const char bytes[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n"
-                                "abc\201xyz\200ghi\177not\201his\200one\201ale\177uno\200";
-    burnish_render_options options = burnish_render_options_default();
-    burnish_environment *environment = NULL;
-    burnish_renderer *renderer = NULL;
-    burnish_image image = {0};
-    options.width = options.height = 24;
-    options.threads = 1;
-    options.camera.position[2] = 4;
-    options.light_count = 0;
-    options.area_light_count = 2;
-    for (int i = 0; i < 2; ++i) {
-        options.area_lights[i] = (burnish_area_light){.is_distant = i,
-                                                      .is_two_sided = 1,
-                                                      .center = {1, 2, 3},
-                                                      .half_u = {1, 0, 0},
-                                                      .half_v = {0, 1, 0},
-                                                      .color = {1, 2, 3}};
-    }
-    burnish_status status = burnish_environment_decode(context, bytes, sizeof bytes - 1, "tiny.hdr",
-                                                       &environment, error);
-    options.environment = environment;
-    status =
-        status == BURNISH_STATUS_OK ? burnish_renderer_create(context, &renderer, error) : status;
-    status = status == BURNISH_STATUS_OK
-                 ? burnish_renderer_draw(renderer, mesh, &options, &image, NULL, error)
-                 : status;
-    *hash = status == BURNISH_STATUS_OK ? burnish_image_hash(&image) : 0;
-    burnish_image_destroy(&image);
-    burnish_renderer_destroy(renderer);
-    burnish_environment_destroy(environment);
-    return status;
-}
-
-/* Every allocation fails once. */
-static void test_memory(void) {
-    burnish_load_options load = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error;
-    counts c;
-    uint64_t expected = 0, hash;
-    long k = 0;
-    burnish_context *context = make_context(&c);
-    load.tessellation = 6;
-    CHECK1(burnish_mesh_load(":sphere", &load, &mesh, &error) == BURNISH_STATUS_OK);
-    CHECK(draw(context, mesh, &expected, &error) == BURNISH_STATUS_OK, "%s", error.text);
-    const long before = atomic_load(&c.live);
-    for (int ran_short = 1; ran_short && k < 1000; ++k) {
-        error = (burnish_error){0};
-        atomic_store(&c.left, k);
-        const burnish_status status = draw(context, mesh, &hash, &error);
-        ran_short = atomic_exchange(&c.left, -1) < 0;
-        CHECK(status == BURNISH_STATUS_OK ? !ran_short && hash == expected
-                                          : status == BURNISH_STATUS_MEMORY && *error.text,
-              "allocation %ld: status %d, %s", k, (int)status, error.text);
-        CHECK(atomic_load(&c.live) == before, "allocation %ld: blocks are lost", k);
-    }
-    printf("environment: %ld allocations\n", k);
-    CHECK1(k > 20 && k < 1000);
-    burnish_mesh_destroy(mesh);
-    burnish_context_destroy(context);
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_constant());
@@ -378,6 +303,5 @@ int main(int count, char **arguments) {
     RUN(test_arguments());
     RUN(test_names());
     RUN(test_room());
-    RUN(test_memory());
     return test_end("environment");
 }

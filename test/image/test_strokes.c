@@ -1,18 +1,19 @@
 /* Strokes: coverage against distances in double precision, ink against the area of lines, every
- * format, clipping, threads, memory that runs out. */
+ * format, clipping, threads, memory that runs out. Outlines: coverage against areas. */
 #include <math.h>
 
+#include "burnish/sheet.h"
 #include "core/srgb.h"
 #include "counting_context.h"
+#include "image/text/glyph_outline.h"
 #include "image/text/strokes.h"
 
 enum { WIDTH = 61, HEIGHT = 47 };
 
-static uint32_t seed = 1;
+static uint64_t state;
 
 static float random_float(float low, float high) {
-    seed = seed * 1664525u + 1013904223u;
-    return low + (high - low) * (float)(seed >> 8) / 16777216.0f;
+    return test_uniform_float(&state, low, high);
 }
 
 static burnish_pixels floats_of(float *light, int width, int height) {
@@ -227,41 +228,205 @@ static void test_bands(void) {
     }
 }
 
-/* Every allocation fails once, and every question whether to go on is answered by no. */
-static void test_refusals(void) {
+static burnish_status draw_again(const burnish_context *context, const void *data, uint64_t *hash,
+                                 burnish_error *error) {
     static uint8_t bytes[WIDTH * HEIGHT * 3];
     const burnish_pixels pixels = {WIDTH, HEIGHT, BURNISH_PIXELS_RGB8, WIDTH * 3, bytes};
     const burnish_stroke stroke = {1, 1, 50, 40, 1};
-    const uint8_t black[3] = {0, 0, 0};
-    const burnish_ink ink = burnish_ink_of(black, 1);
-    counts c;
-    burnish_context *context = make_context(&c);
-    const long before = c.live;
-    int failures = 0, cancelled = 0;
-    for (int mode = 0; mode < 2; ++mode) {
-        for (int i = 0;; ++i) {
-            burnish_tasks tasks;
-            burnish_memory memory = burnish_memory_of(context, NULL);
-            burnish_tasks_begin(&tasks, context, 1);
-            c.left = mode == 0 ? i : -1;
-            c.questions = mode == 1 ? i : -1;
-            const burnish_status status =
-                burnish_strokes_draw(&pixels, &stroke, 1, &ink, &tasks, &memory);
-            CHECK(c.live == before, "%ld blocks are left", (long)c.live - before);
-            if (status == BURNISH_STATUS_OK) {
-                break;
-            }
-            failures += status == BURNISH_STATUS_MEMORY;
-            cancelled += status == BURNISH_STATUS_CANCELLED;
-        }
-    }
+    const burnish_ink ink = burnish_ink_of((uint8_t[3]){0}, 1);
+    burnish_memory memory = burnish_memory_of(context, error);
+    burnish_tasks tasks;
+    (void)data;
+    memset(bytes, 255, sizeof bytes);
+    burnish_tasks_begin(&tasks, context, 1);
+    const burnish_status status = burnish_strokes_draw(&pixels, &stroke, 1, &ink, &tasks, &memory);
+    *hash = test_add_hash(0, bytes, sizeof bytes);
+    return status;
+}
+
+static void test_refusals(void) {
+    int cancelled;
+    const int failures = check_stops(draw_again, NULL, &cancelled);
     CHECK(failures == 3 && cancelled >= 3, "%d failures, %d cancelled", failures, cancelled);
-    c.left = c.questions = -1;
-    burnish_context_destroy(context);
+}
+
+/* ---- Outlines: coverage is the area of the pixel, whatever the shape, its sense and its place ---- */
+
+enum { SIDE = 40 };
+
+/* Linear pixels whose fourth channel is the coverage. */
+typedef struct canvas {
+    float values[SIDE][SIDE][4];
+    burnish_pixels pixels;
+    burnish_memory memory;
+    burnish_outline outline;
+} canvas;
+
+static void begin(canvas *made) {
+    memset(made->values, 0, sizeof made->values);
+    made->pixels = floats_of(made->values[0][0], SIDE, SIDE);
+    made->memory = burnish_memory_of(NULL, NULL);
+    made->outline = (burnish_outline){.memory = &made->memory};
+}
+
+static void fill(canvas *made) {
+    const burnish_ink ink = {{1, 1, 1}, 1};
+    CHECK1(burnish_outline_fill(&made->outline, &made->pixels, &ink) == BURNISH_STATUS_OK);
+}
+
+/* Points are y upward: the sense of y is turned for pixels from the top. */
+static void polygon(canvas *made, const int32_t (*points)[2], int count) {
+    begin(made);
+    for (int i = 0; i < count; ++i) {
+        const int32_t p[2] = {points[i][0], -points[i][1]};
+        burnish_outline_add(&made->outline, i ? BURNISH_OUTLINE_LINE : BURNISH_OUTLINE_MOVE, p);
+    }
+    fill(made);
+}
+
+static double overlap(double a, double b, int pixel) {
+    return fmax(0, fmin(b, pixel + 1) - fmax(a, pixel));
+}
+
+static double total(const canvas *made) {
+    double sum = 0;
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        sum += (double)made->values[i / SIDE][i % SIDE][3];
+    }
+    return sum;
+}
+
+/* Rectangles, also ones that leave the picture: exactly the product of two overlaps. */
+static void test_rectangles(void) {
+    static canvas made;
+    uint64_t random = test_seed(3);
+    for (int i = 0; i < 200; ++i) {
+        int32_t x[2], y[2];
+        for (int k = 0; k < 2; ++k) {
+            x[k] = (int32_t)test_uniform(&random, -20 * 256, 60 * 256);
+            y[k] = (int32_t)test_uniform(&random, -20 * 256, 60 * 256);
+        }
+        const int32_t points[4][2] = {{x[0], y[0]}, {x[1], y[0]}, {x[1], y[1]}, {x[0], y[1]}};
+        double worst = 0;
+        polygon(&made, points, 4);
+        const double left = fmin(x[0], x[1]) / 256, right = fmax(x[0], x[1]) / 256;
+        const double top = fmin(y[0], y[1]) / 256, bottom = fmax(y[0], y[1]) / 256;
+        for (int k = 0; k < SIDE * SIDE; ++k) {
+            const double expected = overlap(left, right, k % SIDE) * overlap(top, bottom, k / SIDE);
+            const double got = (double)made.values[k / SIDE][k % SIDE][3];
+            worst = fmax(worst, fabs(got - expected));
+        }
+        CHECK(worst < 1e-6, "rectangle %d: off by %g", i, worst);
+    }
+}
+
+/* Area of the triangle within the pixel: clipped by its four sides (Sutherland and Hodgman). */
+static double clipped_area(const int32_t (*t)[2], int px, int py) {
+    double p[16][2], q[16][2];
+    int count = 3;
+    for (int i = 0; i < 3; ++i) {
+        p[i][0] = t[i][0] / 256.0 - px;
+        p[i][1] = t[i][1] / 256.0 - py;
+    }
+    for (int side = 0; side < 4; ++side) {
+        const int axis = side / 2, upper = side % 2;
+        int kept = 0;
+        for (int i = 0; i < count; ++i) {
+            const double *a = p[i], *b = p[(i + 1) % count];
+            const double da = upper ? 1 - a[axis] : a[axis], db = upper ? 1 - b[axis] : b[axis];
+            if (da >= 0) {
+                memcpy(q[kept++], a, sizeof q[0]);
+            }
+            if ((da < 0) != (db < 0)) {
+                const double s = da / (da - db);
+                q[kept][0] = a[0] + s * (b[0] - a[0]);
+                q[kept++][1] = a[1] + s * (b[1] - a[1]);
+            }
+        }
+        memcpy(p, q, sizeof p);
+        count = kept;
+    }
+    double area = 0;
+    for (int i = 0; i < count; ++i) {
+        area += p[i][0] * p[(i + 1) % count][1] - p[(i + 1) % count][0] * p[i][1];
+    }
+    return fabs(area) / 2;
+}
+
+static void test_triangles(void) {
+    static canvas made, turned;
+    uint64_t random = test_seed(4);
+    for (int i = 0; i < 100; ++i) {
+        int32_t t[3][2], back[3][2];
+        double worst = 0;
+        for (int k = 0; k < 3; ++k) {
+            t[k][0] = (int32_t)test_uniform(&random, -10 * 256, 50 * 256);
+            t[k][1] = (int32_t)test_uniform(&random, -10 * 256, 50 * 256);
+            memcpy(back[2 - k], t[k], sizeof back[0]);
+        }
+        polygon(&made, (const int32_t(*)[2])t, 3);
+        polygon(&turned, (const int32_t(*)[2])back, 3);
+        CHECK1(memcmp(made.values, turned.values, sizeof made.values) == 0);
+        for (int k = 0; k < SIDE * SIDE; ++k) {
+            const double got = (double)made.values[k / SIDE][k % SIDE][3];
+            const double expected = clipped_area((const int32_t(*)[2])t, k % SIDE, k / SIDE);
+            worst = fmax(worst, fabs(got - expected));
+        }
+        CHECK(worst < 0.012, "triangle %d: off by %g", i, worst); /* crossings at 1/256 pixel */
+    }
+}
+
+/* Circles of conic and cubic pieces; a hole wound the other way. */
+static void test_curves(void) {
+    static canvas made;
+    const int32_t r = 15 * 256, c = 20 * 256, k = (int32_t)(0.5522847498 * r);
+    const double pi = acos(-1.0);
+    begin(&made);
+    const int32_t start[2] = {c + r, -c};
+    const int32_t arcs[4][6] = {{c + r, -c + k, c + k, -c + r, c, -c + r},
+                                {c - k, -c + r, c - r, -c + k, c - r, -c},
+                                {c - r, -c - k, c - k, -c - r, c, -c - r},
+                                {c + k, -c - r, c + r, -c - k, c + r, -c}};
+    burnish_outline_add(&made.outline, BURNISH_OUTLINE_MOVE, start);
+    for (int i = 0; i < 4; ++i) {
+        burnish_outline_add(&made.outline, BURNISH_OUTLINE_CUBIC, arcs[i]);
+    }
+    fill(&made);
+    CHECK(fabs(total(&made) / (pi * 225) - 1) < 0.004, "%g of %g", total(&made), pi * 225);
+    /* a parabola over 20 pixels, 10 high: 2/3 of its box; its hole: half as wide and high */
+    begin(&made);
+    for (int hole = 0; hole < 2; ++hole) {
+        const int32_t half = (hole ? 5 : 10) * 256, high = (hole ? 10 : 20) * 256;
+        const int32_t from[2] = {c + (hole ? half : -half), -30 * 256};
+        const int32_t bow[4] = {c, -30 * 256 + high, c + (hole ? -half : half), -30 * 256};
+        burnish_outline_add(&made.outline, BURNISH_OUTLINE_MOVE, from);
+        burnish_outline_add(&made.outline, BURNISH_OUTLINE_CONIC, bow);
+    }
+    fill(&made);
+    const double expected = 2.0 / 3 * (20 * 10 - 10 * 5);
+    CHECK(fabs(total(&made) / expected - 1) < 0.01, "%g of %g", total(&made), expected);
+}
+
+/* Coordinates far outside neither overflow nor mark anything but what they cover. */
+static void test_far(void) {
+    static canvas made;
+    const int32_t all[4][2] = {{-2000000000, -2000000000},
+                               {2000000000, -2000000000},
+                               {2000000000, 2000000000},
+                               {-2000000000, 2000000000}};
+    const int32_t beside[3][2] = {{50 * 256, 0}, {2000000000, 5000}, {60 * 256, 30 * 256}};
+    polygon(&made, all, 4);
+    CHECK1(total(&made) == SIDE * SIDE);
+    polygon(&made, beside, 3);
+    CHECK1(total(&made) == 0);
+    begin(&made);
+    fill(&made);
+    CHECK1(total(&made) == 0);
 }
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
+    state = test_seed(1);
     RUN(test_coverage(100));
     RUN(test_coverage(1e6f));
     RUN(test_area());
@@ -271,5 +436,9 @@ int main(int count, char **arguments) {
     RUN(test_extremes());
     RUN(test_bands());
     RUN(test_refusals());
+    RUN(test_rectangles());
+    RUN(test_triangles());
+    RUN(test_curves());
+    RUN(test_far());
     return test_end("strokes");
 }

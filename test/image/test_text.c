@@ -1,26 +1,12 @@
 /* Text: clipping, measuring, every glyph, blending in linear light, the same bits everywhere. */
 #include <math.h>
 
-#include "burnish/image.h"
 #include "burnish/sheet.h"
 #include "core/srgb.h"
 #include "image/text/stroke_font.h"
-#include "support.h"
+#include "images.h"
 
 static const uint8_t black[3] = {0, 0, 0};
-
-static burnish_image make(int width, int height, int channels, int value) {
-    burnish_image image;
-    if (burnish_image_create(NULL, &image, width, height, channels, NULL) != BURNISH_STATUS_OK) {
-        exit(EXIT_FAILURE);
-    }
-    memset(image.pixels, value, (size_t)width * (size_t)height * (size_t)channels);
-    return image;
-}
-
-static const uint8_t *pixel_at(const burnish_image *image, int x, int y) {
-    return image->pixels + ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channels;
-}
 
 /* x0, y0, x1, y1 (exclusive) of the pixels that are not white; all 0 when there is none. */
 static void ink_bounds(const burnish_image *image, int bounds[4]) {
@@ -44,9 +30,9 @@ static void test_clipping(void) {
     enum { BORDER = 70, WIDTH = 12, HEIGHT = 10 };
     for (int y = -12; y <= HEIGHT + 30; y += 3) {
         for (int x = -60; x <= WIDTH + 6; ++x) {
-            burnish_image small = make(WIDTH, HEIGHT, 3, 255);
-            burnish_image large = make(WIDTH + 2 * BORDER, HEIGHT + 2 * BORDER, 3, 255);
-            burnish_image crop = make(WIDTH, HEIGHT, 3, 0);
+            burnish_image small = make_filled(WIDTH, HEIGHT, 3, 255);
+            burnish_image large = make_filled(WIDTH + 2 * BORDER, HEIGHT + 2 * BORDER, 3, 255);
+            burnish_image crop = make_filled(WIDTH, HEIGHT, 3, 0);
             burnish_image_draw_text(&small, (float)x, (float)y, 14, black, text);
             burnish_image_draw_text(&large, (float)(x + BORDER), (float)(y + BORDER), 14, black,
                                     text);
@@ -63,7 +49,7 @@ static void test_extremes(void) {
     const float values[] = {
         (float)NAN, (float)INFINITY, -(float)INFINITY, 1e30F, -1e30F, 5e6F, -5e6F, 4e6F, -4e6F,
         40000};
-    burnish_image image = make(31, 9, 4, 255);
+    burnish_image image = make_filled(31, 9, 4, 255);
     uint64_t before = burnish_image_hash(&image);
     for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
         burnish_image_draw_text(&image, values[i], 5, 20, black, "text");
@@ -83,7 +69,7 @@ static void test_extremes(void) {
 
 static void test_measuring(void) {
     static const char text[] = "energy:2 (W1)  n = 32";
-    burnish_image image = make(400, 80, 3, 255);
+    burnish_image image = make_filled(400, 80, 3, 255);
     for (float height = 5; height < 80; height += 0.75F) {
         float measured = burnish_image_draw_text(NULL, 0, 0, height, black, text);
         float drawn = burnish_image_draw_text(&image, 3.3F, 60, height, black, text);
@@ -100,7 +86,7 @@ static void test_glyphs(int height) {
     uint64_t hashes[127] = {0};
     for (int c = 33; c < 127; ++c) {
         char text[2] = {(char)c, 0};
-        burnish_image image = make(3 * height, 3 * height, 3, 255);
+        burnish_image image = make_filled(3 * height, 3 * height, 3, 255);
         float advance = burnish_image_draw_text(&image, (float)height, 2.0F * (float)height,
                                                 (float)height, black, text);
         int bounds[4];
@@ -131,7 +117,7 @@ static void test_stroke_limit(void) {
 }
 
 static uint64_t hash_of(const char *text) {
-    burnish_image image = make(80, 20, 3, 255);
+    burnish_image image = make_filled(80, 20, 3, 255);
     burnish_image_draw_text(&image, 2, 15, 12, black, text);
     uint64_t hash = burnish_image_hash(&image);
     burnish_image_destroy(&image);
@@ -150,7 +136,7 @@ static void test_other_characters(void) {
 
 /* Capitals of 50 pixels have a pen of exactly 6 pixels: H is black in whole rows and columns. */
 static void test_exact_stem(void) {
-    burnish_image image = make(60, 60, 3, 255);
+    burnish_image image = make_filled(60, 60, 3, 255);
     burnish_image_draw_text(&image, 0, 55, 50, black, "H");
     int bounds[4];
     ink_bounds(&image, bounds);
@@ -169,9 +155,9 @@ static void test_exact_stem(void) {
  * linear light. */
 static void test_blending(void) {
     const uint8_t color[3] = {200, 100, 0};
-    burnish_image layer = make(60, 30, 4, 0);
-    burnish_image plain = make(60, 30, 3, 255);
-    burnish_image solid = make(60, 30, 4, 255);
+    burnish_image layer = make_filled(60, 30, 4, 0);
+    burnish_image plain = make_filled(60, 30, 3, 255);
+    burnish_image solid = make_filled(60, 30, 4, 255);
     burnish_image_draw_text(&layer, 2, 22, 17, color, "S&8e");
     burnish_image_draw_text(&plain, 2, 22, 17, color, "S&8e");
     burnish_image_draw_text(&solid, 2, 22, 17, color, "S&8e");
@@ -207,7 +193,7 @@ static void test_golden(void) {
         all[c - 32] = (char)c;
     }
     all[95] = 0;
-    burnish_image image = make(1200, 120, 3, 40);
+    burnish_image image = make_filled(1200, 120, 3, 40);
     const uint8_t color[3] = {230, 231, 229};
     burnish_image_draw_text(&image, 5, 20, 10, color, all);
     burnish_image_draw_text(&image, 5, 60, 14, color, all);

@@ -3,31 +3,16 @@
 #include <math.h>
 
 #include "counting_context.h"
+#include "mesh/edges.h"
 #include "pictures.h"
-
-static const double PI = 3.14159265358979323846;
-
-static burnish_mesh *load_with(const char *name, int tessellation, int measure,
-                               const burnish_context *context) {
-    burnish_load_options options = burnish_load_options_default();
-    options.tessellation = tessellation;
-    options.measure = measure;
-    options.context = context;
-    return load_mesh(name, &options);
-}
+#include "shapes.h"
 
 static burnish_mesh *load(const char *name) {
-    return load_with(name, 12, 1, NULL);
+    return load_measured(name, 12);
 }
 
 static burnish_clip_plane plane_of(double x, double y, double z, double offset) {
     return (burnish_clip_plane){{x, y, z}, offset};
-}
-
-static void cut(burnish_mesh *mesh, double x, double y, double z, double offset) {
-    const burnish_clip_plane plane = plane_of(x, y, z, offset);
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
 }
 
 /* ---- Volumes ---- */
@@ -52,16 +37,13 @@ static double volume_from(const burnish_mesh *mesh, const double from[3]) {
 
 static burnish_mesh *make_box(int is_inside_out, const uint8_t *colors,
                               const burnish_context *context) {
-    static const float POSITIONS[24] = {-1, -2, -3, 1, -2, -3, -1, 2, -3, 1, 2, -3,
-                                        -1, -2, 3,  1, -2, 3,  -1, 2, 3,  1, 2, 3};
-    static const uint32_t FACES[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
-                                       2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
-    uint32_t faces[36];
+    shape s = box_at(-1, -2, -3, 2, 4, 6);
     burnish_load_options options = burnish_load_options_default();
-    for (int i = 0; i < 36; ++i) {
-        faces[i] = FACES[i % 3 && is_inside_out ? i / 3 * 3 + 3 - i % 3 : i];
+    for (size_t i = 0; i < s.triangle_count && is_inside_out; ++i) {
+        turn(&s, i);
     }
-    const burnish_mesh_description arrays = describe_arrays(POSITIONS, NULL, colors, 8, faces, 12);
+    const burnish_mesh_description arrays =
+        describe_arrays(s.points, NULL, colors, 8, s.corners, 12);
     options.measure = 1;
     options.context = context;
     return create_mesh(&arrays, &options);
@@ -70,17 +52,17 @@ static burnish_mesh *make_box(int is_inside_out, const uint8_t *colors,
 /* A box of 2 x 4 x 6, cut by its own axes and by a corner. */
 static void test_box(void) {
     burnish_mesh *mesh = make_box(0, NULL, NULL);
-    cut(mesh, 0, 0, 1, 0.5);
+    cut_mesh(mesh, 0, 0, 1, 0.5);
     CHECK1(fabs(volume_from(mesh, (double[3]){9, 9, 0.5}) - 2 * 4 * 3.5) < 1e-5);
     CHECK1(burnish_mesh_get_view(mesh)->bounds_max[2] == 0.5f);
-    cut(mesh, 0, 2, 0, 1); /* y <= 1/2 */
+    cut_mesh(mesh, 0, 2, 0, 1); /* y <= 1/2 */
     CHECK1(fabs(volume_from(mesh, (double[3]){9, 0.5, 0.5}) - 2 * 2.5 * 3.5) < 1e-5);
-    cut(mesh, -1, 0, 0, 0.25);
+    cut_mesh(mesh, -1, 0, 0, 0.25);
     CHECK1(fabs(volume_from(mesh, (double[3]){-0.25, 0.5, 0.5}) - 1.25 * 2.5 * 3.5) < 1e-5);
     CHECK1(burnish_mesh_get_view(mesh)->cut_count == 3);
     burnish_mesh_destroy(mesh);
     mesh = make_box(0, NULL, NULL);
-    cut(mesh, 1, 1, 1, 5); /* a corner whose legs are 1: 1/6 */
+    cut_mesh(mesh, 1, 1, 1, 5); /* a corner whose legs are 1: 1/6 */
     CHECK1(fabs(volume_from(mesh, (double[3]){0, 2, 3}) - (48 - 1.0 / 6)) < 1e-5);
     burnish_mesh_destroy(mesh);
 }
@@ -100,8 +82,8 @@ static void test_halves(void) {
         for (int k = 0; k < 3; ++k) {
             from[k] = n[k] * offset / length;
         }
-        cut(whole, n[0], n[1], n[2], offset);
-        cut(other, -n[0], -n[1], -n[2], -offset);
+        cut_mesh(whole, n[0], n[1], n[2], offset);
+        cut_mesh(other, -n[0], -n[1], -n[2], -offset);
         const double first = volume_from(whole, from), second = volume_from(other, from);
         CHECK(fabs(first + second - volume) < 1e-5 * volume && first > 0.05 * volume &&
                   second > 0.05 * volume,
@@ -109,9 +91,9 @@ static void test_halves(void) {
         burnish_mesh_destroy(whole);
         burnish_mesh_destroy(other);
     }
-    burnish_mesh *ball = load_with(":sphere", 64, 1, NULL);
-    cut(ball, 0, 0, 3, 1.5); /* without the cap of height 1/2: pi h^2 (3 - h) / 3 */
-    const double expected = 4 * PI / 3 - PI * 0.25 * 2.5 / 3;
+    burnish_mesh *ball = load_measured(":sphere", 64);
+    cut_mesh(ball, 0, 0, 3, 1.5); /* without the cap of height 1/2: pi h^2 (3 - h) / 3 */
+    const double expected = 4 * TEST_PI / 3 - TEST_PI * 0.25 * 2.5 / 3;
     CHECK(fabs(volume_from(ball, (double[3]){0, 0, 0.5}) - expected) < 2e-3 * expected,
           "%g, not %g", volume_from(ball, (double[3]){0, 0, 0.5}), expected);
     burnish_mesh_destroy(ball);
@@ -119,62 +101,29 @@ static void test_halves(void) {
 
 /* ---- Edges ---- */
 
-typedef struct edge {
-    float ends[6]; /* the lesser end first */
-    int direction;
-} edge;
-
-static int compare_edges(const void *a, const void *b) {
-    const edge *first = a, *second = b;
-    for (int k = 0; k < 6; ++k) {
-        if (first->ends[k] != second->ends[k]) {
-            return first->ends[k] < second->ends[k] ? -1 : 1;
-        }
-    }
-    return 0;
+static double beyond(const burnish_clip_plane *plane, const float p[3]) {
+    const double *n = plane->normal;
+    return n[0] * (double)p[0] + n[1] * (double)p[1] + n[2] * (double)p[2] - plane->offset;
 }
 
-static edge edge_of(const burnish_mesh_view *view, uint32_t a, uint32_t b) {
-    const float *p = view->positions + 3 * (size_t)a, *q = view->positions + 3 * (size_t)b;
-    edge e = {.direction = 1};
-    int order = 0;
-    for (int k = 0; k < 3 && order == 0; ++k) {
-        order = (p[k] > q[k]) - (p[k] < q[k]);
-    }
-    e.direction = order < 0 ? 1 : -1;
-    for (int k = 0; k < 3; ++k) { /* + 0: no signed zeros */
-        e.ends[k] = (order < 0 ? p : q)[k] + 0.0f;
-        e.ends[3 + k] = (order < 0 ? q : p)[k] + 0.0f;
-    }
-    return e;
-}
-
-/* Edges between equal positions that are not run along once in each direction, but for those in the
- * planes. */
+/* Edges without a second triangle that runs along them the other way, but for those in the planes. */
 static size_t open_edges(const burnish_mesh *mesh) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    const size_t count = 3 * view->triangle_count;
-    edge *edges = malloc(count * sizeof *edges);
+    burnish_memory memory = burnish_memory_of(NULL, NULL);
+    burnish_edges edges;
     size_t open = 0;
-    for (size_t i = 0; i < count; ++i) {
-        edges[i] = edge_of(view, view->indices[i], view->indices[i % 3 == 2 ? i - 2 : i + 1]);
-    }
-    qsort(edges, count, sizeof *edges, compare_edges);
-    for (size_t i = 0, end; i < count; i = end) {
-        int sum = 0, in_plane = 0;
-        for (end = i; end < count && compare_edges(&edges[i], &edges[end]) == 0; ++end) {
-            sum += edges[end].direction;
-        }
+    CHECK1(burnish_edges_find(view, NULL, &memory, &edges) == BURNISH_STATUS_OK);
+    for (size_t i = 0; i < edges.count; ++i) {
+        const burnish_edge *edge = &edges.items[i];
+        int in_plane = 0;
         for (int k = 0; k < view->cut_count; ++k) {
-            const double *n = view->cuts[k].normal;
-            const float *p = edges[i].ends;
-            const double a = n[0] * p[0] + n[1] * p[1] + n[2] * p[2] - view->cuts[k].offset;
-            const double b = n[0] * p[3] + n[1] * p[4] + n[2] * p[5] - view->cuts[k].offset;
-            in_plane |= fabs(a) < 1e-6 && fabs(b) < 1e-6;
+            in_plane |= fabs(beyond(&view->cuts[k], view->positions + 3 * edge->ends[0])) < 1e-6 &&
+                        fabs(beyond(&view->cuts[k], view->positions + 3 * edge->ends[1])) < 1e-6;
         }
-        open += sum != 0 && !in_plane;
+        open += !in_plane && (edge->triangles[1] == BURNISH_EDGE_OPEN ||
+                              (edge->flags & BURNISH_EDGE_ALIKE) != 0);
     }
-    free(edges);
+    burnish_release(NULL, edges.items);
     return open;
 }
 
@@ -185,8 +134,8 @@ static void test_edges(void) {
         burnish_mesh *mesh = load(names[i % 3]);
         CHECK1(open_edges(mesh) == 0);
         for (int k = 0; k <= i % 3; ++k) {
-            cut(mesh, test_uniform(&state, -1, 1), test_uniform(&state, -1, 1),
-                test_uniform(&state, -1, 1), i < 3 ? 0 : test_uniform(&state, 0, 0.2));
+            cut_mesh(mesh, test_uniform(&state, -1, 1), test_uniform(&state, -1, 1),
+                     test_uniform(&state, -1, 1), i < 3 ? 0 : test_uniform(&state, 0, 0.2));
         }
         CHECK(open_edges(mesh) == 0, "%s: %zu edges opened", names[i % 3], open_edges(mesh));
         burnish_mesh_destroy(mesh);
@@ -211,7 +160,7 @@ static void test_attributes(void) {
     arrays.material_count = 2;
     options.keep_texture_coordinates = 1;
     burnish_mesh *mesh = create_mesh(&arrays, &options);
-    cut(mesh, 1, 0, 0, 1);
+    cut_mesh(mesh, 1, 0, 0, 1);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK(view->triangle_count == 2 && view->vertex_count == 4, "%zu, %zu", view->triangle_count,
           view->vertex_count);
@@ -288,12 +237,12 @@ static int count_cap(const capped_picture *picture, const double normal[3], doub
 static void test_discs(int samples) {
     static capped_picture picture;
     const double unit = 2.4 / SIZE; /* of a pixel */
-    burnish_mesh *ball = load_with(":sphere", 32, 1, NULL);
+    burnish_mesh *ball = load_measured(":sphere", 32);
     burnish_render_options options = options_for((double[3]){0, 0, -1}, 2.4, samples);
-    cut(ball, 0, 0, 1, 0.6);
+    cut_mesh(ball, 0, 0, 1, 0.6);
     CHECK1(burnish_mesh_get_view(ball)->inside == BURNISH_INSIDE_BACK);
     draw(ball, &options, &picture);
-    const double disc = PI * 0.64 / (unit * unit);
+    const double disc = TEST_PI * 0.64 / (unit * unit);
     int count = count_cap(&picture, (double[3]){0, 0, 1}, 9.4);
     CHECK(fabs(count - disc) < 0.02 * disc, "%d pixels, not %g", count, disc);
     options = options_for((double[3]){0, 0, 1}, 2.4, samples); /* from below there is none */
@@ -301,17 +250,17 @@ static void test_discs(int samples) {
     CHECK1(count_cap(&picture, (double[3]){0, 0, 1}, 9.4) == 0);
     burnish_mesh_destroy(ball);
 
-    burnish_mesh *ring = load_with(":torus", 32, 1, NULL);
+    burnish_mesh *ring = load_measured(":torus", 32);
     const burnish_mesh_view *view = burnish_mesh_get_view(ring);
     const double outer = (double)view->bounds_max[0];
     const double minor = (double)(view->bounds_max[1] < view->bounds_max[2] ? view->bounds_max[1]
                                                                             : view->bounds_max[2]);
     const double height = 2.4 * outer, pixel = height / SIZE;
-    cut(ring, 1, 0, 0, 0);
+    cut_mesh(ring, 1, 0, 0, 0);
     options = options_for((double[3]){-1, 0, 0}, height, samples);
     draw(ring, &options, &picture);
     count = count_cap(&picture, (double[3]){1, 0, 0}, 10);
-    const double discs = 2 * PI * minor * minor / (pixel * pixel);
+    const double discs = 2 * TEST_PI * minor * minor / (pixel * pixel);
     CHECK(fabs(count - discs) < 0.02 * discs, "%d pixels, not %g", count, discs);
     burnish_mesh_destroy(ring);
 }
@@ -329,8 +278,8 @@ static void test_corner(int samples, int is_parallel) {
     options.camera.orthographic_height = is_parallel ? 10 : 0;
     options.camera.view_angle = 45;
     for (int i = 0; i < 3; ++i) {
-        cut(mesh, normals[i][0], normals[i][1], normals[i][2], offsets[i]);
-        cut(turned, normals[i][0], normals[i][1], normals[i][2], offsets[i]);
+        cut_mesh(mesh, normals[i][0], normals[i][1], normals[i][2], offsets[i]);
+        cut_mesh(turned, normals[i][0], normals[i][1], normals[i][2], offsets[i]);
         length += options.camera.position[i] * options.camera.position[i];
     }
     CHECK1(burnish_mesh_get_view(turned)->inside == BURNISH_INSIDE_FRONT);
@@ -357,7 +306,7 @@ static void test_corner(int samples, int is_parallel) {
                           right[0] * forward[1] - right[1] * forward[0]};
     for (int i = 0; i < SIZE * SIZE; ++i) {
         const double depth = (double)picture.depth[i / SIZE][i % SIZE];
-        const double reach = is_parallel ? 10 : 2 * depth * tan(PI / 8);
+        const double reach = is_parallel ? 10 : 2 * depth * tan(TEST_PI / 8);
         const double x = ((i % SIZE) + 0.5 - SIZE / 2) / SIZE * reach;
         const double y = (SIZE / 2 - (i / SIZE) - 0.5) / SIZE * reach;
         for (int n = 0; n < 3 && depth < 1e6; ++n) {
@@ -395,17 +344,17 @@ static void test_errors(void) {
     }
     CHECK1(burnish_mesh_clip(NULL, &wrong[0], &error) == BURNISH_STATUS_ARGUMENT);
     CHECK1(burnish_mesh_clip(mesh, NULL, &error) == BURNISH_STATUS_ARGUMENT);
-    cut(mesh, 0, 0, 1, 2); /* nothing is there */
+    cut_mesh(mesh, 0, 0, 1, 2); /* nothing is there */
     CHECK1(view->serial == serial && view->cut_count == 0);
     for (int i = 0; i < BURNISH_CUTS_MAX; ++i) {
-        cut(mesh, 0, 0, 1, 0.9 - 0.1 * i);
+        cut_mesh(mesh, 0, 0, 1, 0.9 - 0.1 * i);
     }
     CHECK1(view->serial != serial && view->cut_count == BURNISH_CUTS_MAX);
     const burnish_clip_plane more = plane_of(0, 0, 1, 0);
     CHECK1(burnish_mesh_clip(mesh, &more, &error) == BURNISH_STATUS_ARGUMENT);
     burnish_mesh_destroy(mesh);
-    mesh = load_with(":sphere", 4, 0, NULL);
-    cut(mesh, 0, 0, 1, 0);
+    mesh = load_tessellated(":sphere", 4);
+    cut_mesh(mesh, 0, 0, 1, 0);
     CHECK1(burnish_mesh_get_view(mesh)->inside == BURNISH_INSIDE_UNKNOWN); /* not measured */
     burnish_mesh_destroy(mesh);
 }

@@ -1,9 +1,8 @@
 /* The built-in objects: closed surfaces, the right size, unit normals that point outward. */
 #include <math.h>
 
-#include "burnish/mesh.h"
 #include "mesh_arrays.h"
-#include "support.h"
+#include "vec.h"
 
 #define PI 3.14159265358979323846
 
@@ -25,31 +24,22 @@ static void check_closed(const burnish_mesh *mesh, const char *name, long expect
 /* Every normal has unit length and agrees with its triangles within the given cosine. */
 static void check_normals(const burnish_mesh_view *mesh, const char *name, double least_cosine) {
     double worst_length = 0, worst_cosine = 1;
-    for (size_t i = 0; i < mesh->vertex_count; ++i) {
-        const float *n = mesh->normals + 3 * i;
-        double length = sqrt((double)n[0] * (double)n[0] + (double)n[1] * (double)n[1] +
-                             (double)n[2] * (double)n[2]);
-        worst_length = fmax(worst_length, fabs(length - 1));
-    }
     for (size_t i = 0; i < mesh->triangle_count; ++i) {
-        const float *p[3];
-        double u[3], v[3], c[3], size = 0;
-        for (int k = 0; k < 3; ++k) {
-            p[k] = mesh->positions + 3 * mesh->indices[3 * i + k];
+        double p[3][3], n[3][3], u[3], v[3], face[3];
+        for (size_t k = 0; k < 9; ++k) {
+            const size_t at = 3 * (size_t)mesh->indices[3 * i + k / 3] + k % 3;
+            p[k / 3][k % 3] = (double)mesh->positions[at];
+            n[k / 3][k % 3] = (double)mesh->normals[at];
         }
         for (int k = 0; k < 3; ++k) {
-            u[k] = (double)p[1][k] - (double)p[0][k];
-            v[k] = (double)p[2][k] - (double)p[0][k];
+            u[k] = p[1][k] - p[0][k];
+            v[k] = p[2][k] - p[0][k];
         }
+        cross(u, v, face);
+        normalize(face);
         for (int k = 0; k < 3; ++k) {
-            c[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-            size += c[k] * c[k];
-        }
-        for (int k = 0; k < 3; ++k) {
-            const float *n = mesh->normals + 3 * mesh->indices[3 * i + k];
-            double cosine =
-                (c[0] * (double)n[0] + c[1] * (double)n[1] + c[2] * (double)n[2]) / sqrt(size);
-            worst_cosine = fmin(worst_cosine, cosine);
+            worst_length = fmax(worst_length, fabs(sqrt(dot(n[k], n[k])) - 1));
+            worst_cosine = fmin(worst_cosine, dot(face, n[k]));
         }
     }
     CHECK(worst_length < 1.2e-7, "%s: length off by %g", name, worst_length);

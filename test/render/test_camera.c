@@ -5,6 +5,7 @@
 #include "mesh/build/build.h"
 #include "mesh/builtin.h"
 #include "mesh_arrays.h"
+#include "vec.h"
 
 #define DEGREE (acos(-1.0) / 180)
 
@@ -14,31 +15,15 @@ static burnish_mesh *triangle(const float *positions) {
     return create_mesh(&arrays, NULL);
 }
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3]) {
-    for (int k = 0; k < 3; ++k) {
-        c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-    }
-}
-
 /* Unit axes right, up, back of a camera, and the distance to its focal point. */
 static double axes(const burnish_camera *camera, double right[3], double up[3], double back[3]) {
-    double distance = 0, length;
     for (int k = 0; k < 3; ++k) {
         back[k] = camera->position[k] - camera->focal_point[k];
     }
-    distance = sqrt(dot(back, back));
-    for (int k = 0; k < 3; ++k) {
-        back[k] /= distance;
-    }
+    const double distance = sqrt(dot(back, back));
+    normalize(back);
     cross(camera->view_up, back, right);
-    length = sqrt(dot(right, right));
-    for (int k = 0; k < 3; ++k) {
-        right[k] /= length;
-    }
+    normalize(right);
     cross(back, right, up);
     return distance;
 }

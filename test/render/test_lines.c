@@ -11,6 +11,7 @@
 #include "render/lines/lines_steps.h"
 #include "shapes.h"
 #include "svg_path.h"
+#include "vec.h"
 
 enum { SIZE = 400 };
 
@@ -67,16 +68,6 @@ static void drop(drawn *d) {
 typedef struct screen {
     double x, y;
 } screen;
-
-static void cross(const double a[3], const double b[3], double c[3]) {
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static screen project(const burnish_render_options *options, const double p[3]) {
     const burnish_camera *camera = &options->camera;
@@ -153,8 +144,7 @@ static void test_cube(double height, int is_cut) {
     const shape s = box_at(-1, -1, -1, 2, 2, is_cut ? 4 : 2);
     burnish_mesh *mesh = create_shape(&s);
     if (is_cut) {
-        const burnish_clip_plane plane = {{0, 0, 1}, 1};
-        CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
+        cut_mesh(mesh, 0, 0, 1, 1);
     }
     drawn d = draw(mesh, make_options(position, height, BURNISH_EDGES_FEATURES));
     int seen = 0, hidden = 0;
@@ -500,13 +490,9 @@ static void test_svg(void) {
     CHECK1(strlen(text) == size && strstr(text, "<title>a&lt;b&gt;&amp;&quot;c </title>") &&
            strstr(text, "width=\"400\" height=\"400\" viewBox=\"0 0 400 400\"") &&
            strstr(text, "fill=\"#ffffff\""));
-    for (const char *path = text; (path = strstr(path, " d=\"")) != NULL; ++path) {
-        const char *width = path;
-        while (strncmp(width, "width=\"", 7) != 0) {
-            --width;
-        }
-        const double wide = strtod(width + 7, NULL);
-        svg_read_path(path + 4, &read);
+    for (const char *tag = text; (tag = strstr(tag, "<path")) != NULL; ++tag) {
+        const double wide = strtod(attribute(tag, "stroke-width"), NULL);
+        svg_read_path(attribute(tag, "d"), &read);
         const double(*points)[2] = (const double(*)[2])read.points;
         const size_t count = read.starts[read.count];
         size_t at = 0;

@@ -88,6 +88,13 @@ static inline burnish_mesh *create_quads(const float *positions, const uint8_t *
     return create_mesh(&arrays, NULL);
 }
 
+/* Drops what lies beyond the plane. */
+static inline void cut_mesh(burnish_mesh *mesh, double x, double y, double z, double offset) {
+    const burnish_clip_plane plane = {{x, y, z}, offset};
+    burnish_error error = {0};
+    CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
+}
+
 static inline int same_arrays(const void *a, const void *b, size_t size) {
     return !a == !b && (!a || memcmp(a, b, size) == 0);
 }

@@ -50,4 +50,12 @@ static inline void svg_read_path(const char *d, svg_path *path) {
     path->starts[path->count] = size;
 }
 
+/* The number or colour of an attribute within a tag. */
+static inline const char *attribute(const char *tag, const char *name) {
+    char wanted[40];
+    snprintf(wanted, sizeof wanted, " %s=\"", name);
+    const char *end = strchr(tag, '>'), *found = strstr(tag, wanted);
+    return found && found < end ? found + strlen(wanted) : NULL;
+}
+
 #endif
