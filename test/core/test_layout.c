@@ -39,31 +39,16 @@ static void check_bounds(void (*init)(void *, uint64_t), size_t size, const char
     static void init_##type(void *value, uint64_t layout) {                                        \
         burnish_##type##_init(value, layout);                                                      \
     }
-INIT(context_options)
-INIT(png_options)
-INIT(compare_options)
-INIT(annotate_options)
-INIT(load_options)
-INIT(mesh_description)
-INIT(framing)
-INIT(render_options)
-INIT(target)
-INIT(kernels_lighting)
-INIT(kernels_polygon)
+#define TYPES(take)                                                                                \
+    take(context_options) take(png_options) take(compare_options) take(annotate_options)           \
+        take(load_options) take(mesh_description) take(framing) take(render_options) take(target)  \
+            take(kernels_lighting) take(kernels_polygon)
+
+TYPES(INIT)
 
 static void test_bounds(void) {
-#define BOUNDS(type) check_bounds(init_##type, sizeof(burnish_##type), #type)
-    BOUNDS(context_options);
-    BOUNDS(png_options);
-    BOUNDS(compare_options);
-    BOUNDS(annotate_options);
-    BOUNDS(load_options);
-    BOUNDS(mesh_description);
-    BOUNDS(framing);
-    BOUNDS(render_options);
-    BOUNDS(target);
-    BOUNDS(kernels_lighting);
-    BOUNDS(kernels_polygon);
+#define BOUNDS(type) check_bounds(init_##type, sizeof(burnish_##type), #type);
+    TYPES(BOUNDS)
 }
 
 /* Calls with a struct of an older version: ARGUMENT, and a line that says what to do. */

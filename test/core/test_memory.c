@@ -201,11 +201,14 @@ static burnish_render_options box_options(int kind, int samples, int threads,
 static int stop_one(const burnish_mesh *mesh, const burnish_render_options *options, counts *own,
                     const burnish_context *context, uint64_t expected) {
     const long before = atomic_load(&own->live), others = atomic_load(&live) - before;
-    const burnish_status stop =
-        own->questions < 0 ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_CANCELLED;
+    const long questions = own->questions;
+    const burnish_status stop = questions < 0 ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_CANCELLED;
     burnish_renderer *renderer;
     burnish_image image = {0};
     burnish_error error = {BURNISH_STATUS_OK, ""};
+    own->asked = own->wrong_order = 0;
+    own->stage = BURNISH_STAGE_TRANSFORM;
+    own->fraction = 0;
     burnish_status status = burnish_renderer_create(context, &renderer, &error);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_draw(renderer, mesh, options, &image, NULL, &error);
@@ -215,6 +218,12 @@ static int stop_one(const burnish_mesh *mesh, const burnish_render_options *opti
     CHECK(status == (is_stopped ? stop : BURNISH_STATUS_OK) && error.status == status &&
               (status == BURNISH_STATUS_OK) == (image.pixels != NULL),
           "status %d, \"%s\"", (int)status, error.text);
+    /* after an answer of yes, the question is asked at most once more */
+    CHECK((!is_stopped || questions < 0 || own->asked <= questions + 2) && !own->wrong_order,
+          "asked %ld times for %ld", own->asked, questions);
+    CHECK(is_stopped || (own->stage == BURNISH_STAGE_DRAW && own->fraction == 1),
+          "progress ends at %g of stage %d", own->fraction, (int)own->stage);
+    CHECK1(is_stopped || image.context == context);
     CHECK(atomic_load(&live) - atomic_load(&own->live) == others,
           "%ld blocks are not the context's",
           atomic_load(&live) - atomic_load(&own->live) - others);
@@ -239,12 +248,13 @@ static void test_renderer(int kind, int samples, int threads) {
     const uint64_t expected = hash_drawn(mesh, &options);
     burnish_context *context = make_context(&own);
     for (int cancels = 0; cancels < 2; ++cancels) {
-        int k = 0;
-        do {
+        int stops = -1, is_stopped = 1;
+        for (long k = 0; is_stopped && k < 5000; k += cancels && k >= 20 ? 7 : 1, ++stops) {
             own.left = cancels ? -1 : k;
             own.questions = cancels ? k : -1;
-        } while (stop_one(mesh, &options, &own, context, expected) && ++k < 1000);
-        CHECK(k >= (cancels ? threads == 1 ? 10 : 2 : 20) && k < 1000, "%d stops", k);
+            is_stopped = stop_one(mesh, &options, &own, context, expected);
+        }
+        CHECK(!is_stopped && stops >= (!cancels ? 20 : threads == 1 ? 10 : 2), "%d stops", stops);
     }
     burnish_context_destroy(context);
     CHECK1(atomic_load(&own.live) == 0);

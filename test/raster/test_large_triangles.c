@@ -161,27 +161,19 @@ static void make_scene(random_scene *scene, const burnish_raster_view *view, uin
 
 static burnish_raster_view make_view(int number, uint64_t *state) {
     static const int counts[] = {1, 4, 1, 8, 1, 16};
-    burnish_raster_view view;
-    memset(&view, 0, sizeof view);
-    view.samples = counts[number % 6];
-    view.cull_back_faces = number % 7 == 6;
     const int most = number % 4 == 0 ? LARGEST_IMAGE : number % 4 == 1 ? 2000 : 200;
-    view.width = 1 + (int)(test_random32(state) % (uint32_t)most);
-    view.height = 1 + (int)(test_random32(state) % (uint32_t)most);
+    int width = 1 + (int)(test_random32(state) % (uint32_t)most);
+    int height = 1 + (int)(test_random32(state) % (uint32_t)most);
     if (number % 16 == 0) {
-        view.width = view.height = LARGEST_IMAGE;
+        width = height = LARGEST_IMAGE;
     }
-    view.rows[0][0] = view.rows[1][1] = 1;
-    view.rows[2][2] = 0.002f;
-    view.rows[2][3] = 0.5f;
-    view.rows[3][3] = 1;
+    burnish_raster_view view = parallel_view(width, height, counts[number % 6]);
     if (number % 5 == 4) { /* the eye in the midst of the scene */
-        view.rows[0][0] = view.rows[1][1] = test_uniform_float(state, 50, 400);
-        view.rows[2][2] = 0;
-        view.rows[2][3] = 0x1p-14f;
-        view.rows[3][2] = -1;
-        view.rows[3][3] = test_uniform_float(state, -50, 300);
+        const float focal = test_uniform_float(state, 50, 400);
+        view = perspective_view(width, height, counts[number % 6], focal,
+                                test_uniform_float(state, -50, 300));
     }
+    view.cull_back_faces = number % 7 == 6;
     return view;
 }
 
@@ -453,7 +445,7 @@ static void draw_alone(const burnish_raster_view *view, const screen_point at[3]
     add_triangle(&scene, 0, 1, 2, state);
     const burnish_raster_ops *ops = burnish_raster_ops_for(pick_isa(state));
     const burnish_triangles triangles = {scene.positions, 3, scene.indices, 1, NULL, 0};
-    burnish_geometry_update(&geometry, ops, view, &triangles, NULL, NULL);
+    list_triangles(ops, view, &triangles, &geometry, &bins);
     const int side = reference_side(&geometry, 0);
     if (side < 0) {
         return;
@@ -476,8 +468,6 @@ static void draw_alone(const burnish_raster_view *view, const screen_point at[3]
     }
     fast->attributes[0] = attributes[0];
     fast->attributes[1] = attributes[1];
-    burnish_bins_begin(&bins, NULL);
-    burnish_bin_tiles(&bins, ops, &geometry, view, NULL, NULL);
     for (int row = 0; row < bins.rows; ++row) {
         for (int column = 0; column < bins.columns; ++column) {
             if (edges.is_large &&
@@ -489,13 +479,8 @@ static void draw_alone(const burnish_raster_view *view, const screen_point at[3]
 }
 
 static void check_precision(int samples) {
-    burnish_raster_view view;
-    memset(&view, 0, sizeof view);
-    view.samples = samples;
-    view.width = view.height = 4 * BURNISH_TILE_SIZE;
-    view.rows[0][0] = view.rows[1][1] = view.rows[3][3] = 1;
-    view.rows[2][2] = 0.002f;
-    view.rows[2][3] = 0.5f;
+    const burnish_raster_view view =
+        parallel_view(4 * BURNISH_TILE_SIZE, 4 * BURNISH_TILE_SIZE, samples);
     plane_errors errors[CLASSES] = {{0, 0, 0, 0}};
     uint64_t state = test_seed(3 + (uint64_t)samples);
     burnish_tile fast;

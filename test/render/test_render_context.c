@@ -1,5 +1,5 @@
-/* Drawing with what the caller brings: a context that cancels and hears of progress; rounding modes
- * and flushed subnormals, which change no bit and are put back. */
+/* Drawing with what the caller brings: a context; rounding modes and flushed subnormals, which change
+ * no bit and are put back. */
 #include "counting_context.h"
 #include "pictures.h"
 
@@ -13,44 +13,17 @@ static burnish_render_options make_options(const burnish_mesh *mesh, int width, 
     return options;
 }
 
-/* Cancelled at every question, then drawn as if nothing had been. */
-static void test_cancel(int threads) {
+/* A call's context cancels it; a renderer's image is of its context. */
+static void test_contexts(void) {
     burnish_mesh *mesh = load_tessellated(":knot", 12);
-    burnish_render_options options = make_options(mesh, 640, 480, threads);
+    burnish_render_options options = make_options(mesh, WIDTH, HEIGHT, 1);
     counts c;
     burnish_context *context = make_context(&c);
-    burnish_image image = {0}, expected = draw_image(mesh, &options, NULL);
-    burnish_renderer *renderer = make_renderer(context);
-    burnish_status status = BURNISH_STATUS_CANCELLED;
-    int cancelled = 0;
-    for (long at = 0; status == BURNISH_STATUS_CANCELLED; at += at < 20 ? 1 : 7) {
-        burnish_error error = {BURNISH_STATUS_OK, ""};
-        c.asked = 0;
-        c.questions = at;
-        c.stage = BURNISH_STAGE_TRANSFORM;
-        c.fraction = 0;
-        status = burnish_renderer_draw(renderer, mesh, &options, &image, NULL, &error);
-        CHECK(status == (c.questions >= 0 ? BURNISH_STATUS_OK : BURNISH_STATUS_CANCELLED) &&
-                  error.status == status,
-              "question %ld of %ld: status %d", at, c.asked, (int)status);
-        /* after cancelling, the callback is called at most once more */
-        CHECK(c.asked <= at + 2 && !c.wrong_order, "asked %ld times after the answer",
-              c.asked - at - 1);
-        cancelled += status == BURNISH_STATUS_CANCELLED;
-        CHECK1((status == BURNISH_STATUS_OK) == (image.pixels != NULL));
-    }
-    CHECK(cancelled >= (threads == 1 ? 20 : 2), "asked only %d times", cancelled);
-    CHECK(burnish_image_hash(&image) == burnish_image_hash(&expected), "other pixels afterwards");
-    CHECK1(image.context == context && !expected.context);
-    CHECK(c.stage == BURNISH_STAGE_DRAW && c.fraction == 1, "progress ends at %g of stage %d",
-          c.fraction, (int)c.stage);
-    burnish_image_destroy(&image);
-    burnish_image_destroy(&expected);
-    burnish_renderer_destroy(renderer);
+    burnish_renderer *renderer = make_renderer(NULL);
+    burnish_image image = {0};
     options.context = context;
     c.questions = 0;
     CHECK1(burnish_render(mesh, &options, &image, NULL, NULL) == BURNISH_STATUS_CANCELLED);
-    renderer = make_renderer(NULL);
     CHECK1(burnish_renderer_draw(renderer, mesh, &options, &image, NULL, NULL) ==
            BURNISH_STATUS_ARGUMENT);
     burnish_renderer_destroy(renderer);
@@ -119,8 +92,7 @@ static void test_environment(int threads) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    RUN(test_cancel(1));
-    RUN(test_cancel(3));
+    RUN(test_contexts());
     RUN(test_environment(1));
     RUN(test_environment(2));
     return test_end("render_context");

@@ -2,6 +2,7 @@
  * missing pixels leave in its pixels and planes. */
 #include "burnish/look.h"
 #include "pictures.h"
+#include "shapes.h"
 
 enum { WIDTH = 70, HEIGHT = 203, TEXTURE = 32, PIXEL_MAX = 16 };
 
@@ -29,9 +30,18 @@ static burnish_mesh *make_glass(int kind) {
     return mesh;
 }
 
+/* kind 1: a coloured box, whose caps have a colour of their own. */
 static burnish_mesh *make_cut(int kind) {
-    burnish_mesh *mesh = load_measured(":knot", 8);
-    (void)kind;
+    const shape box = box_at(-1, -1, -1, 2, 2, 2);
+    burnish_load_options load = burnish_load_options_default();
+    uint8_t colors[32];
+    for (int i = 0; i < 32; ++i) {
+        colors[i] = (uint8_t)(i % 4 == 3 ? 255 : 8 * i);
+    }
+    const burnish_mesh_description arrays =
+        describe_arrays(box.points, NULL, colors, 8, box.corners, 12);
+    load.measure = 1;
+    burnish_mesh *mesh = kind ? create_mesh(&arrays, &load) : load_measured(":knot", 8);
     cut_mesh(mesh, 0.2, 0.1, 1, 0.1);
     cut_mesh(mesh, 1, 0.3, 0, 0.4);
     return mesh;
@@ -42,8 +52,8 @@ enum { EVERY_SLOT = 4, METALLIC = 8 };
 
 /* A knot with images of random texels on it, some of which let light through, and colours. */
 static burnish_mesh *make_textured(int kind) {
-    burnish_mesh *shape = load_tessellated(":knot", 8);
-    const burnish_mesh_view *view = burnish_mesh_get_view(shape);
+    burnish_mesh *knot = load_tessellated(":knot", 8);
+    const burnish_mesh_view *view = burnish_mesh_get_view(knot);
     const size_t count = view->vertex_count;
     const int slots = kind & EVERY_SLOT ? BURNISH_TEXTURE_SLOT_COUNT : 1;
     uint64_t state = test_seed(7);
@@ -79,7 +89,7 @@ static burnish_mesh *make_textured(int kind) {
     give_textures(&arrays, coordinates, textures, (size_t)slots);
     give_materials(&arrays, &material, 1);
     burnish_mesh *mesh = create_mesh(&arrays, NULL);
-    burnish_mesh_destroy(shape);
+    burnish_mesh_destroy(knot);
     free(coordinates);
     free(colors);
     return mesh;
@@ -122,6 +132,7 @@ static const scene scenes[] = {
     {"glass, one sample", make_glass, BURNISH_LOOK_TECHNICAL, 1, BURNISH_PIXELS_RGBA_FLOAT,
      .kind = 0},
     {"cut", make_cut, BURNISH_LOOK_THREE_POINT, 4, BURNISH_PIXELS_RGB8, .shadow = 1},
+    {"coloured cut", make_cut, BURNISH_LOOK_STUDIO, 4, BURNISH_PIXELS_RGB8, .kind = 1},
     {"cut, one sample", make_cut, BURNISH_LOOK_STUDIO, 1, BURNISH_PIXELS_RGB8, .kind = 0},
     {"texture", make_textured, BURNISH_LOOK_STUDIO, 4, BURNISH_PIXELS_RGBA8,
      .kind = BURNISH_ALPHA_BLEND, .ground = 1},

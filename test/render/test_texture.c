@@ -120,8 +120,7 @@ static void test_perspective(void) {
             for (int k = 0; k < 3; ++k) {
                 const double wanted =
                     sample_plainly(&texture, wraps, 2 * u - 0.7f, 0.25 * u + 2 * v - 0.3f, k);
-                const double off = fabs((double)s.pixels[4 * i + k] - wanted);
-                worst = off > worst ? off : worst;
+                worst = fmax(worst, fabs((double)s.pixels[4 * i + k] - wanted));
             }
         }
         CHECK(seen > 500 && worst < 3e-5, "wraps %d: %d pixels, %g", wrap, seen, worst);
@@ -301,8 +300,7 @@ static void add_light(scene *s) {
 static double difference(const scene *a, const scene *b) {
     double worst = 0;
     for (int i = 0; i < SIZE * SIZE * 4; ++i) {
-        const double off = fabs((double)a->pixels[i] - (double)b->pixels[i]);
-        worst = off > worst ? off : worst;
+        worst = fmax(worst, fabs((double)a->pixels[i] - (double)b->pixels[i]));
     }
     return worst;
 }

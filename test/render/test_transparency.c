@@ -315,7 +315,7 @@ static void check_layers(const random_scene *scene, const burnish_raster_view *v
     const burnish_tile_options options = {.samples = view->samples, .keep_ids = 1, .has_layers = 1};
     reference_tile tile;
     burnish_tile fast;
-    burnish_geometry_update(&geometry, ops, view, &triangles, NULL, NULL);
+    list_triangles(ops, view, &triangles, &geometry, &bins);
     uint32_t *indices = malloc((reference_primitive_count(&geometry) + 1) * sizeof *indices);
     uint32_t *parts[2] = {malloc((reference_primitive_count(&geometry) + 1) * sizeof *indices),
                           malloc((reference_primitive_count(&geometry) + 1) * sizeof *indices)};
@@ -325,8 +325,6 @@ static void check_layers(const random_scene *scene, const burnish_raster_view *v
     reference_tile_create(&tile, view->samples, NULL);
     burnish_tile_create(&fast, &options, NULL, NULL);
     fast.transparent = masks;
-    burnish_bins_begin(&bins, NULL);
-    burnish_bin_tiles(&bins, ops, &geometry, view, NULL, NULL);
     for (int i = 0; i < bins.columns * bins.end_row; ++i) {
         const int column = i % bins.columns, row = i / bins.columns;
         size_t counts[2] = {0, 0};
@@ -363,17 +361,9 @@ static void test_layers(int scenes) {
     int seen = 0;
     for (int i = 0; i < scenes; ++i) {
         static const int counts[] = {4, 1, 8, 1, 16, 1};
-        burnish_raster_view view = {.width = 80, .height = 70, .samples = counts[i % 6]};
-        if (i % 2) {
-            view.rows[0][0] = view.rows[1][1] = 100;
-            view.rows[2][3] = 0x1p-14f;
-            view.rows[3][2] = -1;
-            view.rows[3][3] = 60; /* the eye is among them: some are clipped */
-        } else {
-            view.rows[0][0] = view.rows[1][1] = view.rows[3][3] = 1;
-            view.rows[2][2] = 0.002f;
-            view.rows[2][3] = 0.5f;
-        }
+        const burnish_raster_view view = /* the eye is among them: some are clipped */
+            i % 2 ? perspective_view(80, 70, counts[i % 6], 100, 60)
+                  : parallel_view(80, 70, counts[i % 6]);
         make_triangles(&scene, &state);
         check_layers(&scene, &view, i, &state, &seen);
     }

@@ -45,8 +45,8 @@ static void check_power_accuracy(burnish_lobe_kind kind, double bound) {
             burnish_kernels_lobe_of_cosines(scalar(), &lobe.spec, lobe.exponent, BLOCK, cosines,
                                             values, NULL);
             for (int i = 0; i < BLOCK; ++i) {
-                double error = fabs((double)values[i] - accurate_lobe(&lobe, (double)cosines[i]));
-                worst = error > worst ? error : worst;
+                worst =
+                    fmax(worst, fabs((double)values[i] - accurate_lobe(&lobe, (double)cosines[i])));
             }
         }
     }
@@ -125,8 +125,7 @@ static void check_normalize(void) {
         }
         burnish_kernels_normalize(scalar(), BLOCK, from, to);
         for (int i = 0; i < BLOCK; ++i) {
-            double error = fabs((double)out[0][i] - 1);
-            worst = error > worst ? error : worst;
+            worst = fmax(worst, fabs((double)out[0][i] - 1));
         }
     }
     /* the square and the product are rounded too: half a unit each */

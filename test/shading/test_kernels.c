@@ -2,12 +2,10 @@
  * refused arguments; the choice of an instruction set.
  *
  * Needs nothing but src/simd, src/shading and a little of src/core, so that it also runs on other
- * processors. With --bench it then prints the time of every variant; `bench_kernels` compares with
- * others. */
+ * processors. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "kernels_input.h"
 #include "shading/shading_ops.h"
@@ -399,78 +397,12 @@ static void check_null_kernels(void) {
     burnish_kernels_shader_destroy(shader);
 }
 
-/* ---- Times, for --bench ---- */
-
-static double nanoseconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec * 1e9 + (double)now.tv_nsec;
-}
-
-enum { BENCH_POINTS = 2048, BENCH_CALLS = 200, BENCH_ROUNDS = 11 };
-
-static int compare_doubles(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Nanoseconds per point: the median of some rounds. */
-static double time_variant(const burnish_kernels *kernels, burnish_lobe_kind kind, int shading) {
-    static point_arrays arrays;
-    static float cosines[BENCH_POINTS], values[BENCH_POINTS];
-    static uint8_t pixels[4 * BENCH_POINTS];
-    double times[BENCH_ROUNDS];
-    uint64_t state = 3;
-    burnish_kernels_lighting lighting = burnish_kernels_lighting_default();
-    burnish_kernels_shader *shader;
-    lighting.lobe = make(kind, 2, 32).spec;
-    burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
-    make_points(&arrays, BENCH_POINTS, 1, &state);
-    for (int i = 0; i < BENCH_POINTS; ++i) {
-        cosines[i] = test_uniform_float(&state, 0.1f, 1);
-    }
-    burnish_kernels_points points = points_at(&arrays, 0, 0, 0);
-    for (int round = 0; round < BENCH_ROUNDS; ++round) {
-        double start = nanoseconds();
-        for (int call = 0; call < BENCH_CALLS; ++call) {
-            if (shading) {
-                burnish_kernels_shade_rgba8(kernels, shader, &points, BENCH_POINTS, pixels, NULL);
-            } else {
-                burnish_kernels_lobe_of_cosines(kernels, &lighting.lobe, 32, BENCH_POINTS, cosines,
-                                                values, NULL);
-            }
-        }
-        times[round] = (nanoseconds() - start) / ((double)BENCH_CALLS * BENCH_POINTS);
-    }
-    burnish_kernels_shader_destroy(shader);
-    qsort(times, BENCH_ROUNDS, sizeof *times, compare_doubles);
-    return times[BENCH_ROUNDS / 2];
-}
-
-static void print_times(void) {
-    static const char *const names[] = {"family:2", "power",    "whole power", "schlick",
-                                        "gaussian", "gamecube", "lyon:2"};
-    printf("\n%-12s %-8s %10s %10s   ns per point\n", "lobe", "isa", "lobe", "lighting");
-    for (int k = 0; k < KIND_COUNT; ++k) {
-        for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
-            const burnish_kernels *kernels = burnish_kernels_for((burnish_isa)isa);
-            if (kernels) {
-                printf("%-12s %-8s %10.3f %10.3f\n", names[k], burnish_isa_name((burnish_isa)isa),
-                       time_variant(kernels, KINDS[k], 0), time_variant(kernels, KINDS[k], 1));
-            }
-        }
-    }
-}
-
 int main(int count, char **arguments) {
-    test_begin(count, arguments, "--bench");
+    test_begin(count, arguments, NULL);
     RUN(check_choice());
     RUN(check_errors());
     RUN(check_null_kernels());
     RUN(check_instruction_sets());
     RUN(check_processors());
-    if (test_option()) {
-        print_times();
-    }
     return test_end("kernels");
 }

@@ -208,21 +208,27 @@ static place random_place(const burnish_kernels_polygon *polygon, uint64_t *stat
     return at;
 }
 
-static void kernel(const burnish_kernels *kernels, const burnish_kernels_polygon *polygon,
-                   const place *at, float light[2]) {
+/* stretch: may be NULL */
+static burnish_status light_at(const burnish_kernels *kernels,
+                               const burnish_kernels_polygon *polygon, const place *at,
+                               const float *stretch, float light[2], burnish_error *error) {
     burnish_kernels_points points = {.w = &at->w};
     burnish_kernels_axes axes = {.stretch = {NULL}};
     float *const out[2] = {&light[0], &light[1]};
-    burnish_error error;
     for (int k = 0; k < 3; ++k) {
         points.normal[k] = &at->normal[k];
         points.position[k] = &at->position[k];
         axes.axis[k] = &at->axis[k];
+        axes.stretch[k] = stretch ? &stretch[k] : NULL;
     }
     light[0] = light[1] = NAN;
-    CHECK(burnish_kernels_polygon_light(kernels, polygon, &points, &axes, 1, out, &error) ==
-              BURNISH_STATUS_OK,
-          "%s", error.text);
+    return burnish_kernels_polygon_light(kernels, polygon, &points, &axes, 1, out, error);
+}
+
+static void kernel(const burnish_kernels *kernels, const burnish_kernels_polygon *polygon,
+                   const place *at, float light[2]) {
+    burnish_error error;
+    CHECK_OK(light_at(kernels, polygon, at, NULL, light, &error), error);
 }
 
 /* ---- Values ---- */
@@ -316,31 +322,31 @@ static burnish_kernels_polygon rectangle(float x0, float x1, float y0, float y1)
     return polygon;
 }
 
+/* An infinite sky, seen from above and below the horizon and from behind. */
 static void test_sides(void) {
-    const burnish_kernels_polygon sky = rectangle(-1e7f, 1e7f, -1e7f, 1e7f);
-    burnish_kernels_polygon two_sided = sky;
-    place at = AT_ZERO;
-    float light[2];
-    kernel(NULL, &sky, &at, light);
-    CHECK(near(light[0], 1, 1e-6) && near(light[1], 1, 1e-6), "a sky: %g %g", (double)light[0],
-          (double)light[1]);
-    at.normal[2] = -1;
-    kernel(NULL, &sky, &at, light);
-    CHECK(light[0] == 0 && light[1] == 0, "below the horizon: %g %g", (double)light[0],
-          (double)light[1]);
-    at.position[2] = 2;
-    kernel(NULL, &sky, &at, light);
-    CHECK(light[0] == 0 && light[1] == 0, "behind: %g %g", (double)light[0], (double)light[1]);
-    two_sided.is_two_sided = 1;
-    at.axis[2] = -1;
-    kernel(NULL, &two_sided, &at, light);
-    CHECK(near(light[0], 1, 1e-6) && near(light[1], 1, 1e-6), "behind, two-sided: %g %g",
-          (double)light[0], (double)light[1]);
-    at = AT_ZERO;
-    at.axis[0] = 1;
-    at.axis[2] = 0; /* the lobe is cut in half by the horizon */
-    kernel(NULL, &sky, &at, light);
-    CHECK(near(light[1], 0.5, 1e-6), "half of a lobe: %g", (double)light[1]);
+    static const struct {
+        const char *what;
+        float normal, height, axis[2]; /* z; x and z */
+        int is_two_sided;
+        double diffuse, specular;
+    } cases[] = {{"a sky", 1, 0, {0, 1}, 0, 1, 1},
+                 {"below the horizon", -1, 0, {0, 1}, 0, 0, 0},
+                 {"behind", -1, 2, {0, 1}, 0, 0, 0},
+                 {"behind, two-sided", -1, 2, {0, -1}, 1, 1, 1},
+                 {"half of a lobe", 1, 0, {1, 0}, 0, 1, 0.5}}; /* the horizon cuts it */
+    burnish_kernels_polygon sky = rectangle(-1e7f, 1e7f, -1e7f, 1e7f);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const place at = {{0, 0, cases[i].normal},
+                          {0, 0, cases[i].height},
+                          1,
+                          {cases[i].axis[0], 0, cases[i].axis[1]}};
+        const double error = cases[i].diffuse > 0 ? 1e-6 : 0;
+        float light[2];
+        sky.is_two_sided = cases[i].is_two_sided;
+        kernel(NULL, &sky, &at, light);
+        CHECK(near(light[0], cases[i].diffuse, error) && near(light[1], cases[i].specular, error),
+              "%s: %g %g", cases[i].what, (double)light[0], (double)light[1]);
+    }
 }
 
 /* In the plane of a light, on its edge, and in its corner; with an offset that rounds. */
@@ -432,22 +438,11 @@ static void test_stretch(void) {
             const vec p = of_floats(polygon.vertices[v]);
             to_floats(sum(p, dot(e, p), e), stretched.vertices[v]);
         }
-        burnish_kernels_points points = {.w = NULL};
-        burnish_kernels_axes axes;
-        float *const out[2] = {&light[0], &light[1]};
-        for (int k = 0; k < 3; ++k) {
-            points.normal[k] = &at.normal[k];
-            axes.axis[k] = &at.axis[k];
-            axes.stretch[k] = &stretch[k];
-        }
-        burnish_error error;
-        if (burnish_kernels_polygon_light(NULL, &stretched, &points, &axes, 0, out, &error) !=
-            BURNISH_STATUS_OK) {
+        if (light_at(NULL, &stretched, &at, NULL, expected, NULL) != BURNISH_STATUS_OK) {
             continue; /* seen from its edge */
         }
-        burnish_kernels_polygon_light(NULL, &polygon, &points, &axes, 1, out, NULL);
+        CHECK1(light_at(NULL, &polygon, &at, stretch, light, NULL) == BURNISH_STATUS_OK);
         kernel(NULL, &polygon, &at, plain);
-        kernel(NULL, &stretched, &at, expected);
         CHECK(near(light[0], (double)plain[0], 4e-7), "diffuse: %g, not %g", (double)light[0],
               (double)plain[0]);
         CHECK(near(light[1], (double)expected[1], 4e-6), "specular: %g, not %g", (double)light[1],

@@ -34,22 +34,13 @@ static void add_vertex(random_scene *scene, const float p[3], uint64_t *state) {
     }
 }
 
+/* One that this processor has. */
 static burnish_isa pick_isa(uint64_t *state) {
-    static const burnish_isa isas[] = {
-        BURNISH_ISA_SCALAR,
-#if defined(__SSE2__)
-        BURNISH_ISA_SSE2,
-        BURNISH_ISA_AVX2,
-        BURNISH_ISA_AVX512
-#elif defined(__aarch64__)
-        BURNISH_ISA_NEON
-#endif
-    };
-    uint32_t available = burnish_isa_available(), i;
+    uint32_t isa;
     do {
-        i = test_random32(state) % (sizeof isas / sizeof isas[0]);
-    } while (!(available >> isas[i] & 1));
-    return isas[i];
+        isa = test_random32(state) % BURNISH_ISA_COUNT;
+    } while (!(burnish_isa_available() >> isa & 1));
+    return (burnish_isa)isa;
 }
 
 /* The batches' triangle `index` against the plain one: 1 where they differ. */

@@ -18,7 +18,6 @@
 typedef struct counts {
     atomic_long left;    /* allocations before one fails; negative: none does */
     atomic_long live;    /* allocated and not released */
-    atomic_int unsound;  /* requests that no allocator needs to meet */
     long asked;          /* whether to cancel */
     long questions;      /* before the one answered with yes; negative: never */
     burnish_stage stage; /* of the last progress, and its ... */
@@ -34,14 +33,11 @@ static inline void *count_allocate(void *user_data, size_t size, size_t alignmen
         return NULL;
     }
     atomic_fetch_add(&c->live, 1);
-    atomic_fetch_add(&c->unsound,
-                     size == 0 || alignment > 64 || (alignment & (alignment - 1)) != 0);
     return aligned_alloc(alignment, size);
 }
 
 static inline void count_release(void *user_data, void *memory) {
     atomic_fetch_sub(&((counts *)user_data)->live, 1);
-    atomic_fetch_add(&((counts *)user_data)->unsound, memory == NULL);
     free(memory);
 }
 

@@ -13,7 +13,9 @@
 
 #include "base/memory.h"
 #include "raster/fragments.h"
+#include "raster/raster_ops.h"
 #include "raster/raster_view.h"
+#include "support.h"
 
 /* A sample that no triangle covers. */
 #define REFERENCE_NO_TRIANGLE UINT32_MAX
@@ -32,6 +34,37 @@ static inline int reference_side(const burnish_geometry *geometry, size_t index)
 
 static inline burnish_primitive reference_corners(const burnish_geometry *geometry, size_t index) {
     return burnish_geometry_primitive(geometry, index, reference_side(geometry, index) == 1);
+}
+
+/* A unit is a pixel, the image's middle at the origin, depth 1/2 + z / 500. */
+static inline burnish_raster_view parallel_view(int width, int height, int samples) {
+    return (burnish_raster_view){
+        .width = width,
+        .height = height,
+        .samples = samples,
+        .rows = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0.002f, 0.5f}, {0, 0, 0, 1}}};
+}
+
+/* In perspective, `distance` from the origin: the eye may be in the midst of a scene. */
+static inline burnish_raster_view perspective_view(int width, int height, int samples,
+                                                   float pixels_per_tangent, float distance) {
+    return (burnish_raster_view){.width = width,
+                                 .height = height,
+                                 .samples = samples,
+                                 .rows = {{pixels_per_tangent, 0, 0, 0},
+                                          {0, pixels_per_tangent, 0, 0},
+                                          {0, 0, 0, 0x1p-14f},
+                                          {0, 0, -1, distance}}};
+}
+
+/* Vertices, batches and lists of a mesh whose lists need one pass. */
+static inline void list_triangles(const burnish_raster_ops *ops, const burnish_raster_view *view,
+                                  const burnish_triangles *triangles, burnish_geometry *geometry,
+                                  burnish_bins *bins) {
+    CHECK1(burnish_geometry_update(geometry, ops, view, triangles, NULL, NULL) ==
+           BURNISH_STATUS_OK);
+    burnish_bins_begin(bins, NULL);
+    CHECK1(burnish_bin_tiles(bins, ops, geometry, view, NULL, NULL) == BURNISH_STATUS_OK);
 }
 
 /* Visibility of one tile: sample s of the tile's pixel p is entry p * samples + s. */
