@@ -1,8 +1,10 @@
 /* burnish.Image: pixels and their properties. */
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "module.h"
+#include <structmember.h>
 
 typedef struct image_object {
     PyObject_HEAD burnish_image image;
@@ -220,16 +222,6 @@ static PyObject *to_bytes(PyObject *object, PyObject *unused) {
 
 /* ---- Properties ---- */
 
-static PyObject *get_width(PyObject *object, void *unused) {
-    (void)unused;
-    return PyLong_FromLong(((image_object *)object)->image.width);
-}
-
-static PyObject *get_height(PyObject *object, void *unused) {
-    (void)unused;
-    return PyLong_FromLong(((image_object *)object)->image.height);
-}
-
 static PyObject *get_shape(PyObject *object, void *unused) {
     (void)unused;
     const burnish_image *image = &((image_object *)object)->image;
@@ -254,11 +246,6 @@ static PyObject *get_hash(PyObject *object, void *unused) {
     return PyUnicode_FromString(text);
 }
 
-static PyObject *get_covered(PyObject *object, void *unused) {
-    (void)unused;
-    return PyLong_FromUnsignedLongLong(((image_object *)object)->covered_pixels);
-}
-
 static PyObject *get_camera(PyObject *object, void *unused) {
     (void)unused;
     return PyDict_Copy(((image_object *)object)->camera);
@@ -267,11 +254,6 @@ static PyObject *get_camera(PyObject *object, void *unused) {
 static PyObject *get_planes(PyObject *object, void *unused) {
     (void)unused;
     return PyDict_Copy(((image_object *)object)->planes);
-}
-
-static PyObject *get_warnings(PyObject *object, void *unused) {
-    (void)unused;
-    return Py_NewRef(((image_object *)object)->warnings);
 }
 
 static PyObject *get_interface(PyObject *object, void *unused) {
@@ -290,19 +272,25 @@ static PyObject *represent(PyObject *object) {
                                 image->channels == 4 ? "RGBA" : "RGB", hash);
 }
 
+static PyMemberDef members[] = {
+    {"width", T_INT, offsetof(image_object, image.width), READONLY, "Pixels."},
+    {"height", T_INT, offsetof(image_object, image.height), READONLY, "Pixels."},
+    {"covered_pixels", T_ULONGLONG, offsetof(image_object, covered_pixels), READONLY,
+     "Pixels that show the object."},
+    {"warnings", T_OBJECT_EX, offsetof(image_object, warnings), READONLY,
+     "Warnings about the mesh and the picture."},
+    {0},
+};
+
 static PyGetSetDef properties[] = {
-    {"width", get_width, NULL, "Pixels.", NULL},
-    {"height", get_height, NULL, "Pixels.", NULL},
     {"size", get_size, NULL, "Width and height, as in Pillow.", NULL},
     {"shape", get_shape, NULL, "Height, width and channels, as in NumPy.", NULL},
     {"mode", get_mode, NULL, "'RGB', or 'RGBA' with no_background=True.", NULL},
     {"hash", get_hash, NULL, "XXH64 of the pixels: what `burnish render --json` prints.", NULL},
-    {"covered_pixels", get_covered, NULL, "Pixels that show the object.", NULL},
     {"camera", get_camera, NULL,
      "position, focal_point, view_up, view_angle (degrees) and "
      "orthographic_height (0: perspective).",
      NULL},
-    {"warnings", get_warnings, NULL, "Warnings about the mesh and the picture.", NULL},
     {"planes", get_planes, NULL,
      "A dictionary of the planes that render() was asked for: memoryviews for numpy.asarray().\n"
      "depth     (height, width) of float32: distance along the camera's axis, infinity if empty\n"
@@ -329,6 +317,7 @@ PyObject *image_create_type(PyObject *module) {
     static PyType_Slot slots[] = {
         {Py_tp_dealloc, destroy},
         {Py_tp_repr, represent},
+        {Py_tp_members, members},
         {Py_tp_getset, properties},
         {Py_tp_methods, methods},
         {Py_bf_getbuffer, get_buffer},

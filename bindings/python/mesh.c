@@ -366,37 +366,23 @@ static PyObject *get_warnings(PyObject *object, void *unused) {
     return lines;
 }
 
-static PyObject *rows_of(PyObject *object, const void *items, size_t count, int columns,
-                         const char *format, Py_ssize_t item_size) {
-    if (!items) {
+enum { VERTICES, FACES, NORMALS, COLORS };
+
+/* An array of the mesh, of which the closure is the number. */
+static PyObject *get_array(PyObject *object, void *number) {
+    const burnish_mesh_view *view = view_of(object);
+    const Py_ssize_t vertices = (Py_ssize_t)view->vertex_count;
+    const array_layout arrays[] = {
+        [VERTICES] = {view->positions, "f", sizeof(float), 2, {vertices, 3}},
+        [FACES] = {view->indices, "I", 4, 2, {(Py_ssize_t)view->triangle_count, 3}},
+        [NORMALS] = {view->normals, "f", sizeof(float), 2, {vertices, 3}},
+        [COLORS] = {view->colors, "B", 1, 2, {vertices, 4}},
+    };
+    const array_layout *array = &arrays[(intptr_t)number];
+    if (!array->items) {
         Py_RETURN_NONE;
     }
-    const array_layout layout = {items, format, item_size, 2, {(Py_ssize_t)count, columns}};
-    return array_memoryview(module_state_of(Py_TYPE(object)), object, &layout);
-}
-
-static PyObject *get_vertices(PyObject *object, void *unused) {
-    (void)unused;
-    const burnish_mesh_view *view = view_of(object);
-    return rows_of(object, view->positions, view->vertex_count, 3, "f", sizeof(float));
-}
-
-static PyObject *get_normals(PyObject *object, void *unused) {
-    (void)unused;
-    const burnish_mesh_view *view = view_of(object);
-    return rows_of(object, view->normals, view->vertex_count, 3, "f", sizeof(float));
-}
-
-static PyObject *get_colors(PyObject *object, void *unused) {
-    (void)unused;
-    const burnish_mesh_view *view = view_of(object);
-    return rows_of(object, view->colors, view->vertex_count, 4, "B", 1);
-}
-
-static PyObject *get_faces(PyObject *object, void *unused) {
-    (void)unused;
-    const burnish_mesh_view *view = view_of(object);
-    return rows_of(object, view->indices, view->triangle_count, 3, "I", sizeof(uint32_t));
+    return array_memoryview(module_state_of(Py_TYPE(object)), object, array);
 }
 
 static PyObject *get_origin(PyObject *object, void *unused) {
@@ -412,17 +398,19 @@ static PyObject *represent(PyObject *object) {
 }
 
 static PyGetSetDef properties[] = {
-    {"vertices", get_vertices, NULL,
+    {"vertices", get_array, NULL,
      "A memoryview (N, 3) of float32, read-only: positions after corners with several normals or\n"
      "colors were split, so there can be more than were given. numpy.asarray(mesh.vertices)\n"
      "shares the memory; mesh.vertices.tolist() copies it.",
-     NULL},
-    {"faces", get_faces, NULL,
-     "A memoryview (M, 3) of uint32, read-only: triangles as indices into vertices.", NULL},
-    {"normals", get_normals, NULL,
-     "A memoryview (N, 3) of float32, read-only: unit normals, one per vertex.", NULL},
-    {"colors", get_colors, NULL,
-     "A memoryview (N, 4) of uint8, read-only: sRGB and alpha, one per vertex; or None.", NULL},
+     (void *)VERTICES},
+    {"faces", get_array, NULL,
+     "A memoryview (M, 3) of uint32, read-only: triangles as indices into vertices.",
+     (void *)FACES},
+    {"normals", get_array, NULL,
+     "A memoryview (N, 3) of float32, read-only: unit normals, one per vertex.", (void *)NORMALS},
+    {"colors", get_array, NULL,
+     "A memoryview (N, 4) of uint8, read-only: sRGB and alpha, one per vertex; or None.",
+     (void *)COLORS},
     {"bounds", get_bounds, NULL, "The least and the largest coordinates.", NULL},
     {"origin", get_origin, NULL,
      "To be added to vertices: (0, 0, 0), except for files whose objects are far away from it.",

@@ -1,13 +1,14 @@
 """Readers of what burnish writes for other programs, from the formats' specifications alone: NPY, PNG, EXR, GIF, Y4M. Nothing but
 Python's own modules, so that no library can share a mistake with the one that wrote."""
 import ast
+import pathlib
 import struct
 import zlib
 
 
 def npy(path):
     """(shape, flat list) of an array."""
-    data = open(path, "rb").read()
+    data = pathlib.Path(path).read_bytes()
     assert data[:8] == b"\x93NUMPY\x01\x00", "magic"
     (length,) = struct.unpack("<H", data[8:10])
     assert (10 + length) % 64 == 0 and data[9 + length] == 10, "header's size"
@@ -50,7 +51,7 @@ def unfilter(packed, width, height, channels, depth):
 
 def png(path):
     """(width, height, channels, depth, samples, types of the chunks)."""
-    found = list(chunks(open(path, "rb").read()))
+    found = list(chunks(pathlib.Path(path).read_bytes()))
     width, height, depth, kind = struct.unpack(">IIBB", found[0][1][:10])
     channels = {0: 1, 2: 3, 6: 4}[kind]
     packed = b"".join(body for name, body in found if name == "IDAT")
@@ -59,7 +60,7 @@ def png(path):
 
 def exr(path):
     """(width, height, {channel: flat list}) of a single-part scan-line file in ZIP blocks."""
-    data = open(path, "rb").read()
+    data = pathlib.Path(path).read_bytes()
     assert struct.unpack("<II", data[:8])[0] == 20000630, "magic"
     at, attributes = 8, {}
 
@@ -136,7 +137,7 @@ def unpack_lzw(data, size):
 
 def gif(path):
     """(width, height, [(delay in seconds, samples as RGB or None)], plays) of a GIF; frames as they are shown."""
-    data = open(path, "rb").read()
+    data = pathlib.Path(path).read_bytes()
     assert data[:6] == b"GIF89a" and data[10] == 0xf7
     width, height = struct.unpack("<HH", data[6:10])
     palette = [tuple(data[13 + 3 * i:16 + 3 * i]) for i in range(256)]
