@@ -57,6 +57,23 @@ static inline int cli_close_memory(FILE *stream, char **text, size_t *size) {
 #endif
 }
 
+/* The part of a path after its last slash. */
+static inline const char *cli_base_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* The name in the folder, to be freed; NULL without memory. */
+static inline char *cli_join_path(const char *folder, const char *name) {
+    const size_t length = strlen(folder), size = length + strlen(name) + 2;
+    char *path = malloc(size);
+    if (path) {
+        snprintf(path, size, "%s%s%s", folder, length > 0 && folder[length - 1] == '/' ? "" : "/",
+                 name);
+    }
+    return path;
+}
+
 /* Whether two names are names of the same regular file. */
 static inline int cli_same_file(const char *a, const char *b) {
 #ifdef _WIN32

@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -76,6 +77,17 @@ void cli_execute(const char *path, const char *const *arguments) {
     }
     execv(path, (char *const *)(uintptr_t)arguments);
     _exit(127);
+}
+
+int cli_program_folder(char *folder, size_t size) {
+    const ssize_t length = readlink("/proc/self/exe", folder, size);
+    if (length <= 0 || (size_t)length == size) {
+        return 0;
+    }
+    folder[length] = 0;
+    char *slash = strrchr(folder, '/');
+    *(slash ? slash : folder) = 0;
+    return 1;
 }
 
 int cli_write_all(int descriptor, const void *bytes, size_t size) {

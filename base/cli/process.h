@@ -32,6 +32,9 @@ int cli_channel(int ends[2]);
  * `path` takes its place. */
 __attribute__((noreturn)) void cli_execute(const char *path, const char *const *arguments);
 
+/* The folder of this program's file, or 0 if it is unknown or longer than that. */
+int cli_program_folder(char *folder, size_t size);
+
 /* Writes all bytes, also after interrupted calls. Returns 1, or 0 if writing fails. */
 int cli_write_all(int descriptor, const void *bytes, size_t size);
 

@@ -305,12 +305,7 @@ static char *choose_report(const batch_settings *settings) {
     if (part->count > 0) {
         snprintf(name, sizeof name, "burnish-batch-%d-of-%d.jsonl", part->index, part->count);
     }
-    const size_t size = strlen(settings->output_dir) + sizeof name + 1;
-    char *path = malloc(size);
-    if (path) {
-        snprintf(path, size, "%s/%s", settings->output_dir, name);
-    }
-    return path;
+    return cli_join_path(settings->output_dir, name);
 }
 
 /* The settings of one picture, which can show one of several views. */
@@ -424,10 +419,10 @@ static burnish_status warn_useless(const batch *b, int is_drawn, burnish_error *
 static burnish_status check_other_files(const batch *b, burnish_error *error) {
     const char *paths[] = {b->report, b->settings->sheet}, *names[] = {"report", "sheet"};
     for (size_t k = 0; k < sizeof paths / sizeof *paths; ++k) {
-        const char *last = paths[k] ? batch_base_name(paths[k]) : "";
+        const char *last = paths[k] ? cli_base_name(paths[k]) : "";
         for (size_t i = 0; i < b->list.count && *last; ++i) {
             const char *picture = b->list.items[i].output;
-            if (strcmp(batch_base_name(picture), last) == 0 && cli_same_output(picture, paths[k])) {
+            if (strcmp(cli_base_name(picture), last) == 0 && cli_same_output(picture, paths[k])) {
                 return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "--%s: \"%.200s\" is a picture of this batch; name another file",
                                 names[k], paths[k]);
@@ -530,14 +525,10 @@ burnish_status batch_draw(batch_settings *settings, cli_call *call, burnish_erro
 /* A file of the batch: a name without a folder is in the folder of the pictures. NULL: no file, or
  * no memory. */
 static char *place_file(const batch_settings *settings, const char *name) {
-    const int is_path = !name || strchr(name, '/') || strcmp(name, "-") == 0;
-    const size_t size = name ? strlen(settings->output_dir) + strlen(name) + 2 : 0;
-    char *path = name ? malloc(size) : NULL;
-    if (path) {
-        snprintf(path, size, "%s%s%s", is_path ? "" : settings->output_dir, is_path ? "" : "/",
-                 name);
-    }
-    return path;
+    return !name ? NULL
+           : strchr(name, '/') || strcmp(name, "-") == 0
+               ? strdup(name)
+               : cli_join_path(settings->output_dir, name);
 }
 
 static burnish_status batch_work(void *from, cli_call *call, burnish_error *error) {

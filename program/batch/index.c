@@ -7,6 +7,7 @@
 #include "base/cli/platform.h"
 #include "batch/index.h"
 #include "batch/names.h"
+#include "batch/report.h"
 #include "batch/types.h"
 
 const batch_unit batch_units[BATCH_UNITS] = {{"", "", 0},
@@ -93,17 +94,10 @@ static void put_text(FILE *page, const char *text) {
         cli_clean(clean);
     }
     for (const char *c = clean ? clean : ""; *c; ++c) {
-        switch (*c) {
-        case '&':
-            fputs("&amp;", page);
-            break;
-        case '<':
-            fputs("&lt;", page);
-            break;
-        case '"':
-            fputs("&quot;", page);
-            break;
-        default:
+        const char *entity = *c == '&' ? "&amp;" : *c == '<' ? "&lt;" : *c == '"' ? "&quot;" : NULL;
+        if (entity) {
+            fputs(entity, page);
+        } else {
             fputc(*c, page);
         }
     }
@@ -123,16 +117,6 @@ static void put_link(FILE *page, const char *path) {
     }
 }
 
-static double number_of(const cJSON *line, const char *key) {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, key);
-    return cJSON_IsNumber(item) ? item->valuedouble : 0;
-}
-
-static const char *text_of(const cJSON *line, const char *key) {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, key);
-    return cJSON_IsString(item) ? item->valuestring : "";
-}
-
 /* 1234567 as 1,234,567 */
 static void put_count(FILE *page, double value) {
     char digits[32];
@@ -148,7 +132,7 @@ static int is_false(const cJSON *line, const char *key) {
 
 /* The unit that the input states, or --unit. */
 static const batch_unit *unit_of(const batch *b, const cJSON *line) {
-    const char *name = text_of(line, "unit");
+    const char *name = batch_text(line, "unit");
     for (int i = 1; i < BATCH_UNITS; ++i) {
         if (strcmp(name, batch_units[i].name) == 0) {
             return &batch_units[i];
@@ -167,28 +151,28 @@ static void put_measured(FILE *page, const cJSON *line, const batch_unit *unit) 
     }
     if (is_false(line, "closed")) {
         fprintf(page, "<br><span class=\"bad\">&#9888; not closed</span>, %.0f open edges",
-                number_of(line, "open_edges"));
+                batch_number(line, "open_edges"));
     } else if (is_false(line, "solid")) {
         fputs("<br><span class=\"bad\">&#9888; not solid</span>", page);
-    } else if (number_of(line, "volume") < 0) {
+    } else if (batch_number(line, "volume") < 0) {
         fputs("<br><span class=\"bad\">&#9888; inside out</span>", page);
     } else {
-        fprintf(page, "<br>%.4g %s&sup3;", number_of(line, "volume") * scale * scale * scale,
+        fprintf(page, "<br>%.4g %s&sup3;", batch_number(line, "volume") * scale * scale * scale,
                 symbol);
     }
-    fprintf(page, " &middot; %.4g %s&sup2;", number_of(line, "area") * scale * scale, symbol);
+    fprintf(page, " &middot; %.4g %s&sup2;", batch_number(line, "area") * scale * scale, symbol);
 }
 
 static void put_facts(FILE *page, const batch *b, const cJSON *line) {
     const cJSON *size = cJSON_GetObjectItemCaseSensitive(line, "size"), *side;
     const char *separator = "";
-    const double triangles = number_of(line, "triangles");
+    const double triangles = batch_number(line, "triangles");
     fputs("<p>", page);
     put_count(page, triangles);
     fputs(triangles == 1 ? " triangle" : " triangles", page);
-    if (*text_of(line, "format")) {
+    if (*batch_text(line, "format")) {
         fputs(" &middot; ", page);
-        put_text(page, text_of(line, "format"));
+        put_text(page, batch_text(line, "format"));
     }
     fputs("<br>", page);
     const batch_unit *unit = unit_of(b, line);
@@ -224,15 +208,15 @@ static const char *in_folder(const batch *b, const batch_item *item) {
 }
 
 static void put_card(FILE *page, const batch *b, const batch_item *item, const cJSON *line) {
-    const double width = number_of(line, "width"), height = number_of(line, "height");
+    const double width = batch_number(line, "width"), height = batch_number(line, "height");
     const double scale = unit_of(b, line)->millimeters > 0 ? unit_of(b, line)->millimeters : 1;
     const cJSON *warnings = cJSON_GetObjectItemCaseSensitive(line, "warnings");
     fprintf(page,
             "<article data-triangles=\"%.0f\" data-bytes=\"%.0f\" data-volume=\"%.9g\" "
             "data-area=\"%.9g\" data-defects=\"%d\"><a href=\"",
-            number_of(line, "triangles"), number_of(line, "bytes"),
-            number_of(line, "volume") * scale * scale * scale,
-            number_of(line, "area") * scale * scale,
+            batch_number(line, "triangles"), batch_number(line, "bytes"),
+            batch_number(line, "volume") * scale * scale * scale,
+            batch_number(line, "area") * scale * scale,
             2 * is_false(line, "solid") + (cJSON_GetArraySize(warnings) > 0));
     put_link(page, in_folder(b, item));
     fputs("\"><img loading=\"lazy\" decoding=\"async\" src=\"", page);
@@ -257,7 +241,7 @@ static void put_failures(FILE *page, const batch *b) {
         cJSON *line = item->has_failed && item->line ? cJSON_Parse(item->line) : NULL;
         if (line) {
             fputs("<li>", page);
-            put_text(page, text_of(line, "error"));
+            put_text(page, batch_text(line, "error"));
             fputs("</li>\n", page);
         }
         cJSON_Delete(line);
@@ -267,7 +251,7 @@ static void put_failures(FILE *page, const batch *b) {
 
 static void put_title(FILE *page, const batch *b) {
     const char *name =
-        b->settings->title ? b->settings->title : batch_base_name(b->settings->output_dir);
+        b->settings->title ? b->settings->title : cli_base_name(b->settings->output_dir);
     put_text(page, strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || !*name ? "Models" : name);
 }
 
@@ -312,13 +296,7 @@ static void put_page(FILE *page, const batch *b) {
 
 /* The name of the page, to be freed, or NULL. */
 static char *index_path(const batch *b) {
-    static const char name[] = "index.html";
-    const size_t length = strlen(b->settings->output_dir) + sizeof name + 1;
-    char *path = malloc(length);
-    if (path) {
-        snprintf(path, length, "%s/%s", b->settings->output_dir, name);
-    }
-    return path;
+    return cli_join_path(b->settings->output_dir, "index.html");
 }
 
 /* Whether the file has the beginning of a page, or is empty or none. */

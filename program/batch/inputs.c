@@ -1,5 +1,6 @@
 /* Finds the input files. */
 #include "batch/inputs.h"
+#include "base/cli/platform.h"
 #include "batch/names.h"
 #include "batch/types.h"
 #include "cli/input.h"
@@ -88,15 +89,12 @@ static burnish_status add_folder(batch *b, const char *folder, size_t tree, int 
     }
     for (int i = 0; i < count; ++i) {
         const char *name = entries[i]->d_name;
-        const size_t size = strlen(folder) + strlen(name) + 2;
-        char *path = malloc(size);
+        char *path = cli_join_path(folder, name);
         struct stat state, link;
         if (status == BURNISH_STATUS_OK && !path) {
             status = fail_memory(error);
         }
         if (status == BURNISH_STATUS_OK) {
-            const int has_slash = folder[0] && folder[strlen(folder) - 1] == '/';
-            snprintf(path, size, "%s%s%s", folder, has_slash ? "" : "/", name);
             if (stat(path, &state) != 0 || lstat(path, &link) != 0) {
                 /* gone meanwhile */
             } else if (S_ISDIR(link.st_mode) && b->settings->recursive && depth < DEPTH_MAX) {
@@ -140,53 +138,20 @@ static burnish_status add_name(batch *b, const char *name, burnish_error *error)
         }
         bytes = S_ISREG(state.st_mode) && state.st_size > 0 ? (uint64_t)state.st_size : 0;
     }
-    return add_item(&b->list, name, (size_t)(batch_base_name(name) - name), bytes, error);
+    return add_item(&b->list, name, (size_t)(cli_base_name(name) - name), bytes, error);
 }
 
 /* Reads a whole file: *size bytes and a terminating 0. */
-static char *fail_list(FILE *file, char *text, const char *path, burnish_error *error) {
-    if (ferror(file)) {
-        cli_fail(error, cli_errno_status(errno), "--files-from: %.300s: can't be read: %s", path,
-                 strerror(errno));
-    } else {
-        cli_fail(error, BURNISH_STATUS_LIMIT, "--files-from: %.300s: larger than 256 MiB", path);
-    }
-    free(text);
-    return NULL;
-}
-
 static char *read_list(const char *path, size_t *size, burnish_error *error) {
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
-    size_t capacity = 0, used = 0, count = 1;
-    char *text = NULL;
-    if (!file) {
-        cli_fail(error, cli_errno_status(errno), "--files-from: %.300s: can't be opened: %s", path,
-                 strerror(errno));
-        return NULL;
+    uint8_t *bytes;
+    burnish_error cause;
+    const burnish_status status = cli_read_bytes(path, LIST_MAX, NULL, &bytes, size, &cause);
+    if (status == BURNISH_STATUS_LIMIT) {
+        cli_fail(error, status, "--files-from: %.300s: larger than 256 MiB", path);
+    } else if (status != BURNISH_STATUS_OK) {
+        cli_fail(error, status, "--files-from: %s", cause.text);
     }
-    while (count > 0 && used < LIST_MAX) {
-        capacity = capacity > 0 ? 2 * capacity : 4096;
-        char *grown = realloc(text, capacity);
-        if (!grown) {
-            free(text);
-            fail_memory(error);
-            text = NULL;
-            break;
-        }
-        text = grown;
-        count = fread(text + used, 1, capacity - used - 1, file);
-        used += count;
-    }
-    if (text && (ferror(file) || used >= LIST_MAX)) {
-        text = fail_list(file, text, path, error);
-    } else if (text) {
-        text[used] = 0;
-        *size = used;
-    }
-    if (file != stdin) {
-        fclose(file);
-    }
-    return text;
+    return (char *)bytes;
 }
 
 /* Names end with a newline or, if the list contains a byte 0, with a 0. */

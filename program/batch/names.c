@@ -5,14 +5,10 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "base/cli/platform.h"
 #include "batch/names.h"
 #include "batch/types.h"
 #include "render/scene/cameras.h"
-
-const char *batch_base_name(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
 
 const char *batch_view_name(const batch *b, const batch_item *item) {
     return render_view_name(b->settings->render.picture.views.items[item->view]);
@@ -50,7 +46,7 @@ typedef struct parts {
 static parts split_path(const batch_item *item) {
     const char *input = item->input;
     const size_t tree = *input == ':' ? 1 : item->level >= LEVEL_FOLDERS ? 0 : item->tree;
-    parts p = {.folder = input + tree, .model = *input == ':' ? input + 1 : batch_base_name(input)};
+    parts p = {.folder = input + tree, .model = *input == ':' ? input + 1 : cli_base_name(input)};
     const char *dot = strrchr(p.model, '.');
     p.folder_size = p.model > p.folder ? (size_t)(p.model - p.folder) : 0;
     p.model_size = dot && dot > p.model ? (size_t)(dot - p.model) : strlen(p.model);

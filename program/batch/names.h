@@ -8,9 +8,6 @@
  * (invalid template, or no distinct names), MEMORY. */
 burnish_status batch_name_outputs(batch *b, burnish_error *error);
 
-/* The part of a path after its last slash. */
-const char *batch_base_name(const char *path);
-
 /* The name of an item's view, which must not be -1. */
 const char *batch_view_name(const batch *b, const batch_item *item);
 

@@ -14,6 +14,7 @@
 #include "batch/names.h"
 #include "batch/report.h"
 #include "batch/types.h"
+#include "cli/input.h"
 
 /* ---- Reading ---- */
 
@@ -36,25 +37,14 @@ const struct batch_past_line *batch_past_line(const batch_past *past, uint64_t i
     return low > 0 && past->lines[low - 1].id == id ? &past->lines[low - 1] : NULL;
 }
 
-/* Reads a whole file and appends a 0; NULL: it can't be read. */
-static char *read_text(const char *path) {
-    FILE *file = fopen(path, "rb");
-    char *text = NULL;
-    long size = -1;
-    if (file && fseek(file, 0, SEEK_END) == 0) {
-        size = ftell(file);
-        rewind(file);
-    }
-    if (size >= 0) {
-        text = malloc((size_t)size + 1);
-    }
-    if (text) {
-        text[fread(text, 1, (size_t)size, file)] = 0;
-    }
-    if (file) {
-        fclose(file);
-    }
-    return text;
+const char *batch_text(const cJSON *line, const char *key) {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, key);
+    return cJSON_IsString(item) ? item->valuestring : "";
+}
+
+double batch_number(const cJSON *line, const char *key) {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, key);
+    return cJSON_IsNumber(item) ? item->valuedouble : 0;
 }
 
 static burnish_status fail_memory(burnish_error *error) {
@@ -110,7 +100,11 @@ static int list_lines(batch_past *past, char *text, const char *head) {
 /* Takes ownership of the path. A missing file is not an error. */
 static burnish_status read_report(batch *b, char *path, const char *head, burnish_error *error) {
     batch_past *past = &b->past;
-    char *text = read_text(path ? path : b->report);
+    uint8_t *bytes;
+    size_t size;
+    burnish_error unread;
+    cli_read_bytes(path ? path : b->report, UINT64_MAX, NULL, &bytes, &size, &unread);
+    char *text = (char *)bytes;
     if (text && *text && strncmp(text, "{\"burnish\":", 11) != 0) {
         const int is_own = path == NULL;
         free(text);
@@ -167,7 +161,7 @@ static int is_part_or_whole(const struct dirent *entry) {
  * the reports of parts. --report disables the search. NULL: out of memory. */
 static found *find_reports(const batch *b, size_t *count) {
     struct dirent **entries = NULL;
-    const char *folder = b->settings->output_dir, *own = batch_base_name(b->report);
+    const char *folder = b->settings->output_dir, *own = cli_base_name(b->report);
     const int entry_count =
         b->settings->report
             ? 0
@@ -176,12 +170,10 @@ static found *find_reports(const batch *b, size_t *count) {
     found *reports = calloc((size_t)(entry_count > 0 ? entry_count : 0) + 1, sizeof *reports);
     *count = 0;
     for (int i = 0; i < entry_count; ++i) {
-        const size_t size = strlen(folder) + strlen(entries[i]->d_name) + 2;
-        char *path = reports && strcmp(entries[i]->d_name, own) != 0 ? malloc(size) : NULL;
+        char *path = reports && strcmp(entries[i]->d_name, own) != 0
+                         ? cli_join_path(folder, entries[i]->d_name)
+                         : NULL;
         struct stat state;
-        if (path) {
-            snprintf(path, size, "%s/%s", folder, entries[i]->d_name);
-        }
         if (path && stat(path, &state) == 0) {
             reports[(*count)++] = (found){path, state.st_mtim};
         } else {
@@ -316,7 +308,7 @@ burnish_status batch_write_report(const batch *b, burnish_error *error) {
         }
     }
     if (!stream || cli_close_memory(stream, &text, &size) != 0 || !head) {
-        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the report");
+        status = fail_memory(error);
     } else {
         status = cli_file_write(b->report, text, size, error);
     }

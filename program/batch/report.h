@@ -7,6 +7,9 @@
 /* Reads the report of an earlier run and, without --report, the reports of parts, oldest first.
  * Missing reports are not an error. Errors: READ, MEMORY. */
 burnish_status batch_read_past(batch *b, burnish_error *error);
+/* A member of a line: "" or 0 if it has none. */
+const char *batch_text(const cJSON *line, const char *key);
+double batch_number(const cJSON *line, const char *key);
 /* The item's most recent line, or NULL. */
 const struct batch_past_line *batch_past_line(const batch_past *past, uint64_t id);
 /* Removes the reports of parts after their lines were copied to the report. */

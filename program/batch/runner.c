@@ -24,6 +24,7 @@
 #include <xxhash.h>
 
 #include "base/cli/output.h"
+#include "base/cli/platform.h"
 #include "base/cli/process.h"
 #include "base/clock.h"
 #include "cli/limits.h"
@@ -120,11 +121,6 @@ static void record_file(void *context, const char *name, int file) {
 
 /* ---- What is unchanged ---- */
 
-static const char *text_of(const cJSON *object, const char *key) {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-    return cJSON_IsString(item) ? item->valuestring : "";
-}
-
 static int is_hash(const char *text, uint64_t hash) {
     char expected[17];
     snprintf(expected, sizeof expected, "%016llx", (unsigned long long)hash);
@@ -134,7 +130,7 @@ static int is_hash(const char *text, uint64_t hash) {
 /* Whether the files listed in the line still have the recorded hash. */
 static int has_same_files(const cJSON *line, const char *input) {
     const cJSON *names = cJSON_GetObjectItemCaseSensitive(line, "files"), *name;
-    const size_t folder = (size_t)(batch_base_name(input) - input);
+    const size_t folder = (size_t)(cli_base_name(input) - input);
     uint64_t hash = 0;
     cJSON_ArrayForEach(name, names) {
         char path[8192];
@@ -145,7 +141,7 @@ static int has_same_files(const cJSON *line, const char *input) {
         uint64_t next = hash_text(name->valuestring, hash);
         hash = batch_hash_file(path, &hash, next) ? hash : next + 1;
     }
-    return !names || is_hash(text_of(line, "files_hash"), hash);
+    return !names || is_hash(batch_text(line, "files_hash"), hash);
 }
 
 /* Whether a line's picture is no preview, or one for the same limit. */
@@ -163,8 +159,8 @@ static int is_unchanged(const batch *b, const batch_item *item, const struct bat
         return 0;
     }
     cJSON *object = cJSON_Parse(past->line);
-    const int is_same = object && strcmp(text_of(object, "status"), "done") == 0 &&
-                        is_hash(text_of(object, "hash"), hash) &&
+    const int is_same = object && strcmp(batch_text(object, "status"), "done") == 0 &&
+                        is_hash(batch_text(object, "hash"), hash) &&
                         !cJSON_HasObjectItem(object, "uncertain") &&
                         fits_memory(object, b->settings->render.job.max_memory) &&
                         has_same_files(object, item->input);

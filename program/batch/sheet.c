@@ -16,7 +16,9 @@
 #include <unistd.h>
 
 #include "base/cli/file.h"
+#include "base/cli/platform.h"
 #include "base/cli/process.h"
+#include "cli/input.h"
 #include "cli/limits.h"
 #include "picture/formats.h"
 #include "sandbox/channel.h"
@@ -194,22 +196,16 @@ static void send_pictures(const sheet *s) {
         if (!is_shown(item)) {
             continue;
         }
-        write_label(label, batch_base_name(item->input), s->width);
-        FILE *file = fopen(item->output, "rb");
-        uint8_t *bytes = NULL;
-        long size = file && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : 0;
-        if (size > 0 && size < FILE_MAX_BYTES) {
-            rewind(file);
-            bytes = malloc((size_t)size);
-        }
-        const uint64_t count = bytes ? fread(bytes, 1, (size_t)size, file) : 0;
+        write_label(label, cli_base_name(item->input), s->width);
+        uint8_t *bytes;
+        size_t size;
+        burnish_error unread;
+        cli_read_bytes(item->output, FILE_MAX_BYTES, NULL, &bytes, &size, &unread);
+        const uint64_t count = size;
         const int sent = cli_write_all(s->channel, label, sizeof label) &&
                          cli_write_all(s->channel, &count, sizeof count) &&
                          cli_write_all(s->channel, bytes ? bytes : (uint8_t *)label, (size_t)count);
         free(bytes);
-        if (file) {
-            fclose(file);
-        }
         if (!sent) {
             return;
         }

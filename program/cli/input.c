@@ -1,5 +1,6 @@
 /* Input flags of the commands that load a mesh. */
 #include "cli/input.h"
+#include "base/cli/platform.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -52,7 +53,7 @@ int cli_is_own_mesh_name(const char *name) {
 }
 
 int cli_is_mesh_name(const char *name) {
-    const char *slash = strrchr(name, '/'), *dot = strrchr(slash ? slash : name, '.');
+    const char *dot = strrchr(cli_base_name(name), '.');
     for (size_t i = 0; dot && i < sizeof foreign / sizeof *foreign; ++i) {
         if (strcasecmp(dot + 1, foreign[i]) == 0) {
             return 1;
@@ -153,7 +154,7 @@ static burnish_status read_stream(const char *path, FILE *file, uint64_t max_byt
                                   burnish_error *error) {
     size_t capacity = 0;
     for (;;) {
-        if (*size == capacity) {
+        if (*size + 1 >= capacity) {
             capacity = capacity ? 2 * capacity : 1 << 16;
             uint8_t *grown = capacity > *size ? realloc(*bytes, capacity) : NULL;
             if (!grown) {
@@ -162,7 +163,7 @@ static burnish_status read_stream(const char *path, FILE *file, uint64_t max_byt
             }
             *bytes = grown;
         }
-        const size_t count = fread(*bytes + *size, 1, capacity - *size, file);
+        const size_t count = fread(*bytes + *size, 1, capacity - *size - 1, file);
         *size += count;
         if (*size > max_bytes) {
             return cli_fail(error, BURNISH_STATUS_LIMIT,
@@ -174,6 +175,7 @@ static burnish_status read_stream(const char *path, FILE *file, uint64_t max_byt
                             strerror(errno));
         }
         if (count == 0 || (recognise && !recognise(*bytes, *size))) {
+            (*bytes)[*size] = 0;
             return BURNISH_STATUS_OK;
         }
     }

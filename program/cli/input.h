@@ -162,7 +162,7 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
 /* Whether a file that begins with these bytes is of a wanted kind. */
 typedef int cli_recognise(const uint8_t *bytes, size_t size);
 
-/* Reads a whole file, or standard input for "-"; release *bytes with free. Of a file of another kind,
+/* Reads a whole file, or standard input for "-", and appends a 0; release *bytes with free. Of a file of another kind,
  * which could be endless, only the beginning is read; `recognise` can be NULL. Errors: READ, LIMIT,
  * MEMORY. */
 burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, cli_recognise *recognise,

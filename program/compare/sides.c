@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cli/platform.h"
 #include "cli/main.h"
 #include "compare/sides.h"
 #include "import/load_input.h"
@@ -17,11 +18,6 @@
 #include "render/useless.h"
 
 /* ---- Reading ---- */
-
-static const char *base_name(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash && slash[1] ? slash + 1 : path;
-}
 
 static int ends_in_png(const char *path) {
     const char *dot = strrchr(path, '.');
@@ -246,7 +242,7 @@ static void describe_side(comparison *c, int i) {
     side->result.cells = &side->cell;
     side->result.cell_count = 1;
     burnish_lobe_spec_name(&side->cell.lobe, lobe, sizeof lobe);
-    snprintf(side->label, sizeof side->label, "%.120s%s%s", base_name(side->input),
+    snprintf(side->label, sizeof side->label, "%.120s%s%s", cli_base_name(side->input),
              c->lobes ? ", " : "", c->lobes ? lobe : "");
     cli_clean(side->label);
     snprintf(side->cell.label, sizeof side->cell.label, "%s", "the picture");

@@ -64,19 +64,14 @@ static int is_there(run *r, const char *folder, const char *below) {
 static burnish_status find_program(run *r) {
     const char *given = getenv("BURNISH_IMPORTERS");
     char folder[4000];
-    const ssize_t size = readlink("/proc/self/exe", folder, sizeof folder - 1);
     char message[300];
     if (given && *given) {
         if (is_there(r, given, "")) {
             return BURNISH_STATUS_OK;
         }
-    } else if (size > 0) {
-        folder[size] = 0;
-        char *slash = strrchr(folder, '/');
-        *(slash ? slash : folder) = 0;
-        if (is_there(r, folder, "/" BURNISH_IMPORTERS_FOLDER) || is_there(r, folder, "")) {
-            return BURNISH_STATUS_OK;
-        }
+    } else if (cli_program_folder(folder, sizeof folder) &&
+               (is_there(r, folder, "/" BURNISH_IMPORTERS_FOLDER) || is_there(r, folder, ""))) {
+        return BURNISH_STATUS_OK;
     }
     snprintf(message, sizeof message,
              "reads such files and is not installed; install the Debian package of that name, "

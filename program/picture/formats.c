@@ -80,7 +80,7 @@ static format_names list_names(int uses) {
 }
 
 static int is_extension(const char *path, const char *const *extensions, size_t count) {
-    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    const char *dot = strrchr(cli_base_name(path), '.');
     for (size_t i = 0; dot && i < count; ++i) {
         if (strcasecmp(dot + 1, extensions[i]) == 0) {
             return 1;
@@ -115,8 +115,7 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
 
 /* The format for a path's extension; AUTO: no extension, COUNT: one that burnish does not write. */
 static picture_format find_extension(const char *path) {
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
+    const char *base = cli_base_name(path), *dot = strrchr(base, '.');
     for (int i = 1; dot && i < PICTURE_COUNT; ++i) {
         if (rows[i].uses &&
             (strcasecmp(dot + 1, rows[i].extension) == 0 ||

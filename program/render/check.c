@@ -62,11 +62,7 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
         settings->output.path = "-";
         return BURNISH_STATUS_OK;
     }
-    const char *slash = strrchr(input, '/');
-    const char *base = is_standard(input) ? ""
-                       : input[0] == ':'  ? input + 1
-                       : slash            ? slash + 1
-                                          : input;
+    const char *base = is_standard(input) ? "" : input[0] == ':' ? input + 1 : cli_base_name(input);
     const char *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
     char *name = settings->output.derived;

@@ -1,6 +1,7 @@
 /* The effects of keys, --do and files. */
 #if BURNISH_HAS_VIEW
 
+#include "base/cli/platform.h"
 #include "render/flags.h"
 #include "render/settings/flag_values.h"
 #include "view/show.h"
@@ -102,7 +103,7 @@ void viewer_open(viewer *v, char *name) {
 
 /* "part-1.png": the first unused name. */
 static void name_picture(const viewer *v, char *name, size_t size) {
-    const char *base = viewer_base_name(v->scene.input);
+    const char *base = cli_base_name(v->scene.input);
     base += base[0] == ':';
     const char *dot = strrchr(base, '.');
     const int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);

@@ -2,6 +2,7 @@
 #if BURNISH_HAS_VIEW
 
 #include "view/show.h"
+#include "base/cli/platform.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -129,11 +130,6 @@ void viewer_compose(const viewer *v, const burnish_pixels *to) {
     }
 }
 
-const char *viewer_base_name(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash && slash[1] ? slash + 1 : path;
-}
-
 static void write_count(size_t count, char *text, size_t size) {
     char digits[32];
     size_t used = 0;
@@ -159,7 +155,7 @@ static void paint_facts(viewer *v, const burnish_pixels *window) {
                  low[axis] + section->share * (high[axis] - low[axis]));
     }
     snprintf(text, sizeof text, "%.200s\n%s triangles\n%s%sn = %.4g%s",
-             viewer_base_name(v->scene.input), count, v->split || v->errors ? "" : lobe,
+             cli_base_name(v->scene.input), count, v->split || v->errors ? "" : lobe,
              v->split || v->errors ? "" : ", ", view_scene_exponent(&v->scene), extra);
     view_paint_panel(window, VIEW_TOP_LEFT, 12, 12, text, 1);
     if (v->is_still) {
@@ -229,7 +225,7 @@ void viewer_present(viewer *v) {
 
 void viewer_set_title(viewer *v) {
     char title[300];
-    snprintf(title, sizeof title, "%.250s - burnish", viewer_base_name(v->scene.input));
+    snprintf(title, sizeof title, "%.250s - burnish", cli_base_name(v->scene.input));
     v->sdl.SDL_SetWindowTitle(v->window, title);
 }
 

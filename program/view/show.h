@@ -73,9 +73,6 @@ void viewer_present(viewer *v);
 
 void viewer_set_title(viewer *v);
 
-/* The name without its folders. */
-const char *viewer_base_name(const char *path);
-
 /* ---- Actions (act.c) ---- */
 
 /* Performs an action. */

@@ -1,4 +1,5 @@
 #include "render/output/projection.h"
+#include "base/cli/platform.h"
 
 #include <string.h>
 
@@ -112,8 +113,7 @@ size_t render_projection_place(const render_result *result, size_t cell) {
 }
 
 static const char *title(const render_result *result) {
-    const char *name = result->settings->input.name, *slash = strrchr(name, '/');
-    return slash ? slash + 1 : name;
+    return cli_base_name(result->settings->input.name);
 }
 
 burnish_status render_compose_projection(const render_result *result, const uint8_t ink[3],
