@@ -20,7 +20,6 @@ lines() {
 mkdir -p in/sub in/sub/.hidden
 triangle='v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'
 strange=$(printf 'in/sub/new\nline \377<&".obj')
-# shellcheck disable=SC2059
 for file in in/a.obj in/sub/a.obj in/sub/-x.obj "$strange" in/sub/.hidden/h.obj; do
     printf "$triangle" >"$file"
 done
@@ -65,7 +64,6 @@ check "the page: a badge" [ "$(grep -c 'not closed</span>, 3 open edges' facts/i
 check "the page: its title" grep -q '<h1>Parts &amp; more</h1>' facts/index.html
 for flags in '' --overwrite; do
     echo mine >facts/index.html
-    # shellcheck disable=SC2086
     batch tet.obj -d facts --size=16 --index $flags
     check "a page of somebody else $flags" [ "$(grep -c mine facts/index.html)" = "$([ "$flags" ] && echo 0 || echo 1)" ]
 done
@@ -136,7 +134,6 @@ rm -rf out marker
 # A file that a flag names: changed bytes count, of the same length and time too; the same bytes with another time do not.
 # hdr BYTE: an environment of two pixels of that grey.
 hdr() {
-    # shellcheck disable=SC2059
     printf "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\\$1\\$1\\$1\\201\\$1\\$1\\$1\\201" >e.hdr
     touch -d @1000000000 e.hdr
 }
@@ -204,7 +201,6 @@ for worker in 1 2 3; do
     PATH=$scratch/programs:$PATH "$examples/batch-queue.sh" 4 in out --size=16 --no-seconds $memory >/dev/null 2>&1 &
     workers="$workers $!"
 done
-# shellcheck disable=SC2086
 wait $workers
 check "a queue" [ "$(find out -name '*-of-4.jsonl' | wc -l)" = 4 ]
 rm -rf out/.taken

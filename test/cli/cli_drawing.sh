@@ -208,12 +208,9 @@ expect 0 '' :sphere --views=third-angle --size=300 -o without.png
 check "zoom: the same sheet" cmp with.png without.png
 for flags in '--environment=sky' '--light=point:3,3,3' '--look=drawing'; do
     shadow='--shadow: no effect: a directional light that comes first casts it, or an area light; use --light=directional:X,Y,Z'
-    # shellcheck disable=SC2086
     expect 0 "burnish: warning: $shadow" :sphere $flags --shadow --size=64 -o with.png
-    # shellcheck disable=SC2086
     expect 0 '' :sphere $flags --size=64 -o without.png
     check "$flags --shadow: the same picture" cmp with.png without.png
-    # shellcheck disable=SC2086
     expect 2 "burnish: $shadow" :sphere $flags --shadow --strict --size=64 -o with.png
 done
 expect 0 'burnish: warning: --recursive: no effect: no INPUT is a folder; omit the flag' part.obj -r -s 8
@@ -250,7 +247,6 @@ for flags in '--edge-color=red --views=front' '--edge-width=2 --edges' '--margin
     '--look=drawing --color=red --light=directional:1,1,1' '--look=drawing --no-background --opacity=0.5' \
     '--look=drawing --environment=sky --specular=0.9 --lobe=power' \
     '--views=front --environment=sky --background-color=environment --camera-view-angle=80'; do
-    # shellcheck disable=SC2086
     expect 0 '' render :sphere --size=64 $flags -o a.png
 done
 rm a.png
@@ -284,7 +280,6 @@ for format in stl gltf glb obj off ply 3mf bms stl.gz step FBX; do
     for flags in 'part.obj --output=' 'part.obj --output-format=png --output=' 'part.obj --turntable=' 'part.obj --json=' \
         'part.obj --plane=depth:' 'info part.obj --json=' 'info part.obj --csv=' 'compare :sphere :torus --output=' \
         'compare :sphere :torus --json=' 'batch part.obj --sheet=' 'batch part.obj --report='; do
-        # shellcheck disable=SC2086
         gives 2 ${flags}keep.$format
     done
     check "keep.$format stays" cmp part.obj "keep.$format"
@@ -297,7 +292,6 @@ expect 2 'burnish: --json: "./new.png" is the picture; name another file' compar
 cp part.obj kept.obj
 ln -s kept.obj link.png
 for flags in 'part.obj --output=' 'part.obj --plane=depth:' 'compare :sphere :torus --output=' 'batch part.obj -d . --sheet='; do
-    # shellcheck disable=SC2086
     gives 2 ${flags}link.png
     check "${flags}link.png: $(cat "$err")" grep -q 'is a link to a mesh; name another file' "$err"
 done
@@ -306,7 +300,6 @@ rm link.png kept.obj
 ln part.obj other.obj
 for flags in 'part.obj --json=' 'info part.obj --json=' 'batch part.obj --report=' 'part.obj -o s.png --plane=depth:' \
     ':sphere --font=part.obj --json=' ':sphere --files-from=part.obj --json='; do
-    # shellcheck disable=SC2086
     gives 2 ${flags}other.obj
     check "$flags: $(cat "$err")" grep -q '"other.obj" is an input; name another file' "$err"
 done
@@ -330,7 +323,6 @@ expect 2 'burnish: -dash.obj: a mesh, or a value of -d? Write ./-dash.obj, or --
 mkdir to
 cp part.obj two.obj
 for arguments in 'part.obj to' 'part.obj -o to' 'part.obj -o to/' 'part.obj to/ --json=r.json --plane=depth:to/d.npy'; do
-    # shellcheck disable=SC2086
     expect 0 '' $arguments -s 8
     check "$arguments: to/part.png" [ -s to/part.png ]
     rm to/part.png
@@ -338,7 +330,6 @@ done
 check "one picture, with a report and a plane" [ -s r.json -a -s to/d.npy ]
 rm r.json to/d.npy
 for arguments in 'part.obj two.obj to' 'part.obj two.obj -o to/'; do
-    # shellcheck disable=SC2086
     expect 0 '' $arguments -s 8
     check "$arguments: two pictures" [ -s to/part.png -a -s to/two.png ]
     rm to/*
@@ -349,7 +340,6 @@ gives 2 part.obj to -s 8
 same "a texture in the folder stays" "$(cat to/part.png)" texture
 rm -r to
 for arguments in 'part.obj to/' 'part.obj -o to/' 'part.obj two.obj to/' 'part.obj two.obj -o to/'; do
-    # shellcheck disable=SC2086
     expect 7 'burnish: to/: there is no such folder; create it, or use --output-dir=to/, which creates it' $arguments
 done
 run part.obj - -s 8

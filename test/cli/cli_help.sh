@@ -13,7 +13,6 @@ for part in $lobe; do
 done
 printf '%s\n' "$screens" | tr ';' '\n' >screens.txt
 while read -r screen; do
-    # shellcheck disable=SC2086
     gives 0 $screen
     check "burnish $screen: writes to standard error" [ ! -s "$err" ]
     check "burnish $screen: does not fit 40 lines of 100 columns" fits "$out"
@@ -69,7 +68,6 @@ check "-V" sh -c "'$burnish' -V | cmp - '$out'"
 # `burnish lobe` is the program burnish-lobe.
 lobes=$(dirname "$burnish")/burnish-lobe
 for words in "lobe --help,--help" "help lobe,--help" "help lobe table,help table" "lobe claims core-w,claims core-w"; do
-    # shellcheck disable=SC2086
     check "burnish ${words%,*} is not burnish-lobe ${words#*,}" sh -c "'$burnish' ${words%,*} >a.txt; '$lobes' ${words#*,} | cmp - a.txt && [ -s a.txt ]"
 done
 "$lobes" frobnicate 2>expected.txt

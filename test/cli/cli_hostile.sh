@@ -33,7 +33,6 @@ mkdir files
 PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" files $(PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/files.py") >../list
 while read -r file code flags; do
     check "$file: more than 1 MB" [ "$(($(wc -c <"$file")))" -le 1000000 ]
-    # shellcheck disable=SC2086
     [ "$code" = 0 ] && draws "$file" 0 $flags --size=64 || draws "$file" "$code" $flags
 done <../list
 rm -rf files ../list

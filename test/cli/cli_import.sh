@@ -107,7 +107,6 @@ if [ "$boxed" ]; then # a sanitizer can't bear limits of memory
 fi
 importer "echo \$\$ >'$bin/number'; read line <'$bin/never'"
 for flag in --no-sandbox $boxed; do
-    # shellcheck disable=SC2086
     run batch a.fbx -d out --max-seconds=0.3 --max-memory=8000000000G ${flag#--sandbox}
     check "a batch goes on: $code, $(cat "$err")" grep -q '^burnish: a.fbx: not done after 0.3 seconds (--max-seconds)' "$err"
     rm -rf out
@@ -156,7 +155,6 @@ for flag in --no-sandbox $boxed; do
     run_with render - --input-format=dae --size=64 "$flag" -o q.png <a.fbx
     same_as_fbx "standard input, $flag"
     check "it has no folder: $(cat "$err")" grep -q 'warning: standard input: burnish-import-assimp: texture "a.png" was skipped' "$err"
-    # shellcheck disable=SC2002
     cat a.fbx | "$burnish" render - --input-format=dae --no-textures --size=64 "$flag" -o r.png 2>"$err"
     code=$?
     same_as_fbx "a pipe, $flag"

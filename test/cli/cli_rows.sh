@@ -32,13 +32,11 @@ values() {
 }
 for flags in "--look=studio --ground" "--look=three-point --shadow" "--look=technical --no-background" "--look=drawing --samples=8" \
     "--look=studio --opacity=0.5 --clip=0,0,1,0.1"; do
-    # shellcheck disable=SC2086
     gives 0 render :knot --resolution=90,150 $flags -o whole.npy --plane=depth:depth.npy
     values whole.npy $((90 * 150 * 16)) >whole.raw
     values depth.npy $((90 * 150 * 4)) >depth.raw
     rm -f rows.raw depths.raw
     for rows in 0:1 1:63 64:70 134:16; do
-        # shellcheck disable=SC2086
         gives 0 render :knot --resolution=90,150 $flags --rows=$rows -o rows.npy --plane=depth:depth.npy
         values rows.npy $((90 * ${rows#*:} * 16)) >>rows.raw
         values depth.npy $((90 * ${rows#*:} * 4)) >>depths.raw

@@ -42,10 +42,8 @@ rm -f sheets.obj endless.obj
 # same FLAGS: OUT in them stands for the output.
 same_there() {
     plain=$(echo "$*" | sed 's/OUT/plain/g') boxed=$(echo "$*" | sed 's/OUT/boxed/g')
-    # shellcheck disable=SC2086
     "$burnish" render $plain >../plain.out 2>../plain.err </dev/null
     plain_code=$?
-    # shellcheck disable=SC2086
     "$burnish" render $boxed --sandbox >"$out" 2>"$err" </dev/null
     boxed_code=$?
     check "$*: exit codes $plain_code, $boxed_code: $(cat "$err")" [ $plain_code = $boxed_code ]
@@ -84,7 +82,6 @@ planes=
 for number in $(seq 18); do
     planes="$planes --plane=depth:OUT.$number.npy"
 done
-# shellcheck disable=SC2086
 same_there :knot --size=8 --json=r.json $planes -o OUT.png
 rm -f r.json
 

@@ -17,7 +17,6 @@ rm -f s.png
 
 # put32 NUMBER: four bytes.
 put32() {
-    # shellcheck disable=SC2059
     printf "$(printf '\\%03o\\%03o\\%03o\\%03o' $(($1 & 255)) $(($1 >> 8 & 255)) $(($1 >> 16 & 255)) $(($1 >> 24)))"
 }
 
@@ -41,7 +40,6 @@ serve() {
     order=
     size=$(wc -c <replies)
     while [ $at -lt "$size" ]; do
-        # shellcheck disable=SC2046
         set -- $(tail -c +$at replies | head -c 8 | od -An -tu4)
         tail -c +$((at + 8)) replies | head -c "$1" >body
         head -n 1 body >"$2.line"
@@ -196,7 +194,6 @@ if [ -d /proc/self/fd ]; then
     if [ -n "$is_locked" ]; then
         for worker in $(children $server); do
             check "a worker is locked in before its request" await grep -q '^Seccomp:.*2' /proc/"$worker"/status
-            # shellcheck disable=SC2046
             check "its descriptors: $(ls /proc/"$worker"/fd)" [ "$(echo $(ls /proc/"$worker"/fd))" = "0 1 2 3 4 5" ]
         done
     fi
@@ -205,7 +202,6 @@ if [ -d /proc/self/fd ]; then
     busy() { for worker in $(children $server); do ! computes "$worker" || echo "$worker"; done; }
     is_drawn() { [ -n "$(busy)" ]; }
     await is_drawn
-    # shellcheck disable=SC2046
     kill -ABRT $(busy)
     request 2 '{}' a.obj >&9
     exec 9>&-

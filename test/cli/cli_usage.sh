@@ -88,11 +88,9 @@ harmless info "$name.obj" "$name-bad.obj" --csv
 harmless render "$name.obj" --size=8 -o "$name.png"
 harmless compare "$name.png" "$name.png"
 for flags in 'info --json' 'compare --json'; do
-    # shellcheck disable=SC2086
     harmless $flags "$name.obj" "$name.obj"
     check "$flags: escaped: $(head -n 20 "$out")" grep -qF '"a\u001b[31m\u009b31m\u202eb\u2066.obj"' "$out"
 done
-# shellcheck disable=SC2046
 harmless batch . -d . --size=8 --index --report=r.jsonl $(unlimited)
 check "a page: $(grep h2 index.html | tail -n 2 | od -c | head)" is_harmless index.html r.jsonl
 check "its names" grep -qF '<h2>a?[31m??31m???b???.obj</h2>' index.html

@@ -30,7 +30,6 @@ for i in 1 2 3 4 5 6; do
     ask --data-binary @a.obj http://x/a.obj -o $i.png &
     clients="${clients:-} $!"
 done
-# shellcheck disable=SC2086
 wait $clients
 for i in 1 2 3 4 5 6; do
     check "six at a time: $i" cmp $i.png middle.png

@@ -47,7 +47,6 @@ run info $models/X3D/HelloWorld.x3d
 check "of a list of names the first: $(cat "$err")" sh -c "! grep -q '\"http' '$err'"
 # libassimp's default grey has an alpha of 0.6, but DXF has no opacity
 inside="$models/DXF/wuson.dxf --views=left --zoom=12"
-# shellcheck disable=SC2086
 check "DXF is opaque" [ "$(hash $inside --background-color=1,0,0)" = "$(hash $inside --background-color=0,0,1)" -a -n "$(json hash)" ]
 rm -f p.png
 

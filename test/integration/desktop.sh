@@ -36,7 +36,6 @@ mkdir out
 thumbnail() { # FILE
     rm -f out/*
     set -f
-    # shellcheck disable=SC2046
     set -- "$1" $(sed -n 's/^Exec=//p' "$share/thumbnailers/burnish.thumbnailer" |
         sed "s|%s|128|; s|%o|/tmp/out.png|; s|%i|/tmp/file-to-thumbnail.${1##*.}|; s|^burnish|/staged/bin/burnish|")
     set +f

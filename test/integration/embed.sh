@@ -38,7 +38,6 @@ END
     ;;
 cc)
     cd "$source"
-    # shellcheck disable=SC2046
     "$cc" -std=c17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -D_GNU_SOURCE -I . -I include -I base/include -I lobe/include -I src \
         $(find src base/*.c lobe/spec -name '*.c' ! -name '*_isal.c' ! -name '*_zlib.c') docs/examples/picture.c -o "$OLDPWD/picture" -pthread -lm
     cd "$OLDPWD"

@@ -33,7 +33,6 @@ echo "examples: integers $sum"
 [ "$sum" = "775226584 27661" ]
 
 # Meshes from the program's own arrays and from memory.
-# shellcheck disable=SC2086
 $compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/include" -I"$source/base/include" -I"$source/lobe/include" "$source/docs/examples/own_mesh.c" "$archive" $decoders -lm -pthread -o "$scratch/own_mesh"
 "$scratch/own_mesh" | tee "$scratch/own_mesh.txt"
 [ "$(cat "$scratch/own_mesh.txt")" = "square: 4 vertices, 2 triangles

@@ -14,7 +14,6 @@ checks=0
 
 # prints the hash of one picture
 picture() {
-    # shellcheck disable=SC2086
     (cd "$here/data" && "$burnish" render $1 --threads="$2" --isa="$3" --json -o "$scratch/golden.png") |
         sed -n 's/.*"hash":[[:space:]]*"\([0-9a-f]\{16\}\)".*/\1/p' | tail -n 1
 }

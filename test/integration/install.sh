@@ -50,11 +50,9 @@ pkg-config --atleast-version=0.1 burnish || fail "pkg-config does not know burni
 for language in c cpp; do
     compiler="gcc -std=c99"
     [ $language = c ] || compiler="g++ -std=c++11 -Wno-missing-field-initializers"
-    # shellcheck disable=SC2046
     $compiler -Wall -Wextra -Werror "$scratch/picture.$language" $(pkg-config --cflags --libs burnish) -o "$scratch/$language" &&
         draws "$language by pkg-config" "$scratch/$language" $shared
     # the archive alone, as for a program that others copy
-    # shellcheck disable=SC2046
     $compiler "$scratch/picture.$language" $(pkg-config --static --cflags --libs burnish | sed 's/-lburnish/-l:libburnish.a/') -o "$scratch/$language" &&
         draws "$language by pkg-config --static" "$scratch/$language" static
 done

@@ -11,13 +11,11 @@ done
 mkdir -p "$2/objects"
 rm -f "$2"/objects/*
 # Everything once, then a link for each test.
-# shellcheck disable=SC2046,SC2086
 (cd "$2/objects" && $compiler $flags $(built_isas neon) -ffunction-sections -c -pthread $(includes "$1") $(renderer_sources "$1") &&
     compile_isa $compiler "$1" neon environment raster render shading && ar rcs renderer.a ./*.o)
 
 # program NAME: test_NAME.c for that processor.
 program() {
-    # shellcheck disable=SC2046,SC2086
     $compiler $flags -static -Wl,--gc-sections -pthread $(includes "$source") "$source"/test/*/test_"$1".c "$scratch/objects/renderer.a" -lm -o "$scratch/test_$1_neon"
 }
 source=$1

@@ -1,5 +1,4 @@
 # Sourced by the tests that cross-compile the kernel tests and test_visibility: their sources.
-# shellcheck disable=SC2034
 flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_GNU_SOURCE"
 
 # includes SOURCE_DIR
@@ -39,7 +38,6 @@ compile_isa() {
     shift 3
     for folder_ in "$@"; do
         for isa_ in scalar "$word_"; do
-            # shellcheck disable=SC2046,SC2086
             $compiler_ $flags -c $(includes "$source_") -DBURNISH_VECTOR_$(echo "$isa_" | tr a-z A-Z) \
                 "$(find "$source_/src/$folder_" -name "${folder_}_isa.c")" -o "${folder_}_$isa_.o"
         done

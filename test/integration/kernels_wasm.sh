@@ -19,11 +19,9 @@ END
 mkdir -p "$2/objects"
 rm -f "$2"/objects/*
 compiler="clang-14 --target=wasm32-wasi -msimd128"
-# shellcheck disable=SC2046,SC2086
 (cd "$2/objects" && $compiler $flags $(built_isas wasm) -c $(includes "$1") $(kernel_sources "$1") &&
     compile_isa "$compiler" "$1" wasm shading)
 for name in kernels kernel_values; do
-    # shellcheck disable=SC2046,SC2086
     $compiler $flags $(includes "$1") "$1"/test/*/test_"$name".c "$2"/objects/*.o -o "$2/test_$name.wasm"
     node --no-warnings "$2/run.mjs" "$2/test_$name.wasm" | tee "$2/$name.txt"
     grep -q "^$name: .* 0 failed" "$2/$name.txt"

@@ -183,7 +183,6 @@ if [ "$has_gnuplot" = 1 ]; then
     # Other lobes and exponents: nothing to draw, long axes, many names; as PNG too.
     for arguments in "core --lobes=power" "error --lobes=power" "cost --lobes=power" "ratio --exponents=1,65536" \
         "ratio --lobes=taylor:2,schlick,minimax:8,gaussian,gx --bits=2,4,8,12" "curves --exponents=1" "energy --size=400,250"; do
-        # shellcheck disable=SC2086
         gives 0 plot $arguments -o other.svg
     done
     run plot core --exponents=3,700 -o other.svg
@@ -228,7 +227,6 @@ says shift7 1000 max-relative 1.9 1 inflection
 {
     grep -o '`burnish-lobe plot [^`]*`' "$root/docs/theory.md" | tr -d '`'
     for screen in --help "plot --help" "help --man"; do
-        # shellcheck disable=SC2086
         "$burnish" $screen 2>/dev/null | tr -d '\\' | grep -o 'burnish-lobe plot [a-z0-9].*' | sed 's/  .*//; s/fR$//'
     done
 } | sort -u | grep -v '^burnish-lobe plot FIGURE' >"$out.commands"

@@ -96,22 +96,16 @@ expect 2 'burnish: --as: "hex" is not one of c, progmem, mem, csv' boundary --as
 # ---- Whole or nothing ----
 
 for part in "table" "claims peak" "boundary" "choose --exponent=9 --epsilon=.1"; do
-    # shellcheck disable=SC2086
     gives 0 $part -o whole.txt
-    # shellcheck disable=SC2086
     run $part
     check "lobe $part: -o writes something else" cmp -s whole.txt "$out"
     rm -f whole.txt
     nothing_left "lobe $part -o"
-    # shellcheck disable=SC2086
     expect 7 "burnish: no/where.txt: can't be written: No such file or directory; create the folder first" $part -o no/where.txt
-    # shellcheck disable=SC2086
     expect 7 "burnish: /dev/full: can't be written: No space left on device; free some space" $part -o /dev/full
-    # shellcheck disable=SC2086
     "$burnish" $part >/dev/full 2>"$err"
     check "lobe $part into a full device: code $?" grep -qx "burnish: standard output: can't be written: No space left on device; free some space" "$err"
     mkdir folder
-    # shellcheck disable=SC2086
     expect 7 "burnish: folder: can't be written: it is a folder; name a file in it" $part -o folder
     rmdir folder
 done

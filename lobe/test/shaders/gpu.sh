@@ -24,7 +24,6 @@ tried=0
 for driver in /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json /usr/lib/chromium/vk_swiftshader_icd.json; do
     [ -e "$driver" ] || continue
     status=0
-    # shellcheck disable=SC2086
     VK_ICD_FILENAMES=$driver "$program" "$scratch" "$lobe/test/data/lobes.csv" "$lobe/test/data/area.csv" $all || status=$?
     case $status in
     0) tried=$((tried + 1)) ;;

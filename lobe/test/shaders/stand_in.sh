@@ -7,7 +7,6 @@ shift 4
 mkdir -p "$scratch"
 for language in METAL OSL; do
     # in both languages a literal without a suffix is a float
-    # shellcheck disable=SC2086
     g++ -std=c++17 -O1 -ffp-contract=off -fsingle-precision-constant -Wall -Wextra -Werror -Wno-unused-function -D$language \
         -I"$lobe/test/shaders" -I"$lobe/test/shaders/metal" -I"$lobe/shaders" -I"$lobe/include" -I"$lobe/../base/include" "$@" "$test" $archives -lm \
         -o "$scratch/$language"
