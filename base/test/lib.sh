@@ -60,11 +60,19 @@ has() {
     done
 }
 
-# unlimited: the flag with which a batch runs under a sanitizer, which can't bear limits of memory; else nothing.
-unlimited() {
-    "$burnish" render :sphere --max-memory=1G --size=8 --threads=1 -o limited.png 2>/dev/null || echo --max-memory=8000000000G
-    rm -f limited.png
+# draws FLAGS...: whether this system and this build draw with them, such as --sandbox.
+draws() {
+    "$burnish" render :sphere --size=8 --threads=1 "$@" -o drawn.png 2>/dev/null
+    set -- $?
+    rm -f drawn.png
+    return "$1"
 }
+
+# unlimited: the flag with which a batch runs under a sanitizer, which can't bear limits of memory; else nothing.
+unlimited() { draws --max-memory=1G || echo --max-memory=8000000000G; }
+
+# sheets: an OBJ file of many triangles one behind another, which takes long.
+sheets() { awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }'; }
 
 # png_size FILE: width and height in the header of a PNG file.
 png_size() { python3 -c 'import struct, sys; s, *size = struct.unpack(">12s4xII", open(sys.argv[1], "rb").read(24)); print(*size if s[:8] == b"\x89PNG\r\n\x1a\n" else "")' "$1"; }

@@ -8,11 +8,10 @@ here=$(cd "$(dirname "$0")" && pwd)
 # What is refused takes this much at most, what is drawn as much as its textures and triangles. A sanitizer's program
 # has no bounded address space.
 refused=--max-memory=500M drawn=--max-memory=1500M
-"$burnish" render :sphere --size=16 $refused -o h.png 2>/dev/null || refused='' drawn=''
-rm -f h.png
+draws $refused || refused='' drawn=''
 
 # FILE CODE FLAGS...: textures are drawn small; what covers too much is refused at the default size only.
-draws() {
+ends_as() {
     file=$1 wanted=$2
     shift 2
     memory=$drawn
@@ -33,7 +32,7 @@ mkdir files
 PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" files $(PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/files.py") >../list
 while read -r file code flags; do
     check "$file: more than 1 MB" [ "$(($(wc -c <"$file")))" -le 1000000 ]
-    [ "$code" = 0 ] && draws "$file" 0 $flags --size=64 || draws "$file" "$code" $flags
+    [ "$code" = 0 ] && ends_as "$file" 0 $flags --size=64 || ends_as "$file" "$code" $flags
 done <../list
 rm -rf files ../list
 nothing_left "hostile"

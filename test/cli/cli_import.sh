@@ -19,18 +19,20 @@ importer() {
     chmod +x "$bin/$name"
 }
 
-boxed=
-if "$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null; then
-    boxed=--sandbox
-fi
-rm -f s.png
+boxed=$(draws --sandbox && echo --sandbox)
 
-# refused CODE LINE: expects this error from the current importer, for each way to load a mesh.
+# fails FILE CODE LINE: expects this error of each way to load a mesh.
+fails() {
+    expect "$2" "burnish: $1: $3" info "$1"
+    expect "$2" "burnish: $1: $3" compare "$1" :sphere
+    for flag in --no-sandbox $boxed; do
+        expect "$2" "burnish: $1: $3" render "$1" $flag -o p.png
+    done
+}
+
+# refused CODE LINE: expects this error from the current importer.
 refused() {
-    expect "$1" "burnish: a.fbx: $name $2" info a.fbx
-    expect "$1" "burnish: a.fbx: $name $2" render a.fbx -o p.png
-    expect "$1" "burnish: a.fbx: $name $2" compare a.fbx :sphere
-    [ -z "$boxed" ] || expect "$1" "burnish: a.fbx: $name $2" render a.fbx --sandbox -o p.png
+    fails a.fbx "$1" "$name $2"
     check "no picture" [ "$(ls -A)" = a.fbx ]
 }
 
@@ -73,22 +75,17 @@ size 12345'
 for there in yes no; do
     importer "touch '$bin/started'; exit 3"
     [ $there = yes ] || rm "$bin/$name"
-    for extension in fbx dae 3ds; do
+    for extension in fbx dae 3ds step; do
         printf '%s\n' "$lfs" >p.$extension
-        expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" info p.$extension
-        expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$extension -o p.png
-        [ -z "$boxed" ] ||
-            expect 4 "burnish: p.$extension: a Git LFS pointer, not the file; fetch the file (git lfs pull)" render p.$extension --sandbox -o p.png
+        fails p.$extension 4 'a Git LFS pointer, not the file; fetch the file (git lfs pull)'
         rm p.$extension
     done
-    printf '%s\n' "$lfs" >p.step
-    expect 4 'burnish: p.step: a Git LFS pointer, not the file; fetch the file (git lfs pull)' info p.step
     printf '\n<!DOCTYPE html>\n<html></html>\n' >p.fbx
     expect 4 'burnish: p.fbx: a web page, which contradicts its name; fetch or export it again' info p.fbx
     : >p.fbx
     expect 4 'burnish: p.fbx: the file is empty' info p.fbx
     check "no importer was started" [ ! -e "$bin/started" ]
-    rm p.fbx p.step
+    rm p.fbx
 done
 
 # A time limit ends the importer too. This one waits for a line that never comes.

@@ -146,10 +146,6 @@ run info box.bin --input-format=stl --json
 same "--input-format" "$(json volume)" 6
 run info :torus --tessellation=3 --json
 same "--tessellation" "$(json triangles)" 576
-name=$(printf 'a"b\\\377\303\251.stl')
-box >"$name"
-run info "$name" --json
-check "JSON with an odd file name is valid" valid_json
 rm -f ./*
 
 # Far from the origin: same picture and size as at the origin; coordinates, also in flags, are those of the file.
@@ -202,8 +198,6 @@ gives 0 info --files-from=names.txt
 check "text: two blocks" [ "$(grep -c '12 triangles, 8 vertices' "$out")" = 2 ]
 expect 2 'burnish: --csv: not with --json; omit one of them' info many --csv --json
 rm -r many names.txt
-expect 2 'burnish: --jsn: unknown flag; did you mean --json?' info a.stl --jsn
-expect 2 'burnish: :tepot: unknown built-in object; there are :teapot, :sphere, :torus, :knot' info :tepot
 expect 3 "burnish: none.stl: can't be opened: No such file or directory" info none.stl
 box '/endsolid/d;$d' | head -12 >../broken.stl
 expect 4 "$("$burnish" render ../broken.stl 2>&1)" info ../broken.stl

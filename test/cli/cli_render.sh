@@ -110,14 +110,8 @@ check "--overwrite replaces" is_png part.png 17 17
 expect 0 '' render part.stl --size=18
 check "its own picture is replaced without asking" is_png part.png 18 18
 cd ..
-{
-    "$burnish" render :sphere --size=500 -o - 2>"$err"
-    echo $? >../code
-} | true
-check "a closed pipe ends with 7 and a line, not a signal: $(cat ../code)" [ "$(cat ../code)" = 7 ]
 cd ..
 
-# Opacity.
 # The sets of flags that the manual gives for these looks.
 same "look technical" "$(hash :knot --size=64 --look=technical --color=red)" \
     "$(hash :knot --size=64 --look=plain --edges --light=directional:-0.45,0.75,0.85:0.5 --ambient=0.36 --specular=0 --color=red)"
@@ -309,7 +303,6 @@ run render block.obj --views=front,right,top --camera-orthographic-height=50 --s
 same "silhouettes of a given scale" "$(bounds)" "80x40 20x40 80x20 "
 run render block.obj --camera-direction=1,0,0 --camera-orthographic-height=100 --size=100 --occlusion=none --json -o s.png
 same "a scale without a view" "$(bounds)$(json pixels_per_unit)" "10x20 1"
-run render block.obj --size=16 --json -o s.png
 expect 2 'burnish: --camera-orthographic: "x" is not one of yes, no, 1, 0' render block.obj --camera-orthographic=x
 run render block.obj --size=16 --json -o s.png
 same "a perspective has no scale" "$(json pixels_per_unit)" null

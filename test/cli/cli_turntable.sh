@@ -63,15 +63,6 @@ for isa in $(instruction_sets); do
 done
 check "turntables differ: $(cat sums)" [ "$(sort -u sums | wc -l)" = 1 ]
 
-# ends PROCESS: within 10 seconds.
-ends() {
-    tries=0
-    while ! ended "$1" && [ $tries -lt 100 ]; do
-        tries=$((tries + 1)) && sleep 0.1
-    done
-    [ $tries -lt 100 ]
-}
-
 # Videos: ffmpeg gets the bytes of a Y4M. One that succeeds copies them; others fail early, late, or are missing. Its output is /dev/fd/1,
 # which minimal containers lack: there it is what /dev/fd is a link to.
 mkdir bin none
@@ -82,9 +73,8 @@ fake 'for file; do :; done; echo "$*" >arguments; cat >"/proc/self${file#/dev}"'
 video 2 render :sphere --turntable=t.mp4 --resolution=1,8
 same "a video of one column" "$(cat "$err")" 'burnish: --resolution: a .mp4 has at least 2 x 2 pixels; write WebP or GIF'
 sandboxes='--sandbox --no-sandbox' bounded=1 # a sanitizer's program has neither a sandbox nor a bounded address space
-"$burnish" render :sphere --size=8 --sandbox -o s.png 2>/dev/null || sandboxes=--no-sandbox
-"$burnish" render :sphere --size=8 --max-memory=500M -o s.png 2>/dev/null || bounded=0
-rm -f s.png
+draws --sandbox || sandboxes=--no-sandbox
+draws --max-memory=500M || bounded=0
 for sandbox in $sandboxes; do
     rm -f v.mp4 v.webm
     video 0 render :knot $few --turntable=v.mp4 $sandbox
@@ -100,7 +90,7 @@ for sandbox in $sandboxes; do
     video 7 render :knot $few --turntable=kept.mp4 $sandbox
     fake 'echo $$ >process; exec sleep 1000'
     video 5 render :knot --size=512 --frames=30 --max-seconds=1 --turntable=kept.mp4 $sandbox
-    check "$sandbox: ffmpeg runs on after burnish" ends "$(cat process)"
+    check "$sandbox: ffmpeg runs on after burnish" await ended "$(cat process)"
     if command -v python3 >/dev/null; then # shells name ten descriptors
         fake 'for file; do :; done; [ -e /proc/$$/fd/300 ] && echo 300 >held; cat >"/proc/self${file#/dev}"'
         check "with descriptor 300" python3 -c 'import os, sys

