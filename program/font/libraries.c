@@ -1,5 +1,3 @@
-#if BURNISH_HAS_FONTS
-
 #include "font/libraries.h"
 
 #include <dlfcn.h>
@@ -52,9 +50,3 @@ burnish_status font_load_libraries(burnish_error *error) {
     }
     return status;
 }
-
-#else
-
-typedef int font_libraries_are_left_out; /* ISO C forbids an empty file */
-
-#endif

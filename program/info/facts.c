@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/cli/output.h"
+#include "base/cli/values.h"
 #include "cli/coordinates.h"
 #include "import/importers.h"
 
@@ -66,28 +67,39 @@ static cJSON *bool_or_null(const burnish_mesh_facts *facts, int value) {
     return facts ? cJSON_CreateBool(value) : cJSON_CreateNull();
 }
 
+enum { COUNTS = 10 };
+
+typedef struct named_count {
+    const char *key, *name; /* name: as text has it, or NULL */
+    size_t count;
+} named_count;
+
+static void list_counts(const burnish_mesh_facts *f, named_count counts[COUNTS]) {
+    const named_count all[COUNTS] = {
+        {"shells", "shells", f->shell_count},
+        {"edges", "edges", f->edge_count},
+        {"open_edges", "open edges", f->open_edge_count},
+        {"exact_open_edges", NULL,
+         f->join_tolerance > 0 ? f->exact_open_edge_count : f->open_edge_count},
+        {"non_manifold_edges", "non-manifold edges", f->non_manifold_edge_count},
+        {"inconsistent_edges", "inconsistent edges", f->inconsistent_edge_count},
+        {"flipped_triangles", "flipped triangles", f->flipped_count},
+        {"unorientable_parts", "unorientable parts", f->unorientable_count},
+        {"degenerate_triangles", "degenerate triangles", f->degenerate_count},
+        {"duplicate_triangles", "duplicate triangles", f->duplicate_count}};
+    memcpy(counts, all, sizeof all);
+}
+
 static void add_counts(cJSON *root, const burnish_mesh_facts *facts, int *failed) {
     static const burnish_mesh_facts none;
     const burnish_mesh_facts *f = facts ? facts : &none;
-    const struct {
-        const char *key;
-        size_t count;
-    } counts[] = {
-        {"shells", f->shell_count},
-        {"edges", f->edge_count},
-        {"open_edges", f->open_edge_count},
-        {"exact_open_edges", f->join_tolerance > 0 ? f->exact_open_edge_count : f->open_edge_count},
-        {"non_manifold_edges", f->non_manifold_edge_count},
-        {"inconsistent_edges", f->inconsistent_edge_count},
-        {"flipped_triangles", f->flipped_count},
-        {"unorientable_parts", f->unorientable_count},
-        {"degenerate_triangles", f->degenerate_count},
-        {"duplicate_triangles", f->duplicate_count}};
+    named_count counts[COUNTS];
+    list_counts(f, counts);
     cli_json_add(root, "solid", bool_or_null(facts, f->is_solid), failed);
     cli_json_add(root, "closed", bool_or_null(facts, f->is_closed), failed);
     cli_json_add(root, "join_tolerance", cli_json_real(facts ? f->join_tolerance : NAN), failed);
     cli_json_add(root, "consistent_winding", bool_or_null(facts, f->is_consistent), failed);
-    for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
+    for (size_t i = 0; i < COUNTS; ++i) {
         cli_json_add(root, counts[i].key,
                      facts ? cli_json_count(counts[i].count) : cJSON_CreateNull(), failed);
     }
@@ -120,40 +132,14 @@ cJSON *info_make_json(const info_report *r, int *failed) {
 
 /* ---- CSV ---- */
 
-static const char *const csv_keys[] = {"input",
-                                       "format",
-                                       "triangles",
-                                       "vertices",
-                                       "points",
-                                       "lines",
-                                       "materials",
-                                       "unit",
-                                       "size",
-                                       "up",
-                                       "normals",
-                                       "area",
-                                       "volume",
-                                       "solid",
-                                       "closed",
-                                       "consistent_winding",
-                                       "shells",
-                                       "edges",
-                                       "open_edges",
-                                       "non_manifold_edges",
-                                       "inconsistent_edges",
-                                       "flipped_triangles",
-                                       "unorientable_parts",
-                                       "degenerate_triangles",
-                                       "duplicate_triangles",
-                                       "error"};
-enum { CSV_KEYS = sizeof csv_keys / sizeof *csv_keys };
+static const char csv_head[] =
+    "input,format,triangles,vertices,points,lines,materials,unit,size_x,size_y,size_z,up,normals,"
+    "area,volume,solid,closed,consistent_winding,shells,edges,open_edges,non_manifold_edges,"
+    "inconsistent_edges,flipped_triangles,unorientable_parts,degenerate_triangles,"
+    "duplicate_triangles,error";
 
 void info_print_csv_head(FILE *stream) {
-    for (int i = 0; i < CSV_KEYS; ++i) {
-        const int is_size = strcmp(csv_keys[i], "size") == 0;
-        fprintf(stream, "%s%s", i > 0 ? "," : "", is_size ? "size_x,size_y,size_z" : csv_keys[i]);
-    }
-    fputc('\n', stream);
+    fprintf(stream, "%s\n", csv_head);
 }
 
 static void print_csv_value(FILE *stream, const cJSON *item) {
@@ -170,26 +156,19 @@ static void print_csv_value(FILE *stream, const cJSON *item) {
 void info_print_csv_row(FILE *stream, const cJSON *root) {
     const cJSON *box = cJSON_GetObjectItemCaseSensitive(root, "bounding_box");
     const cJSON *size = cJSON_GetObjectItemCaseSensitive(box, "size");
-    for (int i = 0; i < CSV_KEYS; ++i) {
-        const char *separator = i > 0 ? "," : "";
-        if (strcmp(csv_keys[i], "size") == 0) {
-            for (int k = 0; k < 3; ++k) {
-                fputs(separator, stream);
-                print_csv_value(stream, cJSON_GetArrayItem(size, k));
-            }
-            continue;
-        }
-        fputs(separator, stream);
-        print_csv_value(stream, cJSON_GetObjectItemCaseSensitive(root, csv_keys[i]));
+    for (const char *list = csv_head, *word; list;) {
+        char key[32];
+        const size_t length = cli_next_item(&list, ',', &word);
+        snprintf(key, sizeof key, "%.*s", (int)length, word);
+        fputs(word == csv_head ? "" : ",", stream);
+        print_csv_value(stream, strncmp(key, "size_", 5) == 0
+                                    ? cJSON_GetArrayItem(size, key[5] - 'x')
+                                    : cJSON_GetObjectItemCaseSensitive(root, key));
     }
     fputc('\n', stream);
 }
 
 /* ---- Text ---- */
-
-static void print_count(FILE *stream, const char *name, size_t count) {
-    fprintf(stream, "  %-20s  %zu\n", name, count);
-}
 
 /* Digits of a coordinate: 6 for coordinates of the mesh's size, more for larger ones. */
 static int coordinate_digits(double origin, double size) {
@@ -279,6 +258,7 @@ static void print_surface(FILE *stream, const info_report *r) {
     const double center[3] = {snap(c[0], rounding) + o[0], snap(c[1], rounding) + o[1],
                               snap(c[2], rounding) + o[2]};
     const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
+    named_count counts[COUNTS];
     fprintf(stream, "  %-20s  %s%s\n", "normals", normals_name(info),
             info->normals_replaced ? ": those of the file smooth sharp edges" : "");
     fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
@@ -293,15 +273,12 @@ static void print_surface(FILE *stream, const info_report *r) {
     }
     fputc('\n', stream);
     fprintf(stream, "  %-20s  %s\n", "consistent winding", f->is_consistent ? "yes" : "no");
-    print_count(stream, "shells", f->shell_count);
-    print_count(stream, "edges", f->edge_count);
-    print_count(stream, "open edges", f->open_edge_count);
-    print_count(stream, "non-manifold edges", f->non_manifold_edge_count);
-    print_count(stream, "inconsistent edges", f->inconsistent_edge_count);
-    print_count(stream, "flipped triangles", f->flipped_count);
-    print_count(stream, "unorientable parts", f->unorientable_count);
-    print_count(stream, "degenerate triangles", f->degenerate_count);
-    print_count(stream, "duplicate triangles", f->duplicate_count);
+    list_counts(f, counts);
+    for (int i = 0; i < COUNTS; ++i) {
+        if (counts[i].name) {
+            fprintf(stream, "  %-20s  %zu\n", counts[i].name, counts[i].count);
+        }
+    }
 }
 
 void info_print_text(FILE *stream, const info_report *r) {

@@ -1,6 +1,4 @@
 /* The effects of keys, --do and files. */
-#if BURNISH_HAS_VIEW
-
 #include "base/cli/platform.h"
 #include "render/flags.h"
 #include "render/settings/flag_values.h"
@@ -327,9 +325,3 @@ void viewer_act(viewer *v, const view_action_row *row) {
         move_camera(v, row);
     }
 }
-
-#else
-
-typedef int view_act_is_left_out; /* ISO C forbids an empty file */
-
-#endif

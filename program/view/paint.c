@@ -260,7 +260,7 @@ static int extreme(const uint8_t *a, const uint8_t *b) {
 
 static view_difference measure_difference(const burnish_pixels *a, const burnish_pixels *b) {
     view_difference found = {0};
-    uint64_t sum = 0, squares = 0;
+    uint64_t squares = 0;
     for (int y = 0; y < a->height; ++y) {
         const uint8_t *pa = a->pixels + (size_t)y * a->stride;
         const uint8_t *pb = b->pixels + (size_t)y * b->stride;
@@ -271,15 +271,12 @@ static view_difference measure_difference(const burnish_pixels *a, const burnish
             ++found.pixels;
             for (int k = 0; k < 3; ++k) {
                 const int difference = abs(pb[k] - pa[k]);
-                sum += (unsigned)difference;
                 squares += (unsigned)(difference * difference);
                 found.largest = difference > found.largest ? difference : found.largest;
             }
         }
     }
-    const double count = 3.0 * a->width * a->height;
-    found.mean = (double)sum / count;
-    found.rmse = sqrt((double)squares / count);
+    found.rmse = sqrt((double)squares / (3.0 * a->width * a->height));
     return found;
 }
 

@@ -30,9 +30,9 @@ void view_paint_scale(const burnish_pixels *window, int end, const char *title);
 
 /* The differences of two pictures. */
 typedef struct view_difference {
-    int largest;       /* codes */
-    double mean, rmse; /* over all channels of all pixels */
-    size_t pixels;     /* that differ */
+    int largest;   /* codes */
+    double rmse;   /* over all channels of all pixels */
+    size_t pixels; /* that differ */
 } view_difference;
 
 /* Paints b - a of each pixel, in the channel with the largest difference, into `map`; equal pixels

@@ -1,5 +1,3 @@
-#if BURNISH_HAS_VIEW
-
 #include "view/sdl.h"
 
 #include <dlfcn.h>
@@ -32,9 +30,3 @@ burnish_status view_load_sdl(view_sdl_calls *calls, burnish_error *error) {
 #undef FIND
     return BURNISH_STATUS_OK;
 }
-
-#else
-
-typedef int view_sdl_is_left_out; /* ISO C forbids an empty file */
-
-#endif

@@ -1,6 +1,4 @@
 /* Pictures and overlays. */
-#if BURNISH_HAS_VIEW
-
 #include "view/show.h"
 #include "base/cli/platform.h"
 
@@ -228,9 +226,3 @@ void viewer_set_title(viewer *v) {
     snprintf(title, sizeof title, "%.250s - burnish", cli_base_name(v->scene.input));
     v->sdl.SDL_SetWindowTitle(v->window, title);
 }
-
-#else
-
-typedef int view_show_is_left_out; /* ISO C forbids an empty file */
-
-#endif
