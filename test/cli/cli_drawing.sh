@@ -93,22 +93,7 @@ check "a sheet's cells" [ "$(grep -c '<svg x=' a.svg)" = 4 ]
 check "a sheet's labels" [ "$(grep -cE 'aria-label="(front|right|top|iso)"' a.svg)" = 4 ]
 rm a.svg a.png
 
-cat >../block.obj <<'END'
-v 0 0 0
-v 4 0 0
-v 4 2 0
-v 0 2 0
-v 0 0 1
-v 4 0 1
-v 4 2 1
-v 0 2 1
-f 4 3 2 1
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-END
+block 4 2 1 >../block.obj
 # Aligned views: top and front share columns, front and side rows, and the scale on paper is round.
 for angle in third first; do
     run render ../block.obj --look=drawing --views=$angle-angle --annotate=dimensions,axes --hidden-lines --dpi=100 --size=1000x700 --json -o a.png

@@ -291,7 +291,7 @@ run render :teapot --views=front,top --lobe=power,energy:2,taylor:4 --size=40 --
 check "views times lobes" [ "$(grep -c '"row":' "$out")" = 6 ]
 check "a row a view" [ "$(grep -c '"column":.*2' "$out")" = 2 ]
 # One scale: a block of 40 x 20 x 10 measures the same in all cells, and in all runs.
-printf 'v 0 0 0\nv 40 0 0\nv 40 20 0\nv 0 20 0\nv 0 0 10\nv 40 0 10\nv 40 20 10\nv 0 20 10\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 4 3 7 8\nf 1 4 8 5\nf 2 3 7 6\n' >block.obj
+block 40 20 10 >block.obj
 # bounds: widths and heights of the silhouettes, one cell after another
 bounds() { tr -d ' \n\t' <"$out" | grep -o '"pixel_bounds":\[[0-9,]*' | tr -c '0-9\n' ' ' | awk '{printf "%dx%d ", $3 - $1, $4 - $2}'; }
 run render block.obj --views=front,right,top --same-scale --size=100 --margin=0.1 --occlusion=none --json -o s.png
@@ -311,7 +311,7 @@ expect 2 'burnish: --camera-orthographic-height: a perspective has no scale; omi
 expect 2 'burnish: --zoom: --camera-orthographic-height already sets the scale; omit one of them' render block.obj --camera-orthographic-height=3 --zoom=2
 
 # A block that is flat in x and z keeps +Y as its up axis; a sheet on its edge does not.
-printf 'v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nv 0 0 .1\nv 9 0 .1\nv 9 7 .1\nv 0 7 .1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n' >sheet.obj
+block 9 7 .1 >sheet.obj
 sed '/^f 5/d' sheet.obj >open.obj
 up() {
     run render "$@" --size=16 --occlusion=none --json -o s.png

@@ -89,17 +89,5 @@ while read -r line; do
     [ -z "$line" ] || grep -qF -- "$line" "$source/docs/examples/picture.c" || fail "docs/api.md: not in docs/examples/picture.c: $line"
 done <"$scratch/page.txt"
 
-# `make install` builds only what it installs
-if ninja -C "$build" -t commands burnish_installed >"$scratch/commands" 2>/dev/null; then
-    grep -oE -- '-o (CMakeFiles/)?(test|bench|python|importers|burnish_(bench|python|import))[^ ]*' "$scratch/commands" | head -n 3 >"$scratch/others"
-    [ ! -s "$scratch/others" ] || fail "make install also builds: $(cat "$scratch/others")"
-    grep -ohE "\"$build/[^\"]+\"" "$build/cmake_install.cmake" "$build/lobe/cmake_install.cmake" | tr -d '"' | grep -vE '\.cmake$|\.pc$|MANIFEST' | sort -u >"$scratch/built"
-    [ "$(wc -l <"$scratch/built")" -gt 4 ] || fail "cmake_install.cmake names no files"
-    while read -r file; do
-        name=$(basename "$(readlink -f "$file")")
-        grep -qE "(-o|>|qc|scripts/shaders) ([^ ]*/)?$name( |\$)" "$scratch/commands" || fail "make install does not build $name"
-    done <"$scratch/built"
-fi
-
 echo "install: $checks pictures, $failures failed"
 [ "$checks" -eq 8 ] && [ "$failures" -eq 0 ]
