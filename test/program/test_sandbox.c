@@ -111,29 +111,17 @@ static void leave(long result) {
     _exit(result >= 0 ? 0 : errno);
 }
 
-static void open_file(void) {
-    leave(open(victim, O_RDONLY | O_CLOEXEC));
-}
-
-static void write_file(void) {
-    leave(open(created, O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
-}
-
-static void remove_file(void) {
-    leave(unlink(victim));
-}
-
-static void open_socket(void) {
-    leave(socket(AF_INET, SOCK_STREAM, 0));
-}
-
-static void start_program(void) {
-    leave(execl("/bin/true", "true", (char *)NULL));
-}
-
-static void start_process(void) {
-    fork();
-}
+#define ATTEMPT(name, call)                                                                        \
+    static void name(void) {                                                                       \
+        leave(call);                                                                               \
+    }
+ATTEMPT(open_file, open(victim, O_RDONLY | O_CLOEXEC))
+ATTEMPT(write_file, open(created, O_WRONLY | O_CREAT | O_CLOEXEC, 0600))
+ATTEMPT(remove_file, unlink(victim))
+ATTEMPT(open_socket, socket(AF_INET, SOCK_STREAM, 0))
+ATTEMPT(start_program, execl("/bin/true", "true", (char *)NULL))
+ATTEMPT(start_process, fork())
+ATTEMPT(end_parent, kill(getppid(), 0))
 
 static void run_memory(void) {
     mmap(NULL, 4096, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -142,10 +130,6 @@ static void run_memory(void) {
 static void make_code(void) {
     void *page = mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     mprotect(page, 4096, PROT_READ | PROT_EXEC);
-}
-
-static void end_parent(void) {
-    leave(kill(getppid(), 0));
 }
 
 static void raise_limit(void) {
