@@ -107,18 +107,11 @@ for heading in NAME SYNOPSIS DESCRIPTION RENDER LOBE COLOURS MATERIALS LIGHTS IN
 done
 # The documented JSON keys are the keys that are written.
 json_keys() { tr -d '\n\t ' <"$out" | grep -oE '"[a-z0-9_]+":' | tr -d '":'; }
-run render :sphere --size=16 --json -o p.png
-json_keys >keys.txt
-run render :sphere --size=16 --views=front,top --json -o p.png
-json_keys >>keys.txt
-run render :sphere --size=16 --plane=depth:d.npy --json -o p.png
-json_keys >>keys.txt
-run render :sphere --size=17 --reference=p.png --json -o q.png # of another size: no numbers
-json_keys >>keys.txt
-run render :sphere --size=16 --rows=4:8 --json -o q.png
-json_keys >>keys.txt
-run render :sphere --size=16 --frames=2 --turntable=t.gif --json
-json_keys >>keys.txt
+for flags in '-o p.png' '-o p.png --views=front,top' '-o p.png --plane=depth:d.npy' '-o q.png --rows=4:8' '--frames=2 --turntable=t.gif' \
+    '-o q.png --size=17 --reference=p.png'; do # of another size: no numbers
+    run render :sphere --size=16 --json $flags
+    json_keys >>keys.txt
+done
 sort -u keys.txt >written.txt
 awk '/^.SH/ { on = /JSON OUTPUT/ } on' page.txt >section.txt
 grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt

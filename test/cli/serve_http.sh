@@ -7,11 +7,10 @@ done
 here=$(cd "$(dirname "$0")" && pwd)
 example=$(realpath "$3")/docs/examples/thumbnails.py
 . "$here/../../base/test/lib.sh"
-if ! "$burnish" render :sphere --size=8 --sandbox --max-memory=2G -o s.png 2>/dev/null; then
+if ! draws --sandbox --max-memory=2G; then
     echo "serve_http: no sandbox here"
     exit 77
 fi
-rm -f s.png
 
 mkdir bin
 ln -s "$burnish" bin/burnish
