@@ -60,35 +60,8 @@ has() {
     done
 }
 
-# draws FLAGS...: whether this system and this build draw with them, such as --sandbox.
-draws() {
-    "$burnish" render :sphere --size=8 --threads=1 "$@" -o drawn.png 2>/dev/null
-    set -- $?
-    rm -f drawn.png
-    return "$1"
-}
-
-# unlimited: the flag with which a batch runs under a sanitizer, which can't bear limits of memory; else nothing.
-unlimited() { draws --max-memory=1G || echo --max-memory=8000000000G; }
-
-# block X Y Z: an OBJ file of a closed box from 0 to these.
-block() {
-    printf 'v %s %s %s\n' 0 0 0 "$1" 0 0 "$1" "$2" 0 0 "$2" 0 0 0 "$3" "$1" 0 "$3" "$1" "$2" "$3" 0 "$2" "$3"
-    printf 'f %s %s %s %s\n' 4 3 2 1 5 6 7 8 1 2 6 5 2 3 7 6 3 4 8 7 4 1 5 8
-}
-
-# sheets: an OBJ file of many triangles one behind another, which takes long.
-sheets() { awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }'; }
-
 # png_size FILE: width and height in the header of a PNG file.
 png_size() { python3 -c 'import struct, sys; s, *size = struct.unpack(">12s4xII", open(sys.argv[1], "rb").read(24)); print(*size if s[:8] == b"\x89PNG\r\n\x1a\n" else "")' "$1"; }
-
-# The instruction sets that this build has and this processor runs.
-instruction_sets() {
-    for isa in scalar sse2 avx2 avx512 neon; do
-        "$burnish" render :sphere --size=16 --isa=$isa -o - >/dev/null 2>&1 && echo $isa
-    done
-}
 
 # await COMMAND...: returns when the command succeeds. After a minute it fails: the bound only ends a test that would
 # otherwise hang, and no result depends on how long the wait takes.

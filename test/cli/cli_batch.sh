@@ -3,7 +3,7 @@
 # the number of workers.
 # Usage: cli_batch.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 
 # batch ARGUMENTS...: a run.
 memory=$(unlimited)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # burnish compare: exit codes, numbers, both kinds of inputs, one camera, the picture.
 # usage: cli_compare.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 away='--camera-position=100,0,0 --camera-focal-point=200,0,0 --quiet'
 flat() { "$burnish" render :sphere $away --size=64 --background-color="$1" -o "$2" || fail "render $2"; }

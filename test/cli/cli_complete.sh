@@ -3,7 +3,7 @@
 # the syntax where they are installed.
 # Lines are typed into real shells, on a pseudo-terminal, where there is one.
 # usage: cli_complete.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 for shell in bash zsh fish; do
     gives 0 help --completion=$shell

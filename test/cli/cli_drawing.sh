@@ -2,7 +2,7 @@
 # SVG from the command line: every flag of render is drawn, refused, or changes no picture at all; flags
 # without effect; sheets, millimetres and warnings.
 # usage: cli_drawing.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 # What the table of flags says about each: drawn (the drawing of a teapot differs), same (it does not), or
 # refused (exit code 2). A value is in the middle of the flag's range, or one of its words, unless it is

@@ -1,7 +1,7 @@
 #!/bin/sh
 # --environment: names, files, errors. Usage: cli_environment.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 
 hash() { "$burnish" render :teapot --size=48 --json=r.json -o r.png "$@" 2>"$err" && sed -n 's/.*"hash":[^"]*"\([0-9a-f]*\)".*/\1/p' r.json; }
 

@@ -2,7 +2,7 @@
 # External faults while a mesh is read, drawn or written: one line, the right exit code, no partial file, no temporary files.
 # Usage: cli_faults.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 
 # A pipe that nobody reads.
 {

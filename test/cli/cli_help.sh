@@ -1,7 +1,7 @@
 #!/bin/sh
 # The help screens fit a screen, the man page is clean roff and covers every flag.
 # usage: cli_help.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 # fits FILE: at most 40 lines of at most 100 columns, no blanks at the ends of lines.
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 40 || NR < 5 }' "$1"; }

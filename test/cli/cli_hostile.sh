@@ -3,7 +3,7 @@
 # a bounded address space. Pictures are small.
 # Usage: cli_hostile.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 
 # What is refused takes this much at most, what is drawn as much as its textures and triangles. A sanitizer's program
 # has no bounded address space.

@@ -2,7 +2,7 @@
 # Importers: how burnish finds and starts them, and how it handles faulty ones. Scripts act as importers.
 # Usage: cli_import.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 mkdir "$scratch.bin"
 bin=$scratch.bin
 trap 'rm -rf "$bin"' EXIT

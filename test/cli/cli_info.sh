@@ -1,7 +1,7 @@
 #!/bin/sh
 # burnish info as a user sees it: text, JSON, exit codes, one line per error.
 # usage: cli_info.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 # A box from 0 to 1, 2, 3 as ASCII STL. box [SED SCRIPT]
 box() {

@@ -2,7 +2,7 @@
 # Limits of time and memory: small files that would take long, endless streams.
 # Usage: cli_limits.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 
 # Streams: rejected within their first 64 KiB, unless they may be a mesh.
 refusal='burnish: standard input: its first 65536 bytes match no supported format; give a mesh'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Planes of numbers: errors. planes.py tests the values.
 # usage: cli_planes.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 here=$(dirname "$(realpath "$0")")
 
 expect 2 'burnish: --plane: "mist" is not one of depth, normal, triangle, material, coverage, color' render :sphere --plane=mist:x.png

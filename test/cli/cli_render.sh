@@ -1,7 +1,7 @@
 #!/bin/sh
 # burnish render as a user sees it: names of outputs, exit codes, JSON, cameras, sheets, nothing half-written.
 # usage: cli_render.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 # is_png FILE WIDTH HEIGHT
 is_png() { [ "$(png_size "$1")" = "$2 $3" ]; }

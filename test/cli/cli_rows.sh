@@ -1,7 +1,7 @@
 #!/bin/sh
 # Rows of a picture: errors, the report, and files of rows that form the whole picture together.
 # usage: cli_rows.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 for text in 5 5: :5 -1:5 0:0 0:5:7 0,5 x:y 1.5:2 16384:1 0:16385; do
     expect 2 "burnish: --rows: \"$text\" is not a first row, counted from 0, and a number of rows, such as 0:64" render :sphere --rows=$text

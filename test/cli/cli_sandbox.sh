@@ -2,7 +2,7 @@
 # render --sandbox: the same pictures, messages and exit codes, and nothing beyond; --max-seconds, --max-memory.
 # Usage: cli_sandbox.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 
 # Limits that the system keeps, in a sandbox and without.
 sheets >sheets.obj

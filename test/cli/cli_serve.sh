@@ -2,7 +2,7 @@
 # burnish serve-stdio: render's pictures, failures that do not end the server, limits, framing, sandboxed processes.
 # Usage: cli_serve.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 
 # A sanitizer can't bear seccomp; the sandbox may be missing.
 options=$(unlimited)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Turntables: errors and files. turntable.py tests the frames.
 # usage: cli_turntable.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 here=$(dirname "$(realpath "$0")")
 
 for name in t.mov t.y4m t.apng; do

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Wrong usage: one line on standard error, literally, exit code 2, and no file.
 # usage: cli_usage.sh BURNISH SCRATCH
-. "$(dirname "$0")/../../base/test/lib.sh"
+. "$(dirname "$0")/lib.sh"
 
 expect 2 'burnish: no command; try "burnish render :teapot" or "burnish --help"'
 expect 2 'burnish: "rendr": unknown command; did you mean render?' rendr

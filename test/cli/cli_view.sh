@@ -3,7 +3,7 @@
 # printed command. Windows use SDL's dummy driver.
 # Usage: cli_view.sh PROGRAM FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 export SDL_VIDEODRIVER=dummy
 
 expect 2 'burnish: view: no INPUT; try "burnish view :teapot" or "burnish view --help"' view

@@ -6,7 +6,7 @@ for tool in waitress-serve curl; do
 done
 here=$(cd "$(dirname "$0")" && pwd)
 example=$(realpath "$3")/docs/examples/thumbnails.py
-. "$here/../../base/test/lib.sh"
+. "$here/lib.sh"
 if ! draws --sandbox --max-memory=2G; then
     echo "serve_http: no sandbox here"
     exit 77

@@ -2,7 +2,7 @@
 # burnish-import-assimp over the files of Debian's assimp-testmodels, whole and damaged.
 # Usage: import_assimp.sh PROGRAM FOLDER        (the importer is in the program's folder)
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/../cli/lib.sh"
 models=/usr/share/assimp/models
 [ -d $models ] || {
     echo "import_assimp: no $models; scripts/install-deps importers"

@@ -2,7 +2,7 @@
 # burnish-import-draco: glTF with KHR_draco_mesh_compression; whole, damaged, in a sandbox.
 # Usage: import_draco.sh PROGRAM FOLDER        (the importer is in the program's folder)
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/../cli/lib.sh"
 unset BURNISH_IMPORTERS
 ring=$here/ring.glb
 

@@ -2,7 +2,7 @@
 # burnish-import-occt: one part in three formats, and an assembly of two in STEP; intact and damaged.
 # Usage: import_occt.sh PROGRAM FOLDER        (the importer is in the program's folder)
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/../cli/lib.sh"
 unset BURNISH_IMPORTERS
 files=$here
 

@@ -8,7 +8,7 @@ done
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(realpath "$1") source=$(realpath "$2")
 set -- "$build/burnish" "$3"
-. "$here/../../base/test/lib.sh"
+. "$here/../cli/lib.sh"
 DESTDIR=$scratch/staged cmake --install "$build" --prefix /usr >install.log || fail "cmake --install: $(tail -n 3 install.log)"
 usr=$scratch/staged/usr
 share=$usr/share

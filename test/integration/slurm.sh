@@ -7,7 +7,7 @@ done
 PATH=$PATH:/usr/sbin
 here=$(cd "$(dirname "$0")" && pwd)
 sources=$(realpath "$3")
-. "$here/../../base/test/lib.sh"
+. "$here/../cli/lib.sh"
 
 # Sockets have short names, and munge wants folders that nobody else writes to.
 home=$(mktemp -d /tmp/slurm.XXXXXX)

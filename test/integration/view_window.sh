@@ -6,7 +6,7 @@ for tool in Xvfb xdotool import convert; do
     command -v "$tool" >/dev/null 2>&1 || { echo "view_window: SKIPPED: no $tool" && exit 77; }
 done
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../../base/test/lib.sh"
+. "$here/../cli/lib.sh"
 "$burnish" view :sphere --help >/dev/null && SDL_VIDEODRIVER=dummy "$burnish" view :sphere --resolution=64,64 --do=quit ||
     { echo "view_window: SKIPPED: built without SDL2" && exit 77; }
 
