@@ -23,16 +23,20 @@ function(burnish_skipped_test name label reason)
   burnish_test(${name} ${label} sh -c "echo '${reason}'; exit 77")
 endfunction()
 
-# burnish_unit_test(SOURCE LABELS LIBRARY...): test_NAME.c becomes the test NAME; it includes support.h.
+# burnish_unit_test(SOURCE LABELS LIBRARY...): test_NAME.c becomes the test NAME; it includes support.h and gets the arguments of
+# the variable NAME_arguments. MemorySanitizer's build has only the tests with its labels.
 function(burnish_unit_test source labels)
   get_filename_component(program ${source} NAME_WE)
   string(REPLACE "test_" "" name ${program})
+  if(CMAKE_C_FLAGS MATCHES "sanitize=memory" AND NOT ("msan" IN_LIST labels OR "msan-long" IN_LIST labels))
+    return()
+  endif()
   add_executable(${program} ${source})
   target_include_directories(${program} PRIVATE ${BASE_TEST} ${BASE_TEST}/../.. ${CMAKE_CURRENT_SOURCE_DIR}/..)
   target_compile_definitions(${program} PRIVATE TEST_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
     TEST_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data" TEST_BINARY_DIR="${CMAKE_CURRENT_BINARY_DIR}")
   target_link_libraries(${program} PRIVATE ${ARGN} burnish_options m)
-  burnish_test(${name} "unit;${labels}" ${program})
+  burnish_test(${name} "unit;${labels}" ${program} ${${name}_arguments})
   foreach(sanitizer tsan msan) # the programs of `make check` under these two: unit tests alone
     if(NOT TARGET tests_${sanitizer})
       add_custom_target(tests_${sanitizer})
