@@ -138,16 +138,13 @@ static void test_number_grammar(void) {
 static void test_decimal_comma(void) {
     static const char obj[] =
         "v 1.5 0 0\nv 2.25e0 1 0\nv 0.1 1.00000000000000000000001 3\nf 1 2 3\n";
-    burnish_mesh_data source;
-    burnish_error error;
     if (!test_decimal_comma_begin()) {
         return;
     }
-    CHECK_OK(read_text(BURNISH_FORMAT_OBJ, obj, &source, &error), error);
-    CHECK1(source.streams[BURNISH_POSITION].count == 3 && burnish_positions(&source)[0] == 1.5f &&
-           burnish_positions(&source)[3] == 2.25f && burnish_positions(&source)[6] == 0.1f &&
-           burnish_positions(&source)[7] == 1);
-    burnish_mesh_data_destroy(&source);
+    CHECK_OK(read_text(BURNISH_FORMAT_OBJ, obj), fault);
+    CHECK1(got.streams[BURNISH_POSITION].count == 3 && burnish_positions(&got)[0] == 1.5f &&
+           burnish_positions(&got)[3] == 2.25f && burnish_positions(&got)[6] == 0.1f &&
+           burnish_positions(&got)[7] == 1);
     test_decimal_comma_end();
 }
 

@@ -97,28 +97,23 @@ static inline void put_glb(byte_list *list, const char *json, const byte_list *b
     }
 }
 
-static inline burnish_status read_glb(const char *json, const byte_list *binary,
-                                      burnish_mesh_data *mesh, burnish_error *error) {
-    const burnish_load_options options = burnish_load_options_default();
+static inline burnish_status read_glb(const char *json, const byte_list *binary) {
     static byte_list list;
     list.size = 0;
     put_glb(&list, json, binary);
-    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, mesh, error);
+    return read_bytes(BURNISH_FORMAT_GLTF, list.bytes, list.size);
 }
 
-static inline burnish_status read_gltf(const char *json, burnish_mesh_data *mesh,
-                                       burnish_error *error) {
-    const burnish_load_options options = burnish_load_options_default();
+static inline burnish_status read_gltf(const char *json) {
     static byte_list list;
     list.size = 0;
     put_json(&list, json);
-    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, mesh, error);
+    return read_bytes(BURNISH_FORMAT_GLTF, list.bytes, list.size);
 }
 
-static inline void read_good(const char *json, const byte_list *binary, burnish_mesh_data *s) {
-    burnish_error e;
-    const burnish_status status = binary ? read_glb(json, binary, s, &e) : read_gltf(json, s, &e);
-    CHECK(status == BURNISH_STATUS_OK, "%s: %s", json, e.text);
+static inline void read_good(const char *json, const byte_list *binary) {
+    const burnish_status status = binary ? read_glb(json, binary) : read_gltf(json);
+    CHECK(status == BURNISH_STATUS_OK, "%s: %s", json, fault.text);
 }
 
 static inline void put_floats(byte_list *list, size_t count, const float *values) {

@@ -131,42 +131,51 @@ static inline void check_same_reading(const char *what, const reader_run *run,
     burnish_mesh_data_destroy(&other);
 }
 
+/* The outcome of the latest reading, which the next one releases. */
+static burnish_mesh_data got;
+static burnish_error fault;
+
+static inline burnish_status read_run(const reader_run *run) {
+    burnish_mesh_data_destroy(&got);
+    return read_as(run, &got, &fault);
+}
+
 /* Text in chunks of 64 bytes, whose ends are everywhere, must make no difference. */
 static inline burnish_status run_reader(burnish_format format, const void *bytes, size_t size,
                                         const burnish_load_options *options,
-                                        load_function *load_companion, burnish_mesh_data *mesh,
-                                        burnish_error *error) {
+                                        load_function *load_companion) {
     reader_run run = {format, bytes, size, options, load_companion, NULL, 0};
-    const burnish_status status = read_as(&run, mesh, error);
+    const burnish_status status = read_run(&run);
     const int is_text = format != BURNISH_FORMAT_GLTF && format != BURNISH_FORMAT_3MF &&
                         format != BURNISH_FORMAT_BMS;
     if (is_text && !options->context) { /* a context may count, or fail */
         run.chunk_size = 64;
-        check_same_reading("input of a test", &run, status, mesh, error);
+        check_same_reading("input of a test", &run, status, &got, &fault);
     }
     return status;
 }
 
-static inline burnish_status read_text(burnish_format format, const char *text,
-                                       burnish_mesh_data *mesh, burnish_error *error) {
-    burnish_load_options options = burnish_load_options_default();
-    return run_reader(format, text, strlen(text), &options, NULL, mesh, error);
+static inline burnish_status read_bytes(burnish_format format, const void *bytes, size_t size) {
+    const burnish_load_options options = burnish_load_options_default();
+    return run_reader(format, bytes, size, &options, NULL);
+}
+
+static inline burnish_status read_text(burnish_format format, const char *text) {
+    return read_bytes(format, text, strlen(text));
 }
 
 /* Text that must be read. */
-static inline void read_good_text(burnish_format format, const char *text,
-                                  burnish_mesh_data *mesh) {
-    burnish_error error;
-    CHECK_OK(read_text(format, text, mesh, &error), error);
+static inline void read_good_text(burnish_format format, const char *text) {
+    CHECK_OK(read_text(format, text), fault);
 }
 
 /* Exactly these warnings, `count` texts. */
-static inline void check_warnings(const burnish_mesh_data *mesh, size_t count, ...) {
+static inline void check_warnings(size_t count, ...) {
     va_list texts;
     va_start(texts, count);
-    CHECK(mesh->warning_count == count, "%zu warnings", mesh->warning_count);
-    for (size_t i = 0; i < count && i < mesh->warning_count; ++i) {
-        CHECK_TEXT(mesh->warnings[i], va_arg(texts, const char *));
+    CHECK(got.warning_count == count, "%zu warnings", got.warning_count);
+    for (size_t i = 0; i < count && i < got.warning_count; ++i) {
+        CHECK_TEXT(got.warnings[i], va_arg(texts, const char *));
     }
     va_end(texts);
 }
@@ -187,38 +196,36 @@ static inline burnish_status read_mtl(const char *text, burnish_mtl *library, ch
 }
 
 /* Whether position i is x, y, z, and the corners of triangle i are positions a, b, c. */
-static inline int position_is(const burnish_mesh_data *s, size_t i, float x, float y, float z) {
-    return i < s->streams[BURNISH_POSITION].count && burnish_positions(s)[3 * i] == x &&
-           burnish_positions(s)[3 * i + 1] == y && burnish_positions(s)[3 * i + 2] == z;
+static inline int position_is(size_t i, float x, float y, float z) {
+    return i < got.streams[BURNISH_POSITION].count && burnish_positions(&got)[3 * i] == x &&
+           burnish_positions(&got)[3 * i + 1] == y && burnish_positions(&got)[3 * i + 2] == z;
 }
 
-static inline int triangle_is(const burnish_mesh_data *s, size_t i, uint32_t a, uint32_t b,
-                              uint32_t c) {
-    return i < s->triangle_count && s->streams[BURNISH_POSITION].corners[3 * i] == a &&
-           s->streams[BURNISH_POSITION].corners[3 * i + 1] == b &&
-           s->streams[BURNISH_POSITION].corners[3 * i + 2] == c;
+static inline int triangle_is(size_t i, uint32_t a, uint32_t b, uint32_t c) {
+    return i < got.triangle_count && got.streams[BURNISH_POSITION].corners[3 * i] == a &&
+           got.streams[BURNISH_POSITION].corners[3 * i + 1] == b &&
+           got.streams[BURNISH_POSITION].corners[3 * i + 2] == c;
 }
 
 /* Whether corner k of triangle i is at x, y, z, to 1e-5. */
-static inline int corner_is(const burnish_mesh_data *s, size_t i, size_t k, double x, double y,
-                            double z) {
+static inline int corner_is(size_t i, size_t k, double x, double y, double z) {
     const double expected[3] = {x, y, z};
-    for (size_t axis = 0; axis < 3 && i < s->triangle_count; ++axis) {
-        const uint32_t corner = s->streams[BURNISH_POSITION].corners[3 * i + k];
-        const double value = (double)burnish_positions(s)[3 * (size_t)corner + axis];
+    for (size_t axis = 0; axis < 3 && i < got.triangle_count; ++axis) {
+        const uint32_t corner = got.streams[BURNISH_POSITION].corners[3 * i + k];
+        const double value = (double)burnish_positions(&got)[3 * (size_t)corner + axis];
         if (!(value - expected[axis] < 1e-5 && expected[axis] - value < 1e-5)) {
             return 0;
         }
     }
-    return i < s->triangle_count;
+    return i < got.triangle_count;
 }
 
 /* text: the only warning; NULL: there is none */
-static inline void check_warning(const burnish_mesh_data *s, const char *text) {
-    CHECK(s->warning_count == (text != NULL), "%zu warnings: %s", s->warning_count,
-          s->warning_count > 0 ? s->warnings[0] : "");
-    if (text && s->warning_count == 1) {
-        CHECK_TEXT(s->warnings[0], text);
+static inline void check_warning(const char *text) {
+    CHECK(got.warning_count == (text != NULL), "%zu warnings: %s", got.warning_count,
+          got.warning_count > 0 ? got.warnings[0] : "");
+    if (text && got.warning_count == 1) {
+        CHECK_TEXT(got.warnings[0], text);
     }
 }
 

@@ -38,10 +38,9 @@
     "<m:tex2coord u='0.25' v='0.5'/><m:tex2coord u='-1' v='2'/></m:texture2dgroup>"
 
 /* Reads a model that is valid except for at most one warning; returns 1 if it could be read. */
-static inline int read_fine(const char *model, const char *warning, burnish_mesh_data *s) {
-    burnish_error e;
-    const int is_fine = CHECK_OK(read_3mf(model, s, &e), e);
-    check_warning(s, warning);
+static inline int read_fine(const char *model, const char *warning) {
+    const int is_fine = CHECK_OK(read_3mf(model), fault);
+    check_warning(warning);
     return is_fine;
 }
 

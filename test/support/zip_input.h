@@ -131,15 +131,13 @@ static inline zip_list *begin_3mf(const char *model) {
     return &zip;
 }
 
-static inline burnish_status run_3mf(zip_list *zip, burnish_mesh_data *mesh, burnish_error *error) {
-    const burnish_load_options options = burnish_load_options_default();
+static inline burnish_status run_3mf(zip_list *zip) {
     end_zip(zip, 0);
-    return run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, mesh, error);
+    return read_bytes(BURNISH_FORMAT_3MF, zip->bytes, zip->size);
 }
 
-static inline burnish_status read_3mf(const char *model, burnish_mesh_data *mesh,
-                                      burnish_error *error) {
-    return run_3mf(begin_3mf(model), mesh, error);
+static inline burnish_status read_3mf(const char *model) {
+    return run_3mf(begin_3mf(model));
 }
 
 #endif

@@ -57,13 +57,10 @@ static const struct {
 
 static void test_refused(void) {
     for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {
-        burnish_mesh_data s;
-        burnish_error e;
         char line[400];
-        CHECK(read_3mf(refused[i].model, &s, &e) == BURNISH_STATUS_FORMAT, "%zu", i);
+        CHECK(read_3mf(refused[i].model) == BURNISH_STATUS_FORMAT, "%zu", i);
         snprintf(line, sizeof line, "mesh.3mf: %s", refused[i].line);
-        CHECK_TEXT(e.text, line);
-        burnish_mesh_data_destroy(&s);
+        CHECK_TEXT(fault.text, line);
     }
 }
 
@@ -96,32 +93,25 @@ static void test_nesting(void) {
         {60, 2, 0, BURNISH_STATUS_LIMIT, "become more than 5242880 vertices and triangles"},
         {24, 2, 0, BURNISH_STATUS_LIMIT, "become more than 5242880 vertices and triangles"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        burnish_mesh_data s;
-        burnish_error e;
         write_doubled(model, cases[i].count, cases[i].is_empty, cases[i].times);
-        const burnish_status status = read_3mf(model, &s, &e);
-        CHECK(status == cases[i].status && strstr(e.text, cases[i].text), "%zu: %d %s", i, status,
-              e.text);
-        CHECK1(status != BURNISH_STATUS_OK || s.triangle_count == (i == 0 ? 4 : 4u << 8));
-        burnish_mesh_data_destroy(&s);
+        const burnish_status status = read_3mf(model);
+        CHECK(status == cases[i].status && strstr(fault.text, cases[i].text), "%zu: %d %s", i,
+              status, fault.text);
+        CHECK1(status != BURNISH_STATUS_OK || got.triangle_count == (i == 0 ? 4 : 4u << 8));
     }
 }
 
 static void test_limits(void) {
     static char text[1 << 21];
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data s;
-    burnish_error e;
     zip_list *zip = begin_3mf(MODEL("<object id='1'>" MESH "</object>", ITEM_1 ITEM_1));
     end_zip(zip, 0);
     options.max_triangles = 7;
-    CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e) ==
+    CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL) ==
            BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(e.text, "mesh.3mf: more than 7 triangles; raise the limit or simplify the mesh");
-    burnish_mesh_data_destroy(&s);
+    CHECK_TEXT(fault.text, "mesh.3mf: more than 7 triangles; raise the limit or simplify the mesh");
     options.max_triangles = 8;
-    CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e), e);
-    burnish_mesh_data_destroy(&s);
+    CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL), fault);
 
     /* what unpacks to more than it may; a tag without an end; elements in elements */
     static const char *const heads[] = {"<model>", "<model a='", "<model>"};
@@ -143,10 +133,9 @@ static void test_limits(void) {
         }
         end_zip(zip, 0);
         options.max_input_bytes = i == 0 ? 1 << 20 : 1 << 30;
-        CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL, &s, &e) ==
+        CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL) ==
                BURNISH_STATUS_LIMIT);
-        CHECK_TEXT(e.text, lines[i]);
-        burnish_mesh_data_destroy(&s);
+        CHECK_TEXT(fault.text, lines[i]);
     }
 }
 
@@ -155,22 +144,17 @@ static void test_limits(void) {
 static const char small_model[] = MODEL(COLORS ONE_TRIANGLE("pid='6'", "p1='0' p2='1'"), ITEM_1);
 
 static void test_archives(void) {
-    const burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data s;
-    burnish_error e;
     zip_list *zip = begin_3mf(small_model);
     end_zip(zip, 1);
-    CHECK(run_reader(BURNISH_FORMAT_AUTO, zip->bytes, zip->size, &options, NULL, &s, &e) ==
-              BURNISH_STATUS_OK,
-          "64 bits: %s", e.text);
-    CHECK1(s.triangle_count == 1);
-    burnish_mesh_data_destroy(&s);
+    CHECK(read_bytes(BURNISH_FORMAT_AUTO, zip->bytes, zip->size) == BURNISH_STATUS_OK,
+          "64 bits: %s", fault.text);
+    CHECK1(got.triangle_count == 1);
 
     zip->size = zip->directory_size = zip->count = 0;
     put_part_text(zip, "word/document.xml", "<a/>");
-    CHECK1(run_3mf(zip, &s, &e) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(e.text, "mesh.3mf: a ZIP archive without a 3D model; of archives only 3MF is read");
-    burnish_mesh_data_destroy(&s);
+    CHECK1(run_3mf(zip) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(fault.text,
+               "mesh.3mf: a ZIP archive without a 3D model; of archives only 3MF is read");
 
     static const struct {
         size_t at; /* in the model's entry of the directory */
@@ -187,10 +171,9 @@ static void test_archives(void) {
         zip->size = zip->directory_size = zip->count = 0;
         put_part_text(zip, "3D/3dmodel.model", quoted_text(small_model));
         zip->directory[cases[i].at] = cases[i].value;
-        CHECK(run_3mf(zip, &s, &e) == BURNISH_STATUS_FORMAT, "%zu", i);
+        CHECK(run_3mf(zip) == BURNISH_STATUS_FORMAT, "%zu", i);
         snprintf(line, sizeof line, "mesh.3mf: 3D/3dmodel.model: %s", cases[i].text);
-        CHECK_TEXT(e.text, line);
-        burnish_mesh_data_destroy(&s);
+        CHECK_TEXT(fault.text, line);
     }
 }
 
@@ -198,13 +181,10 @@ static void test_archives(void) {
 static void test_truncated_model(void) {
     char model[sizeof small_model];
     for (size_t i = 0; i + 1 < sizeof model; ++i) {
-        burnish_mesh_data s;
-        burnish_error e;
         memcpy(model, small_model, i);
         model[i] = 0;
-        CHECK(read_3mf(model, &s, &e) == BURNISH_STATUS_FORMAT && strstr(e.text, "3D/a.model:"),
-              "%zu bytes: %s", i, e.text);
-        burnish_mesh_data_destroy(&s);
+        CHECK(read_3mf(model) == BURNISH_STATUS_FORMAT && strstr(fault.text, "3D/a.model:"),
+              "%zu bytes: %s", i, fault.text);
     }
 }
 

@@ -131,16 +131,13 @@ static const struct {
 
 static void test_messages(void) {
     for (size_t i = 0; i < sizeof messages / sizeof *messages; ++i) {
-        burnish_mesh_data source;
-        burnish_error error;
         const char *name = messages[i].message + strlen("mesh.");
         const burnish_format format = *name == 'o'   ? BURNISH_FORMAT_OBJ
                                       : *name == 'p' ? BURNISH_FORMAT_PLY
                                                      : BURNISH_FORMAT_STL;
-        burnish_status status = read_text(format, messages[i].text, &source, &error);
+        burnish_status status = read_text(format, messages[i].text);
         CHECK(status == BURNISH_STATUS_FORMAT, "message %zu: status %d", i, (int)status);
-        CHECK_TEXT(error.text, messages[i].message);
-        burnish_mesh_data_destroy(&source);
+        CHECK_TEXT(fault.text, messages[i].message);
     }
 }
 
@@ -170,60 +167,44 @@ static void test_mtl_messages(void) {
 
 /* Messages whose bytes are binary. */
 static void test_binary_messages(void) {
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data source;
-    burnish_error error;
     byte_list stl = {.size = 0}, ply = {.size = 0};
     put_stl(&stl, "solid", 2);
-    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1, &options, NULL, &source,
-                      &error) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
+    CHECK1(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(fault.text, "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
                            "1; it is truncated or not STL");
-    burnish_mesh_data_destroy(&source);
     memcpy(stl.bytes + 84 + 50 + 12 + 8, "\0\0\x80\x7f", 4); /* infinity as z of facet 1 */
-    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source, &error) ==
-           BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
-    burnish_mesh_data_destroy(&source);
+    CHECK1(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(fault.text, "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
 
     put_ply(&ply, 2);
-    CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1, &options, NULL, &source,
-                      &error) == BURNISH_STATUS_FORMAT);
+    CHECK1(read_bytes(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1) == BURNISH_STATUS_FORMAT);
     char expected[200];
     snprintf(expected, sizeof expected,
              "mesh.ply: byte %zu: element face, row 2: a list of 3 values does not fit the rest of "
              "the file; the file is truncated or damaged",
              ply.size - 13);
-    CHECK_TEXT(error.text, expected);
-    burnish_mesh_data_destroy(&source);
+    CHECK_TEXT(fault.text, expected);
 }
 
 static void test_limits(void) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data source;
-    burnish_error error;
     static const char quad[] = TRIANGLE "f 1 2 3\nf 1 2 3 1\n";
     byte_list stl = {.size = 0}, ply = {.size = 0};
     put_stl(&stl, "", 3);
     put_ply(&ply, 1);
     options.max_triangles = 2;
-    CHECK1(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source, &error) ==
+    CHECK1(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL) ==
            BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text,
+    CHECK_TEXT(fault.text,
                "mesh.obj:5: more than 2 triangles; raise the limit or simplify the mesh");
-    burnish_mesh_data_destroy(&source);
-    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL, &source, &error) ==
+    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL) ==
            BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text,
+    CHECK_TEXT(fault.text,
                "mesh.stl: byte 80: more than 2 triangles; raise the limit or simplify the mesh");
-    burnish_mesh_data_destroy(&source);
-    CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size, &options, NULL, &source, &error) ==
+    CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size, &options, NULL) ==
            BURNISH_STATUS_LIMIT);
-    burnish_mesh_data_destroy(&source);
     options.max_triangles = 3;
-    CHECK_OK(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL, &source, &error),
-             error);
-    burnish_mesh_data_destroy(&source);
+    CHECK_OK(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL), fault);
 }
 
 /* ---- claims ---- */
@@ -247,12 +228,8 @@ static int refuses_within_16_mib(burnish_format format, const byte_list *list) {
     pid_t child = fork();
     if (child == 0) {
         size_t limit = memory_used() + ((size_t)16 << 20);
-        burnish_load_options options = burnish_load_options_default();
-        burnish_mesh_data source;
-        burnish_error error;
         int limited = SANITIZED || setrlimit(RLIMIT_AS, &(struct rlimit){limit, limit}) == 0;
-        burnish_status status =
-            run_reader(format, list->bytes, list->size, &options, NULL, &source, &error);
+        burnish_status status = read_bytes(format, list->bytes, list->size);
         _exit(limited && status == BURNISH_STATUS_FORMAT ? 0 : 1);
     }
     int result = -1;
@@ -283,12 +260,9 @@ static void test_claims(void) {
     stl.bytes[83] = 0x01; /* 16,777,216 triangles, 839 MB, in 100 bytes */
     put(&stl, "sixteen bytes...", 16);
     CHECK1(refuses_within_16_mib(BURNISH_FORMAT_STL, &stl));
-    burnish_mesh_data source;
-    burnish_error error;
-    CHECK1(read_text(BURNISH_FORMAT_PLY, texts[0], &source, &error) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "mesh.ply:3: element vertex announces 80000000 rows, but the rest of "
+    CHECK1(read_text(BURNISH_FORMAT_PLY, texts[0]) == BURNISH_STATUS_FORMAT);
+    CHECK_TEXT(fault.text, "mesh.ply:3: element vertex announces 80000000 rows, but the rest of "
                            "the file has room for 0 at most; the file is truncated or damaged");
-    burnish_mesh_data_destroy(&source);
 }
 
 /* ---- files ---- */

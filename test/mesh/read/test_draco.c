@@ -50,14 +50,13 @@ static void release(void *user_data, const uint8_t *decoded, size_t size) {
     ++seen.releases;
 }
 
-static burnish_status read_draco(const char *json, const byte_list *binary, burnish_mesh_data *mesh,
-                                 burnish_error *error) {
+static burnish_status read_draco(const char *json, const byte_list *binary) {
     burnish_load_options options = burnish_load_options_default();
     static byte_list list;
     list.size = 0;
     put_glb(&list, json, binary);
     options.decoder = (burnish_stream_decoder){echo, release, &seen};
-    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, mesh, error);
+    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL);
 }
 
 /* A triangle as an answer: positions as attribute 7, colours as 2. */
@@ -89,8 +88,6 @@ static byte_list answer_of(uint32_t last_corner) {
 
 static void test_values(void) {
     byte_list binary = answer_of(2);
-    burnish_mesh_data s;
-    burnish_error e;
     CHECK1(binary.size == 104);
     seen.calls = seen.releases = 0;
     /* two primitives of one stream: it is decoded once */
@@ -98,55 +95,44 @@ static void test_values(void) {
                               PRIMITIVE("'POSITION':0,'COLOR_0':2", 0,
                                         "'POSITION':7,'COLOR_0':2") "," PRIMITIVE("'POSITION':0", 0,
                                                                                   "'POSITION':7")),
-                        &binary, &s, &e),
-             e);
+                        &binary),
+             fault);
     CHECK1(seen.calls == 1 && seen.releases == 1);
     CHECK1(seen.request[0] == 104 && seen.request[1] == 0 &&
            memcmp(seen.request + 4, binary.bytes, 104) == 0);
-    CHECK1(s.triangle_count == 2 && s.warning_count == 0);
-    const float *p = burnish_positions(&s) + 3 * (size_t)s.streams[BURNISH_POSITION].corners[2];
+    CHECK1(got.triangle_count == 2 && got.warning_count == 0);
+    const float *p = burnish_positions(&got) + 3 * (size_t)got.streams[BURNISH_POSITION].corners[2];
     CHECK1(p[0] == 0 && p[1] == 2 && p[2] == 0);
-    CHECK1(s.streams[BURNISH_COLOR].count > 0);
-    burnish_mesh_data_destroy(&s);
+    CHECK1(got.streams[BURNISH_COLOR].count > 0);
 }
 
 /* Uncompressed values need no decoder. */
 static void test_plain(void) {
-    burnish_mesh_data s;
-    burnish_error e;
     CHECK_OK(
         read_gltf("$head$triangle_accessors,'meshes':[{'primitives':[{'attributes':{'POSITION':0}"
                   ",'extensions':{"
                   "'KHR_draco_mesh_compression':{'bufferView':0,'attributes':{}}}}]}],"
-                  "'nodes':[{'mesh':0}]}",
-                  &s, &e),
-        e);
-    CHECK1(s.triangle_count == 1);
-    burnish_mesh_data_destroy(&s);
+                  "'nodes':[{'mesh':0}]}"),
+        fault);
+    CHECK1(got.triangle_count == 1);
 }
 
 static void check_refused(const char *json, const byte_list *binary, const char *message) {
-    burnish_mesh_data s;
-    burnish_error e;
     seen.calls = seen.releases = 0;
-    CHECK1(read_draco(json, binary, &s, &e) != BURNISH_STATUS_OK);
-    CHECK_TEXT(e.text, message);
+    CHECK1(read_draco(json, binary) != BURNISH_STATUS_OK);
+    CHECK_TEXT(fault.text, message);
     CHECK1(seen.releases == (seen.status == BURNISH_STATUS_OK ? seen.calls : 0));
-    burnish_mesh_data_destroy(&s);
 }
 
 #define ONE PRIMITIVE("'POSITION':0", 0, "'POSITION':7")
 
 static void test_refused(void) {
     byte_list binary = answer_of(2);
-    burnish_mesh_data s;
-    burnish_error e;
-    CHECK1(read_glb(DRACO("104", "104", ONE), &binary, &s, &e) == BURNISH_STATUS_FORMAT);
+    CHECK1(read_glb(DRACO("104", "104", ONE), &binary) == BURNISH_STATUS_FORMAT);
     CHECK_TEXT(
-        e.text,
+        fault.text,
         "mesh.gltf: byte 469: meshes[0].primitives[0]: is compressed by "
         "KHR_draco_mesh_compression, but no decoder is available; export the file without it");
-    burnish_mesh_data_destroy(&s);
 
     seen.status = BURNISH_STATUS_LIMIT;
     check_refused(DRACO("104", "104", ONE), &binary, "said elsewhere");
@@ -192,15 +178,12 @@ static void test_damaged(void) {
         static const uint32_t words[] = {0, 1, 0x7FFFFFFF, 0x80000000u, UINT32_MAX, 0x55555556};
         for (size_t k = 0; k < sizeof words / sizeof *words; ++k) {
             byte_list binary = whole;
-            burnish_mesh_data s;
-            burnish_error e;
             binary.size = at;
             put_bits(&binary, words[k], 4, 0);
             binary.size = whole.size;
-            const burnish_status status = read_draco(DRACO("104", "104", ONE), &binary, &s, &e);
-            CHECK1(status == BURNISH_STATUS_OK ? s.triangle_count <= 1
-                                               : e.text[0] != 0 && !strchr(e.text, '\n'));
-            burnish_mesh_data_destroy(&s);
+            const burnish_status status = read_draco(DRACO("104", "104", ONE), &binary);
+            CHECK1(status == BURNISH_STATUS_OK ? got.triangle_count <= 1
+                                               : fault.text[0] != 0 && !strchr(fault.text, '\n'));
         }
     }
 }

@@ -10,21 +10,19 @@
 static void test_containers(void) {
     static const char json[] = "$head$triangle,$node}";
     static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
-    burnish_mesh_data s;
-    read_good(json, NULL, &s);
-    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 0, 0, 0) && corner_is(&s, 0, 1, 1, 0, 0) &&
-           corner_is(&s, 0, 2, 0, 2, 0));
-    CHECK1(s.material_count == 1 && s.streams[BURNISH_NORMAL].count == 0 && !s.triangle_materials);
-    check_warning(&s, NULL);
-    burnish_mesh_data_destroy(&s);
+    read_good(json, NULL);
+    CHECK1(got.triangle_count == 1 && corner_is(0, 0, 0, 0, 0) && corner_is(0, 1, 1, 0, 0) &&
+           corner_is(0, 2, 0, 2, 0));
+    CHECK1(got.material_count == 1 && got.streams[BURNISH_NORMAL].count == 0 &&
+           !got.triangle_materials);
+    check_warning(NULL);
 
     byte_list binary = {.size = 0};
     put_floats(&binary, 9, positions);
     read_good("$head$buffer(36),'bufferViews':[$view(0,36)],'accessors':["
               "$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
-              &binary, &s);
-    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 2, 0, 2, 0));
-    burnish_mesh_data_destroy(&s);
+              &binary);
+    CHECK1(got.triangle_count == 1 && corner_is(0, 2, 0, 2, 0));
 }
 
 static void test_guess(void) {
@@ -96,19 +94,16 @@ static void test_companions(void) {
     const burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         byte_list list = {.size = 0};
-        burnish_mesh_data s;
-        burnish_error e;
         put_json(&list, "$head'buffers':[{'byteLength':36,'uri':'");
         put_text(&list, cases[i].uri);
         put_json(&list, "'}],'bufferViews':[$view(0,36)],'accessors':[$accessor(0,5126,3,VEC3)],"
                         "$mesh('POSITION':0),$node}");
         asked_for = cases[i].name;
-        const burnish_status status = run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size,
-                                                 &options, load_positions, &s, &e);
+        const burnish_status status =
+            run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, load_positions);
         CHECK(status == (cases[i].message ? BURNISH_STATUS_READ : BURNISH_STATUS_OK), "%s: %s",
-              cases[i].uri, e.text);
-        CHECK_TEXT(e.text, cases[i].message ? cases[i].message : "");
-        burnish_mesh_data_destroy(&s);
+              cases[i].uri, fault.text);
+        CHECK_TEXT(fault.text, cases[i].message ? cases[i].message : "");
     }
 }
 
@@ -134,7 +129,6 @@ static void test_component_types(void) {
         const double *expected = i % 2 ? types[t].normalized : types[t].plain;
         byte_list binary = {.size = 0};
         char json[1024];
-        burnish_mesh_data s;
         put_bits(&binary, 0xEEEEEEEE, 4, 0);
         for (int vertex = 0; vertex < 3; ++vertex) { /* (a, 0, 0), (0, b, 0), (0, 0, a) */
             for (int k = 0; k < 3; ++k) {
@@ -150,15 +144,14 @@ static void test_component_types(void) {
                  "'componentType':%d,'count':3,'type':'VEC3','normalized':%s}],"
                  "$mesh('POSITION':0),$node}",
                  binary.size, binary.size - 4, stride, types[t].type, i % 2 ? "true" : "false");
-        read_good(json, &binary, &s);
+        read_good(json, &binary);
         for (int vertex = 0; vertex < 3; ++vertex) {
             for (int k = 0; k < 3; ++k) {
-                const float value = burnish_positions(&s)[3 * vertex + k];
+                const float value = burnish_positions(&got)[3 * vertex + k];
                 CHECK(value == (float)(k == vertex ? expected[k & 1] : 0), "%d %d: %g",
                       types[t].type, vertex, (double)value);
             }
         }
-        burnish_mesh_data_destroy(&s);
     }
 }
 
@@ -171,7 +164,6 @@ static void test_sparse(void) {
         const size_t size = (size_t)1 << i / 2;
         byte_list binary = {.size = 0};
         char json[1024];
-        burnish_mesh_data s;
         put_floats(&binary, 9, positions);
         put_floats(&binary, 6, values);
         put_bits(&binary, 0, size, 0);
@@ -182,10 +174,9 @@ static void test_sparse(void) {
                  "'sparse':{'count':2,'indices':{'bufferView':2,'componentType':%d},"
                  "'values':{'bufferView':1}}}],$mesh('POSITION':0),$node}",
                  binary.size, 2 * size, i % 2 ? "" : "'bufferView':0,", types[i / 2]);
-        read_good(json, &binary, &s);
-        CHECK1(corner_is(&s, 0, 0, 5, 0, 0) && corner_is(&s, 0, 1, i % 2 ? 0 : 1, 0, 0) &&
-               corner_is(&s, 0, 2, 0, 2, 3));
-        burnish_mesh_data_destroy(&s);
+        read_good(json, &binary);
+        CHECK1(corner_is(0, 0, 5, 0, 0) && corner_is(0, 1, i % 2 ? 0 : 1, 0, 0) &&
+               corner_is(0, 2, 0, 2, 3));
     }
 }
 
@@ -196,7 +187,6 @@ static void test_attributes(void) {
     static const float uv[6] = {0, 0, 0.25f, 0.75f, 1, 2};
     static const float colors[9] = {0, 0.5f, 1, 0.25f, -1, 2, 1, 1, 1};
     byte_list binary = {.size = 0};
-    burnish_mesh_data s;
     put_floats(&binary, 9, positions);
     put_floats(&binary, 9, normals);
     put_floats(&binary, 6, uv);
@@ -207,11 +197,11 @@ static void test_attributes(void) {
               "$accessor(3,5126,3,VEC3)],'meshes':[{'primitives':[{'attributes':{'POSITION'"
               ":0,'NORMAL':1,'TEXCOORD_0':2,'COLOR_0':3}},"
               "{'attributes':{'POSITION':0}}]}],$node}",
-              &binary, &s);
-    CHECK1(s.triangle_count == 2 && s.streams[BURNISH_NORMAL].count == 6 &&
-           s.streams[BURNISH_COLOR].count == 6 && s.streams[BURNISH_TEXCOORD].count == 6);
-    const float *n = burnish_normals(&s), *t = s.streams[BURNISH_TEXCOORD].items;
-    const uint8_t *c = burnish_colors(&s);
+              &binary);
+    CHECK1(got.triangle_count == 2 && got.streams[BURNISH_NORMAL].count == 6 &&
+           got.streams[BURNISH_COLOR].count == 6 && got.streams[BURNISH_TEXCOORD].count == 6);
+    const float *n = burnish_normals(&got), *t = got.streams[BURNISH_TEXCOORD].items;
+    const uint8_t *c = burnish_colors(&got);
     CHECK1(n[2] == 1 && n[4] == 0.6f && n[5] == 0.8f && n[6] == 0 && n[8] == 0);
     CHECK1(t[0] == 0 && t[1] == 1 && t[2] == 0.25f && t[3] == 0.25f && t[4] == 1 && t[5] == -1);
     CHECK1(c[0] == 0 && c[1] == burnish_linear_to_srgb(0.5f) && c[2] == 255 && c[3] == 255 &&
@@ -219,7 +209,6 @@ static void test_attributes(void) {
     for (size_t i = 12; i < 24; ++i) { /* the second primitive lacks the attribute */
         CHECK1(c[i] == 255 && n[i / 4 * 3] == 0);
     }
-    burnish_mesh_data_destroy(&s);
 }
 
 /* ---- Primitives ---- */
@@ -240,7 +229,6 @@ static void test_modes(void) {
         static const int types[4] = {0, 5121, 5123, 5125};
         byte_list binary = {.size = 0};
         char json[1024], indices[256] = "";
-        burnish_mesh_data s;
         for (size_t k = 0; k < 7; ++k) {
             const float position[3] = {(float)k, (float)(k * k), 0};
             put_floats(&binary, 3, position);
@@ -258,25 +246,24 @@ static void test_modes(void) {
                  "'meshes':[{'primitives':[{'mode':%d,%s'attributes':{'POSITION':0}}]}],$node}",
                  binary.size, binary.size - 84, index_size > 0 ? (size_t)7 : modes[m].count,
                  indices, modes[m].mode, index_size > 0 ? "'indices':1," : "");
-        read_good(json, &binary, &s);
-        CHECK1(s.triangle_count == modes[m].triangles);
-        for (size_t k = 0; k < 3 * s.triangle_count; ++k) {
+        read_good(json, &binary);
+        CHECK1(got.triangle_count == modes[m].triangles);
+        for (size_t k = 0; k < 3 * got.triangle_count; ++k) {
             const uint32_t vertex = index_size > 0 ? 6 - modes[m].corners[k] : modes[m].corners[k];
-            CHECK(corner_is(&s, k / 3, (int)(k % 3), vertex, vertex * vertex, 0),
-                  "mode %d, corner %zu", modes[m].mode, k);
+            CHECK(corner_is(k / 3, (int)(k % 3), vertex, vertex * vertex, 0), "mode %d, corner %zu",
+                  modes[m].mode, k);
         }
-        CHECK1(s.warning_count == (modes[m].count == 7));
-        if (s.warning_count > 0) {
-            CHECK1(strstr(s.warnings[0], "7 corners do not make whole triangles; the last 1 are "));
+        CHECK1(got.warning_count == (modes[m].count == 7));
+        if (got.warning_count > 0) {
+            CHECK1(
+                strstr(got.warnings[0], "7 corners do not make whole triangles; the last 1 are "));
         }
-        burnish_mesh_data_destroy(&s);
     }
 }
 
 /* Only used vertices are read, each once. */
 static void test_shared_vertices(void) {
     byte_list binary = {.size = 0};
-    burnish_mesh_data s;
     for (int i = 0; i < 100; ++i) {
         const float position[3] = {(float)i, (float)(i * i), 0};
         put_floats(&binary, 3, position);
@@ -288,12 +275,10 @@ static void test_shared_vertices(void) {
               "'type':'SCALAR'}],'meshes':[{'primitives':[{'attributes':{'POSITION':0},"
               "'indices':1},{'attributes':{'POSITION':0},'indices':2}]}],"
               "'nodes':[{'mesh':0},{'mesh':0,'translation':[0,0,1]}]}",
-              &binary, &s);
-    CHECK(s.triangle_count == 6 && s.streams[BURNISH_POSITION].count == 12, "%zu, %zu",
-          s.triangle_count, s.streams[BURNISH_POSITION].count);
-    CHECK1(corner_is(&s, 1, 0, 11, 121, 0) && corner_is(&s, 2, 2, 3, 9, 0) &&
-           corner_is(&s, 5, 2, 3, 9, 1));
-    burnish_mesh_data_destroy(&s);
+              &binary);
+    CHECK(got.triangle_count == 6 && got.streams[BURNISH_POSITION].count == 12, "%zu, %zu",
+          got.triangle_count, got.streams[BURNISH_POSITION].count);
+    CHECK1(corner_is(1, 0, 11, 121, 0) && corner_is(2, 2, 3, 9, 0) && corner_is(5, 2, 3, 9, 1));
 }
 
 /* ---- Points and lines ---- */
@@ -325,64 +310,57 @@ static void test_lines(void) {
                  {3, ",'material':0", 2, {0, 1}, {1, 2}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[1000];
-        burnish_mesh_data s;
         snprintf(text, sizeof text,
                  "$head$triangle_accessors,'materials':[{'pbrMetallicRoughness':{'baseColorFac"
                  "tor':[1,0,1,1]}}],'meshes':[{'primitives':[{'mode':%d,"
                  "'attributes':{'POSITION':0}%s},{'mode':0,'attributes':{'POSITION':0}}]}],"
                  "$node}",
                  cases[i].mode, cases[i].more);
-        read_good(text, NULL, &s);
-        CHECK1(s.line_count == cases[i].count && s.point_count == 0 && s.material_count == 1);
-        CHECK1(s.triangle_count == 64 * cases[i].count);
-        for (size_t k = 0; k < cases[i].count && k < s.line_count; ++k) {
-            CHECK1(joins(&s, k, cases[i].from[k], cases[i].to[k]));
+        read_good(text, NULL);
+        CHECK1(got.line_count == cases[i].count && got.point_count == 0 && got.material_count == 1);
+        CHECK1(got.triangle_count == 64 * cases[i].count);
+        for (size_t k = 0; k < cases[i].count && k < got.line_count; ++k) {
+            CHECK1(joins(&got, k, cases[i].from[k], cases[i].to[k]));
         }
-        const uint8_t *colors = burnish_colors(&s);
+        const uint8_t *colors = burnish_colors(&got);
         CHECK1(!colors == !*cases[i].more);
         CHECK1(!colors || (colors[0] == 255 && colors[1] == 0 && colors[2] == 255));
-        if (CHECK1(s.warning_count == (i == 0 ? 2 : 1))) {
-            CHECK_TEXT(s.warnings[s.warning_count - 1],
+        if (CHECK1(got.warning_count == (i == 0 ? 2 : 1))) {
+            CHECK_TEXT(got.warnings[got.warning_count - 1],
                        i == 0 ? "mesh.gltf:1: meshes[0].primitives[0]: 3 corners do not make whole "
                                 "lines; the last 1 are ignored"
                               : "mesh.gltf:1: meshes[0].primitives[1]: points are not drawn in a "
                                 "file with lines");
         }
-        burnish_mesh_data_destroy(&s);
     }
 }
 
 /* Indices choose the points; the node moves them. */
 static void test_points(void) {
-    burnish_mesh_data s;
-    burnish_error e;
     read_good("$head'buffers':[$triangle_buffer,{'byteLength':2,'uri':'data:;base64,"
               "AgE='}],'bufferViews':[$view(0,36),{'buffer':1,'byteLength':2}],"
               "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5121,2,SCALAR)],"
               "'meshes':[{'primitives':[{'mode':0,'indices':1,"
               "'attributes':{'POSITION':0}}]}],'nodes':[{'mesh':0,'translation':[5,0,0]}]}",
-              NULL, &s);
-    if (CHECK1(s.point_count == 2 && s.warning_count == 0)) {
-        const size_t vertices = s.streams[BURNISH_POSITION].count / 2;
+              NULL);
+    if (CHECK1(got.point_count == 2 && got.warning_count == 0)) {
+        const size_t vertices = got.streams[BURNISH_POSITION].count / 2;
         for (size_t point = 0; point < 2; ++point) {
             double sum[3] = {0, 0, 0};
             for (size_t i = 0; i < 3 * vertices; ++i) {
                 sum[i % 3] +=
-                    (double)burnish_positions(&s)[3 * vertices * point + i] / (double)vertices;
+                    (double)burnish_positions(&got)[3 * vertices * point + i] / (double)vertices;
             }
             CHECK1(fabs(sum[0] - (point == 0 ? 5 : 6)) < 1e-5 &&
                    fabs(sum[1] - (point == 0 ? 2 : 0)) < 1e-5 && fabs(sum[2]) < 1e-5);
         }
     }
-    burnish_mesh_data_destroy(&s);
     CHECK1(read_gltf("$head$triangle_accessors,'meshes':[{'primitives':[{'attributes':{'POSITION':"
-                     "0}},{'mode':3,'attributes':{'POSITION':0}}]}],$node}",
-                     &s, &e) == BURNISH_STATUS_OK &&
-           s.triangle_count == 1 && s.warning_count == 1);
+                     "0}},{'mode':3,'attributes':{'POSITION':0}}]}],$node}") == BURNISH_STATUS_OK &&
+           got.triangle_count == 1 && got.warning_count == 1);
     CHECK_TEXT(
-        s.warnings[0],
+        got.warnings[0],
         "mesh.gltf:1: meshes[0].primitives[1]: lines are not drawn in a file with triangles");
-    burnish_mesh_data_destroy(&s);
 }
 
 /* ---- Threads ---- */

@@ -7,30 +7,26 @@
 
 /* A chain of a matrix, a turn about z, and a mirror, against the same by hand. */
 static void test_hierarchy(void) {
-    burnish_mesh_data s;
     /* p -> 2 p + (10, 20, 30); a quarter turn: (x, y) -> (-y, x); then x mirrored, y times 3. */
     read_good("$head$triangle,'scene':1,'scenes':[{'nodes':[3]},{'nodes':[2]}],"
               "'nodes':[{'mesh':0,'scale':[-1,3,1]},{'children':[0],'rotation':[0,0,"
               "0.70710678118654757,0.70710678118654757]},{'children':[1],'matrix':[2,0,0,"
               "0, 0,2,0,0, 0,0,2,0, 10,20,30,1]},{'mesh':0}]}",
-              NULL, &s);
+              NULL);
     /* The mirror turns the winding: corners 0, 2, 1. */
-    CHECK1(s.triangle_count == 1 && corner_is(&s, 0, 0, 10, 20, 30) &&
-           corner_is(&s, 0, 2, 10, 18, 30) && corner_is(&s, 0, 1, -2, 20, 30));
-    burnish_mesh_data_destroy(&s);
+    CHECK1(got.triangle_count == 1 && corner_is(0, 0, 10, 20, 30) && corner_is(0, 2, 10, 18, 30) &&
+           corner_is(0, 1, -2, 20, 30));
     /* Without scenes, all visible roots are drawn. */
     read_good("$head$triangle,'extensionsUsed':['KHR_node_visibility'],"
               "'nodes':[{'mesh':0},{'children':[2],'extensions':{'KHR_node_visibility':{'vi"
               "sible':false}}},{'mesh':0},{'mesh':0,'translation':[5,0,0]}]}",
-              NULL, &s);
-    CHECK1(s.triangle_count == 2 && corner_is(&s, 1, 0, 5, 0, 0));
-    check_warning(&s, NULL);
-    burnish_mesh_data_destroy(&s);
+              NULL);
+    CHECK1(got.triangle_count == 2 && corner_is(1, 0, 5, 0, 0));
+    check_warning(NULL);
     /* A missing scene is ignored. */
-    read_good("$head$triangle,'scene':3,'nodes':[{'mesh':0}]}", NULL, &s);
-    CHECK1(s.triangle_count == 1);
-    check_warning(&s, "mesh.gltf:1: scene: 3 is not in scenes, of which there are 0; ignored");
-    burnish_mesh_data_destroy(&s);
+    read_good("$head$triangle,'scene':3,'nodes':[{'mesh':0}]}", NULL);
+    CHECK1(got.triangle_count == 1);
+    check_warning("mesh.gltf:1: scene: 3 is not in scenes, of which there are 0; ignored");
 }
 
 /* Normals stay at right angles to a stretched surface, and on the correct side when mirrored. */
@@ -39,7 +35,6 @@ static void test_normals_of_nodes(void) {
     static const float normals[9] = {1, -1, 0, 1, -1, 0, 1, -1, 0};
     for (int mirror = 0; mirror < 2; ++mirror) {
         byte_list binary = {.size = 0};
-        burnish_mesh_data s;
         char json[1024];
         put_floats(&binary, 9, positions);
         put_floats(&binary, 9, normals);
@@ -48,15 +43,14 @@ static void test_normals_of_nodes(void) {
                  "'accessors':[$accessor(0,5126,3,VEC3),$accessor(1,5126,3,VEC3)],"
                  "$mesh('POSITION':0,'NORMAL':1),'nodes':[{'mesh':0,'scale':[%d,1,1]}]}",
                  mirror ? -4 : 4);
-        read_good(json, &binary, &s);
+        read_good(json, &binary);
         /* (1/4, -1, 0), the 1/4 mirrored, made a unit vector */
         const double x = (mirror ? -0.25 : 0.25) / sqrt(0.0625 + 1), y = -1 / sqrt(0.0625 + 1);
         for (size_t i = 0; i < 3; ++i) {
-            const float *n = burnish_normals(&s) + 3 * i;
+            const float *n = burnish_normals(&got) + 3 * i;
             CHECK(fabs((double)n[0] - x) < 1e-7 && fabs((double)n[1] - y) < 1e-7 && n[2] == 0,
                   "%g %g %g", (double)n[0], (double)n[1], (double)n[2]);
         }
-        burnish_mesh_data_destroy(&s);
     }
 }
 
@@ -64,7 +58,7 @@ static void test_normals_of_nodes(void) {
 
 /* Views over one buffer: positions, then whatever follows. */
 static burnish_status read_posed(const char *rest, const byte_list *binary, double time,
-                                 const char *animation, burnish_mesh_data *s, burnish_error *e) {
+                                 const char *animation) {
     static byte_list list;
     static char json[4096];
     burnish_load_options options = burnish_load_options_default();
@@ -73,7 +67,7 @@ static burnish_status read_posed(const char *rest, const byte_list *binary, doub
     snprintf(json, sizeof json, "$head$buffer(%zu),%s}", binary->size, rest);
     list.size = 0;
     put_glb(&list, json, binary);
-    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL, s, e);
+    return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL);
 }
 
 /* p + 0.5 (0, 0, 4) for vertex 1. The node's weights precede the mesh's, weight 0 has no effect,
@@ -91,8 +85,6 @@ static void test_morph_targets(void) {
     put_floats(&binary, 36, floats);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char rest[1024];
-        burnish_mesh_data s;
-        burnish_error e;
         snprintf(rest, sizeof rest,
                  "'bufferViews':[{'buffer':0,'byteLength':144,'byteStride':12}],"
                  "'accessors':[$accessor(0,5126,3,VEC3),$part(36,5126,3,VEC3),"
@@ -100,16 +92,15 @@ static void test_morph_targets(void) {
                  "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1},"
                  "'targets':[{'POSITION':2,'NORMAL':3},{}]}%s}]",
                  cases[i].weights);
-        if (!CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e), e)) {
+        if (!CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL), fault)) {
             continue;
         }
-        CHECK1(corner_is(&s, 0, 1, 1, 0, cases[i].z) && corner_is(&s, 0, 2, 0, 2, 0));
-        const float *n = burnish_normals(&s) + 3;
+        CHECK1(corner_is(0, 1, 1, 0, cases[i].z) && corner_is(0, 2, 0, 2, 0));
+        const float *n = burnish_normals(&got) + 3;
         const double length = sqrt(cases[i].n[0] * cases[i].n[0] + cases[i].n[2] * cases[i].n[2]);
         CHECK(fabs((double)n[0] - cases[i].n[0] / length) < 1e-6 &&
                   fabs((double)n[2] - cases[i].n[2] / length) < 1e-6,
               "%g %g", (double)n[0], (double)n[2]);
-        burnish_mesh_data_destroy(&s);
     }
 }
 
@@ -122,8 +113,6 @@ static void test_skin(void) {
     static const float bind[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1,
                                    1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1};
     byte_list binary = {.size = 0};
-    burnish_mesh_data s;
-    burnish_error e;
     put_floats(&binary, 9, positions);
     put_floats(&binary, 12, weights);
     put_floats(&binary, 32, bind);
@@ -136,23 +125,18 @@ static void test_skin(void) {
         "'inverseBindMatrices':2}],'nodes':[{'mesh':0,'skin':0,'translation':[100,0,"
         "0]},{},{'translation':[1,0,0],'rotation':[0,0,0.70710678118654757,"
         "0.70710678118654757]}]";
-    CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e), e);
+    CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL), fault);
     /* (5, 0, 0); (1, 0, 0) + (0, 1, 0); the middle of (2, 0, 0) and (1, 1, 0) */
-    CHECK1(corner_is(&s, 0, 0, 5, 0, 0) && corner_is(&s, 0, 1, 1, 1, 0) &&
-           corner_is(&s, 0, 2, 1.5, 0.5, 0));
-    burnish_mesh_data_destroy(&s);
+    CHECK1(corner_is(0, 0, 5, 0, 0) && corner_is(0, 1, 1, 1, 0) && corner_is(0, 2, 1.5, 0.5, 0));
     binary.bytes[212] = 2;
-    CHECK1(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e) == BURNISH_STATUS_FORMAT);
-    CHECK1(strstr(e.text, "accessors[3]: joint 2 of vertex 0 is not below the skin's 2"));
-    burnish_mesh_data_destroy(&s);
+    CHECK1(read_posed(rest, &binary, BURNISH_AT_REST, NULL) == BURNISH_STATUS_FORMAT);
+    CHECK1(strstr(fault.text, "accessors[3]: joint 2 of vertex 0 is not below the skin's 2"));
 }
 
 static void test_instances(void) {
     static const float floats[] = {0, 0,  0, 1, 0, 0, 0, 2,  0, 10, 0,
                                    0, 20, 0, 0, 2, 2, 2, -1, 1, 1};
     byte_list binary = {.size = 0};
-    burnish_mesh_data s;
-    burnish_error e;
     put_floats(&binary, sizeof floats / sizeof *floats, floats);
     CHECK_OK(read_posed("'bufferViews':[$view(0,84)],'accessors':[$accessor(0,5126,3,VEC3),"
                         "$part(36,5126,2,VEC3),$part(60,5126,2,VEC3)],"
@@ -160,12 +144,10 @@ static void test_instances(void) {
                         "'nodes':[{'mesh':0,'translation':[0,0,5],"
                         "'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':1,"
                         "'SCALE':2}}}}]",
-                        &binary, BURNISH_AT_REST, NULL, &s, &e),
-             e);
-    CHECK1(s.triangle_count == 2 && corner_is(&s, 0, 1, 12, 0, 5) &&
-           corner_is(&s, 0, 2, 10, 4, 5) && corner_is(&s, 1, 2, 19, 0, 5) &&
-           corner_is(&s, 1, 1, 20, 2, 5)); /* a mirror */
-    burnish_mesh_data_destroy(&s);
+                        &binary, BURNISH_AT_REST, NULL),
+             fault);
+    CHECK1(got.triangle_count == 2 && corner_is(0, 1, 12, 0, 5) && corner_is(0, 2, 10, 4, 5) &&
+           corner_is(1, 2, 19, 0, 5) && corner_is(1, 1, 20, 2, 5)); /* a mirror */
 }
 
 static const struct {
@@ -210,63 +192,53 @@ static void test_animation(void) {
         "'target':{'node':0,'path':'translation'}}]},{'name':'turn',"
         "'samplers':[{'input':1,'output':4}],'channels':[{'sampler':0,"
         "'target':{'node':0,'path':'rotation'}}]}]";
-    burnish_mesh_data s;
-    burnish_error e;
     for (size_t i = 0; i < sizeof moments / sizeof *moments; ++i) {
-        CHECK_OK(read_posed(rest, &binary, moments[i].time, moments[i].animation, &s, &e), e);
-        CHECK(corner_is(&s, 0, 0, moments[i].x, 0, 0), "%zu: %g", i,
-              (double)burnish_positions(&s)[0]);
-        burnish_mesh_data_destroy(&s);
+        CHECK_OK(read_posed(rest, &binary, moments[i].time, moments[i].animation), fault);
+        CHECK(corner_is(0, 0, moments[i].x, 0, 0), "%zu: %g", i,
+              (double)burnish_positions(&got)[0]);
     }
-    CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL, &s, &e), e);
-    CHECK1(corner_is(&s, 0, 0, 0, 7, 0));
-    burnish_mesh_data_destroy(&s);
+    CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL), fault);
+    CHECK1(corner_is(0, 0, 0, 7, 0));
     /* From no turn to one of 90 degrees about z, whose quaternion has the other sign. */
     for (int quarter = 0; quarter <= 4; ++quarter) {
-        CHECK_OK(read_posed(rest, &binary, 1 + quarter / 2.0, "turn", &s, &e), e);
+        CHECK_OK(read_posed(rest, &binary, 1 + quarter / 2.0, "turn"), fault);
         const double angle = quarter * acos(0) / 4;
-        CHECK(corner_is(&s, 0, 1, cos(angle), 7 + sin(angle), 0), "%d", quarter);
-        burnish_mesh_data_destroy(&s);
+        CHECK(corner_is(0, 1, cos(angle), 7 + sin(angle), 0), "%d", quarter);
     }
-    CHECK1(read_posed(rest, &binary, 0, "4", &s, &e) == BURNISH_STATUS_ARGUMENT);
-    CHECK_TEXT(e.text, "mesh.gltf: animation \"4\" does not exist; give a name or a number from 0 "
-                       "to 3");
-    burnish_mesh_data_destroy(&s);
-    read_good("$head$triangle,$node}", NULL, &s);
-    burnish_mesh_data_destroy(&s);
+    CHECK1(read_posed(rest, &binary, 0, "4") == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(fault.text,
+               "mesh.gltf: animation \"4\" does not exist; give a name or a number from 0 "
+               "to 3");
+    read_good("$head$triangle,$node}", NULL);
 }
 
 /* ---- Cameras and lights ---- */
 
 static void test_cameras(void) {
-    burnish_mesh_data s;
     read_good("$head$triangle,'cameras':[{'type':'perspective','perspective':{'yfov':0.5,"
               "'znear':1}},{'name':'plan','type':'orthographic',"
               "'orthographic':{'ymag':3}}],'nodes':[{'mesh':0},{'name':'front','camera':0,"
               "'translation':[0.5,1,10]},{'camera':1,'translation':[0,50,0],"
               "'rotation':[-0.70710678118654757,0,0,0.70710678118654757]}]}",
-              NULL, &s);
-    if (CHECK1(s.camera_count == 2)) {
-        const burnish_camera *c = &s.cameras[0].camera;
-        CHECK_TEXT(s.cameras[0].name, "front");
+              NULL);
+    if (CHECK1(got.camera_count == 2)) {
+        const burnish_camera *c = &got.cameras[0].camera;
+        CHECK_TEXT(got.cameras[0].name, "front");
         CHECK1(c->position[0] == 0.5 && c->position[2] == 10 && c->view_up[1] == 1 &&
                c->orthographic_height == 0 && fabs(c->view_angle - 90 / acos(0) * 0.5) < 1e-9);
         /* as far away as the middle of the triangle's box */
         CHECK1(fabs(c->focal_point[0] - 0.5) < 1e-9 && fabs(c->focal_point[2]) < 1e-9);
-        CHECK_TEXT(s.cameras[1].name, "plan");
-        c = &s.cameras[1].camera;
+        CHECK_TEXT(got.cameras[1].name, "plan");
+        c = &got.cameras[1].camera;
         CHECK1(c->orthographic_height == 6 && fabs(c->focal_point[1] - 1) < 1e-9 &&
                fabs(c->view_up[2] + 1) < 1e-9 && fabs(c->view_up[1]) < 1e-9);
     }
-    burnish_mesh_data_destroy(&s);
 }
 
 /* Lux at the middle of the triangle's box, (0.5, 1, 0): 2 from +z, and from -x 18 / 3^2 = 2, of
  * which green is half. The lights do not face each other, so 2 becomes 1. The invisible, the dark
  * and the missing light are skipped. */
 static void test_lights(void) {
-    burnish_mesh_data s;
-    burnish_error e;
     read_good("$head$triangle,'extensionsUsed':['KHR_lights_punctual'],"
               "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'directional',"
               "'intensity':2},{'type':'spot','intensity':18,'color':[1,0.5,0]},"
@@ -277,28 +249,25 @@ static void test_lights(void) {
               "{'extensions':{'KHR_lights_punctual':{'light':3}}},"
               "{'extensions':{'KHR_lights_punctual':{'light':0},"
               "'KHR_node_visibility':{'visible':false}}}]}",
-              NULL, &s);
-    if (CHECK1(s.light_count == 2)) {
-        const burnish_light *sun = &s.lights[0].light, *lamp = &s.lights[1].light;
-        CHECK1(sun->kind == BURNISH_LIGHT_DIRECTIONAL && !s.lights[0].is_spot &&
+              NULL);
+    if (CHECK1(got.light_count == 2)) {
+        const burnish_light *sun = &got.lights[0].light, *lamp = &got.lights[1].light;
+        CHECK1(sun->kind == BURNISH_LIGHT_DIRECTIONAL && !got.lights[0].is_spot &&
                !sun->follows_camera);
         CHECK1(sun->vector[0] == 0 && sun->vector[1] == 0 && sun->vector[2] == 1);
-        CHECK1(lamp->kind == BURNISH_LIGHT_POINT && s.lights[1].is_spot);
+        CHECK1(lamp->kind == BURNISH_LIGHT_POINT && got.lights[1].is_spot);
         CHECK1(lamp->vector[0] == -2.5 && lamp->vector[1] == 1 && lamp->vector[2] == 0);
         for (int k = 0; k < 3; ++k) {
             CHECK1(sun->color[k] == 1 && fabsf(lamp->color[k] - (1 - 0.5f * (float)k)) < 1e-6f);
         }
     }
-    CHECK1(s.warning_count == 0);
-    burnish_mesh_data_destroy(&s);
-    CHECK1(read_gltf("$head$triangle,$node}", &s, &e) == BURNISH_STATUS_OK && s.light_count == 0);
-    burnish_mesh_data_destroy(&s);
+    CHECK1(got.warning_count == 0);
+    CHECK1(read_gltf("$head$triangle,$node}") == BURNISH_STATUS_OK && got.light_count == 0);
 }
 
 /* ---- Materials ---- */
 
 static void test_materials(void) {
-    burnish_mesh_data s;
     read_good("$head$triangle_accessors,'materials':[{'pbrMetallicRoughness':{'baseColorFac"
               "tor':[0.5,0.25,1,0.5],'metallicFactor':0,'roughnessFactor':0.5}},"
               "{'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.5],"
@@ -310,10 +279,10 @@ static void test_materials(void) {
               "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0},"
               "{'attributes':{'POSITION':0},'material':1},{'attributes':{'POSITION':0}},"
               "{'attributes':{'POSITION':0},'material':3}]}],$node}",
-              NULL, &s);
-    CHECK1(s.material_count == 5 && s.triangle_count == 4 && s.triangle_materials[1] == 1 &&
-           s.triangle_materials[2] == 4 && s.triangle_materials[3] == 3);
-    const burnish_material *m = s.materials;
+              NULL);
+    CHECK1(got.material_count == 5 && got.triangle_count == 4 && got.triangle_materials[1] == 1 &&
+           got.triangle_materials[2] == 4 && got.triangle_materials[3] == 3);
+    const burnish_material *m = got.materials;
     /* alpha 1/4: n = 2 * 16 - 2 = 30, and a height of 0.04 * 32 / 8 */
     CHECK1(m->exponent == 30 && m->diffuse[0] == 0.5f && m->diffuse[2] == 1 &&
            m->ambient[1] == 0.25f && m->transparency == 0);
@@ -325,9 +294,8 @@ static void test_materials(void) {
     CHECK1(m->exponent == 30 && m->diffuse[1] == 0.5f && fabsf(m->specular[1] - 0.4f) < 1e-6f);
     ++m;
     CHECK1(m->is_unlit && m->diffuse[0] == 1 && m->specular[0] == 0);
-    check_warning(&s, "mesh.gltf:1: materials[3].pbrMetallicRoughness.metallicFactor: expected a "
-                      "number, found \"x\"; ignored");
-    burnish_mesh_data_destroy(&s);
+    check_warning("mesh.gltf:1: materials[3].pbrMetallicRoughness.metallicFactor: expected a "
+                  "number, found \"x\"; ignored");
 }
 
 /* ---- Textures ---- */
@@ -335,7 +303,6 @@ static void test_materials(void) {
 /* One image as colours and as numbers is two textures, however often it is used. The transform of
  * (u, v) = (1/4, 1/4 from above) is checked by hand. */
 static void test_textures(void) {
-    burnish_mesh_data s;
     read_good("$head$triangle_accessors,'images':[$image],'samplers':[{'wrapS':33071,"
               "'wrapT':33648,'magFilter':9728}],'textures':[{'source':0,'sampler':0},"
               "{'source':0}],'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'ind"
@@ -348,10 +315,10 @@ static void test_textures(void) {
               "'alphaMode':'MASK','alphaCutoff':0.25}],"
               "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
               "$node}",
-              NULL, &s);
-    const burnish_material *m = s.materials;
+              NULL);
+    const burnish_material *m = got.materials;
     const burnish_texture_use *color = &m->textures[BURNISH_TEXTURE_COLOR];
-    CHECK1(s.texture_count == 2 && s.textures[color->texture - 1].is_color &&
+    CHECK1(got.texture_count == 2 && got.textures[color->texture - 1].is_color &&
            m->textures[BURNISH_TEXTURE_EMISSIVE].texture == color->texture &&
            m->textures[BURNISH_TEXTURE_NORMAL].texture ==
                m->textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture &&
@@ -366,9 +333,8 @@ static void test_textures(void) {
     CHECK(color->has_transform && fabsf(t[0] * u + t[1] * v + t[2] - 1.5f) < 1e-6f &&
               fabsf(t[3] * u + t[4] * v + t[5] - 1.25f) < 1e-6f,
           "%g %g", (double)(t[0] * u + t[1] * v + t[2]), (double)(t[3] * u + t[4] * v + t[5]));
-    check_warning(&s, "mesh.gltf:1: materials[0].occlusionTexture: ignored, as it uses another set "
-                      "of texture coordinates (set 1)");
-    burnish_mesh_data_destroy(&s);
+    check_warning("mesh.gltf:1: materials[0].occlusionTexture: ignored, as it uses another set "
+                  "of texture coordinates (set 1)");
 }
 /* A vertex has one set of texture coordinates: the set that most textures of its material use, or
  * the base colour's in a tie. The accessor of set 1 is the positions' x and y, turned. */
@@ -384,7 +350,6 @@ static void test_texture_sets(void) {
                                  BURNISH_TEXTURE_OCCLUSION};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char json[2048];
-        burnish_mesh_data s;
         byte_list binary = {.size = 0};
         static const float values[] = {0,    0, 0, 1,    0, 0, 0, 2, 0, 0, 0,
                                        0.5f, 0, 0, 0.5f, 0, 0, 1, 0, 0, 1};
@@ -400,15 +365,14 @@ static void test_texture_sets(void) {
                  "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1,"
                  "'TEXCOORD_1':2},'material':0}]}],$node}",
                  cases[i].sets[0], cases[i].sets[1], cases[i].sets[2]);
-        read_good(json, &binary, &s);
-        for (int k = 0; k < 3 && s.material_count > 0; ++k) {
-            CHECK((s.materials[0].textures[slots[k]].texture > 0) == cases[i].has[k],
+        read_good(json, &binary);
+        for (int k = 0; k < 3 && got.material_count > 0; ++k) {
+            CHECK((got.materials[0].textures[slots[k]].texture > 0) == cases[i].has[k],
                   "%zu: slot %d", i, k);
         }
-        const float *uv = s.streams[BURNISH_TEXCOORD].items;
-        CHECK(s.streams[BURNISH_TEXCOORD].count == 3 && (double)uv[2] == cases[i].u, "%zu", i);
-        CHECK(s.warning_count == (i > 1), "%zu: %zu warnings", i, s.warning_count);
-        burnish_mesh_data_destroy(&s);
+        const float *uv = got.streams[BURNISH_TEXCOORD].items;
+        CHECK(got.streams[BURNISH_TEXCOORD].count == 3 && (double)uv[2] == cases[i].u, "%zu", i);
+        CHECK(got.warning_count == (i > 1), "%zu: %zu warnings", i, got.warning_count);
     }
 }
 
@@ -422,7 +386,6 @@ static void test_damaged_images(void) {
                                          "{'uri':'../a.png'}"};
     for (size_t i = 0; i < sizeof images / sizeof *images; ++i) {
         char json[2048];
-        burnish_mesh_data s;
         snprintf(json, sizeof json,
                  "$head$triangle_accessors,'images':[%s,%s],'textures':[{'source':0},"
                  "{'source':1}],'materials':[{'pbrMetallicRoughness':{'baseColorTexture':{'ind"
@@ -432,24 +395,21 @@ static void test_damaged_images(void) {
                  "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
                  "$node}",
                  images[i], images[i]);
-        read_good(json, NULL, &s);
-        CHECK1(s.triangle_count == 1 && s.texture_count == 0 && s.warning_count >= 1 &&
-               s.materials[0].textures[BURNISH_TEXTURE_COLOR].texture == 0 &&
-               s.materials[0].emissive[0] == 0 && s.materials[1].exponent == 1 &&
-               s.materials[1].reflectance[0] == 0.04f);
-        burnish_mesh_data_destroy(&s);
+        read_good(json, NULL);
+        CHECK1(got.triangle_count == 1 && got.texture_count == 0 && got.warning_count >= 1 &&
+               got.materials[0].textures[BURNISH_TEXTURE_COLOR].texture == 0 &&
+               got.materials[0].emissive[0] == 0 && got.materials[1].exponent == 1 &&
+               got.materials[1].reflectance[0] == 0.04f);
     }
 }
 
 /* A required extension that only changes the look does not refuse the file. */
 static void test_required_look(void) {
-    burnish_mesh_data s;
     read_good("$head$triangle_accessors,'extensionsRequired':['KHR_materials_x'],"
               "'extensionsUsed':['KHR_materials_x'],"
               "'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],$node}",
-              NULL, &s);
-    check_warning(&s, "mesh.gltf: drawn without the extension KHR_materials_x");
-    burnish_mesh_data_destroy(&s);
+              NULL);
+    check_warning("mesh.gltf: drawn without the extension KHR_materials_x");
 }
 
 /* ---- Nothing to be seen ---- */
@@ -472,15 +432,12 @@ static void test_invisible(void) {
                  {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR_MASK), 1},
                  {"$head$triangle_accessors," MATERIALS(CLEAR, CLEAR_MASK ",'alphaCutoff':0"), 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        burnish_mesh_data s;
-        read_good(cases[i].json, NULL, &s);
-        check_warning(&s,
-                      cases[i].is_opaque
+        read_good(cases[i].json, NULL);
+        check_warning(cases[i].is_opaque
                           ? "mesh.gltf: everything is fully transparent (alpha 0) and drawn opaque"
                           : NULL);
-        CHECK(s.material_count == 2 && s.materials[0].transparency == !cases[i].is_opaque, "%zu",
-              i);
-        burnish_mesh_data_destroy(&s);
+        CHECK(got.material_count == 2 && got.materials[0].transparency == !cases[i].is_opaque,
+              "%zu", i);
     }
 }
 
@@ -488,7 +445,6 @@ static void test_invisible(void) {
 static void test_invisible_vertices(void) {
     for (int visible = 0; visible < 2; ++visible) {
         static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
-        burnish_mesh_data s;
         byte_list binary = {.size = 0};
         put_floats(&binary, 9, positions);
         for (int i = 0; i < 3; ++i) {
@@ -499,14 +455,13 @@ static void test_invisible_vertices(void) {
                   "'count':3,'type':'VEC4','normalized':true}],"
                   "'materials':[{'alphaMode':'BLEND'}],'meshes':[{'primitives':[{'attributes':{"
                   "'POSITION':0,'COLOR_0':1},'material':0}]}],$node}",
-                  &binary, &s);
+                  &binary);
         check_warning(
-            &s, visible ? NULL
-                        : "mesh.gltf: everything is fully transparent (alpha 0) and drawn opaque");
-        if (CHECK1(s.streams[BURNISH_COLOR].count == 3)) {
-            CHECK1(burnish_colors(&s)[3] == (visible ? 0 : 255));
+            visible ? NULL
+                    : "mesh.gltf: everything is fully transparent (alpha 0) and drawn opaque");
+        if (CHECK1(got.streams[BURNISH_COLOR].count == 3)) {
+            CHECK1(burnish_colors(&got)[3] == (visible ? 0 : 255));
         }
-        burnish_mesh_data_destroy(&s);
     }
 }
 

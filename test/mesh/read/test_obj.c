@@ -106,43 +106,35 @@ static void test_random_polygons(void) {
 /* ---- OBJ ---- */
 
 static void test_obj(void) {
-    burnish_mesh_data s;
     read_good_text(
         BURNISH_FORMAT_OBJ,
         "\xEF\xBB\xBF# a square\r\no thing\r\ng a b\r\ns off\r\nv 0 0 0\r\nv 1 0 0 1.0\r\n"
         "v 1 1 -2.5e-1 \\\r\n  # the rest\r\nv 0 \\\n 1 0\r\nvt 0 0\rvn 0 0 1\n"
-        "vn nan 0 0\nfoo bar\n\n  f 1/1/1 2/1/1 -2//-2 4/1 # end\nf -4/ -3// 3",
-        &s);
-    CHECK1(s.streams[BURNISH_POSITION].count == 4 && s.streams[BURNISH_NORMAL].count == 2 &&
-           s.triangle_count == 3);
-    CHECK1(position_is(&s, 1, 1, 0, 0) && position_is(&s, 2, 1, 1, -0.25f) &&
-           position_is(&s, 3, 0, 1, 0));
-    CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
-           triangle_is(&s, 2, 0, 1, 2));
+        "vn nan 0 0\nfoo bar\n\n  f 1/1/1 2/1/1 -2//-2 4/1 # end\nf -4/ -3// 3");
+    CHECK1(got.streams[BURNISH_POSITION].count == 4 && got.streams[BURNISH_NORMAL].count == 2 &&
+           got.triangle_count == 3);
+    CHECK1(position_is(1, 1, 0, 0) && position_is(2, 1, 1, -0.25f) && position_is(3, 0, 1, 0));
+    CHECK1(triangle_is(0, 0, 1, 2) && triangle_is(1, 0, 2, 3) && triangle_is(2, 0, 1, 2));
     static const uint32_t normals[9] = {
         0, 0, 0, 0, 0, BURNISH_NONE, BURNISH_NONE, BURNISH_NONE, BURNISH_NONE};
-    CHECK1(s.streams[BURNISH_NORMAL].corners &&
-           memcmp(s.streams[BURNISH_NORMAL].corners, normals, sizeof normals) == 0);
-    CHECK1(burnish_normals(&s)[2] == 1 && burnish_normals(&s)[3] == 0);
-    CHECK1(!burnish_colors(&s) && !s.triangle_materials && s.material_count == 1);
-    check_warnings(&s, 1, "mesh.obj:14: \"foo\" is not a statement of OBJ and was ignored");
-    burnish_mesh_data_destroy(&s);
+    CHECK1(got.streams[BURNISH_NORMAL].corners &&
+           memcmp(got.streams[BURNISH_NORMAL].corners, normals, sizeof normals) == 0);
+    CHECK1(burnish_normals(&got)[2] == 1 && burnish_normals(&got)[3] == 0);
+    CHECK1(!burnish_colors(&got) && !got.triangle_materials && got.material_count == 1);
+    check_warnings(1, "mesh.obj:14: \"foo\" is not a statement of OBJ and was ignored");
 }
 
 /* Curves and surfaces give one warning together, and so do unknown statements. */
 static void test_obj_other_statements(void) {
-    burnish_mesh_data s;
     read_good_text(BURNISH_FORMAT_OBJ,
                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nvp 1 2\ncstype bezier\ndeg 1 1\n"
                    "surf 0 1 0 1 1 2 3 1\nparm u 0 1\nend\ncurv 0 1 1 2\nend\nmg 1 2\nlod 3\n"
-                   "q 1\n#MRGB 1\nMRGB 2\n\"\xFF 3\n",
-                   &s);
+                   "q 1\n#MRGB 1\nMRGB 2\n\"\xFF 3\n");
     check_warnings(
-        &s, 2,
+        2,
         "mesh.obj:8: curves and surfaces (\"surf\") are not drawn; "
         "export them as faces (and 1 more like it)",
         "mesh.obj:15: \"q\" is not a statement of OBJ and was ignored (and 2 more like it)");
-    burnish_mesh_data_destroy(&s);
 }
 
 /* Corners of every form, with indices of 1 to 9 characters: longer ones are read another way. */
@@ -153,7 +145,6 @@ static void test_obj_index_forms(void) {
     for (size_t form = 0; form < sizeof forms / sizeof *forms; ++form) {
         char text[16 * 27 + FACES * 3 * PIECE] = "";
         uint32_t wanted[FACES][3];
-        burnish_mesh_data s;
         size_t size = 0, wrong = 0;
         for (int i = 0; i < 9; ++i) {
             size += (size_t)sprintf(text + size, "v %d %d 0\nvt 0 %d\nvn 0 %d 1\n", i, i * i, i, i);
@@ -170,16 +161,15 @@ static void test_obj_index_forms(void) {
             text[size++] = '\n';
         }
         text[size] = 0;
-        read_good_text(BURNISH_FORMAT_OBJ, text, &s);
+        read_good_text(BURNISH_FORMAT_OBJ, text);
         for (size_t i = 0; i < FACES; ++i) {
-            const uint32_t *normals = burnish_stream_corners(&s, BURNISH_NORMAL);
-            const uint32_t *texcoords = burnish_stream_corners(&s, BURNISH_TEXCOORD);
-            wrong += !triangle_is(&s, i, wanted[i][0], wanted[i][1], wanted[i][2]);
+            const uint32_t *normals = burnish_stream_corners(&got, BURNISH_NORMAL);
+            const uint32_t *texcoords = burnish_stream_corners(&got, BURNISH_TEXCOORD);
+            wrong += !triangle_is(i, wanted[i][0], wanted[i][1], wanted[i][2]);
             wrong += form < 2 && memcmp(normals + 3 * i, wanted[i], sizeof wanted[i]) != 0;
             wrong += form % 2 == 0 && memcmp(texcoords + 3 * i, wanted[i], sizeof wanted[i]) != 0;
         }
-        CHECK(s.triangle_count == FACES && wrong == 0, "%s: %zu are wrong", forms[form], wrong);
-        burnish_mesh_data_destroy(&s);
+        CHECK(got.triangle_count == FACES && wrong == 0, "%s: %zu are wrong", forms[form], wrong);
     }
 }
 
@@ -187,52 +177,44 @@ static void test_obj_index_forms(void) {
 static void test_obj_forward(void) {
     static const uint32_t texcoords[12] = {0, 1, BURNISH_NONE, 1, 0, 1, 1, 1, 1, 0, 0, 0};
     static const float values[4] = {0, 0.25f, 0.5f, 1};
-    burnish_mesh_data s;
     read_good_text(BURNISH_FORMAT_OBJ,
                    "f 1/1 2/2 3/9\nf 1/2/1 4/1/1 3/2/1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 .25\n"
-                   "vt .5 1 2\nf -3/-1 2/2 3/-1\nf -3/-2 2/1 3/1\nv 0 1 0\nvn 0 0 1\n",
-                   &s);
-    CHECK1(s.triangle_count == 4 && triangle_is(&s, 1, 0, 3, 2) && triangle_is(&s, 2, 0, 1, 2));
-    const burnish_stream *read = &s.streams[BURNISH_TEXCOORD];
+                   "vt .5 1 2\nf -3/-1 2/2 3/-1\nf -3/-2 2/1 3/1\nv 0 1 0\nvn 0 0 1\n");
+    CHECK1(got.triangle_count == 4 && triangle_is(1, 0, 3, 2) && triangle_is(2, 0, 1, 2));
+    const burnish_stream *read = &got.streams[BURNISH_TEXCOORD];
     CHECK1(read->count == 2 && memcmp(read->items, values, sizeof values) == 0);
     CHECK1(read->corners && memcmp(read->corners, texcoords, sizeof texcoords) == 0);
-    CHECK1(s.streams[BURNISH_NORMAL].corners[3] == 0 &&
-           s.streams[BURNISH_NORMAL].corners[0] == BURNISH_NONE);
-    burnish_mesh_data_destroy(&s);
+    CHECK1(got.streams[BURNISH_NORMAL].corners[3] == 0 &&
+           got.streams[BURNISH_NORMAL].corners[0] == BURNISH_NONE);
 }
 
 static void test_obj_colors(void) {
-    burnish_mesh_data s;
     static const uint8_t expected[] = {255, 255, 255, 255, 255, 128, 0,   255,
                                        0,   255, 51,  255, 255, 255, 255, 255};
     read_good_text(
         BURNISH_FORMAT_OBJ,
-        "v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 -1 2 .2\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nf 1 2\n", &s);
-    CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), expected, sizeof expected) == 0);
+        "v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 -1 2 .2\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nf 1 2\n");
+    CHECK1(burnish_colors(&got) && memcmp(burnish_colors(&got), expected, sizeof expected) == 0);
     check_warnings(
-        &s, 2,
-        "mesh.obj:6: lines and points are not drawn in a file with faces (and 1 more like it)",
+        2, "mesh.obj:6: lines and points are not drawn in a file with faces (and 1 more like it)",
         "mesh.obj:8: a face with fewer than 3 corners was ignored");
-    CHECK1(!s.streams[BURNISH_NORMAL].corners && s.triangle_count == 1);
-    burnish_mesh_data_destroy(&s);
+    CHECK1(!got.streams[BURNISH_NORMAL].corners && got.triangle_count == 1);
 }
 
 /* Concave faces keep their area, huge ones become fans. */
 static void test_obj_polygons(void) {
-    burnish_mesh_data s;
     read_good_text(BURNISH_FORMAT_OBJ,
-                   "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\nf 1 2 3 4\nf 2 3 4 1\n", &s);
+                   "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\nf 1 2 3 4\nf 2 3 4 1\n");
     double area = 0;
-    for (size_t t = 0; t < s.triangle_count; ++t) {
-        const uint32_t *c = s.streams[BURNISH_POSITION].corners + 3 * t;
+    for (size_t t = 0; t < got.triangle_count; ++t) {
+        const uint32_t *c = got.streams[BURNISH_POSITION].corners + 3 * t;
         double part =
-            triangle_area(burnish_positions(&s) + 3 * c[0], burnish_positions(&s) + 3 * c[1],
-                          burnish_positions(&s) + 3 * c[2]);
+            triangle_area(burnish_positions(&got) + 3 * c[0], burnish_positions(&got) + 3 * c[1],
+                          burnish_positions(&got) + 3 * c[2]);
         CHECK(part > 0, "triangle %zu: %g", t, part);
         area += part;
     }
-    CHECK(s.triangle_count == 4 && area == 4, "%zu triangles, area %g", s.triangle_count, area);
-    burnish_mesh_data_destroy(&s);
+    CHECK(got.triangle_count == 4 && area == 4, "%zu triangles, area %g", got.triangle_count, area);
 
     enum { CORNERS = 1000 };
     static char text[CORNERS * 40];
@@ -244,10 +226,9 @@ static void test_obj_polygons(void) {
     for (int i = 1; i <= CORNERS; ++i) {
         length += (size_t)snprintf(text + length, sizeof text - length, " %d", i);
     }
-    read_good_text(BURNISH_FORMAT_OBJ, text, &s);
-    CHECK1(s.triangle_count == CORNERS - 2 &&
-           triangle_is(&s, CORNERS - 3, 0, CORNERS - 2, CORNERS - 1));
-    burnish_mesh_data_destroy(&s);
+    read_good_text(BURNISH_FORMAT_OBJ, text);
+    CHECK1(got.triangle_count == CORNERS - 2 &&
+           triangle_is(CORNERS - 3, 0, CORNERS - 2, CORNERS - 1));
 }
 
 /* ---- MTL ---- */
@@ -265,16 +246,14 @@ static burnish_status open_library(void *user_data, const char *file, uint64_t m
     return BURNISH_STATUS_OK;
 }
 
-static burnish_status read_with_library(const char *text, const char *library, burnish_mesh_data *s,
-                                        burnish_error *e) {
+static burnish_status read_with_library(const char *text, const char *library) {
     burnish_load_options options = burnish_load_options_default();
     library_text = library;
-    return run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, open_library, s, e);
+    return run_reader(BURNISH_FORMAT_OBJ, text, strlen(text), &options, open_library);
 }
 
-static void read_good_with(const char *text, const char *library, burnish_mesh_data *s) {
-    burnish_error e;
-    CHECK_OK(read_with_library(text, library, s, &e), e);
+static void read_good_with(const char *text, const char *library) {
+    CHECK_OK(read_with_library(text, library), fault);
 }
 
 static void test_mtl(void) {
@@ -306,25 +285,23 @@ static void test_mtl(void) {
 static void test_obj_materials(void) {
     static const char library[] =
         "newmtl a\nKd 1 0 0\nNs 0.5\nnewmtl b\nKd 0 1 0\nnewmtl a\nKd 1 1 1\n";
-    burnish_mesh_data s;
     read_good_with("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl b\nusemtl a\n"
                    "f 1 2 3 4\nusemtl b\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl none\nf 1 2 3\n"
                    "mtllib my parts\\a b.mtl\nmtllib my parts\\a b.mtl\n",
-                   library, &s);
+                   library);
     static const uint16_t expected[] = {0, 1, 1, 2, 1, 0};
-    CHECK1(s.triangle_count == 6 && s.material_count == 3);
-    CHECK1(s.triangle_materials && memcmp(s.triangle_materials, expected, sizeof expected) == 0);
-    CHECK1(!s.materials[0].has_diffuse && color_is(s.materials[1].diffuse, 1, 0, 0) &&
-           color_is(s.materials[2].diffuse, 0, 1, 0));
-    check_warnings(&s, 2, "my parts/a b.mtl:3: Ns 0.5 is not in [1, 65536] and was taken as 1",
+    CHECK1(got.triangle_count == 6 && got.material_count == 3);
+    CHECK1(got.triangle_materials &&
+           memcmp(got.triangle_materials, expected, sizeof expected) == 0);
+    CHECK1(!got.materials[0].has_diffuse && color_is(got.materials[1].diffuse, 1, 0, 0) &&
+           color_is(got.materials[2].diffuse, 0, 1, 0));
+    check_warnings(2, "my parts/a b.mtl:3: Ns 0.5 is not in [1, 65536] and was taken as 1",
                    "mesh.obj: material \"none\" is in no material library; it is burnish's grey");
-    burnish_mesh_data_destroy(&s);
 
     read_good_with("mtllib my parts/a b.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
-                   library, &s);
-    CHECK1(s.material_count == 1 && !s.triangle_materials &&
-           color_is(s.materials[0].diffuse, 0, 1, 0));
-    burnish_mesh_data_destroy(&s);
+                   library);
+    CHECK1(got.material_count == 1 && !got.triangle_materials &&
+           color_is(got.materials[0].diffuse, 0, 1, 0));
 }
 
 /* Lines have the materials of usemtl; those of a file with faces do not count. */
@@ -333,45 +310,39 @@ static void test_line_materials(void) {
 #define LINES                                                                                      \
     "mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nusemtl a\nl 2 3\nl 3 1\nusemtl "   \
     "b\n"
-    burnish_mesh_data s;
-    read_good_with(LINES "l 1 2 3\n", library, &s);
-    CHECK1(s.triangle_count > 0 && s.triangle_count % 5 == 0 && s.material_count == 3);
-    for (size_t i = 0; i < s.triangle_count && s.triangle_materials; ++i) {
-        const size_t line = 5 * i / s.triangle_count;
-        CHECK(s.triangle_materials[i] == (line + 1) / 2, "triangle %zu", i);
+    read_good_with(LINES "l 1 2 3\n", library);
+    CHECK1(got.triangle_count > 0 && got.triangle_count % 5 == 0 && got.material_count == 3);
+    for (size_t i = 0; i < got.triangle_count && got.triangle_materials; ++i) {
+        const size_t line = 5 * i / got.triangle_count;
+        CHECK(got.triangle_materials[i] == (line + 1) / 2, "triangle %zu", i);
     }
-    CHECK1(s.triangle_materials && color_is(s.materials[1].diffuse, 1, 0, 0) &&
-           color_is(s.materials[2].diffuse, 0, 1, 0));
-    burnish_mesh_data_destroy(&s);
-    read_good_with(LINES "f 1 2 3\nusemtl a\nf 3 2 1\n", library, &s);
-    CHECK1(s.triangle_count == 2 && s.material_count == 2 && s.triangle_materials &&
-           s.triangle_materials[0] == 0 && s.triangle_materials[1] == 1);
-    CHECK1(color_is(s.materials[0].diffuse, 0, 1, 0) && color_is(s.materials[1].diffuse, 1, 0, 0));
-    burnish_mesh_data_destroy(&s);
-    read_good_with(LINES "f 1 2 3\n", library, &s);
-    CHECK1(s.material_count == 1 && color_is(s.materials[0].diffuse, 0, 1, 0));
-    burnish_mesh_data_destroy(&s);
+    CHECK1(got.triangle_materials && color_is(got.materials[1].diffuse, 1, 0, 0) &&
+           color_is(got.materials[2].diffuse, 0, 1, 0));
+    read_good_with(LINES "f 1 2 3\nusemtl a\nf 3 2 1\n", library);
+    CHECK1(got.triangle_count == 2 && got.material_count == 2 && got.triangle_materials &&
+           got.triangle_materials[0] == 0 && got.triangle_materials[1] == 1);
+    CHECK1(color_is(got.materials[0].diffuse, 0, 1, 0) &&
+           color_is(got.materials[1].diffuse, 1, 0, 0));
+    read_good_with(LINES "f 1 2 3\n", library);
+    CHECK1(got.material_count == 1 && color_is(got.materials[0].diffuse, 0, 1, 0));
 #undef LINES
 }
 
 /* Warnings of one kind are one line, and there are at most 16 lines. */
 static void test_many_warnings(void) {
     char library[512] = "newmtl a\n", mesh[512] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    burnish_mesh_data s;
     for (int i = 0; i < 20; ++i) {
         strcat(library, "Ns 0.5\nKd spectral x\n");
         snprintf(mesh + strlen(mesh), 32, "mtllib no %d\n", i);
     }
-    read_good_with("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", library, &s);
-    check_warnings(&s, 2,
+    read_good_with("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", library);
+    check_warnings(2,
                    "my parts/a b.mtl:3: Kd spectral is not supported and was "
                    "ignored (and 19 more like it)",
                    "my parts/a b.mtl:2: Ns 0.5 is not in [1, 65536] and was taken "
                    "as 1 (and 19 more like it)");
-    burnish_mesh_data_destroy(&s);
-    read_good_with(mesh, library, &s);
-    CHECK(s.warning_count == 16, "%zu", s.warning_count);
-    burnish_mesh_data_destroy(&s);
+    read_good_with(mesh, library);
+    CHECK(got.warning_count == 16, "%zu", got.warning_count);
 }
 
 /* The first error of the file is reported; a fault of a library is not an error. */
@@ -383,12 +354,8 @@ static void test_first_error(void) {
                  {"mtllib none.mtl\nv 0 0 0\nf 1 1 9 x\n",
                   "mesh.obj:3: face corner \"x\" is not an index; write v, v/t, v//n or v/t/n"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        burnish_mesh_data s;
-        burnish_error e;
-        CHECK1(read_with_library(cases[i].mesh, "newmtl a\nKd red\n", &s, &e) ==
-               BURNISH_STATUS_FORMAT);
-        CHECK_TEXT(e.text, cases[i].error);
-        burnish_mesh_data_destroy(&s);
+        CHECK1(read_with_library(cases[i].mesh, "newmtl a\nKd red\n") == BURNISH_STATUS_FORMAT);
+        CHECK_TEXT(fault.text, cases[i].error);
     }
 }
 
@@ -411,14 +378,12 @@ static void test_missing_libraries(void) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[256];
-        burnish_mesh_data s;
         snprintf(text, sizeof text, "%s\n%s", cases[i].line, mesh);
-        read_good_with(text, "", &s);
-        if (CHECK(s.warning_count == 1, "%s: %zu", cases[i].line, s.warning_count)) {
-            CHECK_TEXT(s.warnings[0], cases[i].warning);
+        read_good_with(text, "");
+        if (CHECK(got.warning_count == 1, "%s: %zu", cases[i].line, got.warning_count)) {
+            CHECK_TEXT(got.warnings[0], cases[i].warning);
         }
-        CHECK1(s.material_count == 1 && !s.materials[0].has_diffuse);
-        burnish_mesh_data_destroy(&s);
+        CHECK1(got.material_count == 1 && !got.materials[0].has_diffuse);
     }
 }
 
@@ -438,19 +403,13 @@ static burnish_status count_library(void *user_data, const char *file, uint64_t 
 static void check_libraries(const char *lines, size_t opened, const char *warning) {
     static char text[4096];
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data s;
-    burnish_error e;
     snprintf(text, sizeof text, "%susemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", lines);
     libraries_opened = 0;
-    CHECK_OK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
-                                   .load_companion = count_library},
-                     &s, &e),
-             e);
+    CHECK_OK(read_run(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
+                                    .load_companion = count_library}),
+             fault);
     CHECK(libraries_opened == opened, "%zu of %zu: %s", libraries_opened, opened, lines);
-    if (CHECK(s.warning_count == (warning != NULL), "%zu", s.warning_count) && warning) {
-        CHECK_TEXT(s.warnings[0], warning);
-    }
-    burnish_mesh_data_destroy(&s);
+    check_warning(warning);
 }
 
 static void test_library_names(void) {
@@ -471,20 +430,16 @@ static void test_library_line(void) {
     enum { NAMES = 1000000 };
     static char text[2 * NAMES + 100];
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data s;
-    burnish_error e;
     strcpy(text, "mtllib ");
     for (size_t i = 0; i < NAMES; ++i) {
         memcpy(text + 7 + 2 * i, "a ", 2);
     }
     strcpy(text + 7 + 2 * NAMES, "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     libraries_opened = 0;
-    CHECK_OK(read_as(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
-                                   .load_companion = count_library},
-                     &s, &e),
-             e);
+    CHECK_OK(read_run(&(reader_run){BURNISH_FORMAT_OBJ, text, strlen(text), &options,
+                                    .load_companion = count_library}),
+             fault);
     CHECK(libraries_opened == 1, "%zu", libraries_opened);
-    burnish_mesh_data_destroy(&s);
 }
 
 /* Opacity: d precedes Tr, and invisible materials become opaque, with one warning. */
@@ -512,16 +467,14 @@ static void test_opacity(void) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char library[80];
-        burnish_mesh_data s;
         snprintf(library, sizeof library, "newmtl a\n%snewmtl b\nd 0.5\n", cases[i].statements);
         read_good_with("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\n"
                        "f 1 2 3\n",
-                       library, &s);
-        CHECK(s.material_count == 1 && s.materials[0].transparency == cases[i].transparency,
-              "%s: %g", cases[i].statements, (double)s.materials[0].transparency);
-        CHECK(s.warning_count == (size_t)cases[i].warnings, "%s: %zu", cases[i].statements,
-              s.warning_count);
-        burnish_mesh_data_destroy(&s);
+                       library);
+        CHECK(got.material_count == 1 && got.materials[0].transparency == cases[i].transparency,
+              "%s: %g", cases[i].statements, (double)got.materials[0].transparency);
+        CHECK(got.warning_count == (size_t)cases[i].warnings, "%s: %zu", cases[i].statements,
+              got.warning_count);
     }
 }
 
@@ -537,20 +490,18 @@ static void test_ply_alpha(void) {
             {255, 254, 0}, {255, 255, 255}, {255, 128, 0}, {255, 255, 255}};
         const char *type = i < 2 ? "uchar" : "float";
         char text[400];
-        burnish_mesh_data s;
         snprintf(text, sizeof text,
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nproperty %s red\nproperty %s green\nproperty %s blue\n"
                  "property %s alpha\nelement face 1\n"
                  "property list uchar int vertex_indices\nend_header\n%s3 0 1 2\n",
                  type, type, type, type, rows[i]);
-        read_good_text(BURNISH_FORMAT_PLY, text, &s);
-        const uint8_t *rgba = burnish_colors(&s);
+        read_good_text(BURNISH_FORMAT_PLY, text);
+        const uint8_t *rgba = burnish_colors(&got);
         for (int k = 0; rgba && k < 3; ++k) {
             CHECK(rgba[4 * k + 3] == alphas[i][k], "%d, %d: %d", i, k, rgba[4 * k + 3]);
         }
-        CHECK(rgba && s.warning_count == (size_t)(i % 2), "%d: %zu", i, s.warning_count);
-        burnish_mesh_data_destroy(&s);
+        CHECK(rgba && got.warning_count == (size_t)(i % 2), "%d: %zu", i, got.warning_count);
     }
 }
 
@@ -559,27 +510,20 @@ static void test_undrawn(void) {
     static const char library[] =
         "newmtl a\nmap_Kd -s 1 1 1 mars.png\nmap_Ks other.png\nd 0.5\nnewmtl b\nbump moon b.png\n"
         "Tr 0\nnewmtl c\nmap_Kd mars.png\nTr 0.1\nnewmtl unused\nmap_Kd x.png\n";
-    burnish_mesh_data s;
-    burnish_error e;
     read_good_with("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
                    "usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n",
-                   library, &s);
-    check_warnings(&s, 1,
-                   "mesh.obj: texture \"my parts/mars.png\" was skipped: mars.png: No "
-                   "such file (and 2 more like it)");
-    burnish_mesh_data_destroy(&s);
+                   library);
+    check_warnings(1, "mesh.obj: texture \"my parts/mars.png\" was skipped: mars.png: No "
+                      "such file (and 2 more like it)");
     CHECK_OK(read_text(BURNISH_FORMAT_PLY,
                        "ply\nformat ascii 1.0\ncomment TextureFile moon.png\nelement vertex 3\n"
                        "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
                        "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
                        "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                       "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n",
-                       &s, &e),
-             e);
-    check_warnings(&s, 1,
-                   "mesh.ply:3: texture \"moon.png\" was skipped: vertices have no "
-                   "s and t, faces no texcoord");
-    burnish_mesh_data_destroy(&s);
+                       "0 0 0 1 2 3 255\n1 0 0 1 2 3 254\n0 1 0 1 2 3 255\n3 0 1 2\n"),
+             fault);
+    check_warnings(1, "mesh.ply:3: texture \"moon.png\" was skipped: vertices have no "
+                      "s and t, faces no texcoord");
     for (int faces = 0; faces < 2; ++faces) { /* an element without rows loses nothing */
         char text[400];
         snprintf(text, sizeof text, /* the strip's triangle lacks it */
@@ -589,11 +533,10 @@ static void test_undrawn(void) {
                  "property uchar green\nproperty uchar blue\nend_header\n"
                  "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n%s",
                  faces, faces ? "3 0 1 2 9 8 7\n" : "");
-        read_good_text(BURNISH_FORMAT_PLY, text, &s);
-        if (CHECK(s.warning_count == (size_t)faces, "%zu", s.warning_count) && faces) {
-            CHECK_TEXT(s.warnings[0], "mesh.ply: colours of faces are not drawn");
+        read_good_text(BURNISH_FORMAT_PLY, text);
+        if (CHECK(got.warning_count == (size_t)faces, "%zu", got.warning_count) && faces) {
+            CHECK_TEXT(got.warnings[0], "mesh.ply: colours of faces are not drawn");
         }
-        burnish_mesh_data_destroy(&s);
     }
 }
 

@@ -9,48 +9,38 @@
 /* ---- STL ---- */
 
 static void test_stl(void) {
-    burnish_mesh_data s;
     read_good_text(BURNISH_FORMAT_STL,
                    "Solid one facet\nFACET NORMAL 0 0 1\r\nouter loop\nvertex 0 0 0 vertex 1 0 0\n"
                    "vertex 0 1.5 -2e1\nendloop\nendfacet\nendsolid one\n"
                    "solid\nfacet normal nan nan nan\nouter loop\nvertex 3 0 0\nvertex 4 0 0\n"
-                   "vertex 3 1 0\nendloop\nendfacet\nendsolid",
-                   &s);
-    CHECK1(s.triangle_count == 2 && s.streams[BURNISH_POSITION].count == 6 &&
-           s.streams[BURNISH_NORMAL].count == 0);
-    CHECK1(position_is(&s, 2, 0, 1.5f, -20) && position_is(&s, 5, 3, 1, 0));
-    CHECK1(triangle_is(&s, 1, 3, 4, 5));
-    burnish_mesh_data_destroy(&s);
+                   "vertex 3 1 0\nendloop\nendfacet\nendsolid");
+    CHECK1(got.triangle_count == 2 && got.streams[BURNISH_POSITION].count == 6 &&
+           got.streams[BURNISH_NORMAL].count == 0);
+    CHECK1(position_is(2, 0, 1.5f, -20) && position_is(5, 3, 1, 0));
+    CHECK1(triangle_is(1, 3, 4, 5));
     /* a name is any text, also with DEL */
     read_good_text(BURNISH_FORMAT_STL,
                    "solid a\x7F\xE9\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
-                   "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid",
-                   &s);
-    CHECK1(s.triangle_count == 1);
-    burnish_mesh_data_destroy(&s);
+                   "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid");
+    CHECK1(got.triangle_count == 1);
 }
 
 static void test_binary_stl(void) {
     static const char *const headers[] = {"", "solid made by a CAD program",
                                           "solid x\nfacet normal"};
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh_data s;
-    burnish_error e;
     for (size_t h = 0; h < 3; ++h) {
         for (size_t more = 0; more < 3; ++more) { /* bytes behind the last facet */
             byte_list list = {.size = 0};
             put_stl(&list, headers[h], 3);
             put(&list, "xyz", more);
-            CHECK_OK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e),
-                     e);
-            CHECK1(s.triangle_count == 3 && position_is(&s, 7, 3, 0, 0) &&
-                   position_is(&s, 8, 2, 1, 0.5f));
-            CHECK1(s.warning_count == (more > 0));
-            if (more == 2 && s.warning_count == 1) {
-                CHECK_TEXT(s.warnings[0],
+            CHECK_OK(read_bytes(BURNISH_FORMAT_STL, list.bytes, list.size), fault);
+            CHECK1(got.triangle_count == 3 && position_is(7, 3, 0, 0) &&
+                   position_is(8, 2, 1, 0.5f));
+            CHECK1(got.warning_count == (more > 0));
+            if (more == 2 && got.warning_count == 1) {
+                CHECK_TEXT(got.warnings[0],
                            "mesh.stl: byte 234: 2 bytes after the last triangle were ignored");
             }
-            burnish_mesh_data_destroy(&s);
         }
     }
 }
@@ -83,20 +73,17 @@ static void test_stl_colors(void) {
         {"COLOR=\x10\x20\x30\xFF", {0, 0, 0}, {{16, 32, 48}}, 1},
         {"", {0x801F, 0x801F, 0x801F}, {{0, 0, 255}}, 1},
     };
-    burnish_load_options options = burnish_load_options_default();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         byte_list list = {.size = 0};
-        burnish_mesh_data s;
-        burnish_error e;
         put_stl(&list, cases[i].header, 3);
         for (size_t k = 0; k < 3; ++k) {
             list.bytes[84 + 50 * k + 48] = (uint8_t)cases[i].attributes[k];
             list.bytes[84 + 50 * k + 49] = (uint8_t)(cases[i].attributes[k] >> 8);
         }
-        CHECK_OK(run_reader(BURNISH_FORMAT_STL, list.bytes, list.size, &options, NULL, &s, &e), e);
+        CHECK_OK(read_bytes(BURNISH_FORMAT_STL, list.bytes, list.size), fault);
         const int is_plain = !cases[i].materials && cases[i].expected[0][0] == 0;
-        const uint8_t *rgba = burnish_colors(&s);
-        CHECK(s.warning_count == 0 && s.material_count == (size_t)cases[i].materials &&
+        const uint8_t *rgba = burnish_colors(&got);
+        CHECK(got.warning_count == 0 && got.material_count == (size_t)cases[i].materials &&
                   (rgba == NULL) == (is_plain || cases[i].materials),
               "case %zu", i);
         for (size_t corner = 0; rgba && corner < 9; ++corner) {
@@ -104,45 +91,38 @@ static void test_stl_colors(void) {
                       rgba[4 * corner + 3] == 255,
                   "case %zu, corner %zu", i, corner);
         }
-        if (s.material_count == 1) {
+        if (got.material_count == 1) {
             const uint8_t *c = cases[i].expected[0];
-            CHECK(color_is(s.materials[0].diffuse, (float)c[0] / 255, (float)c[1] / 255,
+            CHECK(color_is(got.materials[0].diffuse, (float)c[0] / 255, (float)c[1] / 255,
                            (float)c[2] / 255) &&
-                      s.materials[0].has_diffuse,
+                      got.materials[0].has_diffuse,
                   "case %zu", i);
         }
-        burnish_mesh_data_destroy(&s);
     }
 }
 
 /* ---- PLY ---- */
 
 static void test_ply(void) {
-    burnish_load_options options = burnish_load_options_default();
     for (int encoding = 0; encoding < 3; ++encoding) {
         byte_list list = {.size = 0};
-        burnish_mesh_data s;
-        burnish_error e;
         put_ply(&list, encoding);
-        CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &s, &e) ==
-                  BURNISH_STATUS_OK,
-              "%d: %s", encoding, e.text);
-        CHECK1(s.streams[BURNISH_POSITION].count == 5 && s.streams[BURNISH_NORMAL].count == 5 &&
-               s.triangle_count == 3);
-        CHECK1(position_is(&s, 2, 1, 1, 0) && position_is(&s, 4, 0.5f, 2, -1.25f));
-        CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 0, 2, 3) &&
-               triangle_is(&s, 2, 3, 2, 4));
-        CHECK1(!s.streams[BURNISH_NORMAL].corners); /* numbered as positions are */
-        CHECK1(burnish_normals(&s)[14] == 1 && burnish_normals(&s)[12] == 0);
-        CHECK1(burnish_colors(&s) && burnish_colors(&s)[16] == 40 && burnish_colors(&s)[17] == 80 &&
-               burnish_colors(&s)[18] == 120 && burnish_colors(&s)[19] == 251);
-        burnish_mesh_data_destroy(&s);
+        CHECK(read_bytes(BURNISH_FORMAT_PLY, list.bytes, list.size) == BURNISH_STATUS_OK, "%d: %s",
+              encoding, fault.text);
+        CHECK1(got.streams[BURNISH_POSITION].count == 5 && got.streams[BURNISH_NORMAL].count == 5 &&
+               got.triangle_count == 3);
+        CHECK1(position_is(2, 1, 1, 0) && position_is(4, 0.5f, 2, -1.25f));
+        CHECK1(triangle_is(0, 0, 1, 2) && triangle_is(1, 0, 2, 3) && triangle_is(2, 3, 2, 4));
+        CHECK1(!got.streams[BURNISH_NORMAL].corners); /* numbered as positions are */
+        CHECK1(burnish_normals(&got)[14] == 1 && burnish_normals(&got)[12] == 0);
+        CHECK1(burnish_colors(&got) && burnish_colors(&got)[16] == 40 &&
+               burnish_colors(&got)[17] == 80 && burnish_colors(&got)[18] == 120 &&
+               burnish_colors(&got)[19] == 251);
     }
 }
 
 /* Faces before vertices, types of every kind, strips, colours as floats and 16 bits. */
 static void test_ply_variants(void) {
-    burnish_mesh_data s;
     read_good_text(
         BURNISH_FORMAT_PLY,
         "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uint8 uint16 "
@@ -151,19 +131,17 @@ static void test_ply_variants(void) {
         "property float diffuse_red\r\nproperty float diffuse_green\r\n"
         "property float diffuse_blue\r\nproperty list int int extra\r\nend_header\r\n"
         "4 0 1 2 3\r\n0 0 0 0 .5 1 0\r\n2 -2 0 1 2 -1 2 7 7\r\n1 0 0 nan 0 0 0\r\n2 2 0 "
-        "0 0 0 0",
-        &s);
+        "0 0 0 0");
     static const uint8_t colors[] = {0, 128, 255, 255, 255, 255, 0, 255,
                                      0, 0,   0,   255, 0,   0,   0, 255};
-    CHECK1(s.triangle_count == 2 && s.streams[BURNISH_POSITION].count == 4 &&
-           !s.streams[BURNISH_NORMAL].corners);
-    CHECK1(burnish_colors(&s) && memcmp(burnish_colors(&s), colors, sizeof colors) == 0);
-    for (size_t t = 0; t < s.triangle_count; ++t) { /* cut by positions that come later */
-        const uint32_t *c = s.streams[BURNISH_POSITION].corners + 3 * t;
-        CHECK1(triangle_area(burnish_positions(&s) + 3 * c[0], burnish_positions(&s) + 3 * c[1],
-                             burnish_positions(&s) + 3 * c[2]) == 1);
+    CHECK1(got.triangle_count == 2 && got.streams[BURNISH_POSITION].count == 4 &&
+           !got.streams[BURNISH_NORMAL].corners);
+    CHECK1(burnish_colors(&got) && memcmp(burnish_colors(&got), colors, sizeof colors) == 0);
+    for (size_t t = 0; t < got.triangle_count; ++t) { /* cut by positions that come later */
+        const uint32_t *c = got.streams[BURNISH_POSITION].corners + 3 * t;
+        CHECK1(triangle_area(burnish_positions(&got) + 3 * c[0], burnish_positions(&got) + 3 * c[1],
+                             burnish_positions(&got) + 3 * c[2]) == 1);
     }
-    burnish_mesh_data_destroy(&s);
 
     read_good_text(BURNISH_FORMAT_PLY,
                    "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
@@ -171,14 +149,12 @@ static void test_ply_variants(void) {
                    "property ushort blue\nelement tristrips 1\n"
                    "property list int int vertex_indices\nend_header\n"
                    "0 0 0 65535 0 257 1 0 0 0 0 0 0 1 0 0 0 0 1 1 0 0 0 0 0 2 0 0 0 0\n"
-                   "13 0 1 2 3 4 -1 4 3 2 2 -1 0 1\n",
-                   &s);
-    CHECK(s.triangle_count == 4, "%zu", s.triangle_count);
-    CHECK1(triangle_is(&s, 0, 0, 1, 2) && triangle_is(&s, 1, 2, 1, 3) &&
-           triangle_is(&s, 2, 2, 3, 4) && triangle_is(&s, 3, 4, 3, 2));
-    CHECK1(burnish_colors(&s) && burnish_colors(&s)[0] == 255 && burnish_colors(&s)[1] == 0 &&
-           burnish_colors(&s)[2] == 1);
-    burnish_mesh_data_destroy(&s);
+                   "13 0 1 2 3 4 -1 4 3 2 2 -1 0 1\n");
+    CHECK(got.triangle_count == 4, "%zu", got.triangle_count);
+    CHECK1(triangle_is(0, 0, 1, 2) && triangle_is(1, 2, 1, 3) && triangle_is(2, 2, 3, 4) &&
+           triangle_is(3, 4, 3, 2));
+    CHECK1(burnish_colors(&got) && burnish_colors(&got)[0] == 255 && burnish_colors(&got)[1] == 0 &&
+           burnish_colors(&got)[2] == 1);
 }
 
 /* Attributes that the header declares only in part, or not at all, are absent. */
@@ -187,18 +163,16 @@ static void test_ply_plain(void) {
                                         "property float nx\nproperty float nz\n"};
     for (size_t i = 0; i < 3; ++i) {
         char text[512];
-        burnish_mesh_data s;
         const char *row = i > 0 ? " 1 1" : "";
         snprintf(text, sizeof text,
                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\n%selement face 1\nproperty list uchar int vertex_indices\n"
                  "end_header\n0 0 0%s\n1 0 0%s\n0 1 0%s\n3 0 1 2\n",
                  extra[i], row, row, row);
-        read_good_text(BURNISH_FORMAT_PLY, text, &s);
-        CHECK(!burnish_colors(&s) && !burnish_normals(&s) && !s.streams[BURNISH_NORMAL].corners &&
-                  s.triangle_count == 1,
+        read_good_text(BURNISH_FORMAT_PLY, text);
+        CHECK(!burnish_colors(&got) && !burnish_normals(&got) &&
+                  !got.streams[BURNISH_NORMAL].corners && got.triangle_count == 1,
               "%zu", i);
-        burnish_mesh_data_destroy(&s);
     }
 }
 
@@ -215,21 +189,16 @@ static void test_ply_line_ends(void) {
                                         "property list uchar uchar vertex_indices",
                                         "end_header"};
     static const uint8_t body[] = {10, 13, 10, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2};
-    burnish_load_options options = burnish_load_options_default();
     for (size_t k = 0; k < 3; ++k) {
         byte_list list = {.size = 0};
-        burnish_mesh_data s;
-        burnish_error e;
         for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
             put_text(&list, lines[i]);
             put_text(&list, ends[k]);
         }
         put(&list, body, sizeof body);
-        CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &s, &e) ==
-                  BURNISH_STATUS_OK,
-              "%zu: %s", k, e.text);
-        CHECK1(s.triangle_count == 1 && position_is(&s, 0, 10, 13, 10));
-        burnish_mesh_data_destroy(&s);
+        CHECK(read_bytes(BURNISH_FORMAT_PLY, list.bytes, list.size) == BURNISH_STATUS_OK, "%zu: %s",
+              k, fault.text);
+        CHECK1(got.triangle_count == 1 && position_is(0, 10, 13, 10));
     }
 }
 
@@ -239,8 +208,6 @@ static void test_ply_elements(void) {
     char *text = malloc((size_t)ELEMENTS * ROOM);
     burnish_load_options options = burnish_load_options_default();
     burnish_tasks tasks;
-    burnish_mesh_data s;
-    burnish_error e;
     size_t size =
         (size_t)sprintf(text, "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                               "property float y\nproperty float z\n");
@@ -255,11 +222,9 @@ static void test_ply_elements(void) {
         size += (size_t)sprintf(text + size, i % 2 ? "2 0 1\n3 0 1 2\n" : "3 0 1 2\n");
     }
     burnish_tasks_begin(&tasks, NULL, 2);
-    CHECK_OK(
-        read_as(&(reader_run){BURNISH_FORMAT_PLY, text, size, &options, .tasks = &tasks}, &s, &e),
-        e);
-    CHECK(s.triangle_count == ELEMENTS, "%zu", s.triangle_count);
-    burnish_mesh_data_destroy(&s);
+    CHECK_OK(read_run(&(reader_run){BURNISH_FORMAT_PLY, text, size, &options, .tasks = &tasks}),
+             fault);
+    CHECK(got.triangle_count == ELEMENTS, "%zu", got.triangle_count);
     free(text);
 }
 
@@ -379,9 +344,6 @@ static void test_ply_face_coordinates(void) {
     static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     static const uint16_t materials[5] = {0, 0, 1, 2, 1};
     for (int encoding = 0; encoding < 3; ++encoding) {
-        burnish_load_options options = burnish_load_options_default();
-        burnish_mesh_data mesh;
-        burnish_error error;
         byte_list list = {.size = 0};
         put_text(&list, "ply\nformat ");
         put_text(&list, names[encoding]);
@@ -390,24 +352,22 @@ static void test_ply_face_coordinates(void) {
                         "element face 4\nproperty list uchar int vertex_indices\n"
                         "property list uchar float texcoord\nproperty int texnumber\nend_header\n");
         put_face_rows(&list, encoding);
-        if (!CHECK(run_reader(BURNISH_FORMAT_PLY, list.bytes, list.size, &options, NULL, &mesh,
-                              &error) == BURNISH_STATUS_OK,
-                   "%s: %s", names[encoding], error.text)) {
+        if (!CHECK(read_bytes(BURNISH_FORMAT_PLY, list.bytes, list.size) == BURNISH_STATUS_OK,
+                   "%s: %s", names[encoding], fault.text)) {
             continue;
         }
-        const burnish_stream *uv = &mesh.streams[BURNISH_TEXCOORD];
-        CHECK1(mesh.triangle_count == 5 && uv->count == 15 && mesh.material_count == 3);
-        CHECK1(mesh.triangle_materials &&
-               memcmp(mesh.triangle_materials, materials, sizeof materials) == 0);
+        const burnish_stream *uv = &got.streams[BURNISH_TEXCOORD];
+        CHECK1(got.triangle_count == 5 && uv->count == 15 && got.material_count == 3);
+        CHECK1(got.triangle_materials &&
+               memcmp(got.triangle_materials, materials, sizeof materials) == 0);
         for (size_t i = 0; i < 15 && uv->corners; ++i) {
-            const uint32_t vertex = mesh.streams[BURNISH_POSITION].corners[i];
+            const uint32_t vertex = got.streams[BURNISH_POSITION].corners[i];
             const float *found = (const float *)uv->items + 2 * (size_t)uv->corners[i];
             const size_t face = i < 6 ? 0 : i / 3 - 1;
             const float u = face == 3 ? 0 : (float)vertex, v = face == 3 ? 0 : 10 * (float)face;
             CHECK(found[0] == u && found[1] == v, "%s, corner %zu: %g %g", names[encoding], i,
                   (double)found[0], (double)found[1]);
         }
-        burnish_mesh_data_destroy(&mesh);
     }
 }
 
@@ -462,7 +422,7 @@ static void test_pipe_limit(void) {
     burnish_mesh *mesh = NULL;
     burnish_error e = {0};
     size_t rest = 0;
-    ssize_t got;
+    ssize_t count;
     char bytes[4096];
     FILE *pipe = popen("yes \"# a\" | head -c 1000000", "r");
     int saved = dup(STDIN_FILENO);
@@ -471,8 +431,8 @@ static void test_pipe_limit(void) {
     }
     options.max_input_bytes = LIMIT;
     CHECK1(burnish_mesh_load("-", &options, &mesh, &e) == BURNISH_STATUS_LIMIT);
-    while ((got = read(STDIN_FILENO, bytes, sizeof bytes)) > 0) {
-        rest += (size_t)got;
+    while ((count = read(STDIN_FILENO, bytes, sizeof bytes)) > 0) {
+        rest += (size_t)count;
     }
     CHECK(rest == ALL - LIMIT - 1, "%zu bytes were read", ALL - rest);
     dup2(saved, STDIN_FILENO);
