@@ -54,10 +54,9 @@ static void test_points(void) {
     CHECK1(colors && range[0] == 2 && colors[0] == 255 && colors[4] == 128 && colors[12] == 0);
     burnish_mesh_destroy(mesh);
     options.scalar_property = "cold";
-    CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.ply", &options, &mesh, &error) ==
-           BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "a.ply:3: no other vertex property \"cold\" to colour by; the vertices "
-                           "have x, y, z, heat");
+    check_refused(text, strlen(text), "a.ply", &options, BURNISH_STATUS_FORMAT,
+                  "a.ply:3: no other vertex property \"cold\" to colour by; the vertices "
+                  "have x, y, z, heat");
 }
 
 /* A TGA of one pixel. */
@@ -86,7 +85,7 @@ static void test_textured_points(void) {
         options.scalar_property = choice & 1 ? "heat" : NULL;
         options.keep_texture_coordinates = choice >> 1;
         options.referenced_files = (burnish_file_loader){give_pixel, NULL, NULL};
-        burnish_mesh *mesh = load_bytes(text, strlen(text), "a.ply", &options);
+        OWNED_MESH *mesh = load_bytes(text, strlen(text), "a.ply", &options);
         CHECK1(burnish_mesh_get_texture_count(mesh) == 0 &&
                burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 0);
         CHECK1(!burnish_mesh_get_view(mesh)->texture_coordinates == (choice < 3));
@@ -94,7 +93,6 @@ static void test_textured_points(void) {
         drawing.width = drawing.height = 16;
         CHECK_OK(burnish_render(mesh, &drawing, &image, NULL, &error), error);
         burnish_image_destroy(&image);
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -133,7 +131,6 @@ static void test_triangles(void) {
 static void test_gltf(void) {
     burnish_load_options options = burnish_load_options_default();
     burnish_coloring coloring = burnish_coloring_default();
-    burnish_error error;
     double range[2];
     byte_list file = {.size = 0};
     put_json(&file, "$head'buffers':[$triangle_buffer],'bufferViews':[{'buffer':0,"
@@ -147,10 +144,9 @@ static void test_gltf(void) {
     CHECK(range[0] == 0 && range[1] == 1, "%g to %g", range[0], range[1]);
     burnish_mesh_destroy(mesh);
     options.scalar_property = "_COLD";
-    CHECK1(burnish_mesh_load_memory(file.bytes, file.size, "a.gltf", &options, &mesh, &error) ==
-           BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(error.text, "a.gltf: no vertex attribute \"_COLD\" of one number to colour by; "
-                           "glTF's names of such attributes begin with _");
+    check_refused(file.bytes, file.size, "a.gltf", &options, BURNISH_STATUS_FORMAT,
+                  "a.gltf: no vertex attribute \"_COLD\" of one number to colour by; "
+                  "glTF's names of such attributes begin with _");
 }
 
 int main(int count, char **arguments) {

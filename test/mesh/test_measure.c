@@ -106,9 +106,8 @@ static burnish_mesh *load(const char *name, int tessellation, int threads) {
 }
 
 static burnish_mesh_facts facts_of(const char *name, int tessellation) {
-    burnish_mesh *mesh = load(name, tessellation, 1);
+    OWNED_MESH *mesh = load(name, tessellation, 1);
     const burnish_mesh_facts facts = *burnish_mesh_get_facts(mesh);
-    burnish_mesh_destroy(mesh);
     return facts;
 }
 
@@ -170,7 +169,7 @@ static void test_torus(void) {
 
 /* All digits: sums of the same triangles in long double, from the origin. */
 static void check_sums(const char *name) {
-    burnish_mesh *mesh = load(name, 16, 1);
+    OWNED_MESH *mesh = load(name, 16, 1);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const burnish_mesh_facts *f = burnish_mesh_get_facts(mesh);
     long double area = 0, volume = 0, center[3] = {0};
@@ -199,28 +198,24 @@ static void check_sums(const char *name) {
     for (int k = 0; k < 3; ++k) {
         check_near(name, f->center_of_mass[k], (double)(center[k] / volume), 1e-15);
     }
-    burnish_mesh_destroy(mesh);
 }
 
 static void test_threads(void) {
     static const int threads[] = {2, 7};
-    burnish_mesh *one = load(":knot", 48, 1);
+    OWNED_MESH *one = load(":knot", 48, 1);
     for (int i = 0; i < 2; ++i) {
-        burnish_mesh *other = load(":knot", 48, threads[i]);
+        OWNED_MESH *other = load(":knot", 48, threads[i]);
         CHECK(memcmp(burnish_mesh_get_facts(one), burnish_mesh_get_facts(other),
                      sizeof(burnish_mesh_facts)) == 0,
               "%d threads", threads[i]);
-        burnish_mesh_destroy(other);
     }
-    burnish_mesh_destroy(one);
 }
 
 static void test_unasked(void) {
     burnish_load_options options = burnish_load_options_default();
     CHECK1(!options.measure);
-    burnish_mesh *mesh = load_mesh(":sphere", &options);
+    OWNED_MESH *mesh = load_mesh(":sphere", &options);
     CHECK1(!burnish_mesh_get_facts(mesh) && !burnish_mesh_get_facts(NULL));
-    burnish_mesh_destroy(mesh);
 }
 
 int main(int count, char **arguments) {

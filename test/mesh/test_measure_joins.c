@@ -137,10 +137,9 @@ static void test_cut(void) {
     burnish_load_options options = burnish_load_options_default();
     options.measure = 1;
     arrays.positions = (burnish_array){s.points, s.corner_count, 0};
-    burnish_mesh *mesh = create_mesh(&arrays, &options);
+    OWNED_MESH *mesh = create_mesh(&arrays, &options);
     CHECK1(burnish_mesh_clip(mesh, &plane, NULL) == BURNISH_STATUS_OK);
     CHECK1(burnish_mesh_get_view(mesh)->inside == BURNISH_INSIDE_BACK);
-    burnish_mesh_destroy(mesh);
 }
 
 /* 600,000 vertices in few cells: comparing all pairs would take minutes. */

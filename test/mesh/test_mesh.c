@@ -97,10 +97,9 @@ static void test_cube(void) {
     const double crease[3] = {0, 90, 91};
     const size_t vertices[3] = {24, 24, 8};
     for (int i = 0; i < 3; ++i) {
-        burnish_mesh *mesh = soup(crease[i], 21);
+        OWNED_MESH *mesh = soup(crease[i], 21);
         CHECK(burnish_mesh_get_view(mesh)->vertex_count == vertices[i], "%g: %zu", crease[i],
               burnish_mesh_get_view(mesh)->vertex_count);
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -125,7 +124,7 @@ static void test_cylinder(void) {
         t += 12;
     }
     memcpy(positions + 3 * 2 * SIDES, (float[]){0, 0, -1, 0, 0, 1}, 6 * sizeof(float));
-    burnish_mesh *mesh = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
+    OWNED_MESH *mesh = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK(view->vertex_count == 4 * SIDES + 2, "%zu", view->vertex_count);
     for (size_t i = 0; i < 4 * SIDES; ++i) {
@@ -137,7 +136,6 @@ static void test_cylinder(void) {
                   "triangle %zu: %g %g %g", i, (double)n[0], (double)n[1], (double)n[2]);
         }
     }
-    burnish_mesh_destroy(mesh);
 }
 
 /* A cone of 200,000 sides: the hub's faces are joined in a ring. Then as many faces on one edge. */
@@ -181,14 +179,13 @@ static void test_large_fan(void) {
 static void test_double_sided(void) {
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 1, 1, 0};
     const uint32_t indices[] = {0, 1, 2, 0, 2, 1, 1, 3, 2, 1, 2, 3};
-    burnish_mesh *mesh = plain(positions, 4, indices, 4, 40);
+    OWNED_MESH *mesh = plain(positions, 4, indices, 4, 40);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK(view->vertex_count == 8, "%zu", view->vertex_count);
     for (int k = 0; k < 12; ++k) {
         float z = view->normals[3 * view->indices[k] + 2];
         CHECK((k / 3 % 2 == 0) == (z > 0), "corner %d: %g", k, (double)z);
     }
-    burnish_mesh_destroy(mesh);
 }
 
 static void test_zero_area(void) {
@@ -221,9 +218,8 @@ static void test_extreme_sizes(void) {
     for (int i = 0; i < 4; ++i) {
         float s = sizes[i];
         const float positions[] = {-s, 0, 0, s, 0, 0, 0, s, 0};
-        burnish_mesh *mesh = plain(positions, 3, indices, 1, 40);
+        OWNED_MESH *mesh = plain(positions, 3, indices, 1, 40);
         CHECK(near(burnish_mesh_get_view(mesh)->normals, 0, 0, 1, 0), "%g", (double)s);
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -319,8 +315,8 @@ static burnish_mesh *load_named(const char *tail, size_t triangles) {
 /* Vertices found by numbers equal those found by values, the method for meshes with colours. */
 static void test_named_vertices(void) {
     for (size_t triangles = 20; triangles <= 20000; triangles *= 10) {
-        burnish_mesh *by_numbers = load_named("", triangles);
-        burnish_mesh *by_values = load_named(" 1 1 1", triangles);
+        OWNED_MESH *by_numbers = load_named("", triangles);
+        OWNED_MESH *by_values = load_named(" 1 1 1", triangles);
         const burnish_mesh_view *a = burnish_mesh_get_view(by_numbers);
         const burnish_mesh_view *b = burnish_mesh_get_view(by_values);
         const size_t count = a->vertex_count;
@@ -331,8 +327,6 @@ static void test_named_vertices(void) {
         CHECK1(memcmp(a->positions, b->positions, count * 12) == 0);
         CHECK1(memcmp(a->normals, b->normals, count * 12) == 0);
         CHECK1(memcmp(a->texture_coordinates, b->texture_coordinates, count * 8) == 0);
-        burnish_mesh_destroy(by_numbers);
-        burnish_mesh_destroy(by_values);
     }
 }
 

@@ -80,18 +80,15 @@ static void test_small_indices(void) {
     static const uint8_t bytes[] = {0, 1, 2, 3, 4, 5};
     static const uint32_t words[] = {0, 1, 2, 3, 4, 5};
     burnish_mesh_description arrays = describe_arrays(square, NULL, NULL, 6, words, 2);
-    burnish_mesh *whole = create(&arrays, 0);
+    OWNED_MESH *whole = create(&arrays, 0);
     arrays.indices.items = bytes;
     arrays.index_size = 1;
-    burnish_mesh *small = create(&arrays, 0);
+    OWNED_MESH *small = create(&arrays, 0);
     arrays.indices = (burnish_array){0};
-    burnish_mesh *none = create(&arrays, 0);
+    OWNED_MESH *none = create(&arrays, 0);
     CHECK(whole && same_meshes(whole, small), "%s", "8-bit indices");
     CHECK(whole && same_meshes(whole, none), "%s", "no indices");
     CHECK1(burnish_mesh_get_view(none)->vertex_count == 4);
-    burnish_mesh_destroy(whole);
-    burnish_mesh_destroy(small);
-    burnish_mesh_destroy(none);
 }
 
 /* Two triangles that meet in an edge; at one of its ends they have other texture coordinates. If
@@ -219,7 +216,7 @@ static void test_material_numbers(void) {
 static void test_set_material(void) {
     const burnish_mesh_description cone =
         describe_arrays(positions, NULL, NULL, VERTICES, indices, TRIANGLES);
-    burnish_mesh *mesh = create(&cone, 0);
+    OWNED_MESH *mesh = create(&cone, 0);
     burnish_error error = {BURNISH_STATUS_OK, ""};
     burnish_material m = burnish_material_default();
     CHECK1(m.has_diffuse == 0 && m.exponent >= 1);
@@ -246,7 +243,6 @@ static void test_set_material(void) {
     }
     CHECK(memcmp(burnish_mesh_get_material(mesh, 0), &m, sizeof m) == 0,
           "a refused one was stored");
-    burnish_mesh_destroy(mesh);
 }
 
 /* Plain positions and indices. */

@@ -45,6 +45,13 @@ static inline void give_textures(burnish_mesh_description *arrays, const float *
     arrays->texture_count = count;
 }
 
+static inline void destroy_owned(burnish_mesh **mesh) {
+    burnish_mesh_destroy(*mesh);
+}
+
+/* A mesh that its variable destroys: OWNED_MESH *mesh = load_mesh(...); */
+#define OWNED_MESH __attribute__((cleanup(destroy_owned))) burnish_mesh
+
 /* Meshes that must be made; NULL after a failed check. options: NULL for the defaults. */
 #define MADE_MESH(make)                                                                            \
     const burnish_load_options defaults = burnish_load_options_default();                          \
@@ -75,6 +82,19 @@ static inline burnish_mesh *load_measured(const char *name, int tessellation) {
 static inline burnish_mesh *load_bytes(const void *bytes, size_t size, const char *name,
                                        const burnish_load_options *options) {
     MADE_MESH(burnish_mesh_load_memory(bytes, size, name, options, &mesh, &error));
+}
+
+/* Bytes that must not become a mesh, with the message. options: NULL for the defaults */
+static inline void check_refused(const void *bytes, size_t size, const char *name,
+                                 const burnish_load_options *options, burnish_status expected,
+                                 const char *message) {
+    const burnish_load_options defaults = burnish_load_options_default();
+    burnish_error error = {0};
+    burnish_mesh *mesh = (burnish_mesh *)&error; /* must become NULL */
+    const burnish_status status =
+        burnish_mesh_load_memory(bytes, size, name, options ? options : &defaults, &mesh, &error);
+    CHECK(status == expected && !mesh, "%s: status %d", name, (int)status);
+    CHECK_TEXT(error.text, message);
 }
 
 static inline burnish_mesh *create_mesh(const burnish_mesh_description *arrays,

@@ -133,18 +133,16 @@ static void test_build_by_threads(void) {
             }
         }
         sheet.normals[2] = missing ? 0.0f : 1.0f;
-        burnish_mesh *mesh = build_sheet(&sheet, 1);
+        OWNED_MESH *mesh = build_sheet(&sheet, 1);
         if (!CHECK1(mesh != NULL)) {
             return;
         }
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         CHECK1(view->triangle_count < SHEET_TRIANGLES && view->vertex_count < SHEET_VERTICES);
         for (int threads = 2; threads < 8; ++threads) {
-            burnish_mesh *other = build_sheet(&sheet, threads);
+            OWNED_MESH *other = build_sheet(&sheet, threads);
             CHECK(other && same_meshes(mesh, other), "%d threads, kind %d", threads, missing);
-            burnish_mesh_destroy(other);
         }
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -161,7 +159,7 @@ static void test_order_of_files(void) {
             memcpy(near, far, sizeof kept);
             memcpy(far, kept, sizeof kept);
         }
-        burnish_mesh *mesh = build_sheet(&sheet, 2);
+        OWNED_MESH *mesh = build_sheet(&sheet, 2);
         if (!CHECK1(mesh != NULL)) {
             return;
         }
@@ -173,7 +171,6 @@ static void test_order_of_files(void) {
         }
         CHECK(apart ? moved > SHEET_TRIANGLES / 2 : moved == 0, "%d: %zu triangles moved", apart,
               moved);
-        burnish_mesh_destroy(mesh);
     }
 }
 

@@ -314,14 +314,13 @@ static void test_mesh(void) {
                                     "<item objectid='1' transform='-1 0 0 0 1 0 0 0 1 -9 0 0'/>"));
     end_zip(zip, 0);
     options.measure = 1;
-    burnish_mesh *mesh = load_bytes(zip->bytes, zip->size, NULL, &options);
+    OWNED_MESH *mesh = load_bytes(zip->bytes, zip->size, NULL, &options);
     const burnish_mesh_facts *facts = mesh ? burnish_mesh_get_facts(mesh) : NULL;
     if (CHECK1(facts)) {
         CHECK1(facts->is_solid && fabs(facts->volume - 8) < 1e-9 && facts->shell_count == 2);
         CHECK1(burnish_mesh_get_view(mesh)->up_axis[2] == 1);
         CHECK_TEXT(burnish_mesh_get_info(mesh)->unit, "inch");
     }
-    burnish_mesh_destroy(mesh);
 }
 
 /* A build without expat reports that. */

@@ -369,7 +369,7 @@ static void test_extreme_sizes(void) {
             fit.orthographic = orthographic;
             options.width = options.height = 32;
             options.threads = 1;
-            burnish_mesh *scene = load_bytes(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load);
+            OWNED_MESH *scene = load_bytes(cases[i].mesh, strlen(cases[i].mesh), "a.obj", &load);
             CHECK_OK(burnish_camera_frame(scene, &fit, &options.camera, &error), error);
             CHECK(burnish_render(scene, &options, &image, &report, &error) == cases[i].status,
                   "%zu, %d: %s", i, orthographic, error.text);
@@ -379,7 +379,6 @@ static void test_extreme_sizes(void) {
                 CHECK(strstr(error.text, "across is too small") && !image.pixels, "%s", error.text);
             }
             burnish_image_destroy(&image);
-            burnish_mesh_destroy(scene);
         }
     }
 }

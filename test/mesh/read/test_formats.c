@@ -85,7 +85,7 @@ static void test_same_grey(burnish_look look) {
     options.width = options.height = SIZE;
     options.occlusion = 0; /* its sky depends on which way is up */
     for (int i = 0; i < KINDS; ++i) {
-        burnish_mesh *mesh = load_kind(&kinds[i], kinds[i].name, 1);
+        OWNED_MESH *mesh = load_kind(&kinds[i], kinds[i].name, 1);
         burnish_framing framing = burnish_framing_default();
         if (!mesh) {
             continue;
@@ -100,7 +100,6 @@ static void test_same_grey(burnish_look look) {
         CHECK(memcmp(pixels[i], pixels[0], sizeof *pixels) == 0, "%s, look %d: %g instead of %g",
               kinds[i].name, (int)look, (double)pixels[i][4 * (SIZE / 2 * SIZE + SIZE / 2)],
               (double)pixels[0][4 * (SIZE / 2 * SIZE + SIZE / 2)]);
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -111,7 +110,7 @@ static void test_misnamed(void) {
     for (int kind = 0; kind < KINDS; ++kind) {
         for (int name = 0; name < ALL_KINDS; ++name) {
             const int is_same = strcmp(kinds[kind].format, kinds[name].format) == 0;
-            burnish_mesh *mesh = load_kind(&kinds[kind], kinds[name].name, 0);
+            OWNED_MESH *mesh = load_kind(&kinds[kind], kinds[name].name, 0);
             char expected[128];
             snprintf(expected, sizeof expected, "%s: the file is %s, not %s as its name says",
                      kinds[name].name, kinds[kind].shown, kinds[name].shown);
@@ -126,7 +125,6 @@ static void test_misnamed(void) {
                 !is_same) {
                 CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), expected);
             }
-            burnish_mesh_destroy(mesh);
         }
     }
 }
@@ -145,7 +143,7 @@ static void put_filled(byte_list *list, const char *first, size_t size, uint8_t 
     }
 }
 
-static void check_refused(const byte_list *list, burnish_format format, const char *text) {
+static void check_not_stl(const byte_list *list, burnish_format format, const char *text) {
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh;
     burnish_error error = {0};
@@ -182,13 +180,13 @@ static void test_foreign(void) {
     static byte_list list;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         put_filled(&list, cases[i].first, cases[i].size, 0x40, 64); /* coordinates of 3 */
-        check_refused(&list, BURNISH_FORMAT_AUTO, cases[i].what);
+        check_not_stl(&list, BURNISH_FORMAT_AUTO, cases[i].what);
     }
     put_filled(&list, "MZ", 2, 0x40, 64);
     memset(list.bytes + 60, 0, 4);
     list.bytes[61] = 1;
     memcpy(list.bytes + 256, "PE\0", 4);
-    check_refused(&list, BURNISH_FORMAT_AUTO, "a.stl: a program, which");
+    check_not_stl(&list, BURNISH_FORMAT_AUTO, "a.stl: a program, which");
 }
 
 /* A brace alone does not make JSON of a file with another name. */
@@ -198,7 +196,7 @@ static void test_brace(void) {
     put_text(&list,
              "{ a comment of Pascal, and no mesh, but as many bytes as an STL's header has }\n"
              "program a;\nbegin\nend.\n");
-    check_refused(&list, BURNISH_FORMAT_AUTO, "text that does not begin with \"solid\"");
+    check_not_stl(&list, BURNISH_FORMAT_AUTO, "text that does not begin with \"solid\"");
 }
 
 /* Bytes that are not facets, whatever the first bytes are. If the bytes are facets, a wrong count
@@ -210,11 +208,11 @@ static void test_garbage(void) {
     burnish_error error = {0};
     static byte_list list;
     put_filled(&list, "\1", 1, 0xFF, 64); /* not numbers */
-    check_refused(&list, BURNISH_FORMAT_STL, refusal);
+    check_not_stl(&list, BURNISH_FORMAT_STL, refusal);
     put_filled(&list, "\1", 1, 0x01, 64); /* 2e-38 */
-    check_refused(&list, BURNISH_FORMAT_STL, refusal);
+    check_not_stl(&list, BURNISH_FORMAT_STL, refusal);
     put_filled(&list, "\1", 1, 0x7E, 3); /* 8e37 */
-    check_refused(&list, BURNISH_FORMAT_STL, refusal);
+    check_not_stl(&list, BURNISH_FORMAT_STL, refusal);
     for (int odd = 0; odd < 4; ++odd) { /* of 8 facets: 2 with a tiny coordinate may be rounding */
         list.size = 0;
         put_stl(&list, "MZ, exported", 8);

@@ -265,9 +265,9 @@ static void test_same_bits(void) {
     static const double shift[3] = {500000.125, 4100000.25, 300.5};
     static const int threads[3] = {1, 2, 7};
     for (int format = 0; format < FORMATS; ++format) {
-        burnish_mesh *there = load(format, zero, 1, 1, NULL);
+        OWNED_MESH *there = load(format, zero, 1, 1, NULL);
         for (int i = 0; i < 3; ++i) {
-            burnish_mesh *moved = load(format, shift, 1, threads[i], NULL);
+            OWNED_MESH *moved = load(format, shift, 1, threads[i], NULL);
             if (CHECK1(there && moved)) {
                 const burnish_mesh_view *a = burnish_mesh_get_view(there);
                 const burnish_mesh_view *b = burnish_mesh_get_view(moved);
@@ -285,9 +285,7 @@ static void test_same_bits(void) {
                 CHECK1(camera->position[0] == 0 && camera->position[1] == 0 &&
                        camera->position[2] == 5);
             }
-            burnish_mesh_destroy(moved);
         }
-        burnish_mesh_destroy(there);
     }
 }
 
@@ -299,7 +297,7 @@ static void test_accuracy(void) {
     for (int format = 0; format < FORMATS - 1; ++format) { /* but points, which are balls */
         for (int i = 0; i < 4; ++i) {
             const double scale = scales[i];
-            burnish_mesh *mesh = load(format, shift, scale, 2, NULL);
+            OWNED_MESH *mesh = load(format, shift, scale, 2, NULL);
             const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
             double largest = 0;
             for (size_t v = 0; view && v < view->vertex_count; ++v) {
@@ -318,7 +316,6 @@ static void test_accuracy(void) {
             CHECK(view && largest < bound, "%s: %g > %g", names[format], largest, bound);
             CHECK(view && view->vertex_count == POINTS, "%s at %g: %zu vertices", names[format],
                   scale, view ? view->vertex_count : 0);
-            burnish_mesh_destroy(mesh);
         }
     }
 }

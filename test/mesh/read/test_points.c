@@ -16,7 +16,7 @@ static burnish_mesh *load(const char *name, const char *text, const burnish_load
 static void test_sizes(void) {
     burnish_load_options options = burnish_load_options_default();
     options.point_size = 0.5;
-    burnish_mesh *mesh = load("a.obj", "v 1 2 3 1 0 0\nv -4 5 6 0 1 0\n", &options);
+    OWNED_MESH *mesh = load("a.obj", "v 1 2 3 1 0 0\nv -4 5 6 0 1 0\n", &options);
     const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
     if (CHECK1(view && view->triangle_count == 0 && view->vertex_count == 2 && !view->indices)) {
         static const float positions[6] = {1, 2, 3, -4, 5, 6};
@@ -27,7 +27,6 @@ static void test_sizes(void) {
                memcmp(view->colors, colors, sizeof colors) == 0);
         CHECK1(view->bounds_min[0] == -4.25f && view->bounds_max[2] == 6.25f);
     }
-    burnish_mesh_destroy(mesh);
 }
 
 enum { SIDE = 64 };
@@ -85,9 +84,8 @@ static void test_density(void) {
     }
     options.normals = BURNISH_NORMALS_FILE;
     char *text = make_lattice(0);
-    burnish_mesh *mesh = load("a.ply", text, &options);
+    OWNED_MESH *mesh = load("a.ply", text, &options);
     CHECK1(mesh && burnish_mesh_get_view(mesh)->normals[2] == 0);
-    burnish_mesh_destroy(mesh);
     free(text);
 }
 
@@ -101,7 +99,7 @@ static void test_outliers(void) {
         size += (size_t)snprintf(text + size, sizeof text - size, "v %d %d %d\n", i % 10, i / 10,
                                  i % 3);
     }
-    burnish_mesh *mesh = load_bytes(text, size, "a.obj", &options);
+    OWNED_MESH *mesh = load_bytes(text, size, "a.obj", &options);
     float low[3], high[3];
     if (CHECK1(mesh && burnish_mesh_get_warning_count(mesh) == 1)) {
         CHECK_TEXT(burnish_mesh_get_warning(mesh, 0),
@@ -110,7 +108,6 @@ static void test_outliers(void) {
         burnish_mesh_get_bounds(mesh, low, high);
         CHECK1(high[0] == 500 && burnish_mesh_get_view(mesh)->bounds_max[0] == 10);
     }
-    burnish_mesh_destroy(mesh);
 }
 
 enum { GRID = 160, VERTICES = GRID * GRID, BASE = 80 << 20, ROOM = 12000 * 112 };
@@ -353,7 +350,7 @@ static void test_uneven(void) {
 static void test_lines(void) {
     burnish_load_options options = burnish_load_options_default();
     options.point_size = 0.25;
-    burnish_mesh *mesh = load("a.obj", "v 0 0 0\nv 2 0 0\nl 1 2\nv 2 3 0\nl -2/1 -1\n", &options);
+    OWNED_MESH *mesh = load("a.obj", "v 0 0 0\nv 2 0 0\nl 1 2\nv 2 3 0\nl -2/1 -1\n", &options);
     const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
     if (CHECK1(view && view->triangle_count == 2 * 64 && view->vertex_count >= 20)) {
         CHECK1(burnish_mesh_get_info(mesh)->line_count == 2 &&
@@ -370,7 +367,6 @@ static void test_lines(void) {
             CHECK(off + up + z * z < 1e-12, "%zu", i); /* a sphere's point around an end */
         }
     }
-    burnish_mesh_destroy(mesh);
 }
 
 /* Bounds contain the positions, for any size of the solids. Points and lines have no facts. */
@@ -387,7 +383,7 @@ static void test_bounds(void) {
     options.point_size = 0.5;
     options.measure = 1;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        burnish_mesh *mesh = load(cases[i].name, cases[i].text, &options);
+        OWNED_MESH *mesh = load(cases[i].name, cases[i].text, &options);
         float low[3], high[3];
         burnish_mesh_get_bounds(mesh, low, high);
         for (int k = 0; k < 3 && mesh; ++k) {
@@ -398,15 +394,13 @@ static void test_bounds(void) {
             CHECK1(view->bounds_min[k] <= low[k] && view->bounds_max[k] >= high[k]);
         }
         CHECK1(!burnish_mesh_get_facts(mesh));
-        burnish_mesh_destroy(mesh);
     }
-    burnish_mesh *mesh = load("a.obj", "v 0 0 0\nv 4 1 1\n", &options);
+    OWNED_MESH *mesh = load("a.obj", "v 0 0 0\nv 4 1 1\n", &options);
     const burnish_clip_plane plane = {{1, 0, 0}, 2};
     float low[3], high[3];
     CHECK1(burnish_mesh_clip(mesh, &plane, NULL) == BURNISH_STATUS_OK);
     burnish_mesh_get_bounds(mesh, low, high);
     CHECK(low[0] == 0 && high[0] == 0, "cut: %g to %g", (double)low[0], (double)high[0]);
-    burnish_mesh_destroy(mesh);
     burnish_mesh_get_bounds(NULL, low, high);
     CHECK1(low[0] == 0 && high[2] == 0);
 }
@@ -417,10 +411,9 @@ static void test_limits(void) {
     burnish_error error;
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     options.max_triangles = 2;
-    CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.obj", &options, &mesh, &error) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text, "a.obj: 3 points are too many: each counts as a triangle; raise "
-                           "max-triangles, or thin them out");
+    check_refused(text, strlen(text), "a.obj", &options, BURNISH_STATUS_LIMIT,
+                  "a.obj: 3 points are too many: each counts as a triangle; raise "
+                  "max-triangles, or thin them out");
     options = burnish_load_options_default();
     options.point_size = -1;
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.obj", &options, &mesh, &error) ==

@@ -402,14 +402,13 @@ static void test_standard_input(void) {
         return;
     }
     options.format = BURNISH_FORMAT_OBJ;
-    burnish_mesh *scene = load_mesh("-", &options);
+    OWNED_MESH *scene = load_mesh("-", &options);
     if (scene && CHECK1(burnish_mesh_get_warning_count(scene) == 1)) {
         CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
         CHECK_TEXT(burnish_mesh_get_warning(scene, 0),
                    "standard input:3: material library \"cube.mtl\" was not read (the input has no "
                    "folder); its materials are burnish's grey");
     }
-    burnish_mesh_destroy(scene);
     dup2(saved, STDIN_FILENO);
     close(saved);
     pclose(pipe);

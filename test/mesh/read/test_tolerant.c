@@ -63,9 +63,8 @@ static size_t triangles_of(const burnish_mesh *mesh) {
 }
 
 static void check_text(const char *name, const char *text, const char *warning, size_t triangles) {
-    burnish_mesh *mesh = load_text(name, text, warning);
+    OWNED_MESH *mesh = load_text(name, text, warning);
     CHECK(triangles_of(mesh) == triangles, "%s: %zu triangles", text, triangles_of(mesh));
-    burnish_mesh_destroy(mesh);
 }
 
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -73,22 +72,20 @@ static void check_text(const char *name, const char *text, const char *warning, 
 /* Blender writes "newmtl" and "usemtl" with nothing after it. */
 static void test_nameless_material(void) {
     library = "newmtl \nKd 1 0 0\n";
-    burnish_mesh *mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl\nf 1 2 3\n",
-                                   "a.mtl:1: newmtl has no name; faces without a material have "
-                                   "this one");
+    OWNED_MESH *mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl\nf 1 2 3\n",
+                                 "a.mtl:1: newmtl has no name; faces without a material have "
+                                 "this one");
     CHECK1(mesh && color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 1, 0, 0));
-    burnish_mesh_destroy(mesh);
 }
 
 /* A name that is not in the library may end before a comment. */
 static void test_material_comment(void) {
     library = "newmtl a\nKd 1 0 0\nnewmtl a # b\nKd 0 1 0\n";
-    burnish_mesh *mesh = load_text(
+    OWNED_MESH *mesh = load_text(
         "a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\nusemtl a # b\nf 1 2 3\n", NULL);
     CHECK1(mesh && burnish_mesh_get_material_count(mesh) == 2 &&
            color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 1, 0, 0) &&
            color_is(burnish_mesh_get_material(mesh, 1)->diffuse, 0, 1, 0));
-    burnish_mesh_destroy(mesh);
     library = ""; /* and where it has no names at all */
     check_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a # c\nf 1 2 3\n",
                "a.obj: material \"a # c\" is in no material library; it is burnish's grey", 1);
@@ -97,12 +94,11 @@ static void test_material_comment(void) {
 /* What was read before and after the fault counts. */
 static void test_library_fault(void) {
     library = "newmtl a\nKd 0 1 0\nKs x 1 1\nNs 7\n";
-    burnish_mesh *mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a\nf 1 2 3\n",
-                                   "a.mtl:3: Ks \"x\" is not a number; write it like 1.5 or -2e-3; "
-                                   "the statement was ignored");
+    OWNED_MESH *mesh = load_text("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a\nf 1 2 3\n",
+                                 "a.mtl:3: Ks \"x\" is not a number; write it like 1.5 or -2e-3; "
+                                 "the statement was ignored");
     CHECK1(mesh && color_is(burnish_mesh_get_material(mesh, 0)->diffuse, 0, 1, 0) &&
            burnish_mesh_get_material(mesh, 0)->exponent == 7);
-    burnish_mesh_destroy(mesh);
 }
 
 /* Building warns as well. */
@@ -115,9 +111,9 @@ static void test_strict_build(void) {
 
 /* Missing normals that a face names are generated; the present ones are kept. */
 static void test_missing_normals(void) {
-    burnish_mesh *mesh = load_text("a.obj", TRIANGLE "vn 1 0 1\nf 1//1 2//7 3//-2\n",
-                                   "a.obj: faces refer to normals that the file "
-                                   "does not have");
+    OWNED_MESH *mesh = load_text("a.obj", TRIANGLE "vn 1 0 1\nf 1//1 2//7 3//-2\n",
+                                 "a.obj: faces refer to normals that the file "
+                                 "does not have");
     if (CHECK1(triangles_of(mesh) == 1)) {
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         int kept = 0, generated = 0;
@@ -127,7 +123,6 @@ static void test_missing_normals(void) {
         }
         CHECK(kept == 1 && generated == 2, "%d %d", kept, generated);
     }
-    burnish_mesh_destroy(mesh);
     check_text("a.obj", TRIANGLE "f 1//0 2//99999999999999999999 3//-99999999999\n",
                "a.obj: faces refer to normals that the file does not have", 1);
     check_text("a.obj", TRIANGLE "vn 0 0\nvn x 1 2\nf 1//1 2//2 3//1\n",
@@ -214,10 +209,9 @@ static void test_stl_count(void) {
     static const uint32_t counts[] = {0, 11, 13, UINT32_MAX};
     byte_list other = {.size = 0}; /* a size that matches counts, whatever the name is */
     put_stl(&other, "size counts", 12);
-    burnish_mesh *named = load_tolerantly("a.obj", other.bytes, other.size,
-                                          "a.obj: the file is STL, not OBJ as its name says");
+    OWNED_MESH *named = load_tolerantly("a.obj", other.bytes, other.size,
+                                        "a.obj: the file is STL, not OBJ as its name says");
     CHECK(triangles_of(named) == 12, "%zu", triangles_of(named));
-    burnish_mesh_destroy(named);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
         byte_list list = {.size = 0};
         char warning[128];
@@ -281,13 +275,12 @@ static void test_ply_lines(void) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[1024];
         snprintf(text, sizeof text, "%s%s", PLY_HEAD(""), cases[i].body);
-        burnish_mesh *mesh = load_text("a.ply", text, cases[i].warning);
+        OWNED_MESH *mesh = load_text("a.ply", text, cases[i].warning);
         const int white = i == 1;
         CHECK(color_at_is(mesh, 0, 0, white ? 255 : 9, white ? 255 : 2, white ? 255 : 3) &&
                   burnish_mesh_get_view(mesh)->bounds_max[2] == 0,
               "case %zu", i);
         CHECK(color_at(mesh, 0, 1)[1] == (i == 1 || i == 2 ? 255 : 2), "case %zu", i);
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -308,9 +301,8 @@ static void test_ply_comments(void) {
     char text[1024];
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         snprintf(text, sizeof text, "%s%s", PLY_HEAD(""), cases[i].body);
-        burnish_mesh *mesh = load_text("a.ply", text, cases[i].warning);
+        OWNED_MESH *mesh = load_text("a.ply", text, cases[i].warning);
         CHECK(triangles_of(mesh) == 1 && color_at_is(mesh, 0, 1, 9, 2, 3), "case %zu", i);
-        burnish_mesh_destroy(mesh);
     }
     burnish_load_options options = options_of(0);
     burnish_error error;
@@ -363,12 +355,11 @@ static void test_face_colors(void) {
                                              encoding == 2);
                 }
             }
-            burnish_mesh *mesh = load_tolerantly("a.ply", list.bytes, list.size, NULL);
+            OWNED_MESH *mesh = load_tolerantly("a.ply", list.bytes, list.size, NULL);
             CHECK(triangles_of(mesh) == 3 && color_at_is(mesh, 3, 3, 34, 35, 36) &&
                       color_at_is(mesh, 1, 0, 45, 46, 47) && color_at_is(mesh, 1, 1, 45, 46, 47),
                   "%d %d", order, encoding);
             CHECK1(mesh && burnish_mesh_get_view(mesh)->vertex_count == 7);
-            burnish_mesh_destroy(mesh);
         }
     }
     for (int alike = 0; alike < 2; ++alike) { /* faces have the colours if vertices all have one */
@@ -381,11 +372,10 @@ static void test_face_colors(void) {
                  "property uchar green\nproperty uchar blue\nend_header\n"
                  "0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 %d\n3 0 1 2 1 2 3\n",
                  alike ? 7 : 6);
-        burnish_mesh *mesh = load_text(
+        OWNED_MESH *mesh = load_text(
             "a.ply", text,
             alike ? NULL : "a.ply: colours of faces are not drawn, the colours of vertices are");
         CHECK1(alike ? color_at_is(mesh, 1, 0, 1, 2, 3) : color_at_is(mesh, 1, 0, 9, 8, 7));
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -506,18 +496,13 @@ static void test_gzip_bomb(void) {
                                    0x20, 0x95, 0xfd, 0x29, 0x17, 0xa9, 0x0a, 0x00};
     memcpy(bomb, head, sizeof head);
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error;
-    CHECK1(burnish_mesh_load_memory(bomb, sizeof bomb, "a.gz", &options, &mesh, &error) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text, "a.gz: its 65536 bytes unpack to more than 67108864; unpack it first if "
-                           "that is right");
+    check_refused(bomb, sizeof bomb, "a.gz", &options, BURNISH_STATUS_LIMIT,
+                  "a.gz: its 65536 bytes unpack to more than 67108864; unpack it first if "
+                  "that is right");
     options.max_input_bytes = sizeof bomb;
-    CHECK1(burnish_mesh_load_memory(bomb, sizeof bomb, "a.gz", &options, &mesh, &error) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(error.text,
-               "a.gz: unpacks to more than the limit of 65536 bytes; raise the limit or "
-               "simplify the mesh");
+    check_refused(bomb, sizeof bomb, "a.gz", &options, BURNISH_STATUS_LIMIT,
+                  "a.gz: unpacks to more than the limit of 65536 bytes; raise the limit or "
+                  "simplify the mesh");
 }
 
 /* Text in UTF-16, with a material's name beyond 16 bits. */
@@ -537,9 +522,8 @@ static void test_utf16(void) {
                 put_bits(&list, text[i], 2, big);
             }
         }
-        burnish_mesh *mesh = load_tolerantly("memory", list.bytes, list.size, NULL);
+        OWNED_MESH *mesh = load_tolerantly("memory", list.bytes, list.size, NULL);
         CHECK1(triangles_of(mesh) == 1);
-        burnish_mesh_destroy(mesh);
     }
 }
 
