@@ -271,6 +271,19 @@ static inline void add_float(file_bytes *f, double value, int is_double, int big
     add_bits(f, bits, is_double ? 8 : 4, big_endian);
 }
 
+/* A GLB of a JSON text, which is padded, and a binary chunk of whole words. */
+static inline void add_glb(file_bytes *f, file_bytes *json, const file_bytes *binary) {
+    add(json, "   ", (4 - json->size % 4) % 4);
+    add(f, "glTF\2\0\0\0", 8);
+    add_bits(f, 28 + json->size + binary->size, 4, 0);
+    add_bits(f, json->size, 4, 0);
+    add(f, "JSON", 4);
+    add(f, json->bytes, json->size);
+    add_bits(f, binary->size, 4, 0);
+    add(f, "BIN", 4);
+    add(f, binary->bytes, binary->size);
+}
+
 /* How a binary PLY is laid out. */
 typedef struct ply_layout {
     const char *length, *corner; /* types of a face's list */

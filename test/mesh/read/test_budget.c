@@ -45,12 +45,12 @@ static burnish_status load(const file_bytes *file, const char *name, burnish_loa
 
 /* A GLB whose primitives of a mode share some points. */
 static file_bytes make_shared(int mode, int points, int times) {
-    file_bytes json = {0}, list = {0};
-    const uint32_t binary = 12 * (uint32_t)points;
+    file_bytes json = {0}, binary = {0}, list = {0};
+    const uint32_t size = 12 * (uint32_t)points;
     put_json(&json,
              GLTF_HEAD "'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'buffers':[{"
                        "'byteLength':%u}],'bufferViews':[{'buffer':0,'byteLength':%u}],",
-             binary, binary);
+             size, size);
     put_json(&json,
              "'accessors':[{'bufferView':0,'componentType':5126,'count':%d,'type':'VEC3'}],"
              "'meshes':[{'primitives':[",
@@ -59,23 +59,12 @@ static file_bytes make_shared(int mode, int points, int times) {
         put_json(&json, "%s{'mode':%d,'attributes':{'POSITION':0}}", i ? "," : "", mode);
     }
     put_json(&json, "]}]}");
-    while (json.size % 4) {
-        add(&json, " ", 1);
-    }
-    add(&list, "glTF\2\0\0\0", 8);
-    add_bits(&list, 28 + (uint32_t)json.size + binary, 4, 0);
-    add_bits(&list, (uint32_t)json.size, 4, 0);
-    add(&list, "JSON", 4);
-    add(&list, json.bytes, json.size);
-    add_bits(&list, binary, 4, 0);
-    add(&list, "BIN", 4);
     for (int i = 0; i < 3 * points; ++i) {
-        const float value = (float)((uint32_t)i * (uint32_t)i % 1009);
-        uint32_t word;
-        memcpy(&word, &value, 4);
-        add_bits(&list, word, 4, 0);
+        add_float(&binary, (double)((uint32_t)i * (uint32_t)i % 1009), 0, 0);
     }
+    add_glb(&list, &json, &binary);
     free(json.bytes);
+    free(binary.bytes);
     return list;
 }
 

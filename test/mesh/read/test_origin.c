@@ -1,12 +1,11 @@
 /* Coordinates far from the origin: the mesh has the file's coordinates minus an origin, without
  * rounding. */
 #include <math.h>
-#include <stdarg.h>
 
 #include "burnish/mesh.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh_arrays.h"
-#include "support.h"
+#include "sheet.h"
 
 /* ---- A torus in each format ---- */
 
@@ -32,167 +31,117 @@ static void torus_quad(int i, int corners[4]) {
     corners[3] = u * ACROSS + next_v;
 }
 
-typedef struct text {
-    char *bytes;
-    size_t size, capacity;
-} text;
-
-static void put(text *to, const void *bytes, size_t size) {
-    if (to->capacity - to->size < size) {
-        to->capacity = 2 * to->capacity + size;
-        to->bytes = realloc(to->bytes, to->capacity);
-        if (!to->bytes) {
-            abort();
-        }
-    }
-    memcpy(to->bytes + to->size, bytes, size);
-    to->size += size;
-}
-
-__attribute__((format(printf, 2, 3))) static void print(text *to, const char *format, ...) {
-    char line[400];
-    va_list arguments;
-    va_start(arguments, format);
-    const int size = vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
-    put(to, line, (size_t)size);
-}
-
-static void put_double(text *to, double value, int big_endian) {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    for (int i = 0; i < 8; ++i) {
-        const uint8_t byte = (uint8_t)(bits >> 8 * (big_endian ? 7 - i : i));
-        put(to, &byte, 1);
-    }
-}
-
-static void put_points(text *to, const char *before, const double shift[3], double scale) {
+static void put_points(file_bytes *to, const char *before, const double shift[3], double scale) {
     for (int i = 0; i < POINTS; ++i) {
         double p[3];
         torus_point(i, p);
-        print(to, "%s%.17g %.17g %.17g\n", before, shift[0] + scale * p[0], shift[1] + scale * p[1],
-              shift[2] + scale * p[2]);
+        say(to, "%s%.17g %.17g %.17g\n", before, shift[0] + scale * p[0], shift[1] + scale * p[1],
+            shift[2] + scale * p[2]);
     }
 }
 
-static void put_quads(text *to, const char *before, int first) {
+static void put_quads(file_bytes *to, const char *before, int first) {
     for (int i = 0; i < POINTS; ++i) {
         int c[4];
         torus_quad(i, c);
-        print(to, "%s %d %d %d %d\n", before, c[0] + first, c[1] + first, c[2] + first,
-              c[3] + first);
+        say(to, "%s %d %d %d %d\n", before, c[0] + first, c[1] + first, c[2] + first, c[3] + first);
     }
 }
 
-static void put_ply_head(text *to, const char *encoding, int faces) {
-    print(to,
-          "ply\nformat %s 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
-          "property double z\n",
-          encoding, POINTS);
+static void put_ply_head(file_bytes *to, const char *encoding, int faces) {
+    say(to,
+        "ply\nformat %s 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+        "property double z\n",
+        encoding, POINTS);
     if (faces) {
-        print(to, "element face %d\nproperty list uchar int vertex_indices\n", POINTS);
+        say(to, "element face %d\nproperty list uchar int vertex_indices\n", POINTS);
     }
-    print(to, "end_header\n");
+    say(to, "end_header\n");
 }
 
-static void put_binary_ply(text *to, const double shift[3], double scale, int big_endian) {
+static void put_binary_ply(file_bytes *to, const double shift[3], double scale, int big_endian) {
     put_ply_head(to, big_endian ? "binary_big_endian" : "binary_little_endian", 1);
     for (int i = 0; i < POINTS; ++i) {
         double p[3];
         torus_point(i, p);
         for (int k = 0; k < 3; ++k) {
-            put_double(to, shift[k] + scale * p[k], big_endian);
+            add_float(to, shift[k] + scale * p[k], 1, big_endian);
         }
     }
     for (int i = 0; i < POINTS; ++i) {
         int c[4];
-        const uint8_t four = 4;
         torus_quad(i, c);
-        put(to, &four, 1);
+        add_bits(to, 4, 1, 0);
         for (int k = 0; k < 4; ++k) {
-            for (int byte = 0; byte < 4; ++byte) {
-                const uint8_t part = (uint8_t)(c[k] >> 8 * (big_endian ? 3 - byte : byte));
-                put(to, &part, 1);
-            }
+            add_bits(to, (uint64_t)c[k], 4, big_endian);
         }
     }
 }
 
-static void put_stl(text *to, const double shift[3], double scale) {
-    print(to, "solid torus\n");
+static void put_stl(file_bytes *to, const double shift[3], double scale) {
+    say(to, "solid torus\n");
     for (int i = 0; i < 2 * POINTS; ++i) {
         int c[4];
         torus_quad(i / 2, c);
-        print(to, "facet normal 0 0 0\nouter loop\n");
+        say(to, "facet normal 0 0 0\nouter loop\n");
         for (int k = 0; k < 3; ++k) {
             double p[3];
             torus_point(c[k == 0 ? 0 : k + i % 2], p);
-            print(to, "vertex %.17g %.17g %.17g\n", shift[0] + scale * p[0],
-                  shift[1] + scale * p[1], shift[2] + scale * p[2]);
+            say(to, "vertex %.17g %.17g %.17g\n", shift[0] + scale * p[0], shift[1] + scale * p[1],
+                shift[2] + scale * p[2]);
         }
-        print(to, "endloop\nendfacet\n");
+        say(to, "endloop\nendfacet\n");
     }
-    print(to, "endsolid\n");
-}
-
-static void put_base64(text *to, const uint8_t *bytes, size_t size) {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i + 2 < size; i += 3) { /* sizes here are multiples of 3 */
-        const unsigned all = (unsigned)bytes[i] << 16 | (unsigned)bytes[i + 1] << 8 | bytes[i + 2];
-        for (int k = 18; k >= 0; k -= 6) {
-            put(to, &digits[all >> k & 63], 1);
-        }
-    }
+    say(to, "endsolid\n");
 }
 
 /* A node's translation has double precision; a camera is 5 above the torus. */
-static void put_gltf(text *to, const double shift[3], double scale) {
-    static float positions[3 * POINTS];
-    static uint16_t indices[6 * POINTS];
+static void put_gltf(file_bytes *to, const double shift[3], double scale) {
+    file_bytes json = {0}, positions = {0}, indices = {0};
     for (int i = 0; i < POINTS; ++i) {
         double p[3];
         int c[4];
         torus_point(i, p);
         torus_quad(i, c);
         for (int k = 0; k < 3; ++k) {
-            positions[3 * i + k] = (float)(scale * p[k]);
+            add_float(&positions, scale * p[k], 0, 0);
         }
         const int corners[6] = {c[0], c[1], c[2], c[0], c[2], c[3]};
         for (int k = 0; k < 6; ++k) {
-            indices[6 * i + k] = (uint16_t)corners[k];
+            add_bits(&indices, (uint64_t)corners[k], 2, 0);
         }
     }
-    print(to,
-          "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
-          "\"nodes\":[{\"mesh\":0,\"translation\":[%.17g,%.17g,%.17g]},"
-          "{\"camera\":0,\"translation\":[%.17g,%.17g,%.17g]}],"
-          "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,"
-          "\"znear\":0.1}}],",
-          shift[0], shift[1], shift[2], shift[0], shift[1], shift[2] + 5);
-    print(to,
-          "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
-          "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\","
-          "\"count\":%d},{\"bufferView\":1,\"componentType\":5123,\"type\":\"SCALAR\","
-          "\"count\":%d}],",
-          POINTS, 6 * POINTS);
-    print(to,
-          "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%zu},{\"buffer\":0,\"byteOffset\":%zu,"
-          "\"byteLength\":%zu}],\"buffers\":[{\"byteLength\":%zu,"
-          "\"uri\":\"data:application/octet-stream;base64,",
-          sizeof positions, sizeof positions, sizeof indices, sizeof positions + sizeof indices);
-    put_base64(to, (const uint8_t *)positions, sizeof positions);
-    put_base64(to, (const uint8_t *)indices, sizeof indices);
-    print(to, "\"}]}");
+    say(&json,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
+        "\"nodes\":[{\"mesh\":0,\"translation\":[%.17g,%.17g,%.17g]},"
+        "{\"camera\":0,\"translation\":[%.17g,%.17g,%.17g]}],"
+        "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,"
+        "\"znear\":0.1}}],",
+        shift[0], shift[1], shift[2], shift[0], shift[1], shift[2] + 5);
+    say(&json,
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\","
+        "\"count\":%d},{\"bufferView\":1,\"componentType\":5123,\"type\":\"SCALAR\","
+        "\"count\":%d}],",
+        POINTS, 6 * POINTS);
+    say(&json,
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%zu},{\"buffer\":0,\"byteOffset\":%zu,"
+        "\"byteLength\":%zu}],\"buffers\":[{\"byteLength\":%zu}]}",
+        positions.size, positions.size, indices.size, positions.size + indices.size);
+    add(&positions, indices.bytes, indices.size);
+    add_glb(to, &json, &positions);
+    free(json.bytes);
+    free(positions.bytes);
+    free(indices.bytes);
 }
 
 /* names[format] of the input. */
 static const char *const names[FORMATS] = {"a.obj", "a.ply", "little.ply", "big.ply",
-                                           "a.off", "a.stl", "a.gltf",     "points.ply"};
+                                           "a.off", "a.stl", "a.glb",      "points.ply"};
 enum { GLTF = 6, POINT_CLOUD = 7 };
 
-static text make(int format, const double shift[3], double scale) {
-    text to = {NULL, 0, 0};
+static file_bytes make(int format, const double shift[3], double scale) {
+    file_bytes to = {0};
     switch (format) {
     case 0:
         put_points(&to, "v ", shift, scale);
@@ -208,7 +157,7 @@ static text make(int format, const double shift[3], double scale) {
         put_binary_ply(&to, shift, scale, format == 3);
         break;
     case 4:
-        print(&to, "OFF\n%d %d 0\n", POINTS, POINTS);
+        say(&to, "OFF\n%d %d 0\n", POINTS, POINTS);
         put_points(&to, "", shift, scale);
         put_quads(&to, "4", 0);
         break;
@@ -228,15 +177,11 @@ static text make(int format, const double shift[3], double scale) {
 static burnish_mesh *load(int format, const double shift[3], double scale, int threads,
                           const double *origin) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {0};
-    text bytes = make(format, shift, scale);
+    file_bytes bytes = make(format, shift, scale);
     options.threads = threads;
     options.measure = 1;
     options.origin = origin;
-    CHECK(burnish_mesh_load_memory(bytes.bytes, bytes.size, names[format], &options, &mesh,
-                                   &error) == BURNISH_STATUS_OK,
-          "%s: %s", names[format], error.text);
+    burnish_mesh *mesh = load_bytes(bytes.bytes, bytes.size, names[format], &options);
     free(bytes.bytes);
     return mesh;
 }
@@ -375,28 +320,23 @@ static void test_given(void) {
 static void test_floats(void) {
     static const float values[12] = {0, 0, 1, 4096, 8, 0, 4097, 8, 0, 4096, 9, 0.5f};
     static const double origin[3] = {4096, 0, 0};
-    uint8_t bytes[134] = {[80] = 1};
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {0};
+    file_bytes file = {0};
+    add(&file, (uint8_t[84]){[80] = 1}, 84);
     for (size_t i = 0; i < 12; ++i) {
-        uint32_t bits;
-        memcpy(&bits, &values[i], sizeof bits);
-        for (int k = 0; k < 4; ++k) {
-            bytes[84 + 4 * i + (size_t)k] = (uint8_t)(bits >> 8 * k);
-        }
+        add_float(&file, (double)values[i], 0, 0);
     }
+    add_bits(&file, 0, 2, 0);
     for (int given = 0; given < 2; ++given) {
         options.origin = given ? origin : NULL;
-        if (CHECK_OK(
-                burnish_mesh_load_memory(bytes, sizeof bytes, "a.stl", &options, &mesh, &error),
-                error)) {
+        OWNED_MESH *mesh = load_bytes(file.bytes, file.size, "a.stl", &options);
+        if (mesh) {
             const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
             CHECK1(view->bounds_min[0] == (given ? 0 : 4096.0f) && view->bounds_min[1] == 8);
             CHECK1(view->origin[0] == (given ? 4096 : 0));
-            burnish_mesh_destroy(mesh);
         }
     }
+    free(file.bytes);
 }
 
 /* Warnings, materials and the material library come from one reading. */
