@@ -44,11 +44,12 @@ static inline void add_bits(file_bytes *f, uint64_t bits, int size, int big_endi
 
 /* What a sheet has. */
 typedef struct sheet {
-    int side;    /* vertices of a side */
-    int normals; /* of vertices */
-    int colors;  /* of vertices; OBJ: 1 all, 2 some, 3 from the middle on */
-    int quads;   /* pairs of triangles of every fourth row are one face */
-    double far;  /* added to coordinates */
+    int side;      /* vertices of a side */
+    int normals;   /* of vertices */
+    int colors;    /* of vertices; OBJ: 1 all, 2 some, 3 from the middle on */
+    int quads;     /* pairs of triangles of every fourth row are one face */
+    double far;    /* added to coordinates */
+    int is_smooth; /* z is x y / 128 */
     const char *newline;
     const char *middle, *end; /* text before the middle face, and after the last one */
 } sheet;
@@ -64,6 +65,9 @@ static inline unsigned sheet_squares(const sheet *s) {
 /* Multiples of 0.25, which all types and all ways to write them hold exactly. */
 static inline double sheet_coordinate(const sheet *s, unsigned vertex, int axis) {
     const unsigned side = (unsigned)s->side;
+    if (s->is_smooth && axis == 2) {
+        return s->far + (vertex % side) * (vertex / side) / 128.0;
+    }
     const unsigned value = axis == 0   ? 4 * (vertex % side)
                            : axis == 1 ? 4 * (vertex / side)
                                        : vertex * vertex % 17;
@@ -108,7 +112,7 @@ static inline void say_position(file_bytes *f, const sheet *s, unsigned vertex) 
     static const char *const forms[] = {" %g",   " %.6f",   "  %.6e", "\t%.17g",
                                         " %.3f", " %+.25f", " %.4E",  " %.1f0e1"};
     for (int axis = 0; axis < 3; ++axis) {
-        const unsigned form = s->far != 0 ? 3 : (vertex + (unsigned)axis) % 8;
+        const unsigned form = s->far != 0 || s->is_smooth ? 3 : (vertex + (unsigned)axis) % 8;
         const double value = sheet_coordinate(s, vertex, axis);
         const int is_exact = form != 6 || value < 100; /* by 4 digits */
         char word[64];

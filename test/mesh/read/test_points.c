@@ -3,7 +3,7 @@
 
 #include "burnish/mesh.h"
 #include "mesh_arrays.h"
-#include "reader_input.h"
+#include "sheet.h"
 #include "used_bytes.h"
 
 static burnish_mesh *load(const char *name, const char *text, const burnish_load_options *options) {
@@ -33,23 +33,18 @@ enum { SIDE = 64 };
 
 /* A square lattice of step 1/64 in z = 0, with normals or without. The caller frees it. */
 static char *make_lattice(int has_normals) {
-    enum { ROOM = SIDE * SIDE * 40 + 400 };
-    char *text = malloc(ROOM);
-    if (!text) {
-        abort();
-    }
-    size_t size = (size_t)snprintf(text, ROOM,
-                                   "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\n"
-                                   "property float y\nproperty float z\n%send_header\n",
-                                   SIDE * SIDE,
-                                   has_normals ? "property float nx\nproperty float ny\n"
-                                                 "property float nz\n"
-                                               : "");
+    file_bytes text = {0};
+    say(&text,
+        "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+        "property float z\n%send_header\n",
+        SIDE * SIDE,
+        has_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "");
     for (int i = 0; i < SIDE * SIDE; ++i) {
-        size += (size_t)snprintf(text + size, ROOM - size, "%g %g 0%s\n", (double)(i % SIDE) / 64,
-                                 (double)(i / SIDE) / 64, has_normals ? " 0 3 -4" : "");
+        say(&text, "%g %g 0%s\n", (double)(i % SIDE) / 64, (double)(i / SIDE) / 64,
+            has_normals ? " 0 3 -4" : "");
     }
-    return text;
+    add(&text, "", 1);
+    return (char *)text.bytes;
 }
 
 /* The 6th nearest point of a lattice is sqrt(2) steps away: 1.2 times that is the radius. Normals
@@ -114,105 +109,32 @@ enum { GRID = 160, VERTICES = GRID * GRID, BASE = 80 << 20, ROOM = 12000 * 112 }
 enum { WINDOW = 1 << 20 }; /* pieces of the file: a part of the base */
 
 /* A curved square of 50,562 triangles. */
-static void write_position(FILE *file, const char *format, int i) {
-    const double x = (double)(i % GRID) / 16, y = (double)(i / GRID) / 16;
-    fprintf(file, format, x, y, x * y / 8);
+static const sheet square = {.side = GRID, .newline = "\n", .is_smooth = 1, .colors = 1};
+
+static void write_little_ply(file_bytes *file, const sheet *s) {
+    write_binary_ply(file, s, &(ply_layout){"uchar", "int", 1, 4, 0, 0});
 }
 
-static void write_faces(FILE *file, const char *format, int first) {
-    for (int i = 0; i < VERTICES - GRID; ++i) {
-        const int a = i + first;
-        if (i % GRID < GRID - 1) {
-            fprintf(file, format, a, a + 1, a + GRID);
-            fprintf(file, format, a + 1, a + GRID + 1, a + GRID);
-        }
+static void write_untitled_stl(file_bytes *file, const sheet *s) {
+    write_binary_stl(file, s, "");
+}
+
+static FILE *make_file(void (*write)(file_bytes *file, const sheet *s)) {
+    FILE *file = tmpfile();
+    file_bytes bytes = {0};
+    write(&bytes, &square);
+    if (!file || fwrite(bytes.bytes, 1, bytes.size, file) != bytes.size) {
+        abort();
     }
+    rewind(file);
+    free(bytes.bytes);
+    return file;
 }
 
-static void write_vertices(FILE *file, const char *format) {
-    for (int i = 0; i < VERTICES; ++i) {
-        write_position(file, format, i);
-    }
-}
-
-static void write_obj(FILE *file) {
-    fputs("mtllib missing.mtl\n", file);
-    write_vertices(file, "v %g %g %g 0 1 0\n");
-    fputs("vn 0 0 1\nusemtl red\n", file);
-    write_faces(file, "f %d//1 %d//1 %d//1\n", 1);
-}
-
-static void write_off(FILE *file) {
-    fprintf(file, "OFF\n%d %d 0\n", VERTICES, 2 * (GRID - 1) * (GRID - 1));
-    write_vertices(file, "%g %g %g\n");
-    write_faces(file, "3 %d %d %d\n", 0);
-}
-
-static void write_ply_head(FILE *file, const char *encoding) {
-    fprintf(file,
-            "ply\nformat %s 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
-            "property float z\nelement face %d\nproperty list uchar int vertex_indices\n"
-            "end_header\n",
-            encoding, VERTICES, 2 * (GRID - 1) * (GRID - 1));
-}
-
-static void write_ply(FILE *file) {
-    write_ply_head(file, "ascii");
-    write_vertices(file, "%g %g %g\n");
-    write_faces(file, "3 %d %d %d\n", 0);
-}
-
-static void write_binary_ply(FILE *file) {
-    write_ply_head(file, "binary_little_endian");
-    for (int i = 0; i < VERTICES; ++i) {
-        const float x = (float)(i % GRID) / 16, y = (float)(i / GRID) / 16;
-        const float position[3] = {x, y, x * y / 8};
-        fwrite(position, sizeof position, 1, file);
-    }
-    for (int i = 0; i < 2 * (GRID - 1) * (GRID - 1); ++i) {
-        const uint32_t corners[3] = {0, 1, GRID};
-        fputc(3, file);
-        fwrite(corners, sizeof corners, 1, file);
-    }
-}
-
-static void write_facet(FILE *file, const int corners[3]) {
-    fputs("facet normal 0 0 0\nouter loop\n", file);
-    for (int k = 0; k < 3; ++k) {
-        write_position(file, "vertex %g %g %g\n", corners[k]);
-    }
-    fputs("endloop\nendfacet\n", file);
-}
-
-static void write_stl(FILE *file) {
-    fputs("solid s\n", file);
-    for (int i = 0; i < VERTICES - GRID; ++i) {
-        if (i % GRID < GRID - 1) {
-            write_facet(file, (const int[3]){i, i + 1, i + GRID});
-            write_facet(file, (const int[3]){i + 1, i + GRID + 1, i + GRID});
-        }
-    }
-    fputs("endsolid s\n", file);
-}
-
-static void write_binary_stl(FILE *file) {
-    const uint32_t count = 2 * (GRID - 1) * (GRID - 1);
-    const char title[80] = {0};
-    fwrite(title, sizeof title, 1, file);
-    fwrite(&count, sizeof count, 1, file);
-    for (uint32_t i = 0; i < count; ++i) {
-        const float x = (float)(i % GRID), y = (float)(i / GRID);
-        const float facet[12] = {0, 0, 0, x, y, 0, x + 3, y, 0, x, y + 3, 0};
-        fwrite(facet, sizeof facet, 1, file);
-        fwrite("\0", 2, 1, file);
-    }
-}
-
-/* Whether a curved square's point is on it, by its coordinates' type, and its normal is upright
- * (of the square's 6.3 degrees per unit, or of flat facets). */
-static int is_on_grid(const burnish_mesh_view *view, size_t i, int is_flat) {
+/* Whether a point is on the square, and its normal is upright. */
+static int is_on_square(const burnish_mesh_view *view, size_t i) {
     const float *p = view->positions + 3 * i, *n = view->normals + 3 * i;
-    const double off = is_flat ? p[2] : p[2] - p[0] * p[1] / 8;
+    const double off = p[2] - p[0] * p[1] / 128;
     return off < 1e-3 && off > -1e-3 && n[2] * n[2] > 0.2f;
 }
 
@@ -220,29 +142,24 @@ static int is_on_grid(const burnish_mesh_view *view, size_t i, int is_flat) {
 static void test_preview(void) {
     static const struct {
         const char *name;
-        void (*write)(FILE *file);
+        void (*write)(file_bytes *file, const sheet *s);
         size_t count, thinning;
         const char *what;
     } cases[] = {{"a.obj", write_obj, VERTICES, 4, "vertices"},
                  {"a.off", write_off, VERTICES, 3, "vertices"},
                  {"a.ply", write_ply, VERTICES, 3, "vertices"},
-                 {"b.ply", write_binary_ply, VERTICES, 3, "vertices"},
+                 {"b.ply", write_little_ply, VERTICES, 3, "vertices"},
                  {"a.stl", write_stl, 50562, 8, "triangles"},
-                 {"b.stl", write_binary_stl, 50562, 5, "triangles"}};
+                 {"b.stl", write_untitled_stl, 50562, 5, "triangles"}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         used_bytes used;
         burnish_error error;
         burnish_mesh *mesh = NULL;
         burnish_load_options options = burnish_load_options_default();
-        FILE *file = tmpfile();
+        FILE *file = make_file(cases[k].write);
         options.threads = 1;
         options.context = make_counted(&used);
         options.max_memory = BASE + ROOM;
-        if (!file || !options.context) {
-            abort();
-        }
-        cases[k].write(file);
-        rewind(file);
         CHECK_OK(burnish_mesh_load_descriptor(fileno(file), cases[k].name, &options, &mesh, &error),
                  error);
         const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
@@ -254,10 +171,10 @@ static void test_preview(void) {
             char text[200];
             size_t wrong = 0;
             for (size_t i = 0; i < view->vertex_count; ++i) {
-                wrong += !is_on_grid(view, i, cases[k].write == write_binary_stl);
+                wrong += !is_on_square(view, i);
             }
             CHECK(wrong == 0, "%s: %zu", cases[k].name, wrong);
-            CHECK1(cases[k].write != write_obj || view->colors[1] == 255);
+            CHECK1(cases[k].write != write_obj || view->colors[1] == 128);
             snprintf(text, sizeof text,
                      "%s: a preview: 1 in %zu of %zu %s is drawn, as a point, since all need more "
                      "memory than max-memory",
@@ -282,14 +199,10 @@ static void test_preview(void) {
 
 /* The share of a text's rows does not depend on how much of it is read at once. */
 static void test_preview_threads(void) {
-    static void (*const writers[])(FILE * file) = {write_obj, write_stl};
+    static void (*const writers[])(file_bytes * file, const sheet *s) = {write_obj, write_stl};
     for (size_t k = 0; k < 2; ++k) {
         size_t thinning[2] = {0}, counts[2] = {0};
-        FILE *file = tmpfile();
-        if (!file) {
-            abort();
-        }
-        writers[k](file);
+        FILE *file = make_file(writers[k]);
         for (int i = 0; i < 2; ++i) {
             burnish_load_options options = burnish_load_options_default();
             burnish_error error;
