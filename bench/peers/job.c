@@ -3,11 +3,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 #include "base/numbers.h"
-#include "subdivide.h"
 
 #define BUNNY "/usr/share/glmark2/models/bunny.obj" /* Debian's glmark2-data */
 
@@ -109,6 +109,69 @@ static burnish_status make_materials(burnish_peers_job *job, burnish_error *erro
     return status;
 }
 
+/* ---- A finer mesh ---- */
+
+typedef struct corner {
+    float position[3], normal[3];
+} corner;
+
+static corner middle(const corner *a, const corner *b) {
+    corner m;
+    double sum[3], squared = 0;
+    for (int k = 0; k < 3; ++k) {
+        m.position[k] = (a->position[k] + b->position[k]) / 2;
+        sum[k] = (double)a->normal[k] + b->normal[k];
+        squared += sum[k] * sum[k];
+    }
+    for (int k = 0; k < 3; ++k) { /* opposite normals: either will do */
+        m.normal[k] = squared > 0 ? (float)(sum[k] / sqrt(squared)) : a->normal[k];
+    }
+    return m;
+}
+
+/* Four triangles at the edges' middles for each, `levels` times. */
+static void split(const corner v[3], int levels, corner **to) {
+    if (levels == 0) {
+        memcpy(*to, v, 3 * sizeof *v);
+        *to += 3;
+        return;
+    }
+    const corner ab = middle(&v[0], &v[1]), bc = middle(&v[1], &v[2]), ca = middle(&v[2], &v[0]);
+    split((corner[3]){v[0], ab, ca}, levels - 1, to);
+    split((corner[3]){ab, v[1], bc}, levels - 1, to);
+    split((corner[3]){ca, bc, v[2]}, levels - 1, to);
+    split((corner[3]){ab, bc, ca}, levels - 1, to);
+}
+
+/* The same surface, normals interpolated. Neighbours make equal middles, which are joined. */
+static burnish_status subdivide(const burnish_mesh *mesh, int levels, burnish_mesh **finer,
+                                burnish_error *error) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const burnish_load_options options = burnish_load_options_default();
+    const size_t count = view->triangle_count * 3 << 2 * levels;
+    corner *corners = calloc(count, sizeof *corners), *to = corners;
+    *finer = NULL;
+    if (!corners) {
+        snprintf(error->text, sizeof error->text, "subdivision: out of memory");
+        return BURNISH_STATUS_MEMORY;
+    }
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        corner v[3];
+        for (size_t k = 0; k < 3; ++k) {
+            const size_t vertex = view->indices[3 * i + k];
+            memcpy(v[k].position, view->positions + 3 * vertex, sizeof v[k].position);
+            memcpy(v[k].normal, view->normals + 3 * vertex, sizeof v[k].normal);
+        }
+        split(v, levels, &to);
+    }
+    burnish_mesh_description arrays = burnish_mesh_description_default();
+    arrays.positions = (burnish_array){corners->position, count, sizeof *corners};
+    arrays.normals = (burnish_array){corners->normal, count, sizeof *corners};
+    const burnish_status status = burnish_mesh_create(&arrays, &options, finer, error);
+    free(corners);
+    return status;
+}
+
 /* bunny16 is the bunny subdivided twice. */
 static burnish_status load(const char *input, burnish_mesh **mesh, burnish_error *error) {
     const int is_bunny = strcmp(input, "bunny") == 0, is_fine = strcmp(input, "bunny16") == 0;
@@ -117,7 +180,7 @@ static burnish_status load(const char *input, burnish_mesh **mesh, burnish_error
         burnish_mesh_load(is_bunny || is_fine ? BUNNY : input, &options, mesh, error);
     if (status == BURNISH_STATUS_OK && is_fine) {
         burnish_mesh *coarse = *mesh;
-        status = burnish_peers_subdivide(coarse, 2, mesh, error);
+        status = subdivide(coarse, 2, mesh, error);
         burnish_mesh_destroy(coarse);
     }
     return status;

@@ -3,6 +3,8 @@
  *
  * The runner sets the number of threads in the environment: LP_NUM_THREADS=0 rasterises in the
  * calling thread, 2 in two more threads. */
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
 #include <GLES3/gl32.h>
 #include <math.h>
 #include <meshoptimizer.h>
@@ -10,7 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "egl.h"
 #include "llvmpipe_shaders.h"
 #include "worker.h"
 
@@ -45,6 +46,51 @@ typedef struct gl_renderer {
     size_t *ends;          /* of each material's indices */
     size_t material_count;
 } gl_renderer;
+
+static EGLDisplay open_display(void) {
+    const PFNEGLGETPLATFORMDISPLAYEXTPROC get_display =
+        (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
+    const PFNEGLQUERYDEVICESEXTPROC query_devices =
+        (PFNEGLQUERYDEVICESEXTPROC)eglGetProcAddress("eglQueryDevicesEXT");
+    EGLDeviceEXT device;
+    EGLint count = 0;
+    if (!get_display) {
+        return EGL_NO_DISPLAY;
+    }
+    EGLDisplay display = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+    if (display && eglInitialize(display, NULL, NULL)) {
+        return display;
+    }
+    if (!query_devices || !query_devices(1, &device, &count) || count < 1) {
+        return EGL_NO_DISPLAY;
+    }
+    display = get_display(EGL_PLATFORM_DEVICE_EXT, device, NULL);
+    return display && eglInitialize(display, NULL, NULL) ? display : EGL_NO_DISPLAY;
+}
+
+/* Without a window: on Mesa's platform for that, else on the first device. Returns NULL, or what is missing. */
+static const char *open_context(void) {
+    static const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
+                                        EGL_NONE};
+    const EGLDisplay display = open_display();
+    if (!display || !eglBindAPI(EGL_OPENGL_ES_API)) {
+        return "no display without a window";
+    }
+    const EGLContext context =
+        eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (!context || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+        return "no OpenGL ES 3 context";
+    }
+    return NULL;
+}
+
+static void close_context(void) {
+    const EGLDisplay display = eglGetCurrentDisplay();
+    if (display != EGL_NO_DISPLAY) {
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglTerminate(display);
+    }
+}
 
 static GLuint compile(GLenum kind, const char *const *parts, GLsizei count, char *note) {
     GLuint shader = glCreateShader(kind);
@@ -279,7 +325,7 @@ static int make_meshes(gl_renderer *gl) {
 
 static void close_gl(void *state) {
     gl_renderer *gl = state;
-    burnish_peers_close_gl();
+    close_context();
     free(gl->ends);
     free(gl);
 }
@@ -353,7 +399,7 @@ static int open_gl(void **state, const burnish_peers_job *job, int threads, char
         return 0;
     }
     gl->job = job;
-    const char *missing = burnish_peers_open_gl(3, 2);
+    const char *missing = open_context();
     if (missing) {
         snprintf(note, BURNISH_PEERS_NOTE, "EGL: %s", missing);
         close_gl(gl);
