@@ -4,15 +4,13 @@
 Usage: test/hostile/make.py FOLDER [NAME...]        without names: all of them
 Each line of output is a file, the exit code that `burnish render` ends with, and flags that suit it.
 """
-import json
 import math
 import os
 import random
 import struct
 import sys
-import zlib
 
-from files import FILES
+from files import FILES, png, textured
 
 
 def stl(triangles):
@@ -164,46 +162,8 @@ def grid_folded(count):
     return obj(positions, faces)
 
 
-def png(side):
-    """Of one colour: a byte for 1,000 pixels."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    packer = zlib.compressobj(9)
-    rows = b"".join(packer.compress(b"\0" * (side + 1)) for _ in range(side)) + packer.flush()
-    head = struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", rows) + chunk(b"IEND", b"")
-
-
-def textured(side, count):
-    """GLB: a triangle for each of so many pictures, which are its colour, its metal and its normals."""
-    picture = png(side)
-    data = struct.pack("<15f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1)
-    views = [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}]
-    materials = []
-    for i in range(count):
-        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(picture)})
-        data += picture
-        materials.append({"normalTexture": {"index": i},
-                          "pbrMetallicRoughness": {"baseColorTexture": {"index": i},
-                                                   "metallicRoughnessTexture": {"index": i}}})
-    data += b"\0" * (-len(data) % 4)
-    scene = json.dumps({
-        "asset": {"version": "2.0"}, "buffers": [{"byteLength": len(data)}], "bufferViews": views,
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
-                       "min": [0, 0, 0], "max": [1, 1, 0]},
-                      {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
-        "images": [{"bufferView": 2 + i, "mimeType": "image/png"} for i in range(count)],
-        "textures": [{"source": i} for i in range(count)], "materials": materials,
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i}
-                                   for i in range(count)]}],
-        "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}]}, separators=(",", ":")).encode()
-    scene += b" " * (-len(scene) % 4)
-    return (struct.pack("<4sII", b"glTF", 2, 28 + len(scene) + len(data)) +
-            struct.pack("<I4s", len(scene), b"JSON") + scene +
-            struct.pack("<I4s", len(data), b"BIN\0") + data)
-
-
 TOP = "--views=top"
+MAPS = ("color", "metal", "normal")
 CASES = {
     "sheets-500.stl": (lambda: sheets(500), TOP, 0),
     "sheets-500-back.stl": (lambda: sheets(500, True), TOP, 0),
@@ -232,9 +192,9 @@ CASES = {
     "elements-10000.ply": (lambda: many_elements(10000), "", 4),
     "edge-30000.obj": (lambda: edges_at_a_vertex(30000), "", 5),
     "folded-30000.obj": (lambda: grid_folded(30000), "", 0),
-    "texture-16384.glb": (lambda: textured(16384, 1), "", 0),
-    "textures-4096.glb": (lambda: textured(4096, 40), "", 0),
-    "textures-512.glb": (lambda: textured(512, 800), "", 0),
+    "texture-16384.glb": (lambda: textured([png(16384, 16384)], MAPS), "", 0),
+    "textures-4096.glb": (lambda: textured([png(4096, 4096)] * 40, MAPS), "", 0),
+    "textures-512.glb": (lambda: textured([png(512, 512)] * 800, MAPS), "", 0),
     **FILES,
 }
 

@@ -177,16 +177,11 @@ static void test_crease_auto(void) {
                  {FOLD_STL, "a.stl", 49, 6}};
     for (int i = 0; i < 4; ++i) {
         burnish_load_options options = burnish_load_options_default();
-        burnish_mesh *mesh = NULL;
-        burnish_error error = {BURNISH_STATUS_OK, ""};
         options.crease_angle = cases[i].angle;
-        if (CHECK_OK(burnish_mesh_load_memory(cases[i].text, strlen(cases[i].text), cases[i].name,
-                                              &options, &mesh, &error),
-                     error)) {
-            size_t count = burnish_mesh_get_view(mesh)->vertex_count;
-            CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
-        }
-        burnish_mesh_destroy(mesh);
+        OWNED_MESH *mesh =
+            load_bytes(cases[i].text, strlen(cases[i].text), cases[i].name, &options);
+        const size_t count = mesh ? burnish_mesh_get_view(mesh)->vertex_count : 0;
+        CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
     }
 }
 
@@ -225,20 +220,16 @@ static const char SMOOTH_CONE[] =
 static void check_normals(const char *text, const char *name, burnish_normals_source normals,
                           double angle, size_t vertices, const char *warning) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
     options.normals = normals;
     options.crease_angle = angle;
-    if (CHECK(burnish_mesh_load_memory(text, strlen(text), name, &options, &mesh, &error) ==
-                  BURNISH_STATUS_OK,
-              "%s", error.text)) {
+    OWNED_MESH *mesh = load_bytes(text, strlen(text), name, &options);
+    if (mesh) {
         const size_t count = burnish_mesh_get_view(mesh)->vertex_count;
         const char *found = burnish_mesh_get_warning(mesh, 0);
         CHECK(count == vertices, "%zu vertices, not %zu", count, vertices);
         CHECK(warning ? found && strstr(found, warning) : !found, "warning: %s",
               found ? found : "none");
     }
-    burnish_mesh_destroy(mesh);
 }
 
 /* Own normals give a corner of the cube three vertices; those of the file one. */

@@ -4,7 +4,7 @@
 #include "burnish/mesh.h"
 #include "mesh/build/normals/fans.h"
 #include "mesh_arrays.h"
-#include "support.h"
+#include "sheet.h"
 
 /* A unit cube's corners (bit k of the number is coordinate k) and its faces, from outside. */
 static const uint32_t cube_faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -27,37 +27,31 @@ static void cube_point(uint32_t number, float p[3]) {
     }
 }
 
+/* Must succeed. */
+static burnish_mesh *create(burnish_mesh_description arrays, double crease) {
+    burnish_load_options options = burnish_load_options_default();
+    options.crease_angle = crease;
+    return create_mesh(&arrays, &options);
+}
+
 /* The cube as in an STL file: nothing shared. */
 static burnish_mesh *soup(double crease, int turned) {
-    burnish_load_options options = burnish_load_options_default();
     burnish_mesh_description arrays = burnish_mesh_description_default();
     uint32_t corners[36];
     float positions[3 * 36];
-    options.crease_angle = crease;
     cube_corners(corners, turned);
     for (uint32_t i = 0; i < 36; ++i) {
         cube_point(corners[i], positions + 3 * i);
     }
     arrays.positions = (burnish_array){positions, 36, 0};
-    return create_mesh(&arrays, &options);
+    return create(arrays, crease);
 }
 
-static burnish_status create(burnish_mesh_description arrays, double crease, burnish_mesh **mesh,
-                             burnish_error *error) {
-    burnish_load_options options = burnish_load_options_default();
-    options.crease_angle = crease;
-    return burnish_mesh_create(&arrays, &options, mesh, error);
-}
-
-/* The mesh of plain positions and indices; must succeed. */
+/* The mesh of plain positions and indices. */
 static burnish_mesh *plain(const float *positions, size_t vertex_count, const uint32_t *indices,
                            size_t triangle_count, double crease) {
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK_OK(create(describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count),
-                    crease, &mesh, &error),
-             error);
-    return mesh;
+    return create(describe_arrays(positions, NULL, NULL, vertex_count, indices, triangle_count),
+                  crease);
 }
 
 static int near(const float *v, double x, double y, double z, double bound) {
@@ -204,9 +198,10 @@ static void test_zero_area(void) {
     burnish_mesh_destroy(mesh);
 
     burnish_error error;
+    const burnish_load_options options = burnish_load_options_default();
+    const burnish_mesh_description flat = describe_arrays(positions, NULL, NULL, 6, indices + 3, 4);
     mesh = (burnish_mesh *)&error;
-    CHECK1(create(describe_arrays(positions, NULL, NULL, 6, indices + 3, 4), 40, &mesh, &error) ==
-           BURNISH_STATUS_FORMAT);
+    CHECK1(burnish_mesh_create(&flat, &options, &mesh, &error) == BURNISH_STATUS_FORMAT);
     CHECK1(mesh == NULL && error.status == BURNISH_STATUS_FORMAT);
     CHECK(strstr(error.text, "mesh: no triangle has any area; 4 triangles"), "%s", error.text);
 }
@@ -228,10 +223,7 @@ static void test_given_normals(void) {
     /* Any length; opposite to the first triangle's winding; one 0 and one NaN. */
     const float normals[] = {0, -1e-30f, -1e-30f, 0, 0, -3e38f, 0, 0, 0, NAN, 0, 1};
     const uint32_t indices[] = {0, 1, 2, 1, 3, 2};
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK_OK(create(describe_arrays(positions, normals, NULL, 4, indices, 2), 40, &mesh, &error),
-             error);
+    OWNED_MESH *mesh = create(describe_arrays(positions, normals, NULL, 4, indices, 2), 40);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const float *n = view->normals;
     /* Both triangles are turned, and the made normals follow. */
@@ -242,7 +234,6 @@ static void test_given_normals(void) {
     CHECK1(near(n + 3 * view->indices[1], 0, 0, -1, 0));
     CHECK1(near(n + 3 * view->indices[2], 0, 0, -1, 0));
     CHECK1(near(n + 3 * view->indices[5], 0, 0, -1, 0));
-    burnish_mesh_destroy(mesh);
 }
 
 /* A flat cone: its tip has as many normals in the file as the cone has sides. */
@@ -265,18 +256,14 @@ static void test_many_normals(void) {
                 indices[3 * i + k] = 3 * i + k;
             }
         }
-        burnish_mesh *mesh = NULL;
-        burnish_error error = {BURNISH_STATUS_OK, ""};
-        CHECK_OK(create(describe_arrays(positions, normals, NULL, 3 * sides, indices, sides), 40,
-                        &mesh, &error),
-                 error);
+        OWNED_MESH *mesh =
+            create(describe_arrays(positions, normals, NULL, 3 * sides, indices, sides), 40);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
         CHECK(view->vertex_count == 3 * sides, "%u sides: %zu vertices", sides, view->vertex_count);
         CHECK(near(view->bounds_min, 9.5, 9.5, 10, 0.501) && view->bounds_max[2] == 11,
               "%u sides: bounds from %g, %g, %g to z = %g", sides, (double)view->bounds_min[0],
               (double)view->bounds_min[1], (double)view->bounds_min[2],
               (double)view->bounds_max[2]);
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -286,29 +273,28 @@ static burnish_mesh *load_named(const char *tail, size_t triangles) {
     enum { POSITIONS = 60, NORMALS = 12, TEXCOORDS = 9 };
     static const int names[3] = {POSITIONS, TEXCOORDS, NORMALS};
     uint64_t state = test_seed(5);
-    char *text = malloc(POSITIONS * 64 + 4096 + triangles * 40);
-    size_t size = 0;
+    file_bytes text = {0};
     for (int i = 0; i < POSITIONS; ++i) {
-        size += (size_t)sprintf(text + size, "v %d %d %d%s\n", i % 5, i / 5 % 4, i / 20, tail);
+        say(&text, "v %d %d %d%s\n", i % 5, i / 5 % 4, i / 20, tail);
     }
     for (int i = 0; i < NORMALS; ++i) {
-        size += (size_t)sprintf(text + size, "vn %d %d 1\n", i % 3, i % 2);
+        say(&text, "vn %d %d 1\n", i % 3, i % 2);
     }
     for (int i = 0; i < TEXCOORDS; ++i) {
-        size += (size_t)sprintf(text + size, "vt 0.%d 0.5\n", i % 4);
+        say(&text, "vt 0.%d 0.5\n", i % 4);
     }
     for (size_t i = 0; i < triangles; ++i) {
-        size += (size_t)sprintf(text + size, "f");
+        say(&text, "f");
         for (int k = 0; k < 9; ++k) {
-            size += (size_t)sprintf(text + size, "%c%u", k % 3 ? '/' : ' ',
-                                    1 + test_random32(&state) % (uint32_t)names[k % 3]);
+            say(&text, "%c%u", k % 3 ? '/' : ' ',
+                1 + test_random32(&state) % (uint32_t)names[k % 3]);
         }
-        text[size++] = '\n';
+        say(&text, "\n");
     }
     burnish_load_options options = burnish_load_options_default();
     options.keep_texture_coordinates = 1;
-    burnish_mesh *mesh = load_bytes(text, size, "named.obj", &options);
-    free(text);
+    burnish_mesh *mesh = load_bytes(text.bytes, text.size, "named.obj", &options);
+    free(text.bytes);
     return mesh;
 }
 
@@ -336,9 +322,7 @@ static void test_colors(void) {
     const uint8_t colors[] = {1, 2, 3, 255, 5, 6, 7, 255, 9, 9, 9,   255,
                               5, 6, 7, 255, 8, 8, 8, 255, 9, 9, 200, 255};
     const uint32_t indices[] = {0, 1, 2, 3, 4, 5};
-    burnish_mesh *mesh = NULL;
-    CHECK1(create(describe_arrays(positions, NULL, colors, 6, indices, 2), 40, &mesh, NULL) ==
-           BURNISH_STATUS_OK);
+    OWNED_MESH *mesh = create(describe_arrays(positions, NULL, colors, 6, indices, 2), 40);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     CHECK(view->vertex_count == 5, "%zu", view->vertex_count);
     for (int i = 0; i < 6; ++i) {
@@ -346,7 +330,6 @@ static void test_colors(void) {
         CHECK(memcmp(view->positions + 3 * view->indices[i], positions + 3 * i, 12) == 0,
               "corner %d", i);
     }
-    burnish_mesh_destroy(mesh);
 }
 
 /* Sets of a few faces and of any number are the same. */

@@ -164,6 +164,13 @@ static inline burnish_status read_text(burnish_format format, const char *text) 
     return read_bytes(format, text, strlen(text));
 }
 
+/* A reading that must fail, with the message. */
+static inline void check_fault(burnish_status status, burnish_status expected,
+                               const char *message) {
+    CHECK(status == expected, "status %d: %s", (int)status, message);
+    CHECK_TEXT(fault.text, message);
+}
+
 /* Text that must be read. */
 static inline void read_good_text(burnish_format format, const char *text) {
     CHECK_OK(read_text(format, text), fault);

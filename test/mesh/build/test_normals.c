@@ -45,11 +45,10 @@ static void check_angle(double crease, size_t vertices, uint64_t expected) {
         burnish_load_options options = burnish_load_options_default();
         const burnish_mesh_description arrays =
             describe_arrays(soup, NULL, NULL, CORNERS, corners, CORNERS / 3);
-        burnish_mesh *mesh = NULL;
-        burnish_error error = {0};
         options.crease_angle = crease;
         options.threads = threads[t];
-        if (!CHECK_OK(burnish_mesh_create(&arrays, &options, &mesh, &error), error)) {
+        OWNED_MESH *mesh = create_mesh(&arrays, &options);
+        if (!mesh) {
             return;
         }
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
@@ -61,7 +60,6 @@ static void check_angle(double crease, size_t vertices, uint64_t expected) {
               "crease %g, %d threads: %zu vertices", crease, threads[t], view->vertex_count);
         CHECK(hash == expected, "crease %g, %d threads: hash %#llx", crease, threads[t],
               (unsigned long long)hash);
-        burnish_mesh_destroy(mesh);
     }
 }
 

@@ -107,9 +107,9 @@ static void test_limits(void) {
     zip_list *zip = begin_3mf(MODEL("<object id='1'>" MESH "</object>", ITEM_1 ITEM_1));
     end_zip(zip, 0);
     options.max_triangles = 7;
-    CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(fault.text, "mesh.3mf: more than 7 triangles; raise the limit or simplify the mesh");
+    check_fault(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL),
+                BURNISH_STATUS_LIMIT,
+                "mesh.3mf: more than 7 triangles; raise the limit or simplify the mesh");
     options.max_triangles = 8;
     CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL), fault);
 
@@ -133,9 +133,8 @@ static void test_limits(void) {
         }
         end_zip(zip, 0);
         options.max_input_bytes = i == 0 ? 1 << 20 : 1 << 30;
-        CHECK1(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL) ==
-               BURNISH_STATUS_LIMIT);
-        CHECK_TEXT(fault.text, lines[i]);
+        check_fault(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL),
+                    BURNISH_STATUS_LIMIT, lines[i]);
     }
 }
 
@@ -152,9 +151,8 @@ static void test_archives(void) {
 
     zip->size = zip->directory_size = zip->count = 0;
     put_part_text(zip, "word/document.xml", "<a/>");
-    CHECK1(run_3mf(zip) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(fault.text,
-               "mesh.3mf: a ZIP archive without a 3D model; of archives only 3MF is read");
+    check_fault(run_3mf(zip), BURNISH_STATUS_FORMAT,
+                "mesh.3mf: a ZIP archive without a 3D model; of archives only 3MF is read");
 
     static const struct {
         size_t at; /* in the model's entry of the directory */

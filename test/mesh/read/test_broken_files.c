@@ -136,8 +136,7 @@ static void test_messages(void) {
                                       : *name == 'p' ? BURNISH_FORMAT_PLY
                                                      : BURNISH_FORMAT_STL;
         burnish_status status = read_text(format, messages[i].text);
-        CHECK(status == BURNISH_STATUS_FORMAT, "message %zu: status %d", i, (int)status);
-        CHECK_TEXT(fault.text, messages[i].message);
+        check_fault(status, BURNISH_STATUS_FORMAT, messages[i].message);
     }
 }
 
@@ -169,12 +168,12 @@ static void test_mtl_messages(void) {
 static void test_binary_messages(void) {
     byte_list stl = {.size = 0}, ply = {.size = 0};
     put_stl(&stl, "solid", 2);
-    CHECK1(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(fault.text, "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
-                           "1; it is truncated or not STL");
+    check_fault(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size - 1), BURNISH_STATUS_FORMAT,
+                "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
+                "1; it is truncated or not STL");
     memcpy(stl.bytes + 84 + 50 + 12 + 8, "\0\0\x80\x7f", 4); /* infinity as z of facet 1 */
-    CHECK1(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(fault.text, "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
+    check_fault(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size), BURNISH_STATUS_FORMAT,
+                "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
 
     put_ply(&ply, 2);
     CHECK1(read_bytes(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1) == BURNISH_STATUS_FORMAT);
@@ -193,14 +192,12 @@ static void test_limits(void) {
     put_stl(&stl, "", 3);
     put_ply(&ply, 1);
     options.max_triangles = 2;
-    CHECK1(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(fault.text,
-               "mesh.obj:5: more than 2 triangles; raise the limit or simplify the mesh");
-    CHECK1(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(fault.text,
-               "mesh.stl: byte 80: more than 2 triangles; raise the limit or simplify the mesh");
+    check_fault(run_reader(BURNISH_FORMAT_OBJ, quad, strlen(quad), &options, NULL),
+                BURNISH_STATUS_LIMIT,
+                "mesh.obj:5: more than 2 triangles; raise the limit or simplify the mesh");
+    check_fault(run_reader(BURNISH_FORMAT_STL, stl.bytes, stl.size, &options, NULL),
+                BURNISH_STATUS_LIMIT,
+                "mesh.stl: byte 80: more than 2 triangles; raise the limit or simplify the mesh");
     CHECK1(run_reader(BURNISH_FORMAT_PLY, ply.bytes, ply.size, &options, NULL) ==
            BURNISH_STATUS_LIMIT);
     options.max_triangles = 3;
@@ -260,9 +257,9 @@ static void test_claims(void) {
     stl.bytes[83] = 0x01; /* 16,777,216 triangles, 839 MB, in 100 bytes */
     put(&stl, "sixteen bytes...", 16);
     CHECK1(refuses_within_16_mib(BURNISH_FORMAT_STL, &stl));
-    CHECK1(read_text(BURNISH_FORMAT_PLY, texts[0]) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(fault.text, "mesh.ply:3: element vertex announces 80000000 rows, but the rest of "
-                           "the file has room for 0 at most; the file is truncated or damaged");
+    check_fault(read_text(BURNISH_FORMAT_PLY, texts[0]), BURNISH_STATUS_FORMAT,
+                "mesh.ply:3: element vertex announces 80000000 rows, but the rest of "
+                "the file has room for 0 at most; the file is truncated or damaged");
 }
 
 /* ---- files ---- */

@@ -128,9 +128,8 @@ static void check_refused(const char *json, const byte_list *binary, const char 
 
 static void test_refused(void) {
     byte_list binary = answer_of(2);
-    CHECK1(read_glb(DRACO("104", "104", ONE), &binary) == BURNISH_STATUS_FORMAT);
-    CHECK_TEXT(
-        fault.text,
+    check_fault(
+        read_glb(DRACO("104", "104", ONE), &binary), BURNISH_STATUS_FORMAT,
         "mesh.gltf: byte 469: meshes[0].primitives[0]: is compressed by "
         "KHR_draco_mesh_compression, but no decoder is available; export the file without it");
 

@@ -177,16 +177,14 @@ static void test_instances_are_bounded(void) {
         put_json(&list, ",{'mesh':0}");
     }
     put_text(&list, "]}");
-    CHECK1(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(fault.text,
-               "mesh.gltf: its 723 bytes become more than 5242880 vertices and triangles; "
-               "set max-triangles to draw them");
+    check_fault(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL),
+                BURNISH_STATUS_LIMIT,
+                "mesh.gltf: its 723 bytes become more than 5242880 vertices and triangles; "
+                "set max-triangles to draw them");
     options.max_triangles = 1000;
-    CHECK1(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL) ==
-           BURNISH_STATUS_LIMIT);
-    CHECK_TEXT(fault.text,
-               "mesh.gltf: more than 1000 triangles; raise the limit or simplify the mesh");
+    check_fault(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL),
+                BURNISH_STATUS_LIMIT,
+                "mesh.gltf: more than 1000 triangles; raise the limit or simplify the mesh");
 }
 
 int main(int count, char **arguments) {

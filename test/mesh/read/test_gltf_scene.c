@@ -205,10 +205,9 @@ static void test_animation(void) {
         const double angle = quarter * acos(0) / 4;
         CHECK(corner_is(0, 1, cos(angle), 7 + sin(angle), 0), "%d", quarter);
     }
-    CHECK1(read_posed(rest, &binary, 0, "4") == BURNISH_STATUS_ARGUMENT);
-    CHECK_TEXT(fault.text,
-               "mesh.gltf: animation \"4\" does not exist; give a name or a number from 0 "
-               "to 3");
+    check_fault(read_posed(rest, &binary, 0, "4"), BURNISH_STATUS_ARGUMENT,
+                "mesh.gltf: animation \"4\" does not exist; give a name or a number from 0 "
+                "to 3");
     read_good("$head$triangle,$node}", NULL);
 }
 

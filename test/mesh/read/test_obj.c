@@ -354,8 +354,8 @@ static void test_first_error(void) {
                  {"mtllib none.mtl\nv 0 0 0\nf 1 1 9 x\n",
                   "mesh.obj:3: face corner \"x\" is not an index; write v, v/t, v//n or v/t/n"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        CHECK1(read_with_library(cases[i].mesh, "newmtl a\nKd red\n") == BURNISH_STATUS_FORMAT);
-        CHECK_TEXT(fault.text, cases[i].error);
+        check_fault(read_with_library(cases[i].mesh, "newmtl a\nKd red\n"), BURNISH_STATUS_FORMAT,
+                    cases[i].error);
     }
 }
 
