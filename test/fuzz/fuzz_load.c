@@ -24,6 +24,7 @@
 #include "burnish/render.h"
 #include "mesh/read/io/streaming.h"
 #include "mesh/read/io/thinning.h"
+#include "mesh_arrays.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -381,21 +382,6 @@ static void draw(const burnish_mesh *scene, uint8_t choice, uint8_t more, uint8_
     burnish_image_destroy(&image);
 }
 
-static int same_bytes(const void *a, const void *b, size_t size) {
-    return (!a && !b) || (a && b && memcmp(a, b, size) == 0);
-}
-
-static void compare_meshes(const burnish_mesh *scene, const burnish_mesh *other, const char *what) {
-    const burnish_mesh_view *a = burnish_mesh_get_view(scene), *b = burnish_mesh_get_view(other);
-    require(a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count &&
-                same_bytes(a->positions, b->positions, 12 * a->vertex_count) &&
-                same_bytes(a->normals, b->normals, 12 * a->vertex_count) &&
-                same_bytes(a->colors, b->colors, 4 * a->vertex_count) &&
-                same_bytes(a->indices, b->indices, 12 * a->triangle_count) &&
-                same_bytes(a->triangle_materials, b->triangle_materials, 2 * a->triangle_count),
-            what, NULL);
-}
-
 /* Three threads read what one reads: the same arrays, warnings and error. */
 static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
                             burnish_load_options options, const burnish_mesh *scene,
@@ -412,9 +398,7 @@ static void compare_threads(const uint8_t *bytes, size_t size, int from_file,
         require(strcmp(burnish_mesh_get_warning(other, i), burnish_mesh_get_warning(scene, i)) == 0,
                 "another warning by threads", NULL);
     }
-    if (scene) {
-        compare_meshes(scene, other, "another mesh by threads");
-    }
+    require(same_meshes(scene, other), "another mesh by threads", NULL);
     burnish_mesh_destroy(other);
 }
 
@@ -434,9 +418,7 @@ static void compare_sources(const uint8_t *bytes, size_t size, const burnish_loa
             &error);
     require(burnish_mesh_get_warning_count(other) == burnish_mesh_get_warning_count(scene),
             "other warnings from memory", NULL);
-    if (scene) {
-        compare_meshes(scene, other, "another mesh from memory");
-    }
+    require(same_meshes(scene, other), "another mesh from memory", NULL);
     burnish_mesh_destroy(other);
 }
 

@@ -115,6 +115,16 @@ static inline void cut_mesh(burnish_mesh *mesh, double x, double y, double z, do
     CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
 }
 
+/* text: the only warning; NULL: there is none */
+static inline void check_only_warning(const burnish_mesh *mesh, const char *text) {
+    const size_t count = burnish_mesh_get_warning_count(mesh);
+    CHECK(count == (text != NULL), "%zu warnings, first: %s", count,
+          count > 0 ? burnish_mesh_get_warning(mesh, 0) : "");
+    if (text && count > 0) {
+        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), text);
+    }
+}
+
 static inline int same_arrays(const void *a, const void *b, size_t size) {
     return !a == !b && (!a || memcmp(a, b, size) == 0);
 }

@@ -2,6 +2,7 @@
 #include "base/bytes.h"
 #include "burnish/mesh.h"
 #include "mesh/read/bms.h"
+#include "mesh_arrays.h"
 #include "reader_input.h"
 
 /* The contents of the streams of these tests, with the counts of the head. */
@@ -91,17 +92,14 @@ static stream make(const char *text) {
     return s;
 }
 
-static burnish_status load(const byte_list *list, const burnish_load_options *options,
-                           burnish_mesh **mesh, burnish_error *error) {
-    return burnish_mesh_load_memory(list->bytes, list->size, "a", options, mesh, error);
+static burnish_mesh *load(const byte_list *list, const burnish_load_options *options) {
+    return load_bytes(list->bytes, list->size, "a", options);
 }
 
 static void test_all_parts(void) {
     const stream s = make("first\nsecond\n\n");
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {0};
-    if (!CHECK_OK(load(&s.list, &options, &mesh, &error), error)) {
+    OWNED_MESH *mesh = load(&s.list, NULL);
+    if (!mesh) {
         return;
     }
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
@@ -134,28 +132,23 @@ static void test_all_parts(void) {
     CHECK1(texture && texture->width == 2 && texture->height == 2 && texture->is_color &&
            texture->pixels[4] == 0 && texture->pixels[5] == 255);
     CHECK_TEXT(texture ? texture->name : "", "abc");
-    burnish_mesh_destroy(mesh);
 }
 
 /* Without parts, materials, text or an axis. A stream without triangles becomes points. */
 static void test_least(void) {
     static const float places[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, no_axis[3] = {0, 0, 0};
-    burnish_load_options options = burnish_load_options_default();
     for (uint32_t triangles = 0; triangles < 2; ++triangles) {
         const uint32_t numbers_of[6] = {3, triangles}, indices[3] = {0, 1, 2};
         byte_list list = {.size = 0};
-        burnish_mesh *mesh;
-        burnish_error error = {0};
         put_head(&list, BURNISH_BMS_MESH, numbers_of, no_axis);
         put_floats(&list, places, 9);
         put_words(&list, indices, 3 * triangles);
         close_stream(&list);
-        CHECK_OK(load(&list, &options, &mesh, &error), error);
+        OWNED_MESH *mesh = load(&list, NULL);
         const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
         CHECK1(view && view->up_axis[1] == 1 && !view->colors);
         CHECK1(view && view->triangle_count == triangles);
         CHECK1(mesh && burnish_mesh_get_info(mesh)->point_count == (triangles ? 0 : 3));
-        burnish_mesh_destroy(mesh);
     }
 }
 
@@ -168,16 +161,13 @@ typedef struct damage {
 
 static void check_damage(stream s, const damage *d) {
     burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {0};
-    const burnish_status expected =
-        strstr(d->message, "raise the limit") ? BURNISH_STATUS_LIMIT : BURNISH_STATUS_FORMAT;
     options.format = BURNISH_FORMAT_BMS;
     options.max_triangles = 10;
     burnish_store32(s.list.bytes + d->at, d->word);
-    CHECK(load(&s.list, &options, &mesh, &error) == expected && !mesh, "%s", d->message);
-    CHECK_TEXT(error.text, d->message);
-    burnish_mesh_destroy(mesh);
+    check_refused(s.list.bytes, s.list.size, "a", &options,
+                  strstr(d->message, "raise the limit") ? BURNISH_STATUS_LIMIT
+                                                        : BURNISH_STATUS_FORMAT,
+                  d->message);
 }
 
 static void test_messages(void) {
@@ -240,38 +230,31 @@ static void test_messages(void) {
 static void test_errors(void) {
     static const burnish_status statuses[BURNISH_BMS_KIND_COUNT] = {
         BURNISH_STATUS_OK, BURNISH_STATUS_FORMAT, BURNISH_STATUS_LIMIT, BURNISH_STATUS_MEMORY};
-    burnish_load_options options = burnish_load_options_default();
     for (uint32_t kind = 1; kind < BURNISH_BMS_KIND_COUNT; ++kind) {
         const uint32_t numbers_of[6] = {0, 0, 0, 0, 0, 9};
         byte_list list = {.size = 0};
-        burnish_mesh *mesh;
-        burnish_error error = {0};
         put_head(&list, kind, numbers_of, (const float[3]){0, 0, 0});
         put(&list, "no\033 luck!\0\0", 12);
         close_stream(&list);
-        CHECK1(load(&list, &options, &mesh, &error) == statuses[kind] && !mesh);
-        CHECK_TEXT(error.text, "a: no? luck!");
+        check_refused(list.bytes, list.size, "a", NULL, statuses[kind], "a: no? luck!");
     }
 }
 
 /* Its textures count towards the limit, and are absent if textures are ignored. */
 static void test_textures(void) {
     const stream s = make("");
-    burnish_load_options options = burnish_load_options_default();
-    burnish_mesh *mesh;
-    burnish_error error = {0};
-    options.max_texture_pixels = TEXELS - 1;
-    CHECK_OK(load(&s.list, &options, &mesh, &error), error);
-    CHECK1(burnish_mesh_get_texture_count(mesh) == 0);
-    CHECK_TEXT(burnish_mesh_get_warning_count(mesh) == 1 ? burnish_mesh_get_warning(mesh, 0) : "",
+    burnish_load_options few = burnish_load_options_default(), none = few;
+    few.max_texture_pixels = TEXELS - 1;
+    OWNED_MESH *limited = load(&s.list, &few);
+    CHECK1(burnish_mesh_get_texture_count(limited) == 0 &&
+           burnish_mesh_get_warning_count(limited) == 1);
+    CHECK_TEXT(burnish_mesh_get_warning(limited, 0),
                "a: texture \"abc\" was skipped: too many texels; raise the limit or make textures "
                "smaller");
-    burnish_mesh_destroy(mesh);
-    options = burnish_load_options_default();
-    options.ignore_textures = 1;
-    CHECK_OK(load(&s.list, &options, &mesh, &error), error);
-    CHECK1(burnish_mesh_get_texture_count(mesh) == 0 && burnish_mesh_get_warning_count(mesh) == 0);
-    burnish_mesh_destroy(mesh);
+    none.ignore_textures = 1;
+    OWNED_MESH *plain = load(&s.list, &none);
+    CHECK1(burnish_mesh_get_texture_count(plain) == 0 &&
+           burnish_mesh_get_warning_count(plain) == 0);
 }
 
 int main(int count, char **arguments) {

@@ -30,7 +30,7 @@ static burnish_load_options options_of(int strict) {
  * it. Returns the mesh, NULL where there is none. */
 static burnish_mesh *load_tolerantly(const char *name, const void *bytes, size_t size,
                                      const char *warning) {
-    burnish_mesh *mesh, *none = NULL;
+    burnish_mesh *none = NULL;
     burnish_error error = {0};
     burnish_load_options options = options_of(1);
     const burnish_status strict =
@@ -41,15 +41,9 @@ static burnish_mesh *load_tolerantly(const char *name, const void *bytes, size_t
           error.text);
     burnish_mesh_destroy(none);
     options = options_of(0);
-    error = (burnish_error){0};
-    if (!CHECK_OK(burnish_mesh_load_memory(bytes, size, name, &options, &mesh, &error), error)) {
-        return NULL;
-    }
-    const size_t count = burnish_mesh_get_warning_count(mesh);
-    CHECK(count == (warning ? 1 : 0), "%zu warnings, first: %s", count,
-          count > 0 ? burnish_mesh_get_warning(mesh, 0) : "");
-    if (warning && count > 0) {
-        CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), warning);
+    burnish_mesh *mesh = load_bytes(bytes, size, name, &options);
+    if (mesh) {
+        check_only_warning(mesh, warning);
     }
     return mesh;
 }
