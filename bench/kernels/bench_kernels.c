@@ -221,7 +221,7 @@ static void time_scalars(const char *title, const char *over, const burnish_benc
                          int is_chain, double hertz) {
     row rows[ROWS_MAX] = {{0}};
     int count = 0;
-    for (; list[count].name; ++count) {
+    for (; list[count].label; ++count) {
         rows[count] = (row){.label = list[count].label,
                             .run = is_chain ? run_chain : run_through,
                             .scalar = &list[count]};

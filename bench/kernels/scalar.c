@@ -133,21 +133,20 @@ LOOPS(paper_w_half)
 LOOPS(paper_schlick)
 
 const burnish_bench_scalar burnish_bench_scalars[] = {
-    {"lobe", "max(0, c zeta + (1 - zeta))^2", folded_through, folded_chain},
-    {"loop", "the loop alone (subtracted from the latencies)", nothing_through, nothing_chain},
-    {"schlick", "c / (n - n c + c), as published", schlick_unfolded_through,
-     schlick_unfolded_chain},
-    {"schlick_folded", "c / (n - (n - 1) c)", schlick_folded_through, schlick_folded_chain},
-    {"lobe_h", "burnish_lobe_at_cosine", header_through, header_chain},
-    {"schlick_h", "burnish_schlick_at_cosine", schlick_header_through, schlick_header_chain},
-    {"powf", "powf", library_through, library_chain},
-    {NULL, NULL, NULL, NULL},
+    {"max(0, c zeta + (1 - zeta))^2", folded_through, folded_chain},
+    {"the loop alone (subtracted from the latencies)", nothing_through, nothing_chain},
+    {"c / (n - n c + c), as published", schlick_unfolded_through, schlick_unfolded_chain},
+    {"c / (n - (n - 1) c)", schlick_folded_through, schlick_folded_chain},
+    {"burnish_lobe_at_cosine", header_through, header_chain},
+    {"burnish_schlick_at_cosine", schlick_header_through, schlick_header_chain},
+    {"powf", library_through, library_chain},
+    {NULL, NULL, NULL},
 };
 
 const burnish_bench_scalar burnish_bench_paper[] = {
-    {"schlick", "Schlick, c / (n - n c + c)", paper_schlick_through, paper_schlick_chain},
-    {"loop", "the loop alone (subtracted from the latencies)", nothing_through, nothing_chain},
-    {"w", "W, zeta = n >> 1", paper_w_through, paper_w_chain},
-    {"w_half", "W_0.5, zeta = (8n - n) >> 4", paper_w_half_through, paper_w_half_chain},
-    {NULL, NULL, NULL, NULL},
+    {"Schlick, c / (n - n c + c)", paper_schlick_through, paper_schlick_chain},
+    {"the loop alone (subtracted from the latencies)", nothing_through, nothing_chain},
+    {"W, zeta = n >> 1", paper_w_through, paper_w_chain},
+    {"W_0.5, zeta = (8n - n) >> 4", paper_w_half_through, paper_w_half_chain},
+    {NULL, NULL, NULL},
 };

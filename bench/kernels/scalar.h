@@ -19,11 +19,11 @@ typedef float burnish_bench_scalar_function(const burnish_bench_scalar_lobe *lob
                                             const float *in, float *out);
 
 typedef struct burnish_bench_scalar {
-    const char *name, *label;
+    const char *label;
     burnish_bench_scalar_function *through, *chain;
 } burnish_bench_scalar;
 
-/* The first is the reference of the ratios, the second the bare loop; a NULL name ends the list. */
+/* The first is the reference of the ratios, the second the bare loop; a NULL label ends the list. */
 extern const burnish_bench_scalar burnish_bench_scalars[];
 
 /* Schlick's lobe, then the paper's W and W_0.5, each from an integer exponent that is read again

@@ -130,6 +130,12 @@ static inline void check_counts(const char *what, counted a, counted b) {
           a.flipped, a.unorientable, a.closed, a.consistent);
 }
 
+static inline burnish_mesh_facts measure_as(const char *what, const shape *s, counted expected) {
+    const burnish_mesh_facts facts = measure(s);
+    check_counts(what, count_facts(&facts), expected);
+    return facts;
+}
+
 static inline void check_near(const char *what, double value, double expected, double tolerance) {
     CHECK(fabs(value - expected) <= tolerance, "%s: %.17g, not %.17g", what, value, expected);
 }

@@ -3,10 +3,13 @@
 #include "mesh_arrays.h"
 #include "reader_input.h"
 
+/* The mesh until the next call. */
 static burnish_mesh *load(const char *text, const char *warning) {
+    static burnish_mesh *mesh;
     burnish_load_options options = burnish_load_options_default();
     options.keep_texture_coordinates = 1;
-    burnish_mesh *mesh = load_bytes(text, strlen(text), "a.off", &options);
+    burnish_mesh_destroy(mesh);
+    mesh = load_bytes(text, strlen(text), "a.off", &options);
     check_only_warning(mesh, warning);
     return mesh;
 }
@@ -40,7 +43,7 @@ static void test_plain(void) {
         char text[200];
         snprintf(text, sizeof text, "%s# vertices\n%s\n4 0 1 2 3 # a face\n", heads[i],
                  i == 2 ? "0 0 0 # a\n1 0 0\n\n1 1 0\n#\n0 1 0\n" : SQUARE);
-        OWNED_MESH *mesh = load(text, NULL);
+        burnish_mesh *mesh = load(text, NULL);
         const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
         CHECK(view && view->triangle_count == 2 && view->vertex_count == 4 && !view->colors, "%zu",
               i);
@@ -61,12 +64,10 @@ static void test_vertices(void) {
         CHECK1(color_is_at(mesh, 0, 0, 0xFF0008FF) && color_is_at(mesh, 1, 0, 0x000100FF) &&
                color_is_at(mesh, 0, 1, 0x01020304));
     }
-    burnish_mesh_destroy(mesh);
     mesh = load("COFF\n3 1 0\n0 0 0 0.5 0 1.0 1.0\n1 0 0 255 0 0 128\n0 1 0\n3 0 1 2\n",
                 "a.off:5: a vertex has no colour; it is white");
     CHECK1(mesh && color_is_at(mesh, 0, 0, 0x8000FFFF) && color_is_at(mesh, 1, 0, 0xFF000080) &&
            color_is_at(mesh, 0, 1, 0xFFFFFFFF));
-    burnish_mesh_destroy(mesh);
 }
 
 /* Without a prefix: three or four numbers behind the coordinates are colours or normals. */
@@ -97,7 +98,7 @@ static void test_unnamed_values(void) {
         snprintf(text, sizeof text,
                  "OFF\n# c\n3 1 0\n0 0 0 %s\n\n1 0 0 %s # c\n0 1 0 %s\n3 0 1 2\n", cases[i].rows[0],
                  cases[i].rows[1], cases[i].rows[2]);
-        OWNED_MESH *mesh = load(text, NULL);
+        burnish_mesh *mesh = load(text, NULL);
         const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
         if (CHECK(view, "case %zu", i)) {
             const float *normal = view->normals + 3 * vertex_at(view, 0, 0);
@@ -112,10 +113,8 @@ static void test_unnamed_values(void) {
     CHECK1(mesh && color_is_at(mesh, 0, 0, 0xFF0000FF) &&
            burnish_mesh_get_view(mesh)
                    ->texture_coordinates[2 * vertex_at(burnish_mesh_get_view(mesh), 0, 0)] == 0.5f);
-    burnish_mesh_destroy(mesh);
     mesh = load("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 0.5 0 1\n0 1 0 0 0 0 1\n3 0 1 2\n", NULL);
     CHECK1(mesh && color_is_at(mesh, 0, 0, 0xFF0000FF));
-    burnish_mesh_destroy(mesh);
 }
 
 /* A vertex of two faces has both their colours; a face without one is white. */
@@ -126,18 +125,15 @@ static void test_face_colors(void) {
              NULL);
     CHECK1(mesh && color_is_at(mesh, 0, 0, 0xFF0000FF));
     CHECK1(mesh && burnish_mesh_get_view(mesh)->vertex_count == 4 + 3 + 3);
-    burnish_mesh_destroy(mesh);
     mesh = load("OFF\n4 1 0\n" SQUARE "3 0 1 2 1\n", NULL);
     CHECK1(mesh && !burnish_mesh_get_view(mesh)->colors);
-    burnish_mesh_destroy(mesh);
     mesh = load("OFF\n4 2 0\n" SQUARE "2 0 1\n3 0 1 2\n",
                 "a.off:7: a face with fewer than 3 corners was ignored");
-    burnish_mesh_destroy(mesh);
 }
 
 /* As in public files: no blank after the keyword, faces that continue in the next line. */
 static void test_odd_lines(void) {
-    OWNED_MESH *mesh = load("  OFF4 2 0\n" SQUARE "3 0\n1 # c\n 2\n3\n\n0 2 3\n", NULL);
+    burnish_mesh *mesh = load("  OFF4 2 0\n" SQUARE "3 0\n1 # c\n 2\n3\n\n0 2 3\n", NULL);
     if (CHECK1(mesh)) {
         CHECK1(burnish_mesh_get_view(mesh)->triangle_count == 2 &&
                burnish_mesh_get_view(mesh)->vertex_count == 4);
