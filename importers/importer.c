@@ -9,8 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "archive.h"
 #include "core/srgb.h"
+#include "mesh/read/io/zip.h"
 #include "mesh/read/read.h"
 #include "sandbox/lock.h"
 
@@ -291,6 +291,59 @@ static importer_input read_input(const char *extension) {
     return (importer_input){bytes, size, extension};
 }
 
+static int ends_with(const burnish_zip_part *part, const char *extension) {
+    const size_t size = strlen(extension), name = part->name_size;
+    if (name < size + 1 || part->name[name - size - 1] != '.') {
+        return 0;
+    }
+    for (size_t i = 0; i < size; ++i) {
+        const uint8_t c = part->name[name - size + i];
+        if ((c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c) != extension[i]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The first part with that extension; NULL: the format is an archive itself. */
+static const burnish_zip_part *find_part(const burnish_zip *zip, const char *extension) {
+    for (size_t i = 0; i < zip->count; ++i) {
+        if (ends_with(&zip->parts[i], extension)) {
+            return &zip->parts[i];
+        }
+    }
+    return NULL;
+}
+
+/* If the file is an archive with a file of the same extension, the input becomes that
+ * file. Formats that are archives themselves (.zae, .ifczip) are not unpacked. It may
+ * unpack to BURNISH_UNPACKED_PER_BYTE bytes per byte. Errors: FORMAT, LIMIT, MEMORY. */
+static burnish_status unpack_archive(importer_input *input, burnish_error *error) {
+    const burnish_load_options options = {.max_input_bytes = (uint64_t)1 << 34};
+    const burnish_reader_input wrapped = {
+        .bytes = input->bytes, .size = input->size, .name = "zip", .options = &options};
+    burnish_mesh_data data = {.memory = burnish_memory_of(NULL, error)};
+    burnish_reader reader = {.input = &wrapped, .mesh = &data, .error = error};
+    burnish_zip zip;
+    uint8_t *bytes;
+    size_t size;
+    if (input->size < 4 || memcmp(input->bytes, "PK\3\4", 4) != 0) {
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status = burnish_zip_open(&zip, &reader);
+    const burnish_zip_part *part =
+        status == BURNISH_STATUS_OK ? find_part(&zip, input->extension) : NULL;
+    if (part) {
+        status = burnish_zip_read(&zip, part, &bytes, &size);
+    }
+    if (part && status == BURNISH_STATUS_OK) {
+        input->bytes = bytes;
+        input->size = size;
+    }
+    burnish_zip_close(&zip);
+    return status;
+}
+
 void importer_unpack(importer_input *input) {
     const burnish_load_options options = {.max_input_bytes = UINT64_MAX};
     burnish_reader_input wrapped = {
@@ -302,7 +355,7 @@ void importer_unpack(importer_input *input) {
     input->bytes = wrapped.bytes;
     input->size = wrapped.size;
     if (status == BURNISH_STATUS_OK) {
-        status = importer_unpack_archive(input, &error);
+        status = unpack_archive(input, &error);
     }
     if (status != BURNISH_STATUS_OK) {
         importer_fail(status == BURNISH_STATUS_LIMIT    ? BURNISH_BMS_LIMIT_ERROR

@@ -25,24 +25,6 @@ static void test_containers(void) {
     CHECK1(got.triangle_count == 1 && corner_is(0, 2, 0, 2, 0));
 }
 
-static void test_guess(void) {
-    static const struct {
-        const char *text, *name;
-        burnish_format format;
-    } cases[] = {{"glTF\2\0\0\0\0\0\0\0\0\0", "a.obj", BURNISH_FORMAT_GLTF},
-                 {"\n{ \"asset\": {", NULL, BURNISH_FORMAT_GLTF},
-                 {"{ }", NULL, BURNISH_FORMAT_GLTF},
-                 {"{ }", "a.ply", BURNISH_FORMAT_PLY},
-                 {"v 0 0 0\n", "a.glb", BURNISH_FORMAT_OBJ},
-                 {"\1", "a.glb", BURNISH_FORMAT_GLTF}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        const size_t size = i == 0 ? 14 : strlen(cases[i].text);
-        CHECK(burnish_guess_format((const uint8_t *)cases[i].text, size, cases[i].name) ==
-                  cases[i].format,
-              "%zu", i);
-    }
-}
-
 /* ---- Files next to the input ---- */
 
 static const char *asked_for;
@@ -462,7 +444,6 @@ static void test_threads(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_containers());
-    RUN(test_guess());
     RUN(test_companions());
     RUN(test_component_types());
     RUN(test_sparse());

@@ -284,11 +284,21 @@ static void test_guess(void) {
         const char *bytes, *name;
         burnish_format format;
     } cases[] = {
-        {"", "A.OBJ", BURNISH_FORMAT_OBJ},       {"", "dir/a.Stl", BURNISH_FORMAT_STL},
-        {"", "a.ply", BURNISH_FORMAT_PLY},       {"ply\r\n", "a.obj", BURNISH_FORMAT_PLY},
-        {"solid x", "-", BURNISH_FORMAT_STL},    {"# hi\n\nv 0 0 0\n", NULL, BURNISH_FORMAT_OBJ},
-        {"mtllib x", "obj", BURNISH_FORMAT_OBJ}, {"GIF89a", "picture", BURNISH_FORMAT_AUTO},
+        {"", "A.OBJ", BURNISH_FORMAT_OBJ},
+        {"", "dir/a.Stl", BURNISH_FORMAT_STL},
+        {"", "a.ply", BURNISH_FORMAT_PLY},
+        {"ply\r\n", "a.obj", BURNISH_FORMAT_PLY},
+        {"solid x", "-", BURNISH_FORMAT_STL},
+        {"# hi\n\nv 0 0 0\n", NULL, BURNISH_FORMAT_OBJ},
+        {"mtllib x", "obj", BURNISH_FORMAT_OBJ},
+        {"GIF89a", "picture", BURNISH_FORMAT_AUTO},
         {"", "", BURNISH_FORMAT_AUTO},
+        {"glTF\2 12 bytes at least", "a.obj", BURNISH_FORMAT_GLTF},
+        {"\n{ \"asset\": {", NULL, BURNISH_FORMAT_GLTF},
+        {"{ }", NULL, BURNISH_FORMAT_GLTF},
+        {"{ }", "a.ply", BURNISH_FORMAT_PLY},
+        {"v 0 0 0\n", "a.glb", BURNISH_FORMAT_OBJ},
+        {"\1", "a.glb", BURNISH_FORMAT_GLTF},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         burnish_format format = burnish_guess_format((const uint8_t *)cases[i].bytes,
