@@ -2,6 +2,7 @@
 #ifndef BURNISH_TEST_SHEET_H
 #define BURNISH_TEST_SHEET_H
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,14 +43,18 @@ static inline void add_bits(file_bytes *f, uint64_t bits, int size, int big_endi
     }
 }
 
+/* z jumps from vertex to vertex, or is x y / 128; or a torus, whose squares go on at the other end. */
+typedef enum sheet_shape { SHEET_WAVY, SHEET_SMOOTH, SHEET_TORUS } sheet_shape;
+
 /* What a sheet has. */
 typedef struct sheet {
-    int side;      /* vertices of a side */
-    int normals;   /* of vertices */
-    int colors;    /* of vertices; OBJ: 1 all, 2 some, 3 from the middle on */
-    int quads;     /* pairs of triangles of every fourth row are one face */
-    double far;    /* added to coordinates */
-    int is_smooth; /* z is x y / 128 */
+    sheet_shape shape;
+    const double *shift; /* added to coordinates; NULL: nothing */
+    double scale;        /* of coordinates; 0: 1 */
+    int side;            /* vertices of a side */
+    int normals;         /* of vertices */
+    int colors;          /* of vertices; OBJ: 1 all, 2 some, 3 from the middle on */
+    int quads;           /* pairs of triangles of every fourth row are one face */
     const char *newline;
     const char *middle, *end; /* text before the middle face, and after the last one */
 } sheet;
@@ -59,26 +64,36 @@ static inline unsigned sheet_vertices(const sheet *s) {
 }
 
 static inline unsigned sheet_squares(const sheet *s) {
-    return (unsigned)((s->side - 1) * (s->side - 1));
+    const int count = s->side - (s->shape != SHEET_TORUS);
+    return (unsigned)(count * count);
 }
 
-/* Multiples of 0.25, which all types and all ways to write them hold exactly. */
+/* Of a torus, multiples of 2^-16: any two of a survey differ exactly. */
+static inline double sheet_torus(const sheet *s, unsigned vertex, int axis) {
+    const double turn = 2 * 3.14159265358979323846 / s->side;
+    const double u = turn * (vertex % (unsigned)s->side), v = turn * (vertex / (unsigned)s->side);
+    const double ring = 1 + 0.375 * cos(v);
+    const double exact[3] = {ring * cos(u), ring * sin(u), 0.375 * sin(v)};
+    return round(exact[axis] * 0x1p16) * 0x1p-16;
+}
+
+/* Of a wavy sheet, multiples of 0.25, which all types and all ways to write them hold exactly. */
 static inline double sheet_coordinate(const sheet *s, unsigned vertex, int axis) {
-    const unsigned side = (unsigned)s->side;
-    if (s->is_smooth && axis == 2) {
-        return s->far + (vertex % side) * (vertex / side) / 128.0;
-    }
-    const unsigned value = axis == 0   ? 4 * (vertex % side)
-                           : axis == 1 ? 4 * (vertex / side)
-                                       : vertex * vertex % 17;
-    return s->far + 0.25 * value;
+    const unsigned x = vertex % (unsigned)s->side, y = vertex / (unsigned)s->side;
+    const double value = s->shape == SHEET_TORUS    ? sheet_torus(s, vertex, axis)
+                         : axis < 2                 ? (axis == 0 ? x : y)
+                         : s->shape == SHEET_SMOOTH ? x * y / 128.0
+                                                    : 0.25 * (vertex * vertex % 17);
+    return (s->shift ? s->shift[axis] : 0) + (s->scale > 0 ? s->scale : 1) * value;
 }
 
 /* The corners of a square, counterclockwise; which comes first differs. */
 static inline void sheet_corners(const sheet *s, unsigned square, unsigned corners[4]) {
     const unsigned side = (unsigned)s->side;
-    const unsigned a = square / (side - 1) * side + square % (side - 1);
-    const unsigned around[4] = {a, a + 1, a + side + 1, a + side};
+    const unsigned row_size = side - (s->shape != SHEET_TORUS);
+    const unsigned x = square % row_size, y = square / row_size * side;
+    const unsigned right = (x + 1) % side, above = (y + side) % (side * side);
+    const unsigned around[4] = {y + x, y + right, above + right, above + x};
     for (unsigned k = 0; k < 4; ++k) {
         corners[k] = around[(k + square) % 4];
     }
@@ -112,7 +127,8 @@ static inline void say_position(file_bytes *f, const sheet *s, unsigned vertex) 
     static const char *const forms[] = {" %g",   " %.6f",   "  %.6e", "\t%.17g",
                                         " %.3f", " %+.25f", " %.4E",  " %.1f0e1"};
     for (int axis = 0; axis < 3; ++axis) {
-        const unsigned form = s->far != 0 || s->is_smooth ? 3 : (vertex + (unsigned)axis) % 8;
+        const unsigned form =
+            s->shape || s->shift || s->scale > 0 ? 3 : (vertex + (unsigned)axis) % 8;
         const double value = sheet_coordinate(s, vertex, axis);
         const int is_exact = form != 6 || value < 100; /* by 4 digits */
         char word[64];
@@ -254,7 +270,7 @@ static inline void write_off(file_bytes *f, const sheet *s) {
             const unsigned *c = faces[n];
             say(f, "%d%s", count == 1 ? 4 : 3, i % 6 == 1 ? s->newline : ""); /* goes on below */
             say(f, count == 1 ? " %u %u %u %u" : " %u %u %u", c[0], c[1], c[2], c[3]);
-            say(f, "%s%s", i % 5 == 2 ? " 255 0 0 # red" : "", s->newline);
+            say(f, "%s%s", i % 5 == 2 && !s->shape ? " 255 0 0 # red" : "", s->newline);
         }
     }
     say(f, "%s", s->end ? s->end : "");

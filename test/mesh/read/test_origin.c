@@ -9,106 +9,22 @@
 
 /* ---- A torus in each format ---- */
 
-enum { AROUND = 48, ACROSS = 24, POINTS = AROUND * ACROSS, FORMATS = 8 };
+enum { SIDE = 36, POINTS = SIDE * SIDE, FORMATS = 8 };
 
-#define UNIT 0x1p-16 /* of coordinates: any two of a survey differ exactly */
-static const double PI = 3.14159265358979323846;
-
-static void torus_point(int i, double p[3]) {
-    const double u = 2 * PI * (i / ACROSS) / AROUND, v = 2 * PI * (i % ACROSS) / ACROSS;
-    const double exact[3] = {(1 + 0.375 * cos(v)) * cos(u), (1 + 0.375 * cos(v)) * sin(u),
-                             0.375 * sin(v)};
-    for (int k = 0; k < 3; ++k) {
-        p[k] = round(exact[k] / UNIT) * UNIT;
-    }
-}
-
-static void torus_quad(int i, int corners[4]) {
-    const int u = i / ACROSS, v = i % ACROSS, next_u = (u + 1) % AROUND, next_v = (v + 1) % ACROSS;
-    corners[0] = u * ACROSS + v;
-    corners[1] = next_u * ACROSS + v;
-    corners[2] = next_u * ACROSS + next_v;
-    corners[3] = u * ACROSS + next_v;
-}
-
-static void put_points(file_bytes *to, const char *before, const double shift[3], double scale) {
-    for (int i = 0; i < POINTS; ++i) {
-        double p[3];
-        torus_point(i, p);
-        say(to, "%s%.17g %.17g %.17g\n", before, shift[0] + scale * p[0], shift[1] + scale * p[1],
-            shift[2] + scale * p[2]);
-    }
-}
-
-static void put_quads(file_bytes *to, const char *before, int first) {
-    for (int i = 0; i < POINTS; ++i) {
-        int c[4];
-        torus_quad(i, c);
-        say(to, "%s %d %d %d %d\n", before, c[0] + first, c[1] + first, c[2] + first, c[3] + first);
-    }
-}
-
-static void put_ply_head(file_bytes *to, const char *encoding, int faces) {
-    say(to,
-        "ply\nformat %s 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
-        "property double z\n",
-        encoding, POINTS);
-    if (faces) {
-        say(to, "element face %d\nproperty list uchar int vertex_indices\n", POINTS);
-    }
-    say(to, "end_header\n");
-}
-
-static void put_binary_ply(file_bytes *to, const double shift[3], double scale, int big_endian) {
-    put_ply_head(to, big_endian ? "binary_big_endian" : "binary_little_endian", 1);
-    for (int i = 0; i < POINTS; ++i) {
-        double p[3];
-        torus_point(i, p);
-        for (int k = 0; k < 3; ++k) {
-            add_float(to, shift[k] + scale * p[k], 1, big_endian);
-        }
-    }
-    for (int i = 0; i < POINTS; ++i) {
-        int c[4];
-        torus_quad(i, c);
-        add_bits(to, 4, 1, 0);
-        for (int k = 0; k < 4; ++k) {
-            add_bits(to, (uint64_t)c[k], 4, big_endian);
-        }
-    }
-}
-
-static void put_stl(file_bytes *to, const double shift[3], double scale) {
-    say(to, "solid torus\n");
-    for (int i = 0; i < 2 * POINTS; ++i) {
-        int c[4];
-        torus_quad(i / 2, c);
-        say(to, "facet normal 0 0 0\nouter loop\n");
-        for (int k = 0; k < 3; ++k) {
-            double p[3];
-            torus_point(c[k == 0 ? 0 : k + i % 2], p);
-            say(to, "vertex %.17g %.17g %.17g\n", shift[0] + scale * p[0], shift[1] + scale * p[1],
-                shift[2] + scale * p[2]);
-        }
-        say(to, "endloop\nendfacet\n");
-    }
-    say(to, "endsolid\n");
-}
+#define UNIT 0x1p-16 /* of coordinates */
 
 /* A node's translation has double precision; a camera is 5 above the torus. */
 static void put_gltf(file_bytes *to, const double shift[3], double scale) {
+    const sheet torus = {.shape = SHEET_TORUS, .side = SIDE, .scale = scale};
     file_bytes json = {0}, positions = {0}, indices = {0};
-    for (int i = 0; i < POINTS; ++i) {
-        double p[3];
-        int c[4];
-        torus_point(i, p);
-        torus_quad(i, c);
+    for (unsigned i = 0; i < POINTS; ++i) {
+        unsigned faces[2][4];
+        sheet_faces(&torus, i, faces);
         for (int k = 0; k < 3; ++k) {
-            add_float(&positions, scale * p[k], 0, 0);
+            add_float(&positions, sheet_coordinate(&torus, i, k), 0, 0);
         }
-        const int corners[6] = {c[0], c[1], c[2], c[0], c[2], c[3]};
         for (int k = 0; k < 6; ++k) {
-            add_bits(&indices, (uint64_t)corners[k], 2, 0);
+            add_bits(&indices, faces[k / 3][k % 3], 2, 0);
         }
     }
     say(&json,
@@ -140,36 +56,34 @@ static const char *const names[FORMATS] = {"a.obj", "a.ply", "little.ply", "big.
                                            "a.off", "a.stl", "a.glb",      "points.ply"};
 enum { GLTF = 6, POINT_CLOUD = 7 };
 
+static void put_cloud(file_bytes *to, const sheet *s) {
+    say(to,
+        "ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+        "property double z\nend_header\n",
+        POINTS);
+    for (unsigned i = 0; i < POINTS; ++i) {
+        say_position(to, s, i);
+        say(to, "\n");
+    }
+}
+
 static file_bytes make(int format, const double shift[3], double scale) {
+    static void (*const texts[])(file_bytes *, const sheet *) = {
+        write_obj, write_ply, NULL, NULL, write_off, write_stl, NULL, put_cloud};
+    const sheet torus = {.shape = SHEET_TORUS,
+                         .shift = shift,
+                         .scale = scale,
+                         .side = SIDE,
+                         .quads = format != 5, /* STL has none */
+                         .newline = "\n",
+                         .end = format == 5 ? "endsolid\n" : ""};
     file_bytes to = {0};
-    switch (format) {
-    case 0:
-        put_points(&to, "v ", shift, scale);
-        put_quads(&to, "f", 1);
-        break;
-    case 1:
-        put_ply_head(&to, "ascii", 1);
-        put_points(&to, "", shift, scale);
-        put_quads(&to, "4", 0);
-        break;
-    case 2:
-    case 3:
-        put_binary_ply(&to, shift, scale, format == 3);
-        break;
-    case 4:
-        say(&to, "OFF\n%d %d 0\n", POINTS, POINTS);
-        put_points(&to, "", shift, scale);
-        put_quads(&to, "4", 0);
-        break;
-    case 5:
-        put_stl(&to, shift, scale);
-        break;
-    case GLTF:
+    if (format == GLTF) {
         put_gltf(&to, shift, scale);
-        break;
-    default:
-        put_ply_head(&to, "ascii", 0);
-        put_points(&to, "", shift, scale);
+    } else if (texts[format]) {
+        texts[format](&to, &torus);
+    } else {
+        write_binary_ply(&to, &torus, &(ply_layout){"uchar", "int", 1, 4, format == 3, 1});
     }
     return to;
 }
@@ -181,6 +95,7 @@ static burnish_mesh *load(int format, const double shift[3], double scale, int t
     options.threads = threads;
     options.measure = 1;
     options.origin = origin;
+    options.ignore_referenced_files = 1;
     burnish_mesh *mesh = load_bytes(bytes.bytes, bytes.size, names[format], &options);
     free(bytes.bytes);
     return mesh;

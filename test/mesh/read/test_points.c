@@ -109,7 +109,7 @@ enum { GRID = 160, VERTICES = GRID * GRID, BASE = 80 << 20, ROOM = 12000 * 112 }
 enum { WINDOW = 1 << 20 }; /* pieces of the file: a part of the base */
 
 /* A curved square of 50,562 triangles. */
-static const sheet square = {.side = GRID, .newline = "\n", .is_smooth = 1, .colors = 1};
+static const sheet square = {.side = GRID, .newline = "\n", .shape = SHEET_SMOOTH, .colors = 1};
 
 static void write_little_ply(file_bytes *file, const sheet *s) {
     write_binary_ply(file, s, &(ply_layout){"uchar", "int", 1, 4, 0, 0});
