@@ -252,12 +252,6 @@ static void test_normals_source(void) {
 
 static char path[4096];
 
-static void save(const file_bytes *file) {
-    FILE *to = fopen(path, "wb");
-    CHECK(to && fwrite(file->bytes, 1, file->size, to) == file->size && fclose(to) == 0,
-          "can't write %s", path);
-}
-
 /* The most that a context hands out while the file is loaded, from its path or from memory. */
 static size_t peak_of(const file_bytes *file, int is_in_pieces) {
     used_bytes used;
@@ -290,7 +284,7 @@ static void check_cut(const file_bytes *file) {
         burnish_mesh *mesh = NULL;
         burnish_error error = {0};
         burnish_context *context = NULL;
-        save(file);
+        save_bytes(path, file);
         made.cancelled = cut_file;
         made.cancelled_user_data = &size;
         CHECK1(burnish_context_create(&made, &context, NULL) == BURNISH_STATUS_OK);
@@ -323,7 +317,7 @@ static void test_pieces(void) {
         } else {
             (i == 2 ? write_ply : write_stl)(&file, &s);
         }
-        save(&file);
+        save_bytes(path, &file);
         const size_t pieces = peak_of(&file, 1), whole = peak_of(&file, 0);
         CHECK(pieces <= whole + BURNISH_STREAMED_HEAD,
               "file %d of %zu bytes takes %zu, from memory %zu", i, file.size, pieces, whole);
@@ -341,7 +335,7 @@ static void test_pieces(void) {
 static void test_descriptor(void) {
     file_bytes file = {0};
     write_binary_stl(&file, &(sheet){.side = 100}, "a part");
-    save(&file);
+    save_bytes(path, &file);
     const int descriptor = open(path, O_RDONLY);
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = NULL;

@@ -4,8 +4,10 @@
 
 #include "reader_input.h"
 
+static const float gltf_triangle[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+
 /* Words after $ that put_json replaces; #1 to #4 are their arguments, #4 is all that is left, #0
- * all of them. Positions of the triangle: 0 0 0, 1 0 0 and 0 2 0. */
+ * all of them. Positions of the triangle: gltf_triangle. */
 static const struct {
     const char *word, *text;
 } gltf_words[] = {
@@ -18,6 +20,7 @@ static const struct {
                "'byteOffset':#2,'byteLength':#3,#4}}}"},
     {"mesh", "'meshes':[{'primitives':[{'attributes':{#0}}]}]"},
     {"node", "'nodes':[{'mesh':0}]"},
+    {"painted", "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],$node"},
     {"triangle_buffer", "{'byteLength':36,'uri':'data:application/octet-stream;base64,"
                         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA'}"},
     {"triangle_accessors", "'buffers':[$triangle_buffer],'bufferViews':[{'buffer':0,"

@@ -43,6 +43,12 @@ static inline void add_bits(file_bytes *f, uint64_t bits, int size, int big_endi
     }
 }
 
+static inline void save_bytes(const char *path, const file_bytes *file) {
+    FILE *to = fopen(path, "wb");
+    CHECK(to && fwrite(file->bytes, 1, file->size, to) == file->size && fclose(to) == 0,
+          "can't write %s", path);
+}
+
 /* z jumps from vertex to vertex, or is x y / 128; or a torus, whose squares go on at the other end. */
 typedef enum sheet_shape { SHEET_WAVY, SHEET_SMOOTH, SHEET_TORUS } sheet_shape;
 

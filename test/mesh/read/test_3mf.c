@@ -99,11 +99,12 @@ static void test_left_out(void) {
 
 /* Objects of other parts, by paths in every spelling; ids are of a part. */
 static void test_production(void) {
-    zip_list *zip = begin_3mf(MODEL(
-        "<object id='1'><components><component p:path='/3D/../3d/./x/B.model' objectid='1'/>"
-        "<component p:path='/none.model' objectid='1'/></components></object>",
-        ITEM_1
-        "<item p:path='\\3D\\x\\b.model' objectid='2' transform='1 0 0 0 1 0 0 0 1 5 0 0'/>"));
+    static const char model[] =
+        MODEL("<object id='1'><components><component p:path='/3D/../3d/./x/B.model' objectid='1'/>"
+              "<component p:path='/none.model' objectid='1'/></components></object>",
+              ITEM_1
+              "<item p:path='\\3D\\x\\b.model' objectid='2' transform='1 0 0 0 1 0 0 0 1 5 0 0'/>");
+    zip_list *zip = begin_3mf(model);
     put_part_text(zip, "3D/X/b.model",
                   quoted_text(MODEL_OF("unit='meter'",
                                        "<object id='1'>" MESH
@@ -112,11 +113,7 @@ static void test_production(void) {
     check_fault(run_3mf(zip), BURNISH_STATUS_FORMAT,
                 "mesh.3mf: 3D/X/b.model:5: the id 1 is also used in line 4; give each "
                 "resource its own");
-    zip = begin_3mf(MODEL(
-        "<object id='1'><components><component p:path='/3D/../3d/./x/B.model' objectid='1'/>"
-        "<component p:path='/none.model' objectid='1'/></components></object>",
-        ITEM_1
-        "<item p:path='\\3D\\x\\b.model' objectid='2' transform='1 0 0 0 1 0 0 0 1 5 0 0'/>"));
+    zip = begin_3mf(model);
     put_part_text(zip, "3D/X/b.model",
                   quoted_text(MODEL_OF("unit='meter'",
                                        "<object id='1'>" MESH "</object>"

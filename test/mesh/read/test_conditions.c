@@ -125,9 +125,7 @@ static burnish_status check_some_chunks(const input *in, expectation expected) {
 static void save(const input *in) {
     char *extension = strrchr(path, '.');
     sprintf(extension, ".%s", burnish_format_get_info(in->format)->name);
-    FILE *to = fopen(path, "wb");
-    CHECK(to && fwrite(in->file.bytes, 1, in->file.size, to) == in->file.size && fclose(to) == 0,
-          "can't write %s", path);
+    save_bytes(path, &in->file);
 }
 
 static int has_same_texts(const burnish_mesh *a, const burnish_mesh *b) {

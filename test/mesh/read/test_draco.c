@@ -59,14 +59,13 @@ static burnish_status read_draco(const char *json, const byte_list *binary) {
     return run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL);
 }
 
-/* A triangle as an answer: positions as attribute 7, colours as 2. */
+/* A triangle as an answer: gltf_triangle as attribute 7, colours as 2. */
 static void put_triangle(byte_list *list, uint32_t last_corner) {
-    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     static const uint32_t words[] = {3, 1, 2, 7, 5126, 3};
     for (size_t i = 0; i < 6; ++i) {
         put_bits(list, words[i], 4, 0);
     }
-    put_floats(list, 9, positions);
+    put_floats(list, 9, gltf_triangle);
     put_bits(list, 2, 4, 0);
     put_bits(list, 5121, 4, 0);
     put_bits(list, 4, 4, 0);

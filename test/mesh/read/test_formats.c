@@ -16,7 +16,7 @@
 /* The last one needs expat. */
 static const struct kind {
     const char *name, *format, *shown;
-    const char *text; /* of the whole file, or before the corners; NULL: 3MF */
+    const char *text; /* of the whole file, or before the gltf_triangle; NULL: 3MF */
     int has_corners;  /* 1: as floats */
     const char *end;  /* after them, `end_size` bytes */
     size_t end_size;
@@ -38,7 +38,6 @@ static const struct kind {
 enum { ALL_KINDS = sizeof kinds / sizeof *kinds, KINDS = ALL_KINDS - !BURNISH_HAS_3MF, SIZE = 32 };
 
 static void put_kind(byte_list *list, const struct kind *kind) {
-    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     static byte_list binary;
     const int is_gltf = strcmp(kind->format, "gltf") == 0;
     list->size = binary.size = 0;
@@ -61,7 +60,7 @@ static void put_kind(byte_list *list, const struct kind *kind) {
         put_text(list, kind->text);
     }
     if (kind->has_corners) {
-        put_floats(is_gltf ? &binary : list, 9, corners);
+        put_floats(is_gltf ? &binary : list, 9, gltf_triangle);
     }
     if (is_gltf && kind->has_corners) {
         put_glb(list, kind->text, &binary);

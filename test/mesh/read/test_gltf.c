@@ -9,7 +9,6 @@
 
 static void test_containers(void) {
     static const char json[] = "$head$triangle,$node}";
-    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     read_good(json, NULL);
     CHECK1(got.triangle_count == 1 && corner_is(0, 0, 0, 0, 0) && corner_is(0, 1, 1, 0, 0) &&
            corner_is(0, 2, 0, 2, 0));
@@ -18,7 +17,7 @@ static void test_containers(void) {
     check_warning(NULL);
 
     byte_list binary = {.size = 0};
-    put_floats(&binary, 9, positions);
+    put_floats(&binary, 9, gltf_triangle);
     read_good("$head$buffer(36),'bufferViews':[$view(0,36)],'accessors':["
               "$accessor(0,5126,3,VEC3)],$mesh('POSITION':0),$node}",
               &binary);
@@ -31,14 +30,13 @@ static const char *asked_for;
 
 static burnish_status load_positions(void *user_data, const char *name, uint64_t max_bytes,
                                      const void **bytes, size_t *size, burnish_error *error) {
-    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     static byte_list list;
     (void)user_data, (void)max_bytes;
     if (strcmp(name, asked_for) != 0) {
         return burnish_fail(error, BURNISH_STATUS_READ, "%s: asked for", name);
     }
     list.size = 0;
-    put_floats(&list, 9, positions);
+    put_floats(&list, 9, gltf_triangle);
     *bytes = list.bytes;
     *size = list.size;
     return BURNISH_STATUS_OK;
@@ -164,12 +162,11 @@ static void test_sparse(void) {
 
 /* Colours are linear in glTF and sRGB in the mesh; normals and coordinates come along. */
 static void test_attributes(void) {
-    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     static const float normals[9] = {0, 0, 2, 0, 3, 4, 0, 0, 0};
     static const float uv[6] = {0, 0, 0.25f, 0.75f, 1, 2};
     static const float colors[9] = {0, 0.5f, 1, 0.25f, -1, 2, 1, 1, 1};
     byte_list binary = {.size = 0};
-    put_floats(&binary, 9, positions);
+    put_floats(&binary, 9, gltf_triangle);
     put_floats(&binary, 9, normals);
     put_floats(&binary, 6, uv);
     put_floats(&binary, 9, colors);

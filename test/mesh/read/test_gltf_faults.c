@@ -3,11 +3,10 @@
 
 /* ---- Compressed views ---- */
 
-/* Raw differences of every byte of three positions, the first of 0; the tail holds that 0. */
+/* Raw differences of every byte of three gltf_triangle, the first of 0; the tail holds that 0. */
 static void put_packed_positions(byte_list *list) {
-    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
     uint8_t bytes[36];
-    memcpy(bytes, positions, sizeof bytes); /* of a little-endian machine */
+    memcpy(bytes, gltf_triangle, sizeof bytes); /* of a little-endian machine */
     put_bits(list, 0xA0, 1, 0);
     for (size_t k = 0; k < 12; ++k) {
         put_bits(list, 3, 1, 0);

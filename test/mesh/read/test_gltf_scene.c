@@ -167,13 +167,13 @@ static const struct {
 /* Translations 0 at 1 s and (8, 0, 0) at 3 s by each interpolation; a rotation of a quarter turn,
  * whose middle is an eighth of one, and whose quarters are equal angles. */
 static void test_animation(void) {
-    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0}, times[2] = {1, 3};
+    static const float times[2] = {1, 3};
     static const float steps[6] = {0, 0, 0, 8, 0, 0};
     /* in-tangent, value, out-tangent, twice */
     static const float cubic[18] = {9, 9, 9, 0, 0, 0, 1, 0, 0, 2, 0, 0, 8, 0, 0, 9, 9, 9};
     static const float turns[8] = {0, 0, 0, 1, 0, 0, -0.70710678f, -0.70710678f};
     byte_list binary = {.size = 0};
-    put_floats(&binary, 9, positions);
+    put_floats(&binary, 9, gltf_triangle);
     put_floats(&binary, 2, times);
     put_floats(&binary, 6, steps);
     put_floats(&binary, 18, cubic);
@@ -312,8 +312,7 @@ static void test_textures(void) {
               "'texCoord':1},'emissiveFactor':[1,0,0.5],"
               "'extensions':{'KHR_materials_emissive_strength':{'emissiveStrength':3}},"
               "'alphaMode':'MASK','alphaCutoff':0.25}],"
-              "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
-              "$node}",
+              "$painted}",
               NULL);
     const burnish_material *m = got.materials;
     const burnish_texture_use *color = &m->textures[BURNISH_TEXTURE_COLOR];
@@ -391,8 +390,7 @@ static void test_damaged_images(void) {
                  "ex':0}},'normalTexture':{'index':1},'emissiveTexture':{'index':9},"
                  "'emissiveFactor':[1,1,1]},{'extensions':{'KHR_materials_pbrSpecularGlossiness':"
                  "{'specularGlossinessTexture':{'index':0}}}}],"
-                 "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0}]}],"
-                 "$node}",
+                 "$painted}",
                  images[i], images[i]);
         read_good(json, NULL);
         CHECK1(got.triangle_count == 1 && got.texture_count == 0 && got.warning_count >= 1 &&
@@ -443,9 +441,8 @@ static void test_invisible(void) {
 /* Alpha of vertices, which a blended material multiplies: 0 for all of them, or for all but one. */
 static void test_invisible_vertices(void) {
     for (int visible = 0; visible < 2; ++visible) {
-        static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 2, 0};
         byte_list binary = {.size = 0};
-        put_floats(&binary, 9, positions);
+        put_floats(&binary, 9, gltf_triangle);
         for (int i = 0; i < 3; ++i) {
             put_bits(&binary, 0x00334455u | (visible && i == 2 ? 0x80000000u : 0), 4, 0);
         }
