@@ -3,7 +3,7 @@
 Usage: guides.py PROGRAM COMPILER SOURCE_DIR BUILD_DIR SCRATCH
 
 HTML comments directly above a block, which readers do not see:
-  needs: TOOL...   run only if these commands exist; python3:NAME: if Python can import it; npm: if build/npm was made
+  needs: TOOL...   run only if these commands exist
   exits: CODE      the block ends with this exit code instead of 0
   file: NAME       the block is written to a file of that name instead
 A block marked text directly below shows what the commands print, on both outputs: its lines must come in this order; "..."
@@ -17,7 +17,6 @@ import subprocess
 import sys
 
 PROGRAM, COMPILER, SOURCE, BUILD, SCRATCH = (os.path.abspath(shutil.which(argument) or argument) for argument in sys.argv[1:6])
-PACKAGE = os.path.join(SOURCE, "build", "npm")
 BLOCK = re.compile(r"((?:^<!-- \w+: [^\n]* -->\n\n?)*)^```([^\n]*)\n(.*?)^```$\n*(?:^```text\n(.*?)^```$)?", re.M | re.S)
 FILES = {"part.stl": (40, 20, 10), "before.stl": (40, 20, 10), "after.stl": (40, 20, 12), "parts/base.stl": (30, 10, 10), "parts/left/arm.stl": (10, 10, 40)}
 CORNERS = "023 031 457 476 015 054 267 273 046 062 137 175".split()
@@ -28,14 +27,6 @@ def box(x, y, z):
     corners = [f"vertex {n % 2 * x} {n // 2 % 2 * y} {n // 4 * z}\n" for n in range(8)]
     facets = ("facet normal 0 0 0\nouter loop\n" + "".join(corners[int(n)] for n in facet) + "endloop\nendfacet\n" for facet in CORNERS)
     return "solid box\n" + "".join(facets) + "endsolid box\n"
-
-
-def has(tool):
-    if tool.startswith("python3:"):
-        return subprocess.run(["python3", "-c", f"import {tool[8:]}"], capture_output=True).returncode == 0
-    if tool == "npm":
-        return os.path.exists(PACKAGE + "/wasm.js") and shutil.which("node")
-    return shutil.which(tool)
 
 
 def difference(wanted, got):
@@ -51,15 +42,12 @@ def run(guide, text):
     for name, size in FILES.items():
         with open(name, "w", encoding="ascii") as file:
             file.write(box(*size))
-    if os.path.isdir(PACKAGE):
-        os.mkdir("node_modules")
-        os.symlink(PACKAGE, "node_modules/burnish")
     failures, ran, skipped = [], 0, []
     for block in BLOCK.finditer(text):
         marks, kind, commands, shown = block.groups()
         marks = dict(re.findall(r"<!-- (\w+): (.*) -->", marks))
         where = f"docs/guides/{guide}.md:{text.count(chr(10), 0, block.start(3))}"
-        missing = [tool for tool in marks.get("needs", "").split() if not has(tool)]
+        missing = [tool for tool in marks.get("needs", "").split() if not shutil.which(tool)]
         if "file" in marks:
             with open(marks["file"], "w", encoding="utf-8") as file:
                 file.write(commands)
