@@ -1,5 +1,5 @@
-/* Tables of the sRGB transfer function (IEC 61966-2-1). Written by
- * scripts/generate/srgb_table.c; do not edit. */
+/* Tables of the sRGB transfer function (IEC 61966-2-1), computed in long double. The test "srgb"
+ * compares them with the formula. */
 #ifndef BURNISH_CORE_SRGB_TABLE_H
 #define BURNISH_CORE_SRGB_TABLE_H
 
