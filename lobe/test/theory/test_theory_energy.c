@@ -1,5 +1,5 @@
-/* burnish/theory.h: integrals against GSL's adaptive quadrature, normalisation by Monte Carlo,
- * sampling by chi-square. */
+/* burnish/theory.h: integrals against GSL's adaptive quadrature, sampling by
+ * chi-square. */
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -231,48 +231,6 @@ static void check_densities(void) {
     gsl_integration_workspace_free(workspace);
 }
 
-/* The reflection of a white furnace of brightness 1 along the normal: 1, by Monte Carlo, for Phong
- * (lobe around the normal) and Blinn (light mirrored at the sampled half vector). */
-static void furnace(const burnish_theory_model *model, double phong, double blinn, double mean[2],
-                    double deviation[2]) {
-    double solid = burnish_theory_integral(model, BURNISH_THEORY_SOLID_ANGLE);
-    double sum[2] = {0, 0}, squares[2] = {0, 0};
-    for (int i = 0; i < MANY; ++i) {
-        double c = burnish_theory_sample_cosine(model, BURNISH_THEORY_SOLID_ANGLE,
-                                                test_uniform(&random_state, 0, 1));
-        double light = 2 * c * c - 1;
-        double weight[2] = {phong * solid * c, blinn * solid * (light > 0 ? 4 * c * light : 0)};
-        for (int k = 0; k < 2; ++k) {
-            sum[k] += weight[k];
-            squares[k] += weight[k] * weight[k];
-        }
-    }
-    for (int k = 0; k < 2; ++k) {
-        mean[k] = sum[k] / MANY;
-        deviation[k] = sqrt((squares[k] / MANY - mean[k] * mean[k]) / MANY);
-    }
-}
-
-static void check_furnace(void) {
-    static const char *const words[] = {"power", "energy:2", "minimax:4", "shift7:2", "affine:2"};
-    for (int i = 0; i < 15; ++i) {
-        burnish_theory_model model;
-        double n = i % 3 == 0 ? 5 : i % 3 == 1 ? 30 : 300, mean[2], deviation[2];
-        CHECK1(!burnish_theory_model_parse(words[i / 3], n, &model, NULL));
-        double phong = burnish_theory_phong_factor(&model);
-        double blinn = burnish_theory_blinn_factor(&model);
-        furnace(&model, phong, blinn, mean, deviation);
-        for (int k = 0; k < 2; ++k) {
-            CHECK(fabs(mean[k] - 1) < 5 * deviation[k] + 1e-12, "%s n=%g, %s: %g +- %g",
-                  words[i / 3], n, k ? "Blinn" : "Phong", mean[k], deviation[k]);
-        }
-        /* the two factors exchanged must not pass */
-        furnace(&model, blinn, phong, mean, deviation);
-        CHECK(fabs(mean[0] - 1) > 5 * deviation[0] && fabs(mean[1] - 1) > 5 * deviation[1],
-              "%s n=%g: wrong factors passed", words[i / 3], n);
-    }
-}
-
 static void check_models(void) {
     int models = 0;
     random_state = test_seed(0);
@@ -302,6 +260,5 @@ int main(int count, char **arguments) {
     RUN(check_models());
     RUN(check_wrong_samplers());
     RUN(check_densities());
-    RUN(check_furnace());
     return test_end("theory_energy");
 }

@@ -1,5 +1,5 @@
-/* burnish/theory.h: the light of a polygon, against quadrature in long double along the edges,
- * Monte Carlo, and shapes whose integrals are known. */
+/* burnish/theory.h: the light of a polygon, against quadrature in long double along the edges
+ * and shapes whose integrals are known. */
 #include <math.h>
 
 #include "burnish/theory.h"
@@ -209,50 +209,6 @@ static void check_quadrature(void) {
     printf("largest error %.2g of the whole lobe\n", worst);
 }
 
-/* ---- Monte Carlo ---- */
-
-/* Directions drawn from the lobe; the share inside a triangle. */
-static void check_samples(void) {
-    enum { SAMPLES = 20000 };
-    double corners[CORNERS_MAX][3], axis[3], x[3], y[3], normals[3][3];
-    random_state = test_seed(2);
-    for (int i = 0; i < 60; ++i) {
-        int order = orders[i % ORDERS], hits = 0;
-        double zeta = zetas[i % ZETAS];
-        random_polygon(corners);
-        random_axis(corners, 3, zeta, axis);
-        double share = light(order, zeta, axis, corners, 3) / whole(order, zeta);
-        double length = sqrt((double)dot(axis, axis));
-        for (int j = 0; j < 3; ++j) {
-            axis[j] /= length;
-        }
-        frame(axis, x, y);
-        for (int e = 0; e < 3; ++e) {
-            for (int j = 0; j < 3; ++j) {
-                int k = (j + 1) % 3, l = (j + 2) % 3, n = (e + 1) % 3;
-                normals[e][j] = corners[n][k] * corners[e][l] - corners[n][l] * corners[e][k];
-            }
-        }
-        for (int n = 0; n < SAMPLES; ++n) {
-            double xi = test_uniform(&random_state, 0, 1), phi = test_uniform(&random_state, 0, 1);
-            double c = 1 - (1 - pow(xi, 1.0 / (order + 1))) / zeta, direction[3];
-            double s = sqrt(fmax(0, 1 - c * c));
-            phi *= (double)(2 * PI);
-            for (int j = 0; j < 3; ++j) {
-                direction[j] = c * axis[j] + s * (cos(phi) * x[j] + sin(phi) * y[j]);
-            }
-            int left = (dot(normals[0], direction) > 0) + (dot(normals[1], direction) > 0) +
-                       (dot(normals[2], direction) > 0);
-            hits += left == 3 * (dot(normals[0], corners[2]) > 0);
-        }
-        share = fabs(share);
-        double deviation = sqrt(fmax(share * (1 - share), 1e-4) / SAMPLES);
-        CHECK(fabs((double)hits / SAMPLES - share) < 5 * deviation,
-              "case %d, order %d, zeta %g: %g, not %g", i, order, zeta, (double)hits / SAMPLES,
-              share);
-    }
-}
-
 /* ---- Shapes that are known ---- */
 
 #define NEAR(value, expected, whole)                                                               \
@@ -449,7 +405,6 @@ static void check_bad_input(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_quadrature());
-    RUN(check_samples());
     RUN(check_shapes());
     RUN(check_lambert());
     RUN(check_identities());

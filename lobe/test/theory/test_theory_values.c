@@ -1,5 +1,4 @@
-/* burnish/theory.h: models, their words and values against vectors in quad precision, derivatives
- * against finite differences, monotonicity and order by sweeps, widths. */
+/* burnish/theory.h: models, their words, derivatives against finite differences, monotonicity and order by sweeps, widths. */
 #include <float.h>
 #include <math.h>
 
@@ -26,64 +25,6 @@ static void for_each_model(void (*check)(const burnish_theory_model *, const cha
         }
     }
     CHECK(count > 150, "only %d models", count);
-}
-
-/* The model of one line of lobes.csv; 0 when it can't be made. */
-static int model_of_line(const char *lobe, int order, const char *fit, double n,
-                         burnish_theory_model *model) {
-    char words[64];
-    if (strcmp(lobe, "family") == 0) {
-        snprintf(words, sizeof words, "%.24s:%d", fit, order);
-    } else if (strcmp(lobe, "lyon") == 0) {
-        snprintf(words, sizeof words, "lyon:%d", order);
-    } else {
-        return burnish_theory_model_parse(lobe, n, model, NULL) == BURNISH_STATUS_OK;
-    }
-    return burnish_theory_model_parse(words, n, model, NULL) == BURNISH_STATUS_OK;
-}
-
-static void check_vectors(void) {
-    FILE *file = fopen(TEST_DATA_DIR "/lobes.csv", "r");
-    char line[256];
-    int compared = 0;
-    double worst = 0;
-    if (!CHECK(file != NULL, "lobes.csv")) {
-        return;
-    }
-    (void)!fgets(line, sizeof line, file);
-    while (fgets(line, sizeof line, file)) {
-        char *field[7] = {line};
-        for (int i = 1; i < 7; ++i) {
-            field[i] = strchr(field[i - 1], ',');
-            if (!CHECK(field[i] != NULL, "line %d: \"%s\"", compared + 2, line)) {
-                fclose(file);
-                return;
-            }
-            *field[i]++ = 0;
-        }
-        double n = strtod(field[3], NULL), c = strtod(field[4], NULL);
-        double expected = strtod(field[6], NULL);
-        burnish_theory_model model;
-        if (atoi(field[1]) > 2 && n < atoi(field[1])) {
-            continue; /* the float header's range is wider: it takes any zeta */
-        }
-        if (!CHECK(model_of_line(field[0], atoi(field[1]), field[2], n, &model), "%s:%s %s n=%g",
-                   field[0], field[1], field[2], n)) {
-            continue;
-        }
-        double error = fabs(burnish_theory_value(&model, c) - expected);
-        worst = error > worst ? error : worst;
-        CHECK(error < 1e-13, "%s:%s %s n=%g at %a: off by %g", field[0], field[1], field[2], n, c,
-              error);
-        if (*field[5]) {
-            CHECK(fabs(model.zeta / strtod(field[5], NULL) - 1) < 1e-14, "zeta of %s n=%g",
-                  field[2], n);
-        }
-        ++compared;
-    }
-    fclose(file);
-    CHECK(compared >= 300, "%d vectors", compared);
-    printf("%d vectors, largest error %.2g\n", compared, worst);
 }
 
 static void check_derivatives(const burnish_theory_model *model, const char *name) {
@@ -316,7 +257,6 @@ static void check_lyon(void) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    RUN(check_vectors());
     RUN(for_each_model(check_derivatives));
     RUN(for_each_model(check_monotone));
     RUN(for_each_model(check_widths));
