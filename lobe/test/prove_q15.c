@@ -6,46 +6,9 @@
 #include "q15_proof.h"
 #include "support.h"
 
-/* Merges another thread's results. */
-static void merge(q15_result *to, const q15_result *from) {
-    for (int form = 0; form < Q15_FORMS; ++form) {
-        to->error[form] = to->error[form] > from->error[form] ? to->error[form] : from->error[form];
-    }
-    if (from->wrong) {
-        to->wrong_n = from->wrong_n;
-        to->wrong_input = from->wrong_input;
-    }
-    to->values += from->values;
-    to->wrong += from->wrong;
-}
-
-enum { EXPONENTS = 1023 };
-
-/* One proof over every stride-th exponent, shared by threads. */
-static q15_result all(const q15_case *c, int of_lambdas, int stride) {
-    static q15_result found[EXPONENTS];
-    const int count = (EXPONENTS + stride - 1) / stride;
-    q15_result result = {0};
-    memset(found, 0, sizeof found);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic)
-#endif
-    for (int i = 0; i < count; ++i) {
-        const uint32_t n = (uint32_t)(i * stride + 1);
-        if (of_lambdas) {
-            q15_prove_lambdas(c, n, 1, &found[i]);
-        } else {
-            q15_prove_cosines(c, n, &found[i]);
-        }
-    }
-    for (int i = 0; i < count; ++i) {
-        merge(&result, &found[i]);
-    }
-    return result;
-}
-
 int main(int argc, char **argv) {
     const int stride = argc == 2 && strcmp(argv[1], "short") == 0 ? 64 : 1;
+    static q15_result found[2][Q15_CASES];
     int bad = 0;
     if (argc > 2 || (argc == 2 && stride == 1)) {
         fprintf(stderr, "usage: prove_q15 [short]\n");
@@ -58,15 +21,21 @@ int main(int argc, char **argv) {
         printf(" %8s", q15_form_names[form]);
     }
     printf("\n");
-    for (int i = 0; i < Q15_CASES; ++i) {
-        const q15_result result = all(&q15_cases[i], 0, stride);
-        bad += !q15_report("cosine", &q15_cases[i], &result);
-        fflush(stdout);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (int i = 0; i < 2 * Q15_CASES; ++i) {
+        for (uint32_t n = 1; n <= 1023; n += (uint32_t)stride) {
+            if (i % 2) {
+                q15_prove_lambdas(&q15_cases[i / 2], n, 1, &found[1][i / 2]);
+            } else {
+                q15_prove_cosines(&q15_cases[i / 2], n, &found[0][i / 2]);
+            }
+        }
     }
-    for (int i = 0; i < Q15_CASES; ++i) {
-        const q15_result result = all(&q15_cases[i], 1, stride);
-        bad += !q15_report("lambda", &q15_cases[i], &result);
-        fflush(stdout);
+    for (int i = 0; i < 2 * Q15_CASES; ++i) {
+        bad += !q15_report(i < Q15_CASES ? "cosine" : "lambda", &q15_cases[i % Q15_CASES],
+                           &found[i / Q15_CASES][i % Q15_CASES]);
     }
     for (int i = 0; i < 4; ++i) {
         q15_result result = {0};

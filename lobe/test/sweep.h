@@ -187,16 +187,14 @@ static inline int sweep_accepts(const sweep_case *c, float x) {
            (made ? lobe.zeta > 0 && lobe.order == c->order : lobe.zeta == 0 && lobe.order == 0);
 }
 
-/* Sweeps the bit patterns first, first + stride, ... below end (at most 2^32) into *result, which
- * starts as zero or as the result of another part. */
-static inline void sweep_run(const sweep_case *c, uint64_t first, uint64_t end, uint64_t stride,
-                             sweep_result *result) {
+/* Sweeps every stride-th of the 2^32 bit patterns into *result, which starts as zero. */
+static inline void sweep_run(const sweep_case *c, uint64_t stride, sweep_result *result) {
     burnish_lobe lobe = {0, 0};
     int comparable = sweep_find_bound(c->kind, c->order) != NULL;
     if (c->kind == SWEEP_FAMILY) {
         (void)burnish_lobe_create(&lobe, c->fit, c->order, c->exponent);
     }
-    for (uint64_t bits = first; bits < end; bits += stride) {
+    for (uint64_t bits = 0; bits < (uint64_t)1 << 32; bits += stride) {
         float x = test_float_of_bits((uint32_t)bits);
         float value = sweep_value(c, lobe, x);
         ++result->values;
@@ -218,17 +216,6 @@ static inline void sweep_run(const sweep_case *c, uint64_t first, uint64_t end, 
             sweep_compare(result, value, sweep_exact(c, lobe, (double)x));
         }
     }
-}
-
-/* Adds the result of another part. */
-static inline void sweep_merge(sweep_result *result, const sweep_result *part) {
-    result->values += part->values;
-    result->outside += part->outside;
-    result->decreasing += part->decreasing;
-    result->inconsistent += part->inconsistent;
-    result->compared += part->compared;
-    result->absolute = part->absolute > result->absolute ? part->absolute : result->absolute;
-    result->relative = part->relative > result->relative ? part->relative : result->relative;
 }
 
 /* 1 when the errors found keep the bound, and something was compared; prints them. */
