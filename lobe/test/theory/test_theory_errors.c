@@ -329,23 +329,11 @@ static double metric(const char *name, const burnish_theory_model *model, double
     return NAN;
 }
 
-/* Closed forms of W at n = 100: zeta 50, and of W_1: equal energy. */
+/* cli_lobe.sh compares their values with closed forms. */
 static void check_metrics(void) {
     const burnish_theory_model w = model_of("taylor:2", 100), w1 = model_of("energy:2", 100);
-    const double degree = HALF_PI / 90, c = cos(10 * degree), u = 1 - 50 * (1 - c);
-    CHECK1(metric("zeta", &w, 0) == 50 && metric("peak", &w, 0) == 1);
-    CHECK1(fabs(metric("value", &w, 10) - u * u) < 1e-13);
-    CHECK1(fabs(metric("slope", &w, 10) + 100 * sin(10 * degree) * u) < 1e-11);
-    CHECK1(fabs(metric("zero-angle", &w, 0) - acos(0.98) / degree) < 1e-11);
-    CHECK1(fabs(metric("angle", &w, 8) - acos(1 - 15.0 / 16 / 50) / degree) < 1e-11);
-    CHECK1(fabs(metric("energy", &w1, 0) - 1) < 1e-12);
-    CHECK1(fabs(metric("integral", &w, 0) - 4 * HALF_PI / 150) < 1e-12);
     CHECK1(fabs(metric("cosine-energy", &w1, 0) -
                 102.0 * (4 * 101 / 3.0 - 1) / 12 / (101 / 3.0) / (101 / 3.0)) < 1e-9);
-    CHECK1(fabs(metric("relative", &w, 10) - 100 * (u * u / pow(c, 100) - 1)) < 1e-9);
-    CHECK1(metric("max-error", &w, 0) == burnish_theory_maximum_error(&w, HALF_PI));
-    CHECK1(metric("multiplications", &w, 0) == 2 && metric("divisions", &w, 0) == 0);
-    CHECK1(fabs(metric("toksvig", &w, 0.5) - 50 / 50.5) < 1e-14);
     CHECK1(metric("ggx-moved", &w, 3) < metric("ggx-moved", &w, 1));
     CHECK1(isnan(burnish_theory_metric_value(
         burnish_theory_metric_at(0),
