@@ -43,17 +43,6 @@ static int allowed(burnish_lobe_fit fit, int order, double n) {
     return n >= order || (order == 2 && fit != BURNISH_FIT_PROJECTED);
 }
 
-/* burnish_lobe_solve, rounded to a lobe. */
-static burnish_lobe_status solved_lobe(burnish_lobe *lobe, burnish_lobe_fit fit, int order,
-                                       double exponent, double parameter) {
-    double zeta, scale;
-    burnish_lobe_status status =
-        burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order, .parameter = parameter},
-                           exponent, &zeta, &scale);
-    (void)burnish_lobe_from_zeta(lobe, (float)zeta, order);
-    return status;
-}
-
 static void check_formulas(void) {
     static const double levels[] = {1e-300, 1e-6, 0.1, 0.45, 0.5, 0.9, 0.999999, 1 - 1e-9};
     double worst[FORMULAS] = {0}, scale;
@@ -75,11 +64,6 @@ static void check_formulas(void) {
             CHECK(status == BURNISH_LOBE_OK && scale == 1 && error < 2e-15,
                   "fit %d order %d n=%g Q=%g: %.17g", fit, order, n, level, zeta);
             worst[fit] = fmax(worst[fit], error);
-
-            burnish_lobe lobe = {7, 7};
-            status = solved_lobe(&lobe, (burnish_lobe_fit)fit, order, n, level);
-            CHECK(status == BURNISH_LOBE_OK && lobe.zeta == (float)zeta && lobe.order == order,
-                  "fit %d order %d n=%g", fit, order, n);
         }
         printf("fit %d: largest relative error of zeta %.2g\n", fit, worst[fit]);
     }
@@ -93,10 +77,12 @@ static void check_same_as_header(void) {
     for (int i = 0; i < 40000; ++i, n *= 1.000277f) {
         burnish_lobe_fit fit = fits[i % 4];
         int order = i % 4 < 2 ? 2 << i / 4 % 5 : 2;
-        burnish_lobe header = {7, 7}, theory = {8, 8};
+        burnish_lobe header = {7, 7};
+        double zeta, scale;
         burnish_lobe_status a = burnish_lobe_create(&header, fit, order, n);
-        burnish_lobe_status b = solved_lobe(&theory, fit, order, (double)n, 0.5);
-        CHECK(a == b && header.zeta == theory.zeta && header.order == theory.order,
+        burnish_lobe_status b = burnish_lobe_solve(&(burnish_lobe_spec){.fit = fit, .order = order},
+                                                   (double)n, &zeta, &scale);
+        CHECK(a == b && header.zeta == (float)zeta && header.order == (b ? 0 : order),
               "fit %d order %d n=%.9g", (int)fit, order, (double)n);
     }
     CHECK1(n > 60000 && n < 70000);
@@ -182,19 +168,16 @@ static void check_limits(void) {
 static void check_refused(burnish_lobe_fit fit, int order, double n, double level,
                           burnish_lobe_status expected) {
     double zeta = 7, scale = 7;
-    burnish_lobe lobe = {7, 7};
     burnish_lobe_status status = burnish_lobe_solve(
         &(burnish_lobe_spec){.fit = fit, .order = order, .parameter = level}, n, &zeta, &scale);
     CHECK(status == expected && zeta == 0 && scale == 0, "fit %d order %d n=%g Q=%g: %s", (int)fit,
           order, n, level, burnish_lobe_status_text(status));
-    status = solved_lobe(&lobe, fit, order, n, level);
-    CHECK(status == expected && lobe.zeta == 0 && lobe.order == 0, "fit %d order %d n=%g Q=%g: %s",
-          (int)fit, order, n, level, burnish_lobe_status_text(status));
 }
 
 static void check_errors(void) {
     static const double bad_levels[] = {0, 1, -0.5, 1.5, NAN, HUGE_VAL, -HUGE_VAL};
     static const double bad_exponents[] = {0, 1 - 1e-15, 65536.00000001, NAN, HUGE_VAL, -10};
+    static const int bad_orders[] = {0, 1, 3, 12, 33, 64, -2, 2147483647};
     for (int i = 0; i < 7; ++i) {
         check_refused(BURNISH_FIT_LEVEL, 2, 10, bad_levels[i], BURNISH_LOBE_ERROR_LEVEL);
         CHECK1(zeta_of(BURNISH_FIT_ENERGY, 2, 8, bad_levels[i]) == 3); /* not read */
@@ -204,8 +187,9 @@ static void check_errors(void) {
             check_refused((burnish_lobe_fit)fit, 2, bad_exponents[i], 0.5,
                           BURNISH_LOBE_ERROR_EXPONENT);
         }
-        check_refused((burnish_lobe_fit)fit, 3, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
-        check_refused((burnish_lobe_fit)fit, 64, 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
+        for (int i = 0; i < 8; ++i) {
+            check_refused((burnish_lobe_fit)fit, bad_orders[i], 10, 0.5, BURNISH_LOBE_ERROR_ORDER);
+        }
         int shift = fit == BURNISH_FIT_SHIFT7 || fit == BURNISH_FIT_SHIFT3;
         if (fit == BURNISH_FIT_GIVEN) { /* whatever the exponent */
             continue;
