@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "program/lists.h"
 #include "program/lobe.h"
 
 typedef enum boundary_form { FORM_C, FORM_PROGMEM, FORM_MEM, FORM_CSV } boundary_form;

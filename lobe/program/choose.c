@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "program/choose_sum.h"
-#include "program/lists.h"
 #include "program/lobe.h"
 
 typedef struct choose_settings {

@@ -1,8 +1,6 @@
-#include "program/choose_sum.h"
+#include "program/lobe.h"
 
 #include <math.h>
-
-#include "base/cli/values.h"
 
 const cli_word lobe_distribution_words[] = {
     {"ggx", BURNISH_THEORY_GGX}, {"beckmann", BURNISH_THEORY_BECKMANN}, {NULL, 0}};

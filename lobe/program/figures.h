@@ -4,9 +4,7 @@
 
 #include <stdio.h>
 
-#include "base/cli/options.h"
-#include "burnish/theory.h"
-#include "program/lists.h"
+#include "program/lobe.h"
 
 enum {
     PLOT_LIST_MAX = 32,   /* items of --exponents, --lobes, --bits */

@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/cli/values.h"
-#include "program/lists.h"
+#include "program/lobe.h"
 
 /* A range: each number is the previous one plus `by` or, with multiply, times `by`. */
 typedef struct span {

@@ -2,8 +2,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/cli/values.h"
-#include "program/choose_sum.h"
 #include "program/lobe.h"
 
 enum { ROUGH_MAX = 64, ROUGH_COLUMNS = 15 };

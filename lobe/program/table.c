@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "program/lists.h"
 #include "program/lobe.h"
 
 typedef struct table_settings {

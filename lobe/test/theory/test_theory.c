@@ -116,25 +116,6 @@ static void check_integrals(void) {
     }
 }
 
-/* level(Q): the lobe meets the power where that is Q. */
-static void check_level(void) {
-    static const double levels[] = {0.01, 0.3, 0.5, 0.6065, 0.99};
-    for (int i = 0; i < EXPONENT_COUNT * 5; ++i) {
-        double n = exponents[i / 5], level = levels[i % 5];
-        for (int order = 2; order <= 32; order *= 2) {
-            if (!allowed(BURNISH_FIT_LEVEL, order, n)) {
-                continue;
-            }
-            double zeta = zeta_of(BURNISH_FIT_LEVEL, order, n, level);
-            double c = pow(level, 1 / n);
-            double lambda_error = n * order * DBL_EPSILON; /* of 1 - c, amplified by the lobe */
-            CHECK(fabs(burnish_theory_power(c, n) - level) < 1e-15 + 2 * lambda_error, "n=%g", n);
-            CHECK(fabs(burnish_theory_family(zeta, order, c) - level) < 1e-14 + 2 * lambda_error,
-                  "level%g:%d n=%g", level, order, n);
-        }
-    }
-}
-
 /* The limits of the fits, and their order. */
 static void check_limits(void) {
     for (int order = 2; order <= 32; order *= 2) {
@@ -255,7 +236,6 @@ int main(int count, char **arguments) {
     RUN(check_formulas());
     RUN(check_same_as_header());
     RUN(check_integrals());
-    RUN(check_level());
     RUN(check_limits());
     RUN(check_errors());
     RUN(check_values());
